@@ -1,0 +1,28 @@
+# Compiler launcher, linker, warnings, instruction set and sanitizers, as one interface target: ixos_options.
+find_program(IXOS_CCACHE ccache)
+if(IXOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${IXOS_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${IXOS_CCACHE})
+endif()
+
+# -g1 keeps line numbers for profiles and back traces and costs nearly nothing to compile.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -fno-omit-frame-pointer")
+
+add_library(ixos_options INTERFACE)
+target_compile_options(ixos_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-psabi)
+if(IXOS_WARNINGS_AS_ERRORS)
+  target_compile_options(ixos_options INTERFACE -Werror)
+endif()
+if(IXOS_ARCH)
+  target_compile_options(ixos_options INTERFACE -march=${IXOS_ARCH})
+endif()
+if(IXOS_SANITIZE)
+  target_compile_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE} -fno-sanitize-recover=all)
+  target_link_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE})
+endif()
+
+find_program(IXOS_LLD ld.lld)
+if(IXOS_LLD)
+  target_link_options(ixos_options INTERFACE -fuse-ld=lld)
+endif()

@@ -1,0 +1,27 @@
+# Everything Ixos links against. Trilinos is one interface target, ixos_trilinos.
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(Trilinos 13.2 REQUIRED COMPONENTS NOX Stratimikos Thyra ThyraTpetraAdapters Belos Ifpack2 Amesos2
+                                               Tpetra Kokkos Sacado Teuchos)
+find_package(BLAS REQUIRED)
+find_package(LAPACK REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_library(IXOS_METIS metis REQUIRED)
+find_library(IXOS_CHOLMOD cholmod REQUIRED)
+find_path(IXOS_CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+
+add_library(ixos_trilinos INTERFACE)
+# The distribution's imported targets carry no include directories: they are added here, as SYSTEM.
+target_include_directories(ixos_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+# The targets of these packages drag libraries that nothing here uses (PT-Scotch, Epetra, MUMPS): link the files of the
+# others, not the targets.
+set(_unused trilinos_zoltan trilinos_zoltan2 trilinos_isorropia trilinos_noxepetra trilinos_noxlapack
+            trilinos_locaepetra trilinos_localapack trilinos_ModeLaplace)
+foreach(_library IN LISTS Trilinos_LIBRARIES)
+  if(TARGET ${_library} AND NOT _library IN_LIST _unused)
+    target_link_libraries(ixos_trilinos INTERFACE $<TARGET_FILE:${_library}>)
+  endif()
+endforeach()
+target_link_options(ixos_trilinos INTERFACE LINKER:--as-needed)
+target_link_libraries(ixos_trilinos INTERFACE MPI::MPI_CXX LAPACK::LAPACK BLAS::BLAS)

@@ -1,0 +1,12 @@
+# Installs the library, its headers, the driver and a package that find_package(Ixos) finds.
+include(CMakePackageConfigHelpers)
+install(TARGETS ixos ixos_trilinos EXPORT IxosTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ixos_driver RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY xml DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos)
+install(EXPORT IxosTargets NAMESPACE Ixos:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
+configure_package_config_file(cmake/IxosConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake
+                              INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/IxosConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/IxosConfigVersion.cmake
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)

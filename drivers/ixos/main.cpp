@@ -1,0 +1,164 @@
+// ixos: runs a scene. Exit status: 0 done; 1 a defect of ours; 2 bad input; 3 the solution could not be continued;
+// 4 input or output failed; 5 interrupted.
+#include <fmt/format.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <Tpetra_Core.hpp>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/pack.hpp"
+#include "base/parameter_entries.hpp"
+#include "progress_line.hpp"
+#include "scene/parameters.hpp"
+#include "scene/run.hpp"
+#include "scene/scene_file.hpp"
+#include "solve/klu2_repair.hpp"
+#include "time/catalogue.hpp"
+
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+void on_signal(int) { signalled = 1; }
+
+struct Arguments {
+  std::string scene;
+  std::vector<std::string> assignments;
+  std::string output;
+  bool check = false;
+  bool list_schemes = false;
+  bool version = false;
+  bool quiet = false;
+};
+
+const char* const how_to_begin =
+    "Ixos simulates dynamic adhesion. Give it a scene:\n"
+    "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
+    "  ixos xml/ball.xml --check                  is the scene sound?\n"
+    "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
+    "  ixos --list-schemes                        what the time integrators are good for\n"
+    "  ixos --help                                all options\n";
+
+void print_schemes() {
+  for (const ixos::Scheme& scheme : ixos::schemes()) {
+    fmt::print("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  from:      {}\n", scheme.name, scheme.order,
+               scheme.stability, scheme.conserves, scheme.citation);
+    for (const auto& [name, entry] : ixos::entries(scheme.parameters)) {
+      std::ostringstream value;
+      value << entry.getAny(false);
+      fmt::print("  {} = {}: {}\n", name, value.str(), entry.docString());
+    }
+  }
+}
+
+void print_version() {
+  fmt::print("ixos {}\nSIMD: {} doubles wide\nKLU2 from: {}\n", IXOS_VERSION, ixos::pack_width, ixos::klu2_library());
+}
+
+/// The results folder for a scene file: its name without folder and ending, with .results.
+std::string default_output(const std::string& scene) {
+  const auto slash = scene.find_last_of('/');
+  std::string name = slash == std::string::npos ? scene : scene.substr(slash + 1);
+  return name.substr(0, name.find_last_of('.')) + ".results";
+}
+
+void describe(ixos::Simulation& simulation) {
+  const ixos::Model& model = simulation.model();
+  const auto& integrator = simulation.parameters().sublist("Time Integrator");
+  fmt::print("{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0\n",
+             simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
+             model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.time_step(),
+             simulation.final_time());
+}
+
+int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
+  const bool speaks = comm->getRank() == 0 && !arguments.quiet;
+  Teuchos::ParameterList scene = ixos::read_scene_file(arguments.scene);
+  for (const std::string& assignment : arguments.assignments)
+    ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
+  ixos::Simulation simulation(scene, comm);
+  if (speaks) describe(simulation);
+  if (arguments.check) {
+    if (speaks) fmt::print("The scene is sound.\n");
+    return 0;
+  }
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  ixos::RunOptions options;
+  options.folder = arguments.output.empty() ? default_output(arguments.scene) : arguments.output;
+  options.interrupted = [] { return signalled != 0; };
+  ixos::ProgressLine line;
+  if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
+  const ixos::RunResult result = ixos::run(simulation, options);
+  line.clear();
+  if (comm->getRank() == 0 && result.status != ixos::RunStatus::Completed)
+    fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
+               result.end_time, result.steps, result.reason, options.folder);
+  else if (speaks)
+    fmt::print("Reached t = {:.6g} T0 in {} steps. Results are in {}\n", result.end_time, result.steps,
+               options.folder);
+  if (result.status == ixos::RunStatus::Diverged) return 3;
+  return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
+}
+
+/// An error that all ranks see alike is said once.
+int report(int status, const std::string& what, const ixos::Comm& comm) {
+  if (comm->getRank() == 0) fmt::print(stderr, "ixos: {}\n", what);
+  return status;
+}
+
+int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
+  try {
+    return run_scene(arguments, comm);
+  } catch (const ixos::InputError& error) {
+    const std::string what = error.what();
+    const bool placed = what.rfind(arguments.scene, 0) == 0 || what.rfind("--set", 0) == 0;
+    return report(2, placed ? what : arguments.scene + ": " + what, comm);
+  } catch (const ixos::FileError& error) {
+    return report(4, error.what(), comm);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", error.what());
+    // The other ranks may be waiting in a collective operation.
+    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
+    return 1;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  const ixos::Comm comm = Tpetra::getDefaultComm();
+  const bool first = comm->getRank() == 0;
+
+  Arguments arguments;
+  CLI::App app("Ixos simulates dynamic adhesion.", "ixos");
+  app.add_option("SCENE", arguments.scene, "scene file (XML)");
+  app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
+  app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
+  app.add_flag("--list-schemes", arguments.list_schemes, "the time integrators, and what each is good for");
+  app.add_flag("--version", arguments.version, "version and build");
+  app.add_flag("--quiet", arguments.quiet, "say nothing but errors");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    if (first) fmt::print("{}", app.help());
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
+  }
+  if (arguments.list_schemes || arguments.version || arguments.scene.empty()) {
+    if (first && arguments.version) print_version();
+    if (first && arguments.list_schemes) print_schemes();
+    if (first && !arguments.version && !arguments.list_schemes) fmt::print("{}", how_to_begin);
+    return 0;
+  }
+  return guarded_run(arguments, comm);
+}

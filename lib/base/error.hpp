@@ -1,0 +1,21 @@
+/// The two kinds of failure that a user can mend. Everything else that is thrown is a defect of ours.
+#pragma once
+#include <stdexcept>
+#include <string>
+
+namespace ixos {
+
+/// Bad input: a scene, a mesh, a command line or a file. The message names the place, the offending value and what is
+/// allowed. The driver ends with exit status 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file or folder could not be written or read. The driver ends with exit status 4.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace ixos

@@ -1,0 +1,186 @@
+/// Energy, force and tangent of one element (or one pack of elements), over any scalar type.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "base/pack.hpp"
+#include "fem/reference_elements.hpp"
+#include "base/small_matrix.hpp"
+#include "fem/rule.hpp"
+
+namespace ixos {
+
+/// Isoparametric displacement element with a hyperelastic material. T is double, Pack, or an AD type. Nodal arrays are
+/// [node][component]; the tangent is [node D + component][node D + component].
+///
+/// On every path that a rule knows, the displacement gradient at a time point is a fixed combination of those of the
+/// segment's ends, so time points are looped inside the quadrature point: one gather, one B^T A B and one scatter serve
+/// any number of them.
+template <class Element, class Material>
+struct ElasticKernel {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+  static constexpr std::size_t Q = Element::points;
+
+  template <class T>
+  using Nodal = Small<T, N, D>;
+  template <class T>
+  using Tangent = Small<T, N * D>;
+
+  /// At one quadrature point: dxi_d/dX_J, and quadrature weight times reference volume [L0^D].
+  template <class T>
+  struct Point {
+    Small<T, D> inverse_jacobian;
+    T weight;
+  };
+  template <class T>
+  using Geometry = std::array<Point<T>, Q>;
+
+  /// The ends of the segment: u_from and h v_from may be null where the rule does not use them.
+  template <class T>
+  struct Segment {
+    const Nodal<T>* from;
+    const Nodal<T>* velocity;
+    const Nodal<T>* to;
+  };
+
+  /// Geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
+  template <class T>
+  static Geometry<T> geometry(const Nodal<T>& x) {
+    Geometry<T> result;
+    const auto& table = Element::table();
+    for (std::size_t q = 0; q < Q; ++q) {
+      Small<T, D> jacobian{};
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += x[a][i] * table.gradient[q][a][d];
+      const T det = determinant(jacobian);
+      result[q].inverse_jacobian = inverse(jacobian, det);
+      result[q].weight = det * table.weight[q];
+    }
+    return result;
+  }
+
+  /// Stored energy [E0 L0^D].
+  template <class T>
+  static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+    T sum(0.0);
+    for (std::size_t q = 0; q < Q; ++q)
+      sum += geometry[q].weight * material.energy(gradient(u, shape_gradients(geometry[q], q)));
+    return sum;
+  }
+
+  /// Adds the rule's force to f. Returns the least J that any time point saw (of the lanes, lane by lane).
+  template <class T>
+  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                     const Rule& rule, Nodal<T>& f) {
+    T least_jacobian(1e300);
+    for (std::size_t q = 0; q < Q; ++q) {
+      const Nodal<T> dn = shape_gradients(geometry[q], q);
+      const Ends<T> ends(segment, dn);
+      Small<T, D> mean{};
+      for (const RulePoint& point : rule.points) {
+        Small<T, D> p;
+        least_jacobian = smaller(least_jacobian, material.stress(ends.at(point), p));
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
+      }
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry[q].weight;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
+    }
+    return least_jacobian;
+  }
+
+  /// Adds the rule's tangent dF/du_s to k.
+  template <class T>
+  static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                          const Rule& rule, Tangent<T>& k) {
+    for (std::size_t q = 0; q < Q; ++q) {
+      const Nodal<T> dn = shape_gradients(geometry[q], q);
+      const Ends<T> ends(segment, dn);
+      Small<T, D * D> mean{};
+      for (const RulePoint& point : rule.points) {
+        Small<T, D> p;
+        Small<T, D * D> moduli;
+        material.stress_and_moduli(ends.at(point), p, moduli);
+        const double weight = point.weight * point.to;
+        for (std::size_t r = 0; r < D * D; ++r)
+          for (std::size_t c = 0; c < D * D; ++c) mean[r][c] += weight * moduli[r][c];
+      }
+      for (std::size_t r = 0; r < D * D; ++r)
+        for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry[q].weight;
+      add_contraction(dn, mean, k);
+    }
+  }
+
+ private:
+  /// Displacement gradients at the ends of the segment.
+  template <class T>
+  struct Ends {
+    Ends(const Segment<T>& segment, const Nodal<T>& dn) : to(gradient(*segment.to, dn)) {
+      has_from = segment.from != nullptr;
+      has_velocity = segment.velocity != nullptr;
+      if (has_from) from = gradient(*segment.from, dn);
+      if (has_velocity) velocity = gradient(*segment.velocity, dn);
+    }
+
+    Small<T, D> at(const RulePoint& point) const {
+      Small<T, D> h;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) {
+          h[i][j] = point.to * to[i][j];
+          if (has_from) h[i][j] += point.from * from[i][j];
+          if (has_velocity) h[i][j] += point.velocity * velocity[i][j];
+        }
+      return h;
+    }
+
+    Small<T, D> to, from, velocity;
+    bool has_from, has_velocity;
+  };
+
+  /// dN_a/dX_J at point q.
+  template <class T>
+  static Nodal<T> shape_gradients(const Point<T>& point, std::size_t q) {
+    const auto& reference = Element::table().gradient[q];
+    Nodal<T> dn{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t j = 0; j < D; ++j)
+        for (std::size_t d = 0; d < D; ++d) dn[a][j] += reference[a][d] * point.inverse_jacobian[d][j];
+    return dn;
+  }
+
+  /// H_iJ = sum_a u_ai dN_a/dX_J.
+  template <class T>
+  static Small<T, D> gradient(const Nodal<T>& u, const Nodal<T>& dn) {
+    Small<T, D> h{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) h[i][j] += u[a][i] * dn[a][j];
+    return h;
+  }
+
+  /// k_ai,bk += dN_a,J A_iJkL dN_b,L; the upper triangle of node pairs is computed and mirrored.
+  template <class T>
+  static void add_contraction(const Nodal<T>& dn, const Small<T, D * D>& moduli, Tangent<T>& k) {
+    for (std::size_t b = 0; b < N; ++b) {
+      Small<T, D * D, D> right{};  // A_iJkL dN_b,L
+      for (std::size_t r = 0; r < D * D; ++r)
+        for (std::size_t c = 0; c < D; ++c)
+          for (std::size_t l = 0; l < D; ++l) right[r][c] += moduli[r][c * D + l] * dn[b][l];
+      for (std::size_t a = 0; a <= b; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t c = 0; c < D; ++c) {
+            T sum = dn[a][0] * right[i * D][c];
+            for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * right[i * D + j][c];
+            k[a * D + i][b * D + c] += sum;
+            if (a != b) k[b * D + c][a * D + i] += sum;
+          }
+    }
+  }
+};
+
+}  // namespace ixos

@@ -1,0 +1,43 @@
+/// Time rules on a segment: how a force is averaged over a stage of a scheme.
+#pragma once
+#include <vector>
+
+namespace ixos {
+
+/// How a displacement moves between the known state and the stage's unknown.
+enum class Path {
+  Linear,    ///< u(xi) = u_from + xi (u_s - u_from)
+  Kinematic  ///< u(xi) = u_from + xi h v_from + xi^2 (u_s - u_from - h v_from), h the length of the stage
+};
+
+/// One time point: u(xi) = from u_from + velocity h v_from + to u_s. The force counts with `weight`, the tangent with
+/// weight times du(xi)/du_s = `to`.
+struct RulePoint {
+  double weight;
+  double from;
+  double velocity;
+  double to;
+};
+
+/// F = sum_i weight_i f(u(xi_i)) + kept_weight f(u_from). Points at xi = 0 depend on nothing unknown: they are gathered
+/// in `kept_weight`.
+struct Rule {
+  std::vector<RulePoint> points;
+  double kept_weight = 0;
+
+  /// True where some point uses the velocity of the known state.
+  bool uses_velocity() const;
+  /// Sum of all weights: 1 for a consistent rule.
+  double total_weight() const;
+};
+
+/// The force at the end of the segment.
+Rule end_rule();
+
+/// Points xi in [0, 1] with weights.
+Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weights, Path path = Path::Linear);
+
+/// n Gauss-Legendre points. Throws InputError unless 1 <= n <= 64.
+Rule gauss_rule(int n, Path path = Path::Linear);
+
+}  // namespace ixos

@@ -1,0 +1,156 @@
+/// Energy, force and tangent of one side (or a pack of sides) under a law of the gap, over any scalar type.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "base/small_matrix.hpp"
+#include "fem/reference_elements.hpp"
+#include "fem/rule.hpp"
+
+namespace ixos {
+
+/// Quadrature of a side of dimension D - 1 with n Gauss points a direction.
+template <std::size_t D>
+struct SurfaceQuadrature {
+  using Element = Multilinear<static_cast<int>(D) - 1>;
+  static constexpr std::size_t N = Element::nodes;
+
+  explicit SurfaceQuadrature(int n) {
+    const Quadrature rule = gauss_legendre(n);
+    const auto count = static_cast<std::size_t>(n);
+    for (std::size_t q = 0; q < (D == 2 ? count : count * count); ++q) {
+      std::array<double, D - 1> xi{rule.points[q % count]};
+      double w = rule.weights[q % count];
+      if constexpr (D == 3) {
+        xi[1] = rule.points[q / count];
+        w *= rule.weights[q / count];
+      }
+      weight.push_back(w);
+      value.emplace_back();
+      gradient.emplace_back();
+      Element::evaluate(xi, value.back(), gradient.back());
+    }
+  }
+
+  std::size_t size() const { return weight.size(); }
+
+  std::vector<double> weight;
+  std::vector<std::array<double, N>> value;
+  std::vector<std::array<std::array<double, D - 1>, N>> gradient;
+};
+
+/// Before a flat wall the gap at a quadrature point is sum_a N_a g_a of the nodal gaps g_a, and the force is along the
+/// wall's normal: everything is scalar. Nodal arrays are gaps at the side's N nodes; f_a and k_ab multiply n and n n^T.
+template <std::size_t D, class Law>
+struct SurfaceKernel {
+  static constexpr std::size_t N = SurfaceQuadrature<D>::N;
+  template <class T>
+  using Nodal = std::array<T, N>;
+
+  /// Ends of the segment as nodal gaps; `from` and `velocity` (its change along the normal) may be null.
+  template <class T>
+  struct Segment {
+    const Nodal<T>* from;
+    const Nodal<T>* velocity;
+    const Nodal<T>* to;
+  };
+
+  template <class T>
+  static T interpolate(const std::array<double, N>& shape, const Nodal<T>& nodal) {
+    T sum = shape[0] * nodal[0];
+    for (std::size_t a = 1; a < N; ++a) sum += shape[a] * nodal[a];
+    return sum;
+  }
+
+  /// Energy [E0 L0^D]; `measure[q]` is the quadrature weight times reference length or area [L0^(D-1)].
+  template <class T>
+  static T energy(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure, const Nodal<T>& gap) {
+    T sum(0.0);
+    for (std::size_t q = 0; q < quadrature.size(); ++q)
+      sum += measure[q] * law.energy(interpolate(quadrature.value[q], gap));
+    return sum;
+  }
+
+  /// Adds dPi/du along the normal to f. Returns the least gap of the time points and of the end.
+  template <class T>
+  static T add_force(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure,
+                     const Segment<T>& segment, const Rule& rule, Nodal<T>& f) {
+    T least_gap(1e300);
+    for (std::size_t q = 0; q < quadrature.size(); ++q) {
+      const auto& shape = quadrature.value[q];
+      const Ends<T> ends(segment, shape);
+      T mean(0.0);
+      for (const RulePoint& point : rule.points) {
+        const T r = ends.at(point);
+        least_gap = smaller(least_gap, r);
+        mean += point.weight * law.traction(r);
+      }
+      least_gap = smaller(least_gap, ends.to);
+      for (std::size_t a = 0; a < N; ++a) f[a] -= shape[a] * (measure[q] * mean);
+    }
+    return least_gap;
+  }
+
+  /// Adds the derivative of the force to k.
+  template <class T>
+  static void add_tangent(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure,
+                          const Segment<T>& segment, const Rule& rule, Small<T, N>& k) {
+    for (std::size_t q = 0; q < quadrature.size(); ++q) {
+      const auto& shape = quadrature.value[q];
+      const Ends<T> ends(segment, shape);
+      T mean(0.0);
+      for (const RulePoint& point : rule.points) mean += (point.weight * point.to) * law.stiffness(ends.at(point));
+      mean *= measure[q];
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b < N; ++b) k[a][b] += (shape[a] * shape[b]) * mean;
+    }
+  }
+
+  /// The largest s <= 1 with r + s p dr >= margin min(r, near) at the end of the segment, and at every time point where
+  /// the path is not linear (a linear path between two points before a flat wall never leaves their segment). `change`
+  /// holds nodal gap changes dr; p = du(xi)/du_s.
+  template <class T>
+  static T admissible_step(const SurfaceQuadrature<D>& quadrature, const Segment<T>& segment, const Rule& rule,
+                           const Nodal<T>& change, double margin, double near) {
+    T step(1.0);
+    const auto restrict_to = [&](const T& r, const T& dr) {
+      const T room = r - margin * smaller(r, T(near));
+      // dr < 0: s <= room/-dr; elsewhere the divisor is 1 and the quotient is discarded.
+      step = smaller(step, select(dr < 0.0, T(room / (select(dr < 0.0, T(-dr), T(1.0)))), T(1.0)));
+    };
+    for (std::size_t q = 0; q < quadrature.size(); ++q) {
+      const auto& shape = quadrature.value[q];
+      const Ends<T> ends(segment, shape);
+      const T dr = interpolate(shape, change);
+      restrict_to(ends.to, dr);
+      if (segment.velocity == nullptr) continue;
+      for (const RulePoint& point : rule.points) restrict_to(ends.at(point), T(point.to * dr));
+    }
+    return select(step > 0.0, step, T(0.0));
+  }
+
+ private:
+  /// Gaps at one quadrature point at the ends of the segment.
+  template <class T>
+  struct Ends {
+    Ends(const Segment<T>& segment, const std::array<double, N>& shape)
+        : to(interpolate(shape, *segment.to)),
+          has_from(segment.from != nullptr),
+          has_velocity(segment.velocity != nullptr) {
+      if (has_from) from = interpolate(shape, *segment.from);
+      if (has_velocity) velocity = interpolate(shape, *segment.velocity);
+    }
+    T at(const RulePoint& point) const {
+      T r = point.to * to;
+      if (has_from) r += point.from * from;
+      if (has_velocity) r += point.velocity * velocity;
+      return r;
+    }
+    T to, from, velocity;
+    bool has_from, has_velocity;
+  };
+};
+
+}  // namespace ixos

@@ -1,0 +1,54 @@
+/// Isotropic linear elasticity: the small-strain limit, exact superposition, and the oscillators of the tests.
+#pragma once
+#include "material/lame.hpp"
+#include "material/strain.hpp"
+
+namespace ixos {
+
+/// W = mu eps:eps + lambda/2 (tr eps)^2 with eps = (H + H^T)/2; plane strain for D = 2. Not objective.
+struct LinearElastic {
+  Lame lame;
+
+  /// Energy per volume [E0].
+  template <std::size_t D, class T>
+  T energy(const Small<T, D>& h) const {
+    Small<T, D> p;
+    stress(h, p);
+    T sum = p[0][0] * h[0][0];
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j)
+        if (i + j > 0) sum += p[i][j] * h[i][j];
+    return 0.5 * sum;
+  }
+
+  /// Cauchy stress [E0]. Returns 1: a linear material never inverts.
+  template <std::size_t D, class T>
+  T stress(const Small<T, D>& h, Small<T, D>& p) const {
+    T trace = h[0][0];
+    for (std::size_t i = 1; i < D; ++i) trace += h[i][i];
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        p[i][j] = lame.mu * (h[i][j] + h[j][i]);
+        if (i == j) p[i][j] += lame.lambda * trace;
+      }
+    return T(1.0);
+  }
+
+  /// Stress and constant moduli, A[iJ][kL] = dP_iJ/dH_kL.
+  template <std::size_t D, class T>
+  T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j)
+        for (std::size_t k = 0; k < D; ++k)
+          for (std::size_t m = 0; m < D; ++m) {
+            double value = 0;
+            if (i == k && j == m) value += lame.mu;
+            if (i == m && j == k) value += lame.mu;
+            if (i == j && k == m) value += lame.lambda;
+            moduli[i * D + j][k * D + m] = T(value);
+          }
+    return stress(h, p);
+  }
+};
+
+}  // namespace ixos

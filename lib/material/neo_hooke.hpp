@@ -1,0 +1,96 @@
+/// Compressible neo-Hookean law.
+#pragma once
+#include <cmath>
+
+#include "base/pack.hpp"
+#include "material/lame.hpp"
+#include "material/strain.hpp"
+
+namespace ixos {
+
+/// W = mu/2 (tr B - 3) - mu ln J + lambda/2 (ln J)^2 (Zienkiewicz and Taylor 2005; Gautam and Sauer 2014, eq. 36), in
+/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L = log1p(j),
+/// so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2 and P = F^-T (mu A + lambda/2 L I) keep their digits at strains
+/// down to roundoff. Moduli are stored A[iJ][kL], row iJ = i D + J.
+struct NeoHooke {
+  Lame lame;
+
+  /// Energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.
+  template <std::size_t D, class T>
+  T energy(const Small<T, D>& h) const {
+    const Small<T, D> a = green_strain_doubled(h);
+    T trace = a[0][0];
+    for (std::size_t i = 1; i < D; ++i) trace += a[i][i];
+    const T higher = higher_invariants(a);
+    const T j = trace + higher;
+    using std::log1p;
+    const T l = log1p(j);
+    return lame.mu / 2 * (minus_log1p(j, l) - higher) + lame.lambda / 8 * (l * l);
+  }
+
+  /// First Piola-Kirchhoff stress P_iJ [E0]. Returns J = det F.
+  template <std::size_t D, class T>
+  T stress(const Small<T, D>& h, Small<T, D>& p) const {
+    State<D, T> s(h);
+    stress_from(s, p);
+    return s.jacobian;
+  }
+
+  /// Stress and its derivative A[iJ][kL] = dP_iJ/dF_kL [E0]; the derivative is symmetric. Returns J.
+  template <std::size_t D, class T>
+  T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {
+    State<D, T> s(h);
+    stress_from(s, p);
+    const T c = lame.mu - lame.lambda / 2 * s.l;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t jj = 0; jj < D; ++jj)
+        for (std::size_t k = 0; k < D; ++k)
+          for (std::size_t m = 0; m < D; ++m) {
+            T value = c * (s.g[m][i] * s.g[jj][k]) + lame.lambda * (s.g[jj][i] * s.g[m][k]);
+            if (i == k && jj == m) value += lame.mu;
+            moduli[i * D + jj][k * D + m] = value;
+          }
+    return s.jacobian;
+  }
+
+ private:
+  /// What stress and moduli share: A, g = F^-1, J and L = ln det C.
+  template <std::size_t D, class T>
+  struct State {
+    explicit State(const Small<T, D>& h) : a(green_strain_doubled(h)) {
+      T trace = a[0][0];
+      for (std::size_t i = 1; i < D; ++i) trace += a[i][i];
+      const Small<T, D> f = deformation_gradient(h);
+      jacobian = determinant(f);
+      g = inverse(f, jacobian);
+      using std::log1p;
+      l = log1p(T(trace + higher_invariants(a)));
+    }
+    Small<T, D> a;
+    Small<T, D> g;
+    T jacobian;
+    T l;
+  };
+
+  template <std::size_t D, class T>
+  void stress_from(const State<D, T>& s, Small<T, D>& p) const {
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t jj = 0; jj < D; ++jj) {
+        T sum = (lame.lambda / 2) * (s.l * s.g[jj][i]);
+        for (std::size_t k = 0; k < D; ++k) sum += lame.mu * (s.g[k][i] * s.a[k][jj]);
+        p[i][jj] = sum;
+      }
+  }
+
+  /// j - log1p(j), by its series where the difference would cancel.
+  template <class T>
+  static T minus_log1p(const T& j, const T& log1p_j) {
+    // sum_{k>=2} (-1)^k j^k/k; nine terms leave 0.02^11/11 = 2e-20 at the switch.
+    T sum = T(-1.0 / 11) * j + T(1.0 / 10);
+    for (int k = 9; k >= 2; --k) sum = sum * j + (k % 2 == 0 ? 1.0 : -1.0) / k;
+    using std::abs;
+    return select(abs(j) < 0.02, T(sum * j * j), T(j - log1p_j));
+  }
+};
+
+}  // namespace ixos

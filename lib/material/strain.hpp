@@ -1,0 +1,41 @@
+/// Strain measures that lose no digits at small strain and large rotation.
+#pragma once
+#include "base/small_matrix.hpp"
+
+namespace ixos {
+
+/// A = F^T F - I = H + H^T + H^T H, for the displacement gradient H_iJ = du_i/dX_J.
+template <std::size_t D, class T>
+Small<T, D> green_strain_doubled(const Small<T, D>& h) {
+  Small<T, D> a;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = i; j < D; ++j) {
+      a[i][j] = h[i][j] + h[j][i];
+      for (std::size_t k = 0; k < D; ++k) a[i][j] += h[k][i] * h[k][j];
+      a[j][i] = a[i][j];
+    }
+  return a;
+}
+
+/// The sum I2 + I3 of the second and third invariant of A (plane strain: A_33 = 0, I3 = 0).
+template <class T>
+T higher_invariants(const Small<T, 2>& a) {
+  return determinant(a);
+}
+
+template <class T>
+T higher_invariants(const Small<T, 3>& a) {
+  const T i2 = a[0][0] * a[1][1] - a[0][1] * a[1][0] + a[1][1] * a[2][2] - a[1][2] * a[2][1] + a[0][0] * a[2][2] -
+               a[0][2] * a[2][0];
+  return i2 + determinant(a);
+}
+
+/// F = I + H.
+template <std::size_t D, class T>
+Small<T, D> deformation_gradient(const Small<T, D>& h) {
+  Small<T, D> f = h;
+  for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+  return f;
+}
+
+}  // namespace ixos

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/generators.hpp"
+
+namespace ixos {
+namespace {
+
+void check(const DiskShape& shape) {
+  if (!(shape.diameter > 0)) throw InputError(fmt::format("disk: diameter {} must be positive", shape.diameter));
+  if (shape.core_divisions < 2 || shape.core_divisions % 2 != 0)
+    throw InputError(fmt::format("disk: core divisions {} must be even and at least 2", shape.core_divisions));
+  if (shape.rings < 1) throw InputError(fmt::format("disk: rings {} must be at least 1", shape.rings));
+  if (!(shape.core_half_side > 0 && shape.core_half_side < 0.7))
+    throw InputError(fmt::format("disk: core half side {} must lie between 0 and 0.7", shape.core_half_side));
+}
+
+/// Grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.
+std::vector<std::array<int, 2>> core_boundary(int n) {
+  std::vector<std::array<int, 2>> nodes;
+  for (int i = 0; i < n; ++i) nodes.push_back({i, 0});
+  for (int j = 0; j < n; ++j) nodes.push_back({n, j});
+  for (int i = n; i > 0; --i) nodes.push_back({i, n});
+  for (int j = n; j > 0; --j) nodes.push_back({0, j});
+  return nodes;
+}
+
+}  // namespace
+
+Mesh disk(const DiskShape& shape) {
+  check(shape);
+  const int n = shape.core_divisions;
+  const int around = 4 * n;
+  const double radius = shape.diameter / 2;
+  const double half = shape.core_half_side * radius;
+  const auto core_node = [n](int i, int j) { return j * (n + 1) + i; };
+  const auto boundary = core_boundary(n);
+
+  Mesh mesh;
+  mesh.dimension = 2;
+  const auto add_node = [&mesh, &shape](double x, double y) {
+    mesh.coordinates.push_back(shape.center[0] + x);
+    mesh.coordinates.push_back(shape.center[1] + y);
+  };
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) add_node(half * (2.0 * i / n - 1), half * (2.0 * j / n - 1));
+  for (int ring = 1; ring <= shape.rings; ++ring) {
+    const double s = static_cast<double>(ring) / shape.rings;
+    for (int k = 0; k < around; ++k) {
+      const auto [i, j] = boundary[static_cast<std::size_t>(k)];
+      const double angle = M_PI * (-0.75 + 2.0 * k / around);
+      add_node((1 - s) * half * (2.0 * i / n - 1) + s * radius * std::cos(angle),
+               (1 - s) * half * (2.0 * j / n - 1) + s * radius * std::sin(angle));
+    }
+  }
+
+  const auto ring_node = [&](int ring, int k) {
+    k %= around;
+    const auto [i, j] = boundary[static_cast<std::size_t>(k)];
+    return ring == 0 ? core_node(i, j) : (n + 1) * (n + 1) + (ring - 1) * around + k;
+  };
+  ElementBlock body{"body", CellType::Quad4, {}};
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      for (int node : {core_node(i, j), core_node(i + 1, j), core_node(i + 1, j + 1), core_node(i, j + 1)})
+        body.nodes.push_back(node);
+  SideSet surface{"surface", {}};
+  NodeSet rim{"surface", {}};
+  for (int ring = 0; ring < shape.rings; ++ring) {
+    for (int k = 0; k < around; ++k) {
+      if (ring + 1 == shape.rings) {
+        surface.sides.push_back({0, body.cells(), 1});
+        rim.nodes.push_back(ring_node(ring + 1, k));
+      }
+      for (int node : {ring_node(ring, k), ring_node(ring + 1, k), ring_node(ring + 1, k + 1), ring_node(ring, k + 1)})
+        body.nodes.push_back(node);
+    }
+  }
+  mesh.blocks.push_back(std::move(body));
+  mesh.side_sets.push_back(std::move(surface));
+  mesh.node_sets.push_back(std::move(rim));
+  mesh.node_sets.push_back({"center", {core_node(n / 2, n / 2)}});
+  return mesh;
+}
+
+}  // namespace ixos

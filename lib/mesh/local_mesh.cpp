@@ -1,0 +1,129 @@
+#include "mesh/local_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+std::size_t index_of(const std::string& name, const std::vector<std::string>& names, const char* what) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    if (names.empty()) throw InputError(fmt::format("{} \"{}\" does not exist; the mesh has none", what, name));
+    throw InputError(fmt::format("{} \"{}\" does not exist; did you mean \"{}\"? The mesh has {}", what, name,
+                                 closest_name(name, names), quoted_list(names)));
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// Numbers the nodes so that each rank's are consecutive, in the order of the mesh within a rank.
+std::vector<long long> number_by_rank(const std::vector<int>& owner, int ranks) {
+  std::vector<long long> next(static_cast<std::size_t>(ranks) + 1, 0);
+  for (int rank : owner) ++next[static_cast<std::size_t>(rank) + 1];
+  for (std::size_t rank = 1; rank < next.size(); ++rank) next[rank] += next[rank - 1];
+  std::vector<long long> number(owner.size());
+  for (std::size_t node = 0; node < owner.size(); ++node) number[node] = next[static_cast<std::size_t>(owner[node])]++;
+  return number;
+}
+
+/// For each block, which cells touch a node of this rank.
+std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector<int>& owner, int rank) {
+  std::vector<std::vector<int>> result;
+  for (const ElementBlock& block : mesh.blocks) {
+    const int n = nodes_per_cell(block.type);
+    result.emplace_back();
+    for (int cell = 0; cell < block.cells(); ++cell) {
+      const int* nodes = &block.nodes[static_cast<std::size_t>(cell * n)];
+      if (std::any_of(nodes, nodes + n, [&](int node) { return owner[static_cast<std::size_t>(node)] == rank; }))
+        result.back().push_back(cell);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::size_t LocalMesh::side_set(const std::string& name) const { return index_of(name, side_set_names, "side set"); }
+
+std::size_t LocalMesh::node_set(const std::string& name) const { return index_of(name, node_set_names, "node set"); }
+
+LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks) {
+  const auto number = number_by_rank(node_owner, ranks);
+  const auto cells = touching_cells(mesh, node_owner, rank);
+
+  LocalMesh local;
+  local.dimension = mesh.dimension;
+  local.global_nodes = mesh.nodes();
+  local.global_cells = mesh.cells();
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (node_owner[static_cast<std::size_t>(node)] == rank) local.original_ids.push_back(node);
+  local.owned_nodes = static_cast<int>(local.original_ids.size());
+  std::vector<int> ghosts;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const int n = nodes_per_cell(mesh.blocks[b].type);
+    for (int cell : cells[b])
+      for (int a = 0; a < n; ++a) {
+        const int node = mesh.blocks[b].nodes[static_cast<std::size_t>(cell * n + a)];
+        if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
+      }
+  }
+  std::sort(ghosts.begin(), ghosts.end(), [&](int a, int b) {
+    return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)];
+  });
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  local.original_ids.insert(local.original_ids.end(), ghosts.begin(), ghosts.end());
+
+  std::vector<int> to_local(static_cast<std::size_t>(mesh.nodes()), -1);
+  const auto dim = static_cast<std::size_t>(mesh.dimension);
+  for (std::size_t i = 0; i < local.original_ids.size(); ++i) {
+    const auto node = static_cast<std::size_t>(local.original_ids[i]);
+    to_local[node] = static_cast<int>(i);
+    local.global_ids.push_back(number[node]);
+    for (std::size_t d = 0; d < dim; ++d) local.coordinates.push_back(mesh.coordinates[node * dim + d]);
+  }
+
+  std::vector<std::vector<int>> local_cell;  // per block: number of the cell here, or -1
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    const ElementBlock& block = mesh.blocks[b];
+    const int n = nodes_per_cell(block.type);
+    LocalBlock here{block.name, block.type, {}, {}};
+    local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);
+    for (int cell : cells[b]) {
+      local_cell[b][static_cast<std::size_t>(cell)] = here.cells();
+      const int first = block.nodes[static_cast<std::size_t>(cell * n)];
+      here.owned.push_back(node_owner[static_cast<std::size_t>(first)] == rank ? 1 : 0);
+      for (int a = 0; a < n; ++a)
+        here.nodes.push_back(to_local[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(cell * n + a)])]);
+    }
+    local.blocks.push_back(std::move(here));
+  }
+
+  for (const SideSet& set : mesh.side_sets) {
+    local.side_set_names.push_back(set.name);
+    local.side_sets.emplace_back();
+    for (const Side& side : set.sides) {
+      const auto b = static_cast<std::size_t>(side.block);
+      const int cell = local_cell[b][static_cast<std::size_t>(side.cell)];
+      if (cell < 0) continue;
+      const LocalBlock& block = local.blocks[b];
+      LocalSide here{side.block, cell, {}, block.owned[static_cast<std::size_t>(cell)] != 0};
+      for (int a : side_nodes(block.type, side.side))
+        here.nodes.push_back(block.nodes[static_cast<std::size_t>(cell * nodes_per_cell(block.type) + a)]);
+      local.side_sets.back().push_back(std::move(here));
+    }
+  }
+  for (const NodeSet& set : mesh.node_sets) {
+    local.node_set_names.push_back(set.name);
+    local.node_sets.emplace_back();
+    for (int node : set.nodes)
+      if (to_local[static_cast<std::size_t>(node)] >= 0)
+        local.node_sets.back().push_back(to_local[static_cast<std::size_t>(node)]);
+  }
+  return local;
+}
+
+}  // namespace ixos

@@ -1,0 +1,55 @@
+/// A rank's part of a mesh.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// Which rank owns each node: METIS on the nodal graph, balanced by nodes. One rank owns all when `ranks` is 1.
+/// Throws InputError where the mesh has fewer nodes than there are ranks.
+std::vector<int> partition_nodes(const Mesh& mesh, int ranks);
+
+struct LocalSide {
+  int block;
+  int cell;
+  std::vector<int> nodes;  ///< local node numbers, in the order of side_nodes
+  bool owned;              ///< its cell is owned by this rank: energies and forces count it here
+};
+
+struct LocalBlock {
+  std::string name;
+  CellType type = CellType::Quad4;
+  std::vector<int> nodes;       ///< local node numbers, cells x nodes per cell
+  std::vector<char> owned;      ///< per cell: energies count it on this rank
+  int cells() const { return static_cast<int>(owned.size()); }
+};
+
+/// The owned nodes come first, then one layer of ghosts: the other nodes of every cell that touches an owned node. A
+/// rank assembles only the rows of its own nodes, and needs no other rank's cells for it. Each rank's nodes have
+/// consecutive global numbers. A cell belongs to the rank that owns its first node.
+struct LocalMesh {
+  int dimension = 2;
+  int owned_nodes = 0;
+  std::vector<long long> global_ids;  ///< per local node; consecutive over the ranks
+  std::vector<int> original_ids;      ///< per local node; the number in the Mesh
+  std::vector<double> coordinates;    ///< local nodes x dimension [L0]
+  std::vector<LocalBlock> blocks;     ///< all blocks of the mesh, possibly empty here
+  std::vector<std::string> side_set_names;
+  std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
+  std::vector<std::string> node_set_names;
+  std::vector<std::vector<int>> node_sets;  ///< local node numbers, ghosts included
+  long long global_nodes = 0;
+  long long global_cells = 0;
+
+  int nodes() const { return static_cast<int>(global_ids.size()); }
+  /// Index of the set or block of that name; throws InputError that names the nearest one.
+  std::size_t side_set(const std::string& name) const;
+  std::size_t node_set(const std::string& name) const;
+};
+
+/// Cuts rank `rank`'s part out of the mesh.
+LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks);
+
+}  // namespace ixos

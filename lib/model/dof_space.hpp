@@ -1,0 +1,44 @@
+/// Degrees of freedom: the maps, and the exchange between owned vectors and local arrays.
+#pragma once
+#include <vector>
+
+#include "base/tpetra.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// Every local node carries `dimension` consecutive degrees of freedom. Owned vectors (Tpetra) hold the rank's own;
+/// local arrays hold those of all local nodes, owned first, then ghosts.
+class DofSpace {
+ public:
+  DofSpace(const LocalMesh& mesh, const Comm& comm);
+  ~DofSpace();
+
+  int dimension() const { return dimension_; }
+  int owned() const { return owned_; }  ///< degrees of freedom of owned nodes
+  int local() const { return local_; }  ///< and of ghosts
+  long long global() const { return global_; }
+  const Comm& comm() const { return comm_; }
+  const Teuchos::RCP<const Map>& owned_map() const { return owned_map_; }
+  const Teuchos::RCP<const Map>& local_map() const { return local_map_; }
+
+  /// local = owned entries and their owners' values for the ghosts. Collective.
+  void import(const Vector& owned, double* local) const;
+  /// Sum over ranks; no communication on one rank. Collective.
+  void sum(double* values, int count) const;
+  double minimum(double value) const;
+  double maximum(double value) const;
+
+ private:
+  int dimension_;
+  int owned_;
+  int local_;
+  long long global_;
+  Comm comm_;
+  Teuchos::RCP<const Map> owned_map_;
+  Teuchos::RCP<const Map> local_map_;
+  Teuchos::RCP<const Import> importer_;
+  Teuchos::RCP<Vector> buffer_;  ///< reused target of the import; null on one rank
+};
+
+}  // namespace ixos

@@ -1,0 +1,117 @@
+#include "model/elastic_term.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "fem/elastic_kernel.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hooke.hpp"
+#include "model/element_batches.hpp"
+
+namespace ixos {
+namespace {
+
+template <class Element, class Material>
+class ElasticTerm final : public Term {
+  using Kernel = ElasticKernel<Element, Material>;
+  static constexpr std::size_t D = Kernel::D;
+  static constexpr std::size_t N = Kernel::N;
+  using Nodal = typename Kernel::template Nodal<Pack>;
+  using Geometry = typename Kernel::template Geometry<Pack>;
+
+ public:
+  ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material)
+      : material_(material), batches_(block.nodes, pattern) {
+    geometry_.reserve(batches_.size());
+    owned_.reserve(batches_.size());
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal x;
+      batches_.gather(b, mesh.coordinates.data(), x);
+      geometry_.push_back(Kernel::geometry(x));
+      owned_.emplace_back([&](auto lane) {
+        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
+        return lane < batches_.lanes(b) && block.owned[cell] != 0 ? 1.0 : 0.0;
+      });
+      for (const auto& point : geometry_.back())
+        for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+          if (!(point.weight[lane] > 0))
+            throw InputError(fmt::format("block \"{}\": cell {} is inverted or degenerate (its reference volume at a "
+                                         "quadrature point is {:.3g}); cells are numbered counter-clockwise",
+                                         block.name, b * static_cast<std::size_t>(pack_width) + lane + 1,
+                                         static_cast<double>(point.weight[lane])));
+    }
+  }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    Pack least_jacobian = 1.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      Nodal force{};
+      least_jacobian =
+          smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
+      batches_.scatter_force(b, force, f);
+    }
+    return least(least_jacobian) > 0;  // false for NaN as well
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      typename Kernel::template Tangent<Pack> tangent{};
+      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+      batches_.scatter_tangent(b, tangent, values);
+    }
+  }
+
+  double energy(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal nodal;
+      batches_.gather(b, u, nodal);
+      sum += owned_[b] * Kernel::energy(material_, geometry_[b], nodal);
+    }
+    return total(sum);
+  }
+
+ private:
+  /// The segment's arrays at one batch; those that are absent stay null.
+  class Gathered {
+   public:
+    Gathered(const ElementBatches<N, D>& batches, std::size_t b, const Segment& segment)
+        : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      batches.gather(b, segment.to, to_);
+      if (has_from_) batches.gather(b, segment.from, from_);
+      if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
+    }
+    typename Kernel::template Segment<Pack> segment() const {
+      return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+    }
+
+   private:
+    bool has_from_, has_velocity_;
+    Nodal to_, from_, velocity_;
+  };
+
+  Material material_;
+  ElementBatches<N, D> batches_;
+  std::vector<Geometry> geometry_;
+  std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
+};
+
+template <class Element>
+std::unique_ptr<Term> make(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, ElasticLaw law,
+                           const Lame& lame) {
+  if (law == ElasticLaw::Linear)
+    return std::make_unique<ElasticTerm<Element, LinearElastic>>(mesh, block, pattern, LinearElastic{lame});
+  return std::make_unique<ElasticTerm<Element, NeoHooke>>(mesh, block, pattern, NeoHooke{lame});
+}
+
+}  // namespace
+
+std::unique_ptr<Term> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                        ElasticLaw law, const Lame& lame) {
+  if (block.type == CellType::Quad4) return make<Quad4>(mesh, block, pattern, law, lame);
+  return make<Hex8>(mesh, block, pattern, law, lame);
+}
+
+}  // namespace ixos

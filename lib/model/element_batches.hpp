@@ -1,0 +1,88 @@
+/// Cells in SIMD batches: gather from local arrays, scatter to force and matrix.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "base/small_matrix.hpp"
+#include "model/pattern.hpp"
+
+namespace ixos {
+
+/// Cells (or sides) of N nodes with D degrees of freedom each, pack_width at a time. The last batch is filled up with
+/// copies of its first cell, which are gathered, so that kernels see sound numbers, but never scattered.
+template <std::size_t N, std::size_t D>
+class ElementBatches {
+ public:
+  /// `nodes`: cells x N local node numbers.
+  ElementBatches(const std::vector<int>& nodes, const Pattern& pattern) : cells_(nodes.size() / N) {
+    batches_.resize((cells_ + width - 1) / width);
+    for (std::size_t e = 0; e < batches_.size() * width; ++e) {
+      Batch& batch = batches_[e / width];
+      const std::size_t lane = e % width;
+      const int* cell = &nodes[(e < cells_ ? e : (e / width) * width) * N];
+      if (e < cells_) batch.lanes = lane + 1;
+      for (std::size_t a = 0; a < N; ++a) {
+        batch.dof[a][lane] = cell[a] * static_cast<int>(D);
+        batch.stride[a][lane] = cell[a] < pattern.rows() ? pattern.stride(cell[a]) : 0;
+        for (std::size_t b = 0; b < N; ++b) batch.offset[a][b][lane] = pattern.offset(cell[a], cell[b]);
+      }
+    }
+  }
+
+  static constexpr std::size_t width = static_cast<std::size_t>(pack_width);
+  std::size_t cells() const { return cells_; }
+  std::size_t size() const { return batches_.size(); }
+  std::size_t lanes(std::size_t batch) const { return batches_[batch].lanes; }
+
+  void gather(std::size_t batch, const double* local, Small<Pack, N, D>& values) const {
+    const Batch& b = batches_[batch];
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t d = 0; d < D; ++d)
+        values[a][d] = Pack([&](auto lane) { return local[static_cast<std::size_t>(b.dof[a][lane]) + d]; });
+  }
+
+  void scatter_force(std::size_t batch, const Small<Pack, N, D>& values, double* local) const {
+    const Batch& b = batches_[batch];
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t lane = 0; lane < b.lanes; ++lane) {
+        double* target = local + b.dof[a][lane];
+        for (std::size_t d = 0; d < D; ++d) target[d] += values[a][d][lane];
+      }
+  }
+
+  /// Adds the rows of owned nodes to the matrix values.
+  void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
+    const Batch& b = batches_[batch];
+    std::array<double, N * D * N * D * width> lanes;
+    for (std::size_t r = 0; r < N * D; ++r)
+      for (std::size_t c = 0; c < N * D; ++c)
+        k[r][c].copy_to(&lanes[(r * N * D + c) * width], std::experimental::element_aligned);
+    for (std::size_t lane = 0; lane < b.lanes; ++lane)
+      for (std::size_t a = 0; a < N; ++a) {
+        if (b.offset[a][0][lane] < 0) continue;
+        const int stride = b.stride[a][lane];
+        for (std::size_t c = 0; c < N; ++c) {
+          double* target = values + b.offset[a][c][lane];
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = 0; j < D; ++j)
+              target[static_cast<std::size_t>(stride) * i + j] +=
+                  lanes[((a * D + i) * N * D + c * D + j) * width + lane];
+        }
+      }
+  }
+
+ private:
+  struct Batch {
+    std::size_t lanes = 0;                                        ///< cells in use
+    std::array<std::array<int, width>, N> dof;                    ///< first local degree of freedom of each node
+    std::array<std::array<int, width>, N> stride;                 ///< see Pattern::stride
+    std::array<std::array<std::array<int, width>, N>, N> offset;  ///< see Pattern::offset
+  };
+  std::size_t cells_;
+  std::vector<Batch> batches_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,182 @@
+#include "model/half_space_term.hpp"
+
+#include <cmath>
+
+#include "interaction/surface_kernel.hpp"
+#include "model/element_batches.hpp"
+
+namespace ixos {
+namespace {
+
+template <std::size_t D, class Law>
+class HalfSpaceTerm final : public Term {
+  using Kernel = SurfaceKernel<D, Law>;
+  static constexpr std::size_t N = Kernel::N;
+  using Nodal = typename Kernel::template Nodal<Pack>;
+
+ public:
+  HalfSpaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
+                const HalfSpace& wall, const SurfaceOptions& options)
+      : law_(law), wall_(wall), options_(options), quadrature_(options.points), batches_(node_table(sides), pattern) {
+    double origin = 0;
+    for (std::size_t d = 0; d < D; ++d) origin += wall.point[d] * wall.normal[d];
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Small<Pack, N, D> x;
+      batches_.gather(b, mesh.coordinates.data(), x);
+      reference_gap_.push_back(along_normal(x));
+      for (Pack& gap : reference_gap_.back()) gap -= origin;
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) measure_.push_back(quadrature_.weight[q] * stretch(x, q));
+      owned_.emplace_back([&](auto lane) {
+        return lane < batches_.lanes(b) && sides[b * static_cast<std::size_t>(pack_width) + lane].owned ? 1.0 : 0.0;
+      });
+    }
+  }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    Pack least_gap = 1.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gaps gaps(*this, b, segment);
+      Nodal along{};
+      least_gap =
+          smaller(least_gap, Kernel::add_force(law_, quadrature_, measure(b), gaps.segment(), rule, along));
+      Small<Pack, N, D> force;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) force[a][d] = along[a] * wall_.normal[d];
+      batches_.scatter_force(b, force, f);
+    }
+    return least(least_gap) > 0;  // false for NaN as well
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gaps gaps(*this, b, segment);
+      Small<Pack, N> along{};
+      Kernel::add_tangent(law_, quadrature_, measure(b), gaps.segment(), rule, along);
+      Small<Pack, N * D> tangent;
+      for (std::size_t r = 0; r < N * D; ++r)
+        for (std::size_t c = 0; c < N * D; ++c)
+          tangent[r][c] = along[r / D][c / D] * (wall_.normal[r % D] * wall_.normal[c % D]);
+      batches_.scatter_tangent(b, tangent, values);
+    }
+  }
+
+  double energy(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+      sum += owned_[b] * Kernel::energy(law_, quadrature_, measure(b), gaps_of(b, u));
+    return total(sum);
+  }
+
+  double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
+    Pack step = 1.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gaps gaps(*this, b, segment);
+      step = smaller(step, Kernel::admissible_step(quadrature_, gaps.segment(), rule, change_of(b, direction),
+                                                   options_.margin, law_.equilibrium_gap()));
+    }
+    return least(step);
+  }
+
+  void report(const double* u, InteractionReport& report) const override {
+    report.force.resize(D, 0.0);
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Nodal gap = gaps_of(b, u);
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) {
+        const Pack r = Kernel::interpolate(quadrature_.value[q], gap);
+        const Pack weight = owned_[b] * measure(b)[q];
+        report.least_gap = std::min(report.least_gap, least(r));
+        report.measure += total(select(r < law_.adhesion_gap(), weight, Pack(0.0)));
+        const double force = total(Pack(weight * law_.traction(r)));
+        for (std::size_t d = 0; d < D; ++d) report.force[d] += force * wall_.normal[d];
+      }
+    }
+  }
+
+ private:
+  /// Nodal gaps of one batch at the ends of the segment.
+  class Gaps {
+   public:
+    Gaps(const HalfSpaceTerm& term, std::size_t b, const Segment& segment)
+        : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      to_ = term.gaps_of(b, segment.to);
+      if (has_from_) from_ = term.gaps_of(b, segment.from);
+      if (has_velocity_) velocity_ = term.change_of(b, segment.velocity);
+    }
+    typename Kernel::template Segment<Pack> segment() const {
+      return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+    }
+
+   private:
+    bool has_from_, has_velocity_;
+    Nodal to_, from_, velocity_;
+  };
+
+  static std::vector<int> node_table(const std::vector<LocalSide>& sides) {
+    std::vector<int> nodes;
+    for (const LocalSide& side : sides) nodes.insert(nodes.end(), side.nodes.begin(), side.nodes.end());
+    return nodes;
+  }
+
+  Nodal along_normal(const Small<Pack, N, D>& vectors) const {
+    Nodal result;
+    for (std::size_t a = 0; a < N; ++a) {
+      result[a] = vectors[a][0] * wall_.normal[0];
+      for (std::size_t d = 1; d < D; ++d) result[a] += vectors[a][d] * wall_.normal[d];
+    }
+    return result;
+  }
+
+  Nodal change_of(std::size_t b, const double* local) const {
+    Small<Pack, N, D> values;
+    batches_.gather(b, local, values);
+    return along_normal(values);
+  }
+
+  Nodal gaps_of(std::size_t b, const double* u) const {
+    Nodal gap = change_of(b, u);
+    for (std::size_t a = 0; a < N; ++a) gap[a] += reference_gap_[b][a];
+    return gap;
+  }
+
+  /// Reference length or area per unit of the reference side at quadrature point q.
+  Pack stretch(const Small<Pack, N, D>& x, std::size_t q) const {
+    Small<Pack, D - 1, D> tangent{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t k = 0; k + 1 < D; ++k)
+        for (std::size_t d = 0; d < D; ++d) tangent[k][d] += quadrature_.gradient[q][a][k] * x[a][d];
+    Pack square = 0.0;
+    if constexpr (D == 2) {
+      square = tangent[0][0] * tangent[0][0] + tangent[0][1] * tangent[0][1];
+    } else {
+      for (std::size_t d = 0; d < 3; ++d) {
+        const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
+        const Pack component = tangent[0][e] * tangent[1][f] - tangent[0][f] * tangent[1][e];
+        square += component * component;
+      }
+    }
+    return std::experimental::sqrt(square);
+  }
+
+  const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }
+
+  Law law_;
+  HalfSpace wall_;
+  SurfaceOptions options_;
+  SurfaceQuadrature<D> quadrature_;
+  ElementBatches<N, D> batches_;
+  std::vector<Nodal> reference_gap_;
+  std::vector<Pack> measure_;  ///< batches x quadrature points
+  std::vector<Pack> owned_;    ///< 1 for sides that count here
+};
+
+}  // namespace
+
+std::unique_ptr<Term> make_half_space_term(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                           const Pattern& pattern, const VanDerWaals& law, const HalfSpace& wall,
+                                           const SurfaceOptions& options) {
+  if (mesh.dimension == 2)
+    return std::make_unique<HalfSpaceTerm<2, VanDerWaals>>(mesh, sides, pattern, law, wall, options);
+  return std::make_unique<HalfSpaceTerm<3, VanDerWaals>>(mesh, sides, pattern, law, wall, options);
+}
+
+}  // namespace ixos

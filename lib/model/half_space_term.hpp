@@ -1,0 +1,23 @@
+/// Interaction of a surface with a rigid flat wall.
+#pragma once
+#include <memory>
+
+#include "interaction/half_space.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/local_mesh.hpp"
+#include "model/pattern.hpp"
+#include "model/term.hpp"
+
+namespace ixos {
+
+struct SurfaceOptions {
+  int points = 4;        ///< Gauss points a direction on each side
+  double margin = 0.8;   ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
+};
+
+/// The term for the sides of one side set before `wall`.
+std::unique_ptr<Term> make_half_space_term(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                           const Pattern& pattern, const VanDerWaals& law, const HalfSpace& wall,
+                                           const SurfaceOptions& options);
+
+}  // namespace ixos

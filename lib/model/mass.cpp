@@ -1,0 +1,92 @@
+#include "model/mass.hpp"
+
+#include <array>
+
+#include "base/small_matrix.hpp"
+#include "fem/reference_elements.hpp"
+
+namespace ixos {
+namespace {
+
+template <class Element>
+void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern,
+         std::vector<double>& pairs) {
+  constexpr std::size_t D = Element::dimension;
+  constexpr std::size_t N = Element::nodes;
+  const auto& table = Element::table();
+  for (std::size_t cell = 0; cell < static_cast<std::size_t>(block.cells()); ++cell) {
+    const int* nodes = &block.nodes[cell * N];
+    Small<double, N> element{};
+    for (std::size_t q = 0; q < table.weight.size(); ++q) {
+      Small<double, D> jacobian{};
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t d = 0; d < D; ++d)
+            jacobian[i][d] += mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i] * table.gradient[q][a][d];
+      const double weight = density * table.weight[q] * determinant(jacobian);
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b < N; ++b) element[a][b] += weight * table.value[q][a] * table.value[q][b];
+    }
+    for (std::size_t a = 0; a < N; ++a) {
+      if (nodes[a] >= pattern.rows()) continue;
+      for (std::size_t b = 0; b < N; ++b)
+        pairs[static_cast<std::size_t>(pattern.pair(nodes[a], nodes[b]))] += element[a][b];
+    }
+  }
+}
+
+template <std::size_t D>
+void multiply_rows(const Pattern& pattern, const std::vector<double>& pairs, const double* x, double* y) {
+  const std::vector<int>& start = pattern.row_start();
+  const std::vector<int>& column = pattern.columns();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    std::array<double, D> sum{};
+    for (int p = start[row]; p < start[row + 1]; ++p) {
+      const double m = pairs[static_cast<std::size_t>(p)];
+      const double* source = x + static_cast<std::size_t>(column[static_cast<std::size_t>(p)]) * D;
+      for (std::size_t d = 0; d < D; ++d) sum[d] += m * source[d];
+    }
+    for (std::size_t d = 0; d < D; ++d) y[row * D + d] = sum[d];
+  }
+}
+
+}  // namespace
+
+Mass::Mass(const LocalMesh& mesh, const Pattern& pattern)
+    : mesh_(mesh), pattern_(pattern), pairs_(static_cast<std::size_t>(pattern.pairs()), 0.0) {}
+
+void Mass::add_block(const LocalBlock& block, double density) {
+  if (block.type == CellType::Quad4)
+    add<Quad4>(mesh_, block, density, pattern_, pairs_);
+  else
+    add<Hex8>(mesh_, block, density, pattern_, pairs_);
+}
+
+void Mass::multiply(const double* x, double* y) const {
+  if (mesh_.dimension == 2)
+    multiply_rows<2>(pattern_, pairs_, x, y);
+  else
+    multiply_rows<3>(pattern_, pairs_, x, y);
+}
+
+void Mass::add_to(double factor, double* values) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  const std::vector<int>& start = pattern_.row_start();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    const auto first = static_cast<std::size_t>(start[row]);
+    const std::size_t length = static_cast<std::size_t>(start[row + 1]) - first;
+    double* block = values + d * d * first;
+    for (std::size_t p = 0; p < length; ++p) {
+      const double m = factor * pairs_[first + p];
+      for (std::size_t i = 0; i < d; ++i) block[d * length * i + d * p + i] += m;
+    }
+  }
+}
+
+double Mass::mean_diagonal() const {
+  double sum = 0;
+  for (int row = 0; row < pattern_.rows(); ++row) sum += pairs_[static_cast<std::size_t>(pattern_.pair(row, row))];
+  return pattern_.rows() == 0 ? 0.0 : sum / pattern_.rows();
+}
+
+}  // namespace ixos

@@ -1,0 +1,169 @@
+#include "model/model.hpp"
+
+#include <algorithm>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+using Terms = std::vector<std::unique_ptr<Term>>;
+
+bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, double* f, int size) {
+  std::fill_n(f, size, 0.0);
+  bool admissible = true;
+  for (const auto& term : terms) admissible = term->add_force(segment, rule, f) && admissible;
+  return admissible;
+}
+
+const LocalBlock& block_named(const LocalMesh& mesh, const std::string& name) {
+  std::vector<std::string> names;
+  for (const LocalBlock& block : mesh.blocks) {
+    if (block.name == name) return block;
+    names.push_back(block.name);
+  }
+  throw InputError("block \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
+                   "\"? The mesh has " + quoted_list(names));
+}
+
+}  // namespace
+
+Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials)
+    : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_), mass_(mesh_, pattern_) {
+  for (const Material& material : materials) {
+    const LocalBlock& block = block_named(mesh_, material.block);
+    elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame));
+    mass_.add_block(block, material.density);
+    if (material.mass_damping == 0 && material.stiffness_damping == 0) continue;
+    if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension);
+    if (material.mass_damping != 0) {
+      Mass block_mass(mesh_, pattern_);
+      block_mass.add_block(block, material.density);
+      block_mass.add_to(material.mass_damping, damping_->values());
+    }
+    if (material.stiffness_damping != 0) {
+      Rule rule = end_rule();
+      rule.points[0].weight = material.stiffness_damping;
+      const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
+      elastic_.back()->add_tangent({nullptr, nullptr, rest.data()}, rule, damping_->values());
+    }
+  }
+  for (const LocalBlock& block : mesh_.blocks)
+    if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
+      throw InputError("block \"" + block.name + "\" has no material");
+  elastic_scale_ = space_.maximum(mean_elastic_diagonal());
+}
+
+double Model::mean_elastic_diagonal() const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> values(static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
+  const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
+  add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), values.data());
+  double sum = 0;
+  for (int row = 0; row < pattern_.rows(); ++row)
+    for (std::size_t i = 0; i < d; ++i)
+      sum += values[static_cast<std::size_t>(pattern_.offset(row, row)) +
+                    static_cast<std::size_t>(pattern_.stride(row)) * i + i];
+  return space_.owned() == 0 ? 0.0 : sum / space_.owned();
+}
+
+bool Model::elastic_force(const Segment& segment, const Rule& rule, double* f) const {
+  return sum_forces(elastic_, segment, rule, f, space_.local());
+}
+
+bool Model::interaction_force(const Segment& segment, const Rule& rule, double* f) const {
+  return sum_forces(interactions_, segment, rule, f, space_.local());
+}
+
+void Model::add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const {
+  for (const auto& term : elastic_) term->add_tangent(segment, rule, values);
+}
+
+void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, double* values) const {
+  for (const auto& term : interactions_) term->add_tangent(segment, rule, values);
+}
+
+double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
+  if (interactions_.empty()) return 1.0;
+  double step = 1.0;
+  for (const auto& term : interactions_)
+    step = std::min(step, term->admissible_step(segment, interaction, direction));
+  return space_.minimum(step);
+}
+
+double Model::elastic_energy(const double* u) const {
+  double sum = 0;
+  for (const auto& term : elastic_) sum += term->energy(u);
+  space_.sum(&sum, 1);
+  return sum;
+}
+
+double Model::interaction_energy(const double* u) const {
+  double sum = 0;
+  for (const auto& term : interactions_) sum += term->energy(u);
+  space_.sum(&sum, 1);
+  return sum;
+}
+
+InteractionReport Model::interaction_report(const double* u) const {
+  InteractionReport report;
+  report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
+  for (const auto& term : interactions_) term->report(u, report);
+  std::vector<double> sums = report.force;
+  sums.push_back(report.measure);
+  space_.sum(sums.data(), static_cast<int>(sums.size()));
+  report.measure = sums.back();
+  sums.pop_back();
+  report.force = sums;
+  report.least_gap = space_.minimum(report.least_gap);
+  return report;
+}
+
+Momenta Model::momenta(const double* u, const double* v) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> momentum(static_cast<std::size_t>(space_.owned()));
+  mass_.multiply(v, momentum.data());
+  std::vector<double> sums(1 + d + (d == 2 ? 1 : 3), 0.0);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
+    const double* p = &momentum[node * d];
+    double x[3] = {};
+    for (std::size_t i = 0; i < d; ++i) {
+      x[i] = mesh_.coordinates[node * d + i] + u[node * d + i];
+      sums[0] += 0.5 * v[node * d + i] * p[i];
+      sums[1 + i] += p[i];
+    }
+    if (d == 2) {
+      sums[3] += x[0] * p[1] - x[1] * p[0];
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        sums[4 + i] += x[j] * p[k] - x[k] * p[j];
+      }
+    }
+  }
+  space_.sum(sums.data(), static_cast<int>(sums.size()));
+  const auto first = sums.begin() + 1;
+  const auto middle = first + static_cast<std::ptrdiff_t>(d);
+  return {sums[0], {first, middle}, {middle, sums.end()}};
+}
+
+void Model::constrain_matrix(double diagonal, double* values) const {
+  if (constraints_.empty()) return;
+  const int d = mesh_.dimension;
+  std::vector<char> constrained(static_cast<std::size_t>(space_.local()), 0);
+  for (const Constraint& constraint : constraints_) constrained[static_cast<std::size_t>(constraint.dof)] = 1;
+  const std::vector<int>& start = pattern_.row_start();
+  double* value = values;
+  for (int row = 0; row < pattern_.rows(); ++row)
+    for (int i = 0; i < d; ++i)
+      for (int p = start[static_cast<std::size_t>(row)]; p < start[static_cast<std::size_t>(row) + 1]; ++p)
+        for (int j = 0; j < d; ++j, ++value) {
+          const int r = row * d + i;
+          const int c = pattern_.columns()[static_cast<std::size_t>(p)] * d + j;
+          if (constrained[static_cast<std::size_t>(r)] || constrained[static_cast<std::size_t>(c)])
+            *value = r == c ? diagonal : 0.0;
+        }
+}
+
+}  // namespace ixos

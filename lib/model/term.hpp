@@ -1,0 +1,49 @@
+/// The contract of a physics term.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "fem/rule.hpp"
+
+namespace ixos {
+
+/// Local arrays (owned nodes, then ghosts) at the ends of a stage's segment. `from` and `velocity` (h v_from, a length)
+/// may be null where the rule does not use them.
+struct Segment {
+  const double* from = nullptr;
+  const double* velocity = nullptr;
+  const double* to = nullptr;
+};
+
+/// What a term says of a displacement, this rank's share. Sums over ranks give the whole; `least_gap` its minimum.
+struct InteractionReport {
+  std::vector<double> force;    ///< on the bodies [E0 L0^(D-1)]
+  double measure = 0;           ///< reference length or area closer than the gap of largest attraction [L0^(D-1)]
+  double least_gap = std::numeric_limits<double>::infinity();  ///< [L0]
+};
+
+/// One conservative contribution to the model: elasticity of a block, interaction of a surface. A term evaluates a rule
+/// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
+/// scratch. None of the functions communicates.
+class Term {
+ public:
+  virtual ~Term() = default;
+
+  /// Adds the rule's force to f (not its kept part, which is a force at u_from). False where some time point is
+  /// inadmissible (a gap <= 0, an inverted element): f is then unusable.
+  virtual bool add_force(const Segment& segment, const Rule& rule, double* f) const = 0;
+
+  /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
+  virtual void add_tangent(const Segment& segment, const Rule& rule, double* values) const = 0;
+
+  /// This rank's share of the potential energy [E0 L0^D].
+  virtual double energy(const double* u) const = 0;
+
+  /// The largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
+  virtual double admissible_step(const Segment&, const Rule&, const double* /*direction*/) const { return 1.0; }
+
+  /// Adds what an interaction reports of u; other terms add nothing.
+  virtual void report(const double* /*u*/, InteractionReport&) const {}
+};
+
+}  // namespace ixos

@@ -1,0 +1,83 @@
+#include "scene/history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ixos {
+namespace {
+
+constexpr double empty = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<std::string> columns(int dimension) {
+  std::vector<std::string> names{"step",           "time",          "time_step",         "kinetic_energy",
+                                 "elastic_energy", "contact_energy", "external_work",    "dissipated_energy",
+                                 "total_energy",   "linear_momentum_x", "linear_momentum_y"};
+  if (dimension == 3) names.emplace_back("linear_momentum_z");
+  if (dimension == 3)
+    for (const char* axis : {"x", "y", "z"}) names.push_back(std::string("angular_momentum_") + axis);
+  else
+    names.emplace_back("angular_momentum_z");
+  names.insert(names.end(), {"contact_force_x", "contact_force_y"});
+  if (dimension == 3) names.emplace_back("contact_force_z");
+  for (const char* name : {"contact_measure", "min_gap", "newton_iterations", "linear_iterations", "wall_seconds"})
+    names.emplace_back(name);
+  return names;
+}
+
+}  // namespace
+
+History::History(Simulation& simulation, const HistoryOptions& options, const std::string& path)
+    : simulation_(simulation), options_(options), max_energy_error_(options.energies ? 0.0 : empty) {
+  const Model& model = simulation.model();
+  if (model.space().comm()->getRank() == 0)
+    file_ = std::make_unique<HistoryFile>(path, columns(model.mesh().dimension));
+}
+
+void History::record(const RowCounts& counts) {
+  const Model& model = simulation_.model();
+  const Integrator& integrator = simulation_.integrator();
+  const State& state = integrator.state();
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  const std::size_t spins = d == 2 ? 1 : 3;
+  std::vector<double> row{static_cast<double>(counts.step), integrator.time(), counts.time_step};
+
+  Momenta momenta{empty, std::vector<double>(d, empty), std::vector<double>(spins, empty)};
+  if (options_.energies || options_.momenta) momenta = model.momenta(state.u.data(), state.v.data());
+  if (options_.energies) {
+    const double elastic = model.elastic_energy(state.u.data());
+    const double contact = model.has_interactions() ? model.interaction_energy(state.u.data()) : 0.0;
+    const double external_work = 0;
+    total_energy_ = momenta.kinetic_energy + elastic + contact;
+    if (first_) initial_energy_ = total_energy_;
+    const double error = total_energy_ - initial_energy_ - external_work + integrator.dissipated_energy();
+    max_energy_error_ = std::max(max_energy_error_, std::abs(error));
+    row.insert(row.end(), {momenta.kinetic_energy, elastic, contact, external_work, integrator.dissipated_energy(),
+                           total_energy_});
+  } else {
+    row.insert(row.end(), 6, empty);
+  }
+  if (options_.momenta) {
+    row.insert(row.end(), momenta.linear.begin(), momenta.linear.end());
+    row.insert(row.end(), momenta.angular.begin(), momenta.angular.end());
+  } else {
+    row.insert(row.end(), d + spins, empty);
+  }
+  if (options_.interaction && model.has_interactions()) {
+    const InteractionReport report = model.interaction_report(state.u.data());
+    row.insert(row.end(), report.force.begin(), report.force.end());
+    row.insert(row.end(), {report.measure, report.least_gap});
+  } else {
+    row.insert(row.end(), d + 2, empty);
+  }
+  row.insert(row.end(), {static_cast<double>(counts.newton_iterations), static_cast<double>(counts.linear_iterations),
+                         counts.wall_seconds});
+  first_ = false;
+  if (file_) file_->write(row);
+}
+
+void History::flush() {
+  if (file_) file_->flush();
+}
+
+}  // namespace ixos

@@ -1,0 +1,49 @@
+/// history.csv: what a run records of its state.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/history_file.hpp"
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// Which groups of columns are evaluated; those that are not stay empty.
+struct HistoryOptions {
+  bool energies = true;
+  bool momenta = true;
+  bool interaction = true;
+};
+
+/// What the driver adds to a row.
+struct RowCounts {
+  long step = 0;
+  double time_step = 0;
+  long newton_iterations = 0;  ///< since the row before
+  long linear_iterations = 0;
+  double wall_seconds = 0;  ///< cumulative
+};
+
+/// Evaluates and writes rows; the file is written on rank 0. Collective.
+class History {
+ public:
+  History(Simulation& simulation, const HistoryOptions& options, const std::string& path);
+
+  void record(const RowCounts& counts);
+  /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
+  double max_energy_error() const { return max_energy_error_; }
+  double total_energy() const { return total_energy_; }
+  void flush();
+
+ private:
+  Simulation& simulation_;
+  HistoryOptions options_;
+  std::unique_ptr<HistoryFile> file_;  ///< on rank 0
+  bool first_ = true;
+  double initial_energy_ = 0;
+  double total_energy_ = 0;
+  double max_energy_error_ = 0;
+};
+
+}  // namespace ixos

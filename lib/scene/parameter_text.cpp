@@ -1,0 +1,103 @@
+#include "scene/parameter_text.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <vector>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+const std::vector<std::string> type_names{"double",        "int",        "bool",         "string",
+                                          "Array(double)", "Array(int)", "Array(string)"};
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+[[noreturn]] void refuse(const std::string& text, const std::string& type) {
+  throw InputError("\"" + text + "\" is not of type " + type);
+}
+
+template <class Number>
+Number number(const std::string& text, const std::string& type) {
+  std::string digits = trimmed(text);
+  if (digits.size() > 1 && digits[0] == '+') digits.erase(0, 1);
+  Number value{};
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size()) refuse(text, type);
+  return value;
+}
+
+bool boolean(const std::string& text) {
+  std::string word = trimmed(text);
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (word == "true" || word == "yes" || word == "1") return true;
+  if (word == "false" || word == "no" || word == "0") return false;
+  refuse(text, "bool (true or false)");
+}
+
+/// The elements between the braces of "{a, b}".
+std::vector<std::string> elements(const std::string& text, const std::string& type) {
+  const std::string body = trimmed(text);
+  if (body.size() < 2 || body.front() != '{' || body.back() != '}') refuse(text, type + ", as in {1, 2}");
+  std::vector<std::string> result;
+  std::istringstream stream(body.substr(1, body.size() - 2));
+  for (std::string element; std::getline(stream, element, ',');) result.push_back(trimmed(element));
+  return result;
+}
+
+}  // namespace
+
+void set_from_text(Teuchos::ParameterList& list, const std::string& name, const std::string& type,
+                   const std::string& text) {
+  if (type == "double") {
+    list.set(name, number<double>(text, type));
+  } else if (type == "int") {
+    list.set(name, number<int>(text, type));
+  } else if (type == "bool") {
+    list.set(name, boolean(text));
+  } else if (type == "string") {
+    list.set(name, text);
+  } else if (type == "Array(double)") {
+    Teuchos::Array<double> values;
+    for (const std::string& element : elements(text, type)) values.push_back(number<double>(element, "double"));
+    list.set(name, values);
+  } else if (type == "Array(int)") {
+    Teuchos::Array<int> values;
+    for (const std::string& element : elements(text, type)) values.push_back(number<int>(element, "int"));
+    list.set(name, values);
+  } else if (type == "Array(string)") {
+    list.set(name, Teuchos::Array<std::string>(elements(text, type)));
+  } else {
+    throw InputError("type \"" + type + "\" does not exist; did you mean \"" + closest_name(type, type_names) +
+                     "\"? There are " + quoted_list(type_names));
+  }
+}
+
+std::string type_name(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return "double";
+  if (entry.isType<int>()) return "int";
+  if (entry.isType<bool>()) return "bool";
+  if (entry.isType<std::string>()) return "string";
+  if (entry.isType<Teuchos::Array<double>>()) return "Array(double)";
+  if (entry.isType<Teuchos::Array<int>>()) return "Array(int)";
+  if (entry.isType<Teuchos::Array<std::string>>()) return "Array(string)";
+  return "unknown";
+}
+
+std::string value_text(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<bool>()) return Teuchos::getValue<bool>(entry) ? "true" : "false";
+  std::ostringstream stream;
+  stream << entry.getAny(false);
+  return stream.str();
+}
+
+}  // namespace ixos

@@ -1,0 +1,20 @@
+/// Parameter values as text, read strictly.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+
+namespace ixos {
+
+/// Sets `list`'s entry `name` to the value that `text` spells in the type "double", "int", "bool", "string",
+/// "Array(double)", "Array(int)" or "Array(string)". The whole text must be read: "1.5x" is no double, "1e-3" no int.
+/// Throws InputError with the text, the type and, for an unknown type, the types there are.
+void set_from_text(Teuchos::ParameterList& list, const std::string& name, const std::string& type,
+                   const std::string& text);
+
+/// The type's name as it is spelt in XML; "unknown" for any other.
+std::string type_name(const Teuchos::ParameterEntry& entry);
+
+/// The value as it would be spelt in XML.
+std::string value_text(const Teuchos::ParameterEntry& entry);
+
+}  // namespace ixos

@@ -1,0 +1,147 @@
+#include "scene/parameters.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+#include <limits>
+
+#include "base/range_validator.hpp"
+#include "scene/validation.hpp"
+#include "time/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+using Numbers = Teuchos::Array<double>;
+using Counts = Teuchos::Array<int>;
+
+/// A number without a default. The validator comes after the value: NaN marks it as missing and is not in its range.
+void require(List& list, const char* name, const char* documentation, const Teuchos::RCP<const RangeValidator>& range) {
+  list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
+  list.getEntry(name).setValidator(range);
+}
+
+Teuchos::RCP<Teuchos::StringValidator> one_of(const std::vector<std::string>& words) {
+  return Teuchos::rcp(new Teuchos::StringValidator(Teuchos::Array<std::string>(words)));
+}
+
+void add_units(List& list) {
+  list.set("Length", "1 nm", "what L0 stands for; a name only, nothing is converted");
+  list.set("Energy Density", "2 GPa", "what E0 stands for");
+  list.set("Time", "1 ns", "what T0 stands for");
+}
+
+void add_mesh(List& list) {
+  list.set("Type", "Disk", "generator of the mesh", one_of({"Disk", "Box"}));
+  List& disk = list.sublist("Disk", false, "a disk of quadrilaterals on an O-grid: block \"body\", sets \"surface\"");
+  disk.set("Diameter", 10.0, "[L0]", greater_than(0));
+  disk.set("Center", Numbers(2, 0.0), "x and y of the centre [L0]", any_number());
+  disk.set("Core Divisions", 4, "cells along a side of the square core; even", between(2, 10000));
+  disk.set("Rings", 2, "layers of cells around the core", between(1, 10000));
+  disk.set("Core Half Side", 0.4, "half side of the core over the radius [-]", greater_and_less_than(0, 0.7));
+  List& box = list.sublist("Box", false,
+                           "a box: block \"body\", sets \"left\", \"right\", \"bottom\", \"top\", in 3D \"front\" and "
+                           "\"back\", and \"surface\"");
+  box.set("Dimension", 2, "2: quadrilaterals in plane strain; 3: hexahedra", between(2, 3));
+  box.set("Lower", Numbers(), "corner with the smallest coordinates [L0]; the origin when empty", any_number());
+  box.set("Lengths", Numbers(2, 1.0), "edge lengths [L0]", greater_than(0));
+  box.set("Divisions", Counts(2, 1), "cells along each edge", between(1, 100000));
+}
+
+void add_material(List& list) {
+  list.set("Block", "body", "the block of cells that is made of this");
+  list.set("Model", "Neo-Hooke", "elastic law", one_of({"Neo-Hooke", "Linear Elastic"}));
+  list.set("Young's Modulus", 1.0, "E [E0]", greater_than(0));
+  list.set("Poisson's Ratio", 0.2, "nu [-]", greater_and_less_than(-1, 0.5));
+  list.set("Density", 5e-7, "rho [E0 T0^2/L0^2]; 5e-7 is 1000 kg/m^3 in the default units", greater_than(0));
+  list.set("Mass Damping", 0.0, "Rayleigh's alpha_1 [1/T0]", at_least(0));
+  list.set("Stiffness Damping", 0.0, "Rayleigh's alpha_2 [T0]; damps finite rigid rotations too", at_least(0));
+}
+
+void add_interaction(List& list) {
+  list.set("Law", "Van der Waals", "T(r) = c1/r^9 - c2/r^3", one_of({"Van der Waals"}));
+  list.set("Side Set", required, "the surface that interacts");
+  list.set("Gamma L", 2.5, "L0/r0 [-]", greater_than(0));
+  list.set("Gamma W", 25.0, "E0/W0 [-]", greater_than(0));
+  list.set("Surface Points", 4, "Gauss points a direction on each side", between(1, 64));
+  list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
+  list.set("Point", Numbers(), "a point of the wall [L0]; the origin when empty", any_number());
+  list.set("Normal", Numbers(), "out of the wall; the last axis when empty", any_number());
+  list.set("Step Margin", 0.8,
+           "kappa: a Newton step keeps every gap r at least kappa min(r, equilibrium gap) [-]",
+           greater_and_less_than(0, 1));
+}
+
+void add_boundary_condition(List& list) {
+  list.set("Node Set", required, "the nodes that are held at their initial place");
+  list.set("Components", "all", "the directions that are held",
+           one_of({"x", "y", "z", "xy", "xz", "yz", "xyz", "all"}));
+}
+
+void add_initial_conditions(List& list) {
+  list.set("Velocity", Numbers(), "uniform part [L0/T0]; zero when empty", any_number());
+  list.set("Velocity Gradient", Numbers(),
+           "L, row by row [1/T0]: v = Velocity + L (X - Origin); skew-symmetric for a spin; zero when empty",
+           any_number());
+  list.set("Origin", Numbers(), "[L0]; the origin of coordinates when empty", any_number());
+}
+
+void add_time_integrator(List& list) {
+  std::vector<std::string> names;
+  for (const Scheme& scheme : schemes()) {
+    names.push_back(scheme.name);
+    list.sublist(scheme.name, false, scheme.citation) = scheme.parameters;
+    list.sublist(scheme.name).setName(scheme.name);
+  }
+  list.set("Type", "Gautam-Sauer Composite", "the scheme; ixos --list-schemes tells what each is good for",
+           one_of(names));
+  list.set("Predictor", "Constant Velocity", "where Newton's iteration starts",
+           one_of({"Last Displacement", "Constant Velocity", "Constant Acceleration"}));
+  List& control = list.sublist("Time Step Control", false, "times and steps");
+  control.set("Type", "Fixed", "how the step is chosen", one_of({"Fixed"}));
+  control.set("Initial Time", 0.0, "[T0]", any_number());
+  require(control, "Final Time", "[T0]; later than Initial Time", any_number());
+  require(control, "Time Step", "[T0]; the last one is shortened to end at Final Time", greater_than(0));
+}
+
+void add_nonlinear_solver(List& list) {
+  list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c| [-]", greater_and_less_than(0, 1));
+  list.set("Maximum Iterations", 25, "more is a failed step", between(1, 10000));
+  List& nox = list.sublist("NOX", false, "overrides of NOX's own lists: Printing, Direction, Line Search, ...");
+  mark_free_form(nox);
+}
+
+void add_output(List& list) {
+  list.set("History Interval", 1, "steps between rows of history.csv; the last state is always a row",
+           between(1, 1000000000));
+  list.set("Energies", true, "energy columns");
+  list.set("Momenta", true, "momentum columns");
+  list.set("Interaction", true, "contact force, contact measure and least gap");
+}
+
+List make_scene_parameters() {
+  List scene("Scene");
+  add_units(scene.sublist("Units", false, "names of the units; every value of a scene is in L0, E0 and T0"));
+  add_mesh(scene.sublist("Mesh", false, "the bodies"));
+  add_material(scene.sublist("Materials", false, "a list for each block").sublist(any_name));
+  add_interaction(
+      scene.sublist("Interactions", false, "a list for each surface that sticks").sublist(any_name));
+  add_boundary_condition(
+      scene.sublist("Boundary Conditions", false, "a list for each held node set").sublist(any_name));
+  add_initial_conditions(scene.sublist("Initial Conditions", false, "velocities at the initial time"));
+  add_time_integrator(scene.sublist("Time Integrator", false, "the scheme and its steps"));
+  add_nonlinear_solver(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)"));
+  mark_free_form(scene.sublist("Linear Solver", false,
+                               "a Stratimikos list; Linear Solver Type is Direct (default), Belos or Amesos2"));
+  add_output(scene.sublist("Output", false, "what is written"));
+  return scene;
+}
+
+}  // namespace
+
+const List& scene_parameters() {
+  static const List parameters = make_scene_parameters();
+  return parameters;
+}
+
+}  // namespace ixos

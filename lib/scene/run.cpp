@@ -1,0 +1,97 @@
+#include "scene/run.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_Time.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "scene/history.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/summary.hpp"
+
+namespace ixos {
+namespace {
+
+/// Makes the results folder and effective.xml on rank 0; throws on all ranks alike.
+void open_folder(const Simulation& simulation, const std::string& folder) {
+  const Comm& comm = simulation.model().space().comm();
+  std::string problem;
+  if (comm->getRank() == 0) {
+    try {
+      std::filesystem::create_directories(folder);
+      write_scene_file(simulation.parameters(), folder + "/effective.xml");
+    } catch (const std::exception& error) {
+      problem = error.what();
+    }
+  }
+  int failed = problem.empty() ? 0 : 1;
+  Teuchos::broadcast(*comm, 0, &failed);
+  if (failed != 0) throw FileError("the results folder cannot be used: " + problem);
+}
+
+bool asked_to_stop(const RunOptions& options, const Comm& comm) {
+  if (!options.interrupted) return false;
+  int stop = options.interrupted() ? 1 : 0;
+  if (comm->getSize() == 1) return stop != 0;
+  int any = 0;
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, 1, &stop, &any);
+  return any != 0;
+}
+
+}  // namespace
+
+RunResult run(Simulation& simulation, const RunOptions& options) {
+  const Comm& comm = simulation.model().space().comm();
+  Integrator& integrator = simulation.integrator();
+  const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
+  open_folder(simulation, options.folder);
+  History history(simulation,
+                  {output.get<bool>("Energies"), output.get<bool>("Momenta"), output.get<bool>("Interaction")},
+                  options.folder + "/history.csv");
+  const long interval = output.get<int>("History Interval");
+  const double final_time = simulation.final_time();
+  const double start = Teuchos::Time::wallTime();
+
+  RunResult result;
+  RowCounts counts;
+  long newton_iterations = 0;
+  history.record(counts);
+  // A remainder below a thousandth of a step is rounding, not a step.
+  while (final_time - integrator.time() > 1e-3 * simulation.time_step()) {
+    if (asked_to_stop(options, comm)) {
+      result.status = RunStatus::Interrupted;
+      result.reason = "interrupted by a signal";
+      break;
+    }
+    const double dt = std::min(simulation.time_step(), final_time - integrator.time());
+    const StepResult step = integrator.step(dt);
+    counts.newton_iterations += step.newton_iterations;
+    newton_iterations += step.newton_iterations;
+    counts.wall_seconds = Teuchos::Time::wallTime() - start;
+    if (!step.converged) {
+      result.status = RunStatus::Diverged;
+      result.reason = step.reason;
+      break;
+    }
+    ++result.steps;
+    counts.step = result.steps;
+    counts.time_step = dt;
+    const bool last = !(final_time - integrator.time() > 1e-3 * simulation.time_step());
+    if (result.steps % interval == 0 || last) {
+      history.record(counts);
+      counts.newton_iterations = 0;
+    }
+    if (options.watch && comm->getRank() == 0)
+      options.watch({integrator.time(), final_time, result.steps, newton_iterations, counts.wall_seconds});
+  }
+  if (result.status != RunStatus::Completed && result.steps % interval != 0) history.record(counts);
+  history.flush();
+  result.end_time = integrator.time();
+  write_summary(simulation, result,
+                {newton_iterations, Teuchos::Time::wallTime() - start, history.max_energy_error()},
+                options.folder + "/summary.json");
+  return result;
+}
+
+}  // namespace ixos

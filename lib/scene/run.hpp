@@ -1,0 +1,39 @@
+/// Running a scene to its end, with results on disk.
+#pragma once
+#include <functional>
+#include <string>
+
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// Where a run stands, for whoever watches it.
+struct Progress {
+  double time = 0;
+  double final_time = 0;
+  long step = 0;
+  long newton_iterations = 0;  ///< since the start
+  double wall_seconds = 0;
+};
+
+struct RunOptions {
+  std::string folder;                                  ///< results go here; made where it does not exist
+  std::function<void(const Progress&)> watch;          ///< called after every step on rank 0; may be empty
+  std::function<bool()> interrupted;                   ///< asked before every step; may be empty
+};
+
+enum class RunStatus { Completed, Diverged, Interrupted };
+
+struct RunResult {
+  RunStatus status = RunStatus::Completed;
+  std::string reason;
+  long steps = 0;
+  double end_time = 0;
+};
+
+/// Runs from the simulation's present state to its final time; writes effective.xml, history.csv and summary.json. A
+/// step that fails ends the run with RunStatus::Diverged; the rows up to there are on disk. Throws FileError, before
+/// anything is computed, where the folder cannot be written. Collective.
+RunResult run(Simulation& simulation, const RunOptions& options);
+
+}  // namespace ixos

@@ -1,0 +1,22 @@
+/// Scene files: Teuchos parameter lists in XML.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+
+namespace ixos {
+
+/// Reads a scene. Teuchos parses the XML; the values are read by set_from_text(), because Teuchos' own reader takes
+/// "abc" for 0 and the last of two entries of one name. Throws InputError that names the file and the list path.
+Teuchos::ParameterList read_scene_file(const std::string& path);
+
+/// The same from text; `origin` stands for the file name in messages.
+Teuchos::ParameterList read_scene_text(const std::string& xml, const std::string& origin);
+
+/// Carries out "List/Sublist/Name=value". The value is read in the type that `valid` has for that entry; in free-form
+/// lists as the first of int, double, bool and string that fits. Throws InputError.
+void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& valid, const std::string& assignment);
+
+/// Writes a list that read_scene_file() reads back to the last digit. Throws FileError.
+void write_scene_file(const Teuchos::ParameterList& scene, const std::string& path);
+
+}  // namespace ixos

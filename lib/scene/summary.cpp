@@ -1,0 +1,75 @@
+#include "scene/summary.hpp"
+
+#include <Teuchos_TimeMonitor.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+/// Largest resident set of this process [bytes], 0 where the system does not tell.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::stod(line.substr(6));
+  return 0;
+}
+
+const char* name(RunStatus status) {
+  if (status == RunStatus::Completed) return "completed";
+  return status == RunStatus::Diverged ? "diverged" : "interrupted";
+}
+
+/// Seconds of rank 0 in each timed phase.
+nlohmann::ordered_json phases() {
+  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+  const std::string prefix = "Ixos: ";
+  for (const std::string label : {"residual", "tangent", "factorization", "linear solve"}) {
+    const auto timer = Teuchos::TimeMonitor::lookupCounter(prefix + label);
+    if (!timer.is_null()) seconds[label] = timer->totalElapsedTime();
+  }
+  return seconds;
+}
+
+}  // namespace
+
+void write_summary(const Simulation& simulation, const RunResult& result, const RunTotals& totals,
+                   const std::string& path) {
+  const Model& model = simulation.model();
+  const Comm& comm = model.space().comm();
+  double memory = peak_memory();
+  model.space().sum(&memory, 1);
+  if (comm->getRank() != 0) return;
+  nlohmann::ordered_json json;
+  json["status"] = name(result.status);
+  json["reason"] = result.reason;
+  json["scheme"] = simulation.parameters().sublist("Time Integrator").get<std::string>("Type");
+  json["end_time"] = result.end_time;
+  json["steps"] = result.steps;
+  json["rejected_steps"] = 0;
+  json["dofs"] = model.space().global();
+  json["elements"] = model.mesh().global_cells;
+  json["ranks"] = comm->getSize();
+  json["newton_iterations"] = totals.newton_iterations;
+  json["linear_iterations"] = 0;
+  json["wall_seconds"] = totals.wall_seconds;
+  json["setup_seconds"] = simulation.setup_seconds();
+  json["seconds_per_increment"] = totals.wall_seconds / static_cast<double>(std::max(result.steps, 1L));
+  json["seconds"] = phases();
+  json["peak_memory_bytes"] = static_cast<long long>(memory);
+  if (std::isnan(totals.max_energy_error))
+    json["max_energy_error"] = nullptr;
+  else
+    json["max_energy_error"] = totals.max_energy_error;
+  json["max_force"] = nlohmann::ordered_json::object();
+  std::ofstream file(path);
+  file << json.dump(2) << '\n';
+  file.flush();
+  if (!file) throw FileError(path + ": cannot be written");
+}
+
+}  // namespace ixos

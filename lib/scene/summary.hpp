@@ -1,0 +1,19 @@
+/// summary.json: how a run ended and what it cost.
+#pragma once
+#include <string>
+
+#include "scene/run.hpp"
+
+namespace ixos {
+
+struct RunTotals {
+  long newton_iterations = 0;
+  double wall_seconds = 0;
+  double max_energy_error = 0;
+};
+
+/// Collective; written on rank 0. Throws FileError.
+void write_summary(const Simulation& simulation, const RunResult& result, const RunTotals& totals,
+                   const std::string& path);
+
+}  // namespace ixos

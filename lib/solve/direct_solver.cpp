@@ -1,0 +1,94 @@
+#include "solve/direct_solver.hpp"
+
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+#include <Thyra_LinearOpWithSolveBase.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <utility>
+
+#include "solve/factorization.hpp"
+#include "solve/thyra.hpp"
+
+namespace ixos {
+namespace {
+
+class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
+ public:
+  VectorSpace range() const override { return op->range(); }
+  VectorSpace domain() const override { return op->domain(); }
+
+  Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source;
+  Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
+  Teuchos::RCP<const CrsMatrix> matrix;
+  std::unique_ptr<Factorization> factorization;
+
+ private:
+  bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return op->opSupported(transpose); }
+  void applyImpl(const Thyra::EOpTransp transpose, const Thyra::MultiVectorBase<double>& x,
+                 const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& y, const double alpha,
+                 const double beta) const override {
+    Thyra::apply(*op, transpose, x, y, alpha, beta);
+  }
+  bool solveSupportsImpl(Thyra::EOpTransp transpose) const override { return transpose == Thyra::NOTRANS; }
+  bool solveSupportsSolveMeasureTypeImpl(Thyra::EOpTransp, const Thyra::SolveMeasureType&) const override {
+    return true;
+  }
+  Thyra::SolveStatus<double> solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
+                                       const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                                       const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const override {
+    factorization->solve(*Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
+                         *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)));
+    Thyra::SolveStatus<double> status;
+    status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
+    status.achievedTol = Thyra::SolveStatus<double>::unknownTolerance();
+    return status;
+  }
+};
+
+Teuchos::RCP<const CrsMatrix> matrix_of(const Thyra::LinearOpSourceBase<double>& source) {
+  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source.getOp()));
+}
+
+}  // namespace
+
+bool DirectSolverFactory::isCompatible(const Source& source) const { return !matrix_of(source).is_null(); }
+
+Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const { return Teuchos::rcp(new DirectSolve); }
+
+void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
+                                       const Thyra::ESupportSolveUse) const {
+  auto& direct = dynamic_cast<DirectSolve&>(*op);
+  direct.source = source;
+  direct.op = source->getOp();
+  const auto matrix = matrix_of(*source);
+  if (!direct.factorization || matrix.get() != direct.matrix.get()) {
+    std::string type = list_.is_null() ? "Automatic" : list_->get<std::string>("Solver Type", "Automatic");
+    if (type == "Automatic") type = matrix->getComm()->getSize() == 1 ? "CHOLMOD" : "KLU2";
+    direct.matrix = matrix;
+    direct.factorization = type == "CHOLMOD" ? make_cholmod() : make_klu2();
+    direct.factorization->analyze(matrix);
+  }
+  direct.factorization->factor();
+}
+
+void DirectSolverFactory::uninitializeOp(Op* op, Teuchos::RCP<const Source>* source,
+                                         Teuchos::RCP<const Thyra::PreconditionerBase<double>>*,
+                                         Teuchos::RCP<const Source>*, Thyra::ESupportSolveUse*) const {
+  auto& direct = dynamic_cast<DirectSolve&>(*op);
+  if (source != nullptr) *source = direct.source;
+  direct.source = Teuchos::null;
+}
+
+void DirectSolverFactory::setParameterList(const List& list) {
+  list->validateParametersAndSetDefaults(*getValidParameters());
+  list_ = list;
+}
+
+Teuchos::RCP<const Teuchos::ParameterList> DirectSolverFactory::getValidParameters() const {
+  const auto valid = Teuchos::parameterList();
+  valid->set("Solver Type", "Automatic",
+             "\"CHOLMOD\" (symmetric, one rank), \"KLU2\" (any), or \"Automatic\": CHOLMOD on one rank, else KLU2",
+             Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Automatic", "CHOLMOD", "KLU2"))));
+  return valid;
+}
+
+}  // namespace ixos

@@ -1,0 +1,29 @@
+/// Sparse factorisations behind the direct solver.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "base/tpetra.hpp"
+
+namespace ixos {
+
+/// A factorisation of one matrix, whose sparsity stays: analyze() once, factor() for each set of values.
+class Factorization {
+ public:
+  virtual ~Factorization() = default;
+  /// Symbolic phase. Throws std::runtime_error where the sparsity is structurally singular.
+  virtual void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) = 0;
+  /// Numeric phase, from the matrix's present values. Throws std::runtime_error where a pivot vanishes.
+  virtual void factor() = 0;
+  /// x = A^-1 b for each column.
+  virtual void solve(const MultiVector& b, MultiVector& x) = 0;
+};
+
+/// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, one rank. Supernodal Cholesky where the
+/// matrix is large; simplicial L D L^T where it is small, and from the first matrix on that is not positive definite.
+std::unique_ptr<Factorization> make_cholmod();
+
+/// KLU2 of Amesos2 (Davis and Palamadai Natarajan 2010): any matrix, gathered on the first of any number of ranks.
+std::unique_ptr<Factorization> make_klu2();
+
+}  // namespace ixos

@@ -1,0 +1,53 @@
+/// Linear solvers, chosen by a Stratimikos list.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <string>
+
+#include "base/tpetra.hpp"
+
+namespace Thyra {
+template <class Scalar>
+class LinearOpWithSolveFactoryBase;
+}
+
+namespace ixos {
+
+/// Builds solvers from a Stratimikos list. "Linear Solver Type" is "Direct", "Belos" or "Amesos2"; "Direct" is ours:
+/// it keeps the symbolic factorisation, and its list, "Linear Solver Types/Direct", has the one entry "Solver Type":
+/// "Automatic" (CHOLMOD on one rank, KLU2 on several), "CHOLMOD" or "KLU2". Preconditioners are Ifpack2's.
+class LinearSolverFactory {
+ public:
+  /// Throws InputError with Stratimikos' own words where the list is not valid.
+  explicit LinearSolverFactory(const Teuchos::ParameterList& stratimikos);
+  ~LinearSolverFactory();
+  LinearSolverFactory(const LinearSolverFactory&) = delete;
+  LinearSolverFactory& operator=(const LinearSolverFactory&) = delete;
+
+  const Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>>& thyra() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// One matrix and its solver, outside Newton's method: initial accelerations, collocated accelerations.
+class LinearSystem {
+ public:
+  /// The matrix must be fill-complete; its values are read at the first solve and after every refresh().
+  LinearSystem(const LinearSolverFactory& factory, Teuchos::RCP<const CrsMatrix> matrix);
+  ~LinearSystem();
+  LinearSystem(const LinearSystem&) = delete;
+  LinearSystem& operator=(const LinearSystem&) = delete;
+
+  /// x = A^-1 b, to a relative residual of 1e-14 where the solver is iterative. False where the solve failed.
+  /// Collective.
+  bool solve(const Vector& b, Vector& x);
+  void refresh();
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,129 @@
+#include "solve/newton.hpp"
+
+#include <NOX.H>
+#include <NOX_StatusTest_Generic.H>
+#include <NOX_Thyra.H>
+#include <fmt/format.h>
+
+#include <Tpetra_Vector.hpp>
+
+#include "solve/admissible_line_search.hpp"
+#include "solve/problem_evaluator.hpp"
+
+namespace ixos {
+namespace {
+
+/// |f| below the bound that the problem states at the current iterate.
+class ForceTest final : public NOX::StatusTest::Generic {
+ public:
+  ForceTest(const NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
+    norm_ = solver.getSolutionGroup().getNormF();
+    bound_ = problem_.convergence_bound(tolerance_);
+    status_ = norm_ <= bound_ ? NOX::StatusTest::Converged : NOX::StatusTest::Unconverged;
+    return status_;
+  }
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int indent) const override {
+    for (int i = 0; i < indent; ++i) stream << ' ';
+    return stream << status_ << "|f| = " << norm_ << " <= " << bound_ << '\n';
+  }
+  std::string describe() const { return fmt::format("|f| = {:.3g}, wanted {:.3g}", norm_, bound_); }
+
+ private:
+  const NonlinearProblem& problem_;
+  double tolerance_;
+  double norm_ = 0;
+  double bound_ = 0;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+};
+
+Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const NewtonOptions& options) {
+  auto list = Teuchos::rcp(new Teuchos::ParameterList(options.nox));
+  list->get("Nonlinear Solver", "Line Search Based");
+  list->sublist("Printing").get("Output Information", 0);
+  Teuchos::ParameterList& direction = list->sublist("Direction");
+  direction.get("Method", "Newton");
+  direction.sublist("Newton").get("Forcing Term Method", "Constant");
+  direction.sublist("Newton").sublist("Linear Solver").get("Tolerance", 1e-9);
+  list->sublist("Solver Options").get("Status Test Check Type", "Minimal");
+  Teuchos::ParameterList& search = list->sublist("Line Search");
+  if (!search.isParameter("Method")) {
+    search.set("Method", "User Defined");
+    const Teuchos::RCP<NOX::LineSearch::UserDefinedFactory> factory =
+        Teuchos::rcp(new AdmissibleLineSearchFactory(problem));
+    search.set("User Defined Line Search Factory", factory);
+  }
+  return list;
+}
+
+}  // namespace
+
+struct NewtonSolver::Implementation {
+  Implementation(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
+      : maximum_iterations(options.maximum_iterations),
+        evaluator(Teuchos::rcp(new ProblemEvaluator(problem, linear_solver.thyra()))),
+        guess(Thyra::createMember(evaluator->get_x_space())),
+        force(Teuchos::rcp(new ForceTest(problem, options.tolerance))),
+        tests(Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR))),
+        list(nox_list(problem, options)) {
+    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
+    tests->addStatusTest(force);
+    tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
+  }
+
+  NewtonResult run() {
+    const NOX::Thyra::Vector start(guess);
+    if (solver.is_null()) {
+      const auto group = Teuchos::rcp(new NOX::Thyra::Group(start, evaluator));
+      solver = NOX::Solver::buildSolver(group, tests, list);
+    } else {
+      solver->reset(start);
+    }
+    const NOX::StatusTest::StatusType status = solver->solve();
+    NewtonResult result;
+    result.iterations = solver->getNumIterations();
+    result.converged = status == NOX::StatusTest::Converged;
+    if (!result.converged) {
+      const char* what = result.iterations >= maximum_iterations ? "Newton's iteration did not converge"
+                                                                 : "Newton's iteration broke down";
+      result.reason = fmt::format("{} after {} iterations ({})", what, result.iterations, force->describe());
+    }
+    return result;
+  }
+
+  int maximum_iterations;
+  Teuchos::RCP<ProblemEvaluator> evaluator;
+  Teuchos::RCP<Thyra::VectorBase<double>> guess;
+  Teuchos::RCP<ForceTest> force;
+  Teuchos::RCP<NOX::StatusTest::Combo> tests;
+  Teuchos::RCP<Teuchos::ParameterList> list;
+  Teuchos::RCP<NOX::Solver::Generic> solver;
+};
+
+NewtonSolver::NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver,
+                           const NewtonOptions& options)
+    : implementation_(std::make_unique<Implementation>(problem, linear_solver, options)) {}
+
+NewtonSolver::~NewtonSolver() = default;
+
+NewtonResult NewtonSolver::solve(Vector& x) {
+  Implementation& self = *implementation_;
+  NewtonResult result;
+  try {
+    Extract::getTpetraVector(self.guess)->update(1.0, x, 0.0);
+    result = self.run();
+    const auto& solution = dynamic_cast<const NOX::Thyra::Vector&>(self.solver->getSolutionGroup().getX());
+    x.update(1.0, *Extract::getConstTpetraVector(solution.getThyraRCPVector()), 0.0);
+  } catch (const std::exception& error) {
+    // NOX throws where its first evaluation fails, linear solvers where a matrix cannot be factored. The next solve
+    // starts from a new solver.
+    self.solver = Teuchos::null;
+    result.converged = false;
+    result.reason = fmt::format("the nonlinear solver stopped: {}", error.what());
+  }
+  return result;
+}
+
+}  // namespace ixos

@@ -1,0 +1,41 @@
+/// Newton's method: NOX on a NonlinearProblem.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <string>
+
+#include "solve/linear_solver.hpp"
+#include "solve/nonlinear_problem.hpp"
+
+namespace ixos {
+
+struct NewtonOptions {
+  double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
+  int maximum_iterations = 25;   ///< NOX iterations; more is a failed solve
+  Teuchos::ParameterList nox;    ///< overrides of NOX's own list
+};
+
+/// How a solve ended. A failure is a status, not an exception.
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;
+  std::string reason;  ///< of a failure, for a person
+};
+
+/// One solver for one problem, kept for the whole run and reset for each solve.
+class NewtonSolver {
+ public:
+  NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options);
+  ~NewtonSolver();
+  NewtonSolver(const NewtonSolver&) = delete;
+  NewtonSolver& operator=(const NewtonSolver&) = delete;
+
+  /// From the guess x to a solution of f(x) = 0. On failure x is the last iterate. Collective.
+  NewtonResult solve(Vector& x);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,26 @@
+/// What a nonlinear solver needs to know of a problem f(x) = 0.
+#pragma once
+#include "base/tpetra.hpp"
+
+namespace ixos {
+
+/// All functions are collective; vectors live on map(). Between two solves the problem may change, during one it may not.
+class NonlinearProblem {
+ public:
+  virtual ~NonlinearProblem() = default;
+
+  virtual Teuchos::RCP<const Map> map() const = 0;
+  /// A fill-complete matrix of the tangent's sparsity.
+  virtual Teuchos::RCP<CrsMatrix> create_matrix() const = 0;
+
+  /// f(x). False, on all ranks alike, where x is inadmissible: f is then unusable.
+  virtual bool residual(const Vector& x, Vector& f) = 0;
+  /// W = df/dx at x.
+  virtual void tangent(const Vector& x, CrsMatrix& w) = 0;
+  /// The largest step s <= 1 for which x + s direction is admissible with a margin.
+  virtual double admissible_step(const Vector& x, const Vector& direction) = 0;
+  /// The norm |f| must come below at the last x that residual() saw, given the relative tolerance.
+  virtual double convergence_bound(double relative_tolerance) const = 0;
+};
+
+}  // namespace ixos

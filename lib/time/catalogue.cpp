@@ -1,0 +1,109 @@
+#include "time/catalogue.hpp"
+
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+#include "base/range_validator.hpp"
+#include "time/schemes.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+
+void add_beta_gamma(List& list) {
+  list.set("Beta", 0.25, "Newmark's beta [-]", greater_than(0));
+  list.set("Gamma", 0.5, "Newmark's gamma [-]; 1/2 is second order without numerical damping", at_least(0.5));
+}
+
+void add_points(List& list, const char* name, int value, const char* documentation) {
+  list.set(name, value, documentation, between(1, 64));
+}
+
+Scheme newmark_scheme() {
+  Scheme s{"Newmark",
+           "2 (1 where Gamma > 1/2)",
+           "linear: unconditional for 2 Beta >= Gamma; nonlinear: energy may grow",
+           "linear momentum; energy of linear problems for Beta = 1/4, Gamma = 1/2",
+           "Newmark 1959",
+           {},
+           [](const List& p) { return newmark(p.get<double>("Beta"), p.get<double>("Gamma")); }};
+  add_beta_gamma(s.parameters);
+  return s;
+}
+
+Scheme bathe_scheme() {
+  Scheme s{"Bathe Composite",
+           "2",
+           "linear: unconditional, spectral radius as given at infinite frequency; loses energy",
+           "linear momentum",
+           "Bathe 2007; Noh and Bathe 2019",
+           {},
+           [](const List& p) {
+             const double rho = p.get<double>("Spectral Radius");
+             const double split = p.get<double>("Split");
+             return bathe_composite(rho, split == 0 ? bathe_default_split(rho) : split);
+           }};
+  s.parameters.set("Spectral Radius", 0.0, "spectral radius at infinite frequency [-]; 0 with Split 0.5 is Bathe 2007",
+                   between(0, 1));
+  s.parameters.set("Split", 0.5, "end of the first stage in steps [-]; 0 chooses equal tangents for both stages",
+                   at_least_and_less_than(0, 1));
+  return s;
+}
+
+Scheme composite_scheme() {
+  Scheme s{"Gautam-Sauer Composite",
+           "2 (1 where Gamma is not 2 Beta)",
+           "elastic part as the trapezoid; interaction work exact to time quadrature",
+           "linear momentum; work of the interaction on the linear path",
+           "Gautam and Sauer 2014",
+           {},
+           [](const List& p) {
+             const Path path = p.get<std::string>("Path") == "Linear" ? Path::Linear : Path::Kinematic;
+             return gautam_sauer_composite(p.get<double>("Beta"), p.get<double>("Gamma"),
+                                           p.get<int>("Interaction Points"), path);
+           }};
+  add_beta_gamma(s.parameters);
+  add_points(s.parameters, "Interaction Points", 5, "Gauss points in time for the interaction");
+  s.parameters.set("Path", "Linear",
+                   "path of the displacement within a step; \"Kinematic\" is quadratic and consistent with Newmark, and "
+                   "may cross the wall",
+                   Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Linear", "Kinematic"))));
+  return s;
+}
+
+Scheme average_vector_field_scheme() {
+  Scheme s{"Average Vector Field",
+           "2",
+           "energy is bounded by its conservation",
+           "linear momentum; energy to time quadrature",
+           "Quispel and McLaren 2008",
+           {},
+           [](const List& p) {
+             return average_vector_field(p.get<int>("Elastic Points"), p.get<int>("Interaction Points"));
+           }};
+  add_points(s.parameters, "Elastic Points", 4, "Gauss points in time for the elastic force");
+  add_points(s.parameters, "Interaction Points", 8, "Gauss points in time for the interaction");
+  return s;
+}
+
+}  // namespace
+
+const std::vector<Scheme>& schemes() {
+  static const std::vector<Scheme> all{newmark_scheme(), bathe_scheme(), composite_scheme(),
+                                       average_vector_field_scheme()};
+  return all;
+}
+
+const Scheme& scheme(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Scheme& candidate : schemes()) {
+    if (candidate.name == name) return candidate;
+    names.push_back(candidate.name);
+  }
+  throw InputError("scheme \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
+                   "\"? There are " + quoted_list(names));
+}
+
+}  // namespace ixos

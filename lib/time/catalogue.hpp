@@ -1,0 +1,29 @@
+/// The schemes by the names that scenes and literature use.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "time/table.hpp"
+
+namespace ixos {
+
+/// One scheme: its name, what a user should know of it, its parameters with defaults, ranges and documentation, and how
+/// its table is made. The XML validators, the driver's list and the documentation are all made from this.
+struct Scheme {
+  std::string name;
+  std::string order;
+  std::string stability;
+  std::string conserves;
+  std::string citation;
+  Teuchos::ParameterList parameters;
+  std::function<Table(const Teuchos::ParameterList&)> table;
+};
+
+const std::vector<Scheme>& schemes();
+
+/// The scheme of that name. Throws InputError with the nearest name.
+const Scheme& scheme(const std::string& name);
+
+}  // namespace ixos

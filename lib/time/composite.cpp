@@ -1,0 +1,17 @@
+#include "time/schemes.hpp"
+
+namespace ixos {
+
+Table gautam_sauer_composite(double beta, double gamma, int interaction_points, Path path) {
+  const Table kinematics = newmark(beta, gamma);
+  Stage stage;
+  stage.velocity = kinematics.stages[0].velocity;
+  stage.acceleration = kinematics.stages[0].acceleration;
+  stage.inertia = stage.velocity - velocity(0);                  // M (v - v_n)/dt
+  stage.damping = unknown_displacement() - displacement(0);      // C (u - u_n)/dt
+  stage.elastic = point_rule({0.0, 1.0}, {0.5, 0.5});
+  stage.interaction = gauss_rule(interaction_points, path);
+  return {"Gautam-Sauer Composite", {stage}, Closing::Collocate, {DampingWork::Form::Increment, {}}};
+}
+
+}  // namespace ixos

@@ -1,0 +1,197 @@
+#include "time/integrator.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+/// Does some row use the acceleration of the step's start?
+bool uses_acceleration(const Table& table) {
+  for (const Stage& stage : table.stages)
+    for (const Row* row : {&stage.velocity, &stage.inertia, &stage.damping})
+      if (!row->known.empty() && row->known[0].a != 0) return true;
+  return false;
+}
+
+/// result = row / scale over the known states (0 the step's start) and u.
+void evaluate(const Row& row, double scale, double dt, const std::vector<State>& states, const std::vector<double>& u,
+              std::vector<double>& result) {
+  result.resize(u.size());
+  const std::vector<double>& u0 = states[0].u;
+  for (std::size_t i = 0; i < u.size(); ++i) result[i] = row.unknown / scale * (u[i] - u0[i]);
+  for (std::size_t j = 0; j < row.known.size(); ++j) {
+    const Row::Known& k = row.known[j];
+    const State& state = states[j];
+    if (k.u != 0 && j > 0)
+      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.u / scale * (state.u[i] - u0[i]);
+    if (k.v != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.v * dt / scale * state.v[i];
+    if (k.a != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.a * dt * dt / scale * state.a[i];
+  }
+}
+
+void copy_owned(const std::vector<double>& local, Vector& owned) {
+  const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy_n(local.data(), view.extent(0), view.data());
+}
+
+}  // namespace
+
+Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
+                       const NewtonOptions& newton, Predictor predictor)
+    : model_(model),
+      table_(std::move(table)),
+      linear_solver_(std::move(linear_solver)),
+      predictor_(predictor),
+      needs_acceleration_(uses_acceleration(table_) || predictor == Predictor::ConstantAcceleration),
+      states_(table_.stages.size() + 1),
+      unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
+  check(table_);
+  for (const Stage& stage : table_.stages) {
+    problems_.push_back(std::make_unique<StageProblem>(model_, stage));
+    solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
+  }
+}
+
+void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
+  time_ = time;
+  dissipated_ = 0;
+  acceleration_known_ = false;
+  State& start = states_.front();
+  start = {std::move(u), std::move(v), {}};
+  for (const Constraint& c : model_.constraints()) {
+    start.u[static_cast<std::size_t>(c.dof)] = c.displacement + c.velocity * time;
+    start.v[static_cast<std::size_t>(c.dof)] = c.velocity;
+  }
+  if (needs_acceleration_ || table_.closing == Closing::Kinematic) acceleration();
+}
+
+const std::vector<double>& Integrator::acceleration() {
+  State& state = states_.front();
+  if (!acceleration_known_ && !solve_acceleration(state.u, state.v, state.a))
+    throw InputError("the acceleration cannot be solved for: a gap is not positive, an element is inverted, or the "
+                     "mass matrix is singular");
+  acceleration_known_ = true;
+  return state.a;
+}
+
+bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vector<double>& v,
+                                    std::vector<double>& a) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto local = static_cast<std::size_t>(model_.space().local());
+  const Segment here{nullptr, nullptr, u.data()};
+  std::vector<double> force(local);
+  std::vector<double> sum(local, 0.0);
+  bool admissible = model_.elastic_force(here, end_rule(), force.data());
+  for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
+  if (model_.has_interactions()) {
+    admissible = model_.interaction_force(here, end_rule(), force.data()) && admissible;
+    for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
+  }
+  if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), sum.data());
+  for (const Constraint& c : model_.constraints()) sum[static_cast<std::size_t>(c.dof)] = 0;
+  if (model_.space().minimum(admissible ? 1 : 0) == 0) return false;
+
+  if (!mass_system_) {
+    const auto matrix = model_.pattern().create_matrix(model_.space());
+    double* values = matrix->getLocalMatrixHost().values.data();
+    model_.mass().add_to(1.0, values);
+    model_.constrain_matrix(1.0, values);
+    mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
+  }
+  Vector rhs(model_.space().owned_map());
+  Vector solution(model_.space().owned_map());
+  copy_owned(sum, rhs);
+  if (!mass_system_->solve(rhs, solution)) return false;
+  a.resize(local);
+  model_.space().import(solution, a.data());
+  return true;
+}
+
+void Integrator::predict(std::size_t stage, double dt, std::vector<double>& guess) {
+  const State& last = states_[stage];
+  const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
+  const double h = (table_.stages[stage].end - start) * dt;
+  guess = last.u;
+  if (predictor_ == Predictor::LastDisplacement) return problems_[stage]->clip(last.u, guess);
+  for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
+  if (predictor_ == Predictor::ConstantAcceleration)
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * h / 2 * last.a[i];
+  problems_[stage]->clip(last.u, guess);
+}
+
+void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&& u) {
+  const Stage& row = table_.stages[stage];
+  State& end = states_[stage + 1];
+  evaluate(row.velocity, dt, dt, states_, u, end.v);
+  if (table_.closing == Closing::Kinematic) {
+    evaluate(row.acceleration, dt * dt, dt, states_, u, end.a);
+    for (const Constraint& c : model_.constraints()) {
+      end.v[static_cast<std::size_t>(c.dof)] = c.velocity;
+      end.a[static_cast<std::size_t>(c.dof)] = 0;
+    }
+  }
+  end.u = std::move(u);
+}
+
+StepResult Integrator::step(double dt) {
+  StepResult result;
+  if (needs_acceleration_) acceleration();
+  for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
+    problems_[stage]->arm(states_, time_, dt);
+    std::vector<double> guess = std::move(states_[stage + 1].u);
+    predict(stage, dt, guess);
+    copy_owned(guess, *unknown_);
+    const NewtonResult newton = solvers_[stage]->solve(*unknown_);
+    result.newton_iterations += newton.iterations;
+    if (!newton.converged) {
+      result.reason = newton.reason;
+      states_[stage + 1].u = std::move(guess);
+      return result;
+    }
+    model_.space().import(*unknown_, guess.data());
+    close_stage(stage, dt, std::move(guess));
+  }
+  if (model_.damping() != nullptr) dissipated_ += damping_work(dt);
+  std::swap(states_.front(), states_.back());
+  time_ += dt;
+  acceleration_known_ = table_.closing == Closing::Kinematic;
+  result.converged = true;
+  return result;
+}
+
+double Integrator::damping_work(double dt) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::vector<double> force(owned);
+  const auto work = [&](const std::vector<double>& x, const std::vector<double>& y) {
+    std::fill(force.begin(), force.end(), 0.0);
+    model_.damping()->multiply_add(1.0, y.data(), force.data());
+    double sum = 0;
+    for (std::size_t i = 0; i < owned; ++i) sum += x[i] * force[i];
+    return sum;
+  };
+  const State& start = states_.front();
+  const State& end = states_.back();
+  std::vector<double> du(end.u);
+  for (std::size_t i = 0; i < du.size(); ++i) du[i] -= start.u[i];
+
+  double sum = 0;
+  if (table_.damping_work.form == DampingWork::Form::Increment) {
+    sum = work(du, du) / dt;
+  } else if (table_.damping_work.form == DampingWork::Form::EndMean) {
+    sum = (work(du, start.v) + work(du, end.v)) / 2;
+  } else {
+    for (std::size_t i = 0; i < states_.size(); ++i)
+      sum += dt * table_.damping_work.weights[i] * work(states_[i].v, states_[i].v);
+  }
+  model_.space().sum(&sum, 1);
+  return sum;
+}
+
+}  // namespace ixos

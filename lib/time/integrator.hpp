@@ -1,0 +1,73 @@
+/// Time integration: one engine for every table.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "solve/linear_solver.hpp"
+#include "solve/newton.hpp"
+#include "time/stage_problem.hpp"
+#include "time/state.hpp"
+#include "time/table.hpp"
+
+namespace ixos {
+
+/// Where Newton's iteration starts: u_k + h v_k + h^2/2 a, cut after the first, second or third part, from the latest
+/// known state k, h to the stage's end. Always clipped to admissible gaps.
+enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration };
+
+/// How a step ended.
+struct StepResult {
+  bool converged = false;
+  int newton_iterations = 0;
+  std::string reason;  ///< of a failure, for a person
+};
+
+/// Advances a model in time. The model must outlive it. Collective.
+class Integrator {
+ public:
+  Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
+             const NewtonOptions& newton, Predictor predictor);
+  Integrator(const Integrator&) = delete;
+  Integrator& operator=(const Integrator&) = delete;
+
+  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = -C v - f. Constrained
+  /// degrees of freedom take their motion's values. Throws InputError where the state is inadmissible.
+  void initialize(std::vector<double> u, std::vector<double> v, double time);
+
+  /// One step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
+  StepResult step(double dt);
+
+  const Model& model() const { return model_; }
+  const Table& table() const { return table_; }
+  const State& state() const { return states_.front(); }
+  double time() const { return time_; }
+  /// Local array of accelerations of the present state; momentum-form schemes solve for it at the first request.
+  const std::vector<double>& acceleration();
+  /// Work of the damping since initialize() [E0 L0^D].
+  double dissipated_energy() const { return dissipated_; }
+
+ private:
+  void predict(std::size_t stage, double dt, std::vector<double>& guess);
+  void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
+  double damping_work(double dt);
+  bool solve_acceleration(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
+
+  const Model& model_;
+  Table table_;
+  std::shared_ptr<const LinearSolverFactory> linear_solver_;
+  Predictor predictor_;
+  bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
+  std::vector<std::unique_ptr<StageProblem>> problems_;
+  std::vector<std::unique_ptr<NewtonSolver>> solvers_;
+  std::unique_ptr<LinearSystem> mass_system_;
+
+  std::vector<State> states_;  ///< the present state, then the ends of the stages
+  double time_ = 0;
+  double dissipated_ = 0;
+  bool acceleration_known_ = false;
+  Teuchos::RCP<Vector> unknown_;
+};
+
+}  // namespace ixos
