@@ -11,7 +11,7 @@
 namespace ixos {
 
 struct SurfaceOptions {
-  int points = 4;        ///< Gauss points a direction on each side
+  int points = 5;        ///< Gauss points a direction on each side
   double margin = 0.8;   ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
 };
 

@@ -63,7 +63,7 @@ void add_interaction(List& list) {
   list.set("Side Set", required, "the surface that interacts");
   list.set("Gamma L", 2.5, "L0/r0 [-]", greater_than(0));
   list.set("Gamma W", 25.0, "E0/W0 [-]", greater_than(0));
-  list.set("Surface Points", 4, "Gauss points a direction on each side", between(1, 64));
+  list.set("Surface Points", 5, "Gauss points a direction on each side", between(1, 64));
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
   list.set("Point", Numbers(), "a point of the wall [L0]; the origin when empty", any_number());
   list.set("Normal", Numbers(), "out of the wall; the last axis when empty", any_number());
@@ -95,8 +95,8 @@ void add_time_integrator(List& list) {
   }
   list.set("Type", "Gautam-Sauer Composite", "the scheme; ixos --list-schemes tells what each is good for",
            one_of(names));
-  list.set("Predictor", "Constant Velocity", "where Newton's iteration starts",
-           one_of({"Last Displacement", "Constant Velocity", "Constant Acceleration"}));
+  list.set("Predictor", "Automatic", "where Newton's iteration starts; \"Automatic\" is the scheme's own choice",
+           one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration"}));
   List& control = list.sublist("Time Step Control", false, "times and steps");
   control.set("Type", "Fixed", "how the step is chosen", one_of({"Fixed"}));
   control.set("Initial Time", 0.0, "[T0]", any_number());

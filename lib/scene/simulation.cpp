@@ -76,9 +76,10 @@ HalfSpace half_space(const List& list, const std::string& path, std::size_t dime
   return wall;
 }
 
-Predictor predictor(const std::string& name) {
-  if (name == "Last Displacement") return Predictor::LastDisplacement;
-  return name == "Constant Velocity" ? Predictor::ConstantVelocity : Predictor::ConstantAcceleration;
+void set_predictor(const std::string& name, Table& table) {
+  if (name == "Last Displacement") table.predictor = Predictor::LastDisplacement;
+  if (name == "Constant Velocity") table.predictor = Predictor::ConstantVelocity;
+  if (name == "Constant Acceleration") table.predictor = Predictor::ConstantAcceleration;
 }
 
 void add_interaction(const List& list, const std::string& path, Model& model) {
@@ -163,9 +164,10 @@ void Simulation::build_integrator() {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX")};
-  integrator_ = std::make_unique<Integrator>(*model_, chosen.table(list.sublist(chosen.name)),
-                                             std::make_shared<LinearSolverFactory>(parameters_.sublist("Linear Solver")),
-                                             options, predictor(list.get<std::string>("Predictor")));
+  Table table = chosen.table(list.sublist(chosen.name));
+  set_predictor(list.get<std::string>("Predictor"), table);
+  integrator_ = std::make_unique<Integrator>(
+      *model_, std::move(table), std::make_shared<LinearSolverFactory>(parameters_.sublist("Linear Solver")), options);
 }
 
 void Simulation::set_initial_state() {

@@ -86,9 +86,13 @@ struct NewtonSolver::Implementation {
     result.iterations = solver->getNumIterations();
     result.converged = status == NOX::StatusTest::Converged;
     if (!result.converged) {
-      const char* what = result.iterations >= maximum_iterations ? "Newton's iteration did not converge"
-                                                                 : "Newton's iteration broke down";
-      result.reason = fmt::format("{} after {} iterations ({})", what, result.iterations, force->describe());
+      result.reason =
+          result.iterations >= maximum_iterations
+              ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
+                            force->describe())
+              : fmt::format("Newton's iteration broke down after {} iterations: an element inverts, a gap closes or a "
+                            "number overflows at every step length tried",
+                            result.iterations);
     }
     return result;
   }

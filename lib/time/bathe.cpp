@@ -31,7 +31,8 @@ Table bathe_composite(double rho, double split) {
   return {"Bathe Composite",
           {trapezoid, backward},
           Closing::Kinematic,
-          {DampingWork::Form::Stages, {q0, q1, q2}}};
+          {DampingWork::Form::Stages, {q0, q1, q2}},
+          Predictor::ConstantAcceleration};
 }
 
 }  // namespace ixos

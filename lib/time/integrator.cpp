@@ -44,12 +44,11 @@ void copy_owned(const std::vector<double>& local, Vector& owned) {
 }  // namespace
 
 Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
-                       const NewtonOptions& newton, Predictor predictor)
+                       const NewtonOptions& newton)
     : model_(model),
       table_(std::move(table)),
       linear_solver_(std::move(linear_solver)),
-      predictor_(predictor),
-      needs_acceleration_(uses_acceleration(table_) || predictor == Predictor::ConstantAcceleration),
+      needs_acceleration_(uses_acceleration(table_) || table_.predictor == Predictor::ConstantAcceleration),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
@@ -114,16 +113,32 @@ bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vec
   return true;
 }
 
-void Integrator::predict(std::size_t stage, double dt, std::vector<double>& guess) {
+void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
   const State& last = states_[stage];
   const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
   const double h = (table_.stages[stage].end - start) * dt;
   guess = last.u;
-  if (predictor_ == Predictor::LastDisplacement) return problems_[stage]->clip(last.u, guess);
-  for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
-  if (predictor_ == Predictor::ConstantAcceleration)
+  if (predictor != Predictor::LastDisplacement)
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
+  if (predictor == Predictor::ConstantAcceleration)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * h / 2 * last.a[i];
   problems_[stage]->clip(last.u, guess);
+}
+
+NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<double>& u) {
+  const auto solve_from = [&](Predictor predictor) {
+    predict(predictor, stage, dt, u);
+    copy_owned(u, *unknown_);
+    return solvers_[stage]->solve(*unknown_);
+  };
+  NewtonResult result = solve_from(table_.predictor);
+  if (!result.converged && table_.predictor != Predictor::LastDisplacement) {
+    const int spent = result.iterations;
+    result = solve_from(Predictor::LastDisplacement);
+    result.iterations += spent;
+  }
+  if (result.converged) model_.space().import(*unknown_, u.data());
+  return result;
 }
 
 void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&& u) {
@@ -145,18 +160,15 @@ StepResult Integrator::step(double dt) {
   if (needs_acceleration_) acceleration();
   for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
     problems_[stage]->arm(states_, time_, dt);
-    std::vector<double> guess = std::move(states_[stage + 1].u);
-    predict(stage, dt, guess);
-    copy_owned(guess, *unknown_);
-    const NewtonResult newton = solvers_[stage]->solve(*unknown_);
+    std::vector<double> u = std::move(states_[stage + 1].u);
+    const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;
     if (!newton.converged) {
       result.reason = newton.reason;
-      states_[stage + 1].u = std::move(guess);
+      states_[stage + 1].u = std::move(u);
       return result;
     }
-    model_.space().import(*unknown_, guess.data());
-    close_stage(stage, dt, std::move(guess));
+    close_stage(stage, dt, std::move(u));
   }
   if (model_.damping() != nullptr) dissipated_ += damping_work(dt);
   std::swap(states_.front(), states_.back());

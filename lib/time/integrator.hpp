@@ -13,10 +13,6 @@
 
 namespace ixos {
 
-/// Where Newton's iteration starts: u_k + h v_k + h^2/2 a, cut after the first, second or third part, from the latest
-/// known state k, h to the stage's end. Always clipped to admissible gaps.
-enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration };
-
 /// How a step ended.
 struct StepResult {
   bool converged = false;
@@ -27,8 +23,9 @@ struct StepResult {
 /// Advances a model in time. The model must outlive it. Collective.
 class Integrator {
  public:
+  /// Throws std::invalid_argument where the table is inconsistent (see check).
   Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
-             const NewtonOptions& newton, Predictor predictor);
+             const NewtonOptions& newton);
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
@@ -49,7 +46,8 @@ class Integrator {
   double dissipated_energy() const { return dissipated_; }
 
  private:
-  void predict(std::size_t stage, double dt, std::vector<double>& guess);
+  void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
+  NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
   double damping_work(double dt);
   bool solve_acceleration(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
@@ -57,7 +55,6 @@ class Integrator {
   const Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
-  Predictor predictor_;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
   std::vector<std::unique_ptr<StageProblem>> problems_;
   std::vector<std::unique_ptr<NewtonSolver>> solvers_;

@@ -11,7 +11,7 @@ Table newmark(double beta, double gamma) {
   stage.damping = stage.velocity;
   stage.elastic = end_rule();
   stage.interaction = end_rule();
-  return {"Newmark", {stage}, Closing::Kinematic, {DampingWork::Form::EndMean, {}}};
+  return {"Newmark", {stage}, Closing::Kinematic, {DampingWork::Form::EndMean, {}}, Predictor::LastDisplacement};
 }
 
 }  // namespace ixos

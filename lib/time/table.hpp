@@ -39,11 +39,16 @@ struct DampingWork {
   std::vector<double> weights;
 };
 
+/// Where Newton's iteration starts: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
+/// known state k, h to the stage's end. Always clipped to admissible gaps.
+enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration };
+
 struct Table {
   std::string name;
   std::vector<Stage> stages;
   Closing closing = Closing::Kinematic;
   DampingWork damping_work;
+  Predictor predictor = Predictor::LastDisplacement;  ///< the one that takes the fewest iterations at an impact
 };
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,
