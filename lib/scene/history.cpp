@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/phase_timer.hpp"
+
 namespace ixos {
 namespace {
 
@@ -35,6 +37,7 @@ History::History(Simulation& simulation, const HistoryOptions& options, const st
 }
 
 void History::record(const RowCounts& counts) {
+  const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
   const Integrator& integrator = simulation_.integrator();
   const State& state = integrator.state();

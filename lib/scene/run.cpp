@@ -52,6 +52,7 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const long interval = output.get<int>("History Interval");
   const double final_time = simulation.final_time();
   const double start = Teuchos::Time::wallTime();
+  auto phases = phase_seconds();
 
   RunResult result;
   RowCounts counts;
@@ -88,8 +89,10 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   if (result.status != RunStatus::Completed && result.steps % interval != 0) history.record(counts);
   history.flush();
   result.end_time = integrator.time();
+  const auto phases_now = phase_seconds();
+  for (std::size_t i = 0; i < phases.size(); ++i) phases[i] = phases_now[i] - phases[i];
   write_summary(simulation, result,
-                {newton_iterations, Teuchos::Time::wallTime() - start, history.max_energy_error()},
+                {newton_iterations, Teuchos::Time::wallTime() - start, history.max_energy_error(), phases},
                 options.folder + "/summary.json");
   return result;
 }

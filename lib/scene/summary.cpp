@@ -1,6 +1,5 @@
 #include "scene/summary.hpp"
 
-#include <Teuchos_TimeMonitor.hpp>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -22,17 +21,6 @@ double peak_memory() {
 const char* name(RunStatus status) {
   if (status == RunStatus::Completed) return "completed";
   return status == RunStatus::Diverged ? "diverged" : "interrupted";
-}
-
-/// Seconds of rank 0 in each timed phase.
-nlohmann::ordered_json phases() {
-  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
-  const std::string prefix = "Ixos: ";
-  for (const std::string label : {"residual", "tangent", "factorization", "linear solve"}) {
-    const auto timer = Teuchos::TimeMonitor::lookupCounter(prefix + label);
-    if (!timer.is_null()) seconds[label] = timer->totalElapsedTime();
-  }
-  return seconds;
 }
 
 }  // namespace
@@ -59,7 +47,8 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["wall_seconds"] = totals.wall_seconds;
   json["setup_seconds"] = simulation.setup_seconds();
   json["seconds_per_increment"] = totals.wall_seconds / static_cast<double>(std::max(result.steps, 1L));
-  json["seconds"] = phases();
+  json["seconds"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < phase_names.size(); ++i) json["seconds"][phase_names[i]] = totals.phase_seconds[i];
   json["peak_memory_bytes"] = static_cast<long long>(memory);
   if (std::isnan(totals.max_energy_error))
     json["max_energy_error"] = nullptr;

@@ -5,6 +5,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <utility>
 
+#include "base/phase_timer.hpp"
 #include "solve/factorization.hpp"
 #include "solve/thyra.hpp"
 
@@ -35,6 +36,7 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
   Thyra::SolveStatus<double> solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
                                        const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                                        const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const override {
+    const TimedScope timed(Phase::LinearSolve);
     factorization->solve(*Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
                          *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)));
     Thyra::SolveStatus<double> status;
@@ -56,6 +58,7 @@ Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const { re
 
 void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
                                        const Thyra::ESupportSolveUse) const {
+  const TimedScope timed(Phase::Factorization);
   auto& direct = dynamic_cast<DirectSolve&>(*op);
   direct.source = source;
   direct.op = source->getOp();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "time/row_on_states.hpp"
 
 namespace ixos {
 namespace {
@@ -16,24 +17,6 @@ bool uses_acceleration(const Table& table) {
     for (const Row* row : {&stage.velocity, &stage.inertia, &stage.damping})
       if (!row->known.empty() && row->known[0].a != 0) return true;
   return false;
-}
-
-/// result = row / scale over the known states (0 the step's start) and u.
-void evaluate(const Row& row, double scale, double dt, const std::vector<State>& states, const std::vector<double>& u,
-              std::vector<double>& result) {
-  result.resize(u.size());
-  const std::vector<double>& u0 = states[0].u;
-  for (std::size_t i = 0; i < u.size(); ++i) result[i] = row.unknown / scale * (u[i] - u0[i]);
-  for (std::size_t j = 0; j < row.known.size(); ++j) {
-    const Row::Known& k = row.known[j];
-    const State& state = states[j];
-    if (k.u != 0 && j > 0)
-      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.u / scale * (state.u[i] - u0[i]);
-    if (k.v != 0)
-      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.v * dt / scale * state.v[i];
-    if (k.a != 0)
-      for (std::size_t i = 0; i < u.size(); ++i) result[i] += k.a * dt * dt / scale * state.a[i];
-  }
 }
 
 void copy_owned(const std::vector<double>& local, Vector& owned) {
@@ -144,9 +127,16 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
 void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&& u) {
   const Stage& row = table_.stages[stage];
   State& end = states_[stage + 1];
-  evaluate(row.velocity, dt, dt, states_, u, end.v);
+  const auto derive = [&](const Row& form, double scale, std::vector<double>& result) {
+    known_.resize(u.size());
+    result.resize(u.size());
+    evaluate_known(form, states_, dt, known_);
+    evaluate(form, u, states_.front().u, known_, result);
+    for (double& value : result) value /= scale;
+  };
+  derive(row.velocity, dt, end.v);
   if (table_.closing == Closing::Kinematic) {
-    evaluate(row.acceleration, dt * dt, dt, states_, u, end.a);
+    derive(row.acceleration, dt * dt, end.a);
     for (const Constraint& c : model_.constraints()) {
       end.v[static_cast<std::size_t>(c.dof)] = c.velocity;
       end.a[static_cast<std::size_t>(c.dof)] = 0;

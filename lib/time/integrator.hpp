@@ -61,6 +61,7 @@ class Integrator {
   std::unique_ptr<LinearSystem> mass_system_;
 
   std::vector<State> states_;  ///< the present state, then the ends of the stages
+  std::vector<double> known_;  ///< scratch
   double time_ = 0;
   double dissipated_ = 0;
   bool acceleration_known_ = false;

@@ -7,30 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/phase_timer.hpp"
+#include "time/row_on_states.hpp"
+
 namespace ixos {
 namespace {
-
-/// row without its unknown part s (u_s - u_0). Since the row is zero for a constant u, displacements enter as
-/// differences from u_0: at small steps they agree in most digits and the differences are exact.
-void evaluate_known(const Row& row, const std::vector<State>& states, double dt, std::vector<double>& result) {
-  std::fill(result.begin(), result.end(), 0.0);
-  for (std::size_t j = 0; j < row.known.size(); ++j) {
-    const Row::Known& k = row.known[j];
-    const State& state = states[j];
-    if (k.u != 0 && j > 0)
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] += k.u * (state.u[i] - states[0].u[i]);
-    if (k.v != 0)
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] += k.v * dt * state.v[i];
-    if (k.a != 0)
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] += k.a * dt * dt * state.a[i];
-  }
-}
-
-/// result = row's unknown coefficient (u - u_0) + known.
-void evaluate(const Row& row, const std::vector<double>& u, const std::vector<double>& u0,
-              const std::vector<double>& known, std::vector<double>& result) {
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = row.unknown * (u[i] - u0[i]) + known[i];
-}
 
 double square_sum(const std::vector<double>& x, std::size_t count) {
   double sum = 0;
@@ -80,14 +61,23 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
     keep(stage_.interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
   if (!admissible) throw std::logic_error("the start of the step is inadmissible");
 
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  model_.mass().multiply(from_->data(), inertia_.data());
-  double squares[2] = {square_sum(inertia_, owned), square_sum(*from_, owned)};
-  model_.space().sum(squares, 2);
   const double coefficient = stage_.inertia.unknown / (dt * dt);
-  rounding_ = 2 * std::numeric_limits<double>::epsilon() *
-              (coefficient * std::sqrt(squares[0]) + model_.elastic_scale() * std::sqrt(squares[1]));
+  rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.mass().mean_diagonal() + model_.elastic_scale();
+}
+
+double StageProblem::rounding_force(const State& start, double coefficient) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  double squares[3] = {0, 0, square_sum(start.u, owned)};
+  model_.mass().multiply(start.u.data(), inertia_.data());
+  squares[0] = square_sum(inertia_, owned);
+  model_.mass().multiply(start.v.data(), inertia_.data());
+  squares[1] = square_sum(inertia_, owned);
+  model_.space().sum(squares, 3);
+  // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
+  return 2 * std::numeric_limits<double>::epsilon() *
+         (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) +
+          model_.elastic_scale() * std::sqrt(squares[2]));
 }
 
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
@@ -101,6 +91,7 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
 }
 
 bool StageProblem::residual(const Vector& x, Vector& f) {
+  const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
   const double inverse = 1 / dt_;
@@ -138,6 +129,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
 }
 
 void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
+  const TimedScope timed(Phase::Tangent);
   model_.space().import(x, u_.data());
   const auto matrix = w.getLocalMatrixHost();
   double* values = matrix.values.data();

@@ -35,6 +35,7 @@ class StageProblem final : public NonlinearProblem {
  private:
   Segment segment(const Rule& rule) const;
   void set_constraints(std::vector<double>& u) const;
+  double rounding_force(const State& start, double coefficient);
 
   const Model& model_;
   const Stage& stage_;

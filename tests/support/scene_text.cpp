@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 
 #include "scene/parameters.hpp"
@@ -24,6 +25,7 @@ std::string braces(const std::vector<T>& values) {
 }  // namespace
 
 Comm world() { return Tpetra::getDefaultComm(); }
+Comm self() { return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF)); }
 
 Teuchos::ParameterList scene(const std::string& lists) {
   return read_scene_text("<ParameterList name=\"Test\">" + lists + "</ParameterList>", "test scene");

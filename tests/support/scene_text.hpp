@@ -8,8 +8,9 @@
 
 namespace ixos::test {
 
-/// The communicator of the test program.
+/// The communicator of the test program, and one of this rank alone.
 Comm world();
+Comm self();
 
 /// A scene from pieces: `lists` is the XML inside the outermost ParameterList.
 Teuchos::ParameterList scene(const std::string& lists);

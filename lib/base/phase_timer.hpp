@@ -1,0 +1,32 @@
+/// Where the time goes.
+#pragma once
+#include <Teuchos_Time.hpp>
+#include <array>
+#include <string>
+
+namespace ixos {
+
+/// The phases that are timed. Their seconds add up over all objects of the process.
+enum class Phase { Residual, Tangent, Factorization, LinearSolve, Output };
+inline constexpr std::array<const char*, 5> phase_names{"residual", "tangent", "factorization", "linear solve",
+                                                        "output"};
+
+/// The timer of a phase, registered with Teuchos::TimeMonitor as "Ixos: <name>".
+Teuchos::Time& phase_timer(Phase phase);
+
+/// Times a scope.
+class TimedScope {
+ public:
+  explicit TimedScope(Phase phase) : timer_(phase_timer(phase)) { timer_.start(); }
+  ~TimedScope() { timer_.stop(); }
+  TimedScope(const TimedScope&) = delete;
+  TimedScope& operator=(const TimedScope&) = delete;
+
+ private:
+  Teuchos::Time& timer_;
+};
+
+/// Seconds in each phase so far.
+std::array<double, phase_names.size()> phase_seconds();
+
+}  // namespace ixos

@@ -1,0 +1,90 @@
+#include "solve/semi_discrete_evaluator.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <algorithm>
+
+namespace ixos {
+
+using Base = Thyra::ModelEvaluatorBase;
+
+SemiDiscreteEvaluator::SemiDiscreteEvaluator(const Model& model, Factory linear_solver)
+    : model_(model), linear_solver_(std::move(linear_solver)), space_(vector_space(model.space().owned_map())) {
+  Base::InArgsSetup<double> in;
+  in.setModelEvalDescription("Ixos semi-discrete model");
+  for (const auto argument : {Base::IN_ARG_x, Base::IN_ARG_x_dot, Base::IN_ARG_x_dot_dot, Base::IN_ARG_t,
+                              Base::IN_ARG_alpha, Base::IN_ARG_beta, Base::IN_ARG_W_x_dot_dot_coeff})
+    in.setSupports(argument);
+  in_ = in;
+  nominal_ = in_;
+  const auto zero = Thyra::createMember(space_);
+  Thyra::assign(zero.ptr(), 0.0);
+  nominal_.set_x(zero);
+  nominal_.set_x_dot(zero);
+  nominal_.set_x_dot_dot(zero);
+  nominal_.set_t(0.0);
+  nominal_.set_alpha(0.0);
+  nominal_.set_beta(1.0);
+  nominal_.set_W_x_dot_dot_coeff(0.0);
+  Base::OutArgsSetup<double> out;
+  out.setModelEvalDescription("Ixos semi-discrete model");
+  out.setSupports(Base::OUT_ARG_f);
+  out.setSupports(Base::OUT_ARG_W_op);
+  out_ = out;
+  for (std::vector<double>* array : {&u_, &rate_, &part_, &sum_})
+    array->resize(static_cast<std::size_t>(model_.space().local()));
+}
+
+Teuchos::RCP<Thyra::LinearOpBase<double>> SemiDiscreteEvaluator::create_W_op() const {
+  return linear_op(model_.pattern().create_matrix(model_.space()), space_);
+}
+
+void SemiDiscreteEvaluator::evalModelImpl(const Base::InArgs<double>& in, const Base::OutArgs<double>& out) const {
+  model_.space().import(*Extract::getConstTpetraVector(in.get_x()), u_.data());
+  const auto f = out.get_f();
+  if (nonnull(f) && !evaluate_force(in, *Extract::getTpetraVector(f))) out.setFailed();
+  const auto w = out.get_W_op();
+  if (nonnull(w))
+    evaluate_tangent(in, *Teuchos::rcp_dynamic_cast<CrsMatrix>(Extract::getTpetraOperator(w), true));
+}
+
+bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vector& f) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const Segment here{nullptr, nullptr, u_.data()};
+  bool admissible = model_.elastic_force(here, end_rule(), sum_.data());
+  if (model_.has_interactions()) {
+    admissible = model_.interaction_force(here, end_rule(), part_.data()) && admissible;
+    for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
+  }
+  if (nonnull(in.get_x_dot_dot())) {
+    model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot_dot()), rate_.data());
+    model_.mass().multiply(rate_.data(), part_.data());
+    for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
+  }
+  if (nonnull(in.get_x_dot()) && model_.damping() != nullptr) {
+    model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot()), rate_.data());
+    model_.damping()->multiply_add(1.0, rate_.data(), sum_.data());
+  }
+  for (const Constraint& c : model_.constraints()) {
+    const auto dof = static_cast<std::size_t>(c.dof);
+    sum_[dof] = u_[dof] - c.displacement - c.velocity * in.get_t();
+  }
+  const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy_n(sum_.data(), owned, view.data());
+  return model_.space().minimum(admissible ? 1 : 0) > 0;
+}
+
+void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, CrsMatrix& w) const {
+  const auto matrix = w.getLocalMatrixHost();
+  double* values = matrix.values.data();
+  std::fill_n(values, matrix.values.extent(0), 0.0);
+  Rule scaled = end_rule();
+  scaled.points[0].weight = in.get_beta();
+  const Segment here{nullptr, nullptr, u_.data()};
+  model_.add_elastic_tangent(here, scaled, values);
+  model_.add_interaction_tangent(here, scaled, values);
+  model_.mass().add_to(in.get_W_x_dot_dot_coeff(), values);
+  if (model_.damping() != nullptr) model_.damping()->add_to(in.get_alpha(), values);
+  model_.constrain_matrix(in.get_beta(), values);
+}
+
+}  // namespace ixos

@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+
+#include "base/error.hpp"
+#include "solve/klu2_repair.hpp"
+#include "solve/linear_solver.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::world;
+
+/// Tridiagonal, unsymmetric where `skew` is not 0, on all ranks.
+Teuchos::RCP<CrsMatrix> tridiagonal(int n, double diagonal, double skew, const Comm& comm) {
+  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(n), 0, comm));
+  const auto matrix = Teuchos::rcp(new CrsMatrix(map, 3));
+  for (GlobalId row = 0; row < n; ++row) {
+    if (!map->isNodeGlobalElement(row)) continue;
+    for (const auto& [column, value] :
+         {std::pair{row - 1, -1 - skew}, std::pair{row, diagonal + 0.01 * static_cast<double>(row)},
+          std::pair{row + 1, -1 + skew}})
+      if (column >= 0 && column < n)
+        matrix->insertGlobalValues(row, Teuchos::tuple<GlobalId>(column), Teuchos::tuple<double>(value));
+  }
+  matrix->fillComplete();
+  return matrix;
+}
+
+double relative_residual(const CrsMatrix& a, const std::string& type) {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  list.sublist("Linear Solver Types").sublist("Direct").set("Solver Type", type);
+  const LinearSolverFactory factory(list);
+  LinearSystem system(factory, Teuchos::rcpFromRef(a));
+  Vector b(a.getRowMap()), x(a.getRowMap()), r(a.getRowMap());
+  b.randomize();
+  EXPECT_TRUE(system.solve(b, x));
+  a.apply(x, r);
+  r.update(1.0, b, -1.0);
+  return r.norm2() / b.norm2();
+}
+
+// As the distribution compiles it, KLU2 on two ranks leaves a relative residual of 0.3 to 0.5 and reports no error.
+TEST(DirectSolverTest, Klu2SolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0.4, world()), "KLU2"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "KLU2"), 1e-13);
+}
+
+TEST(DirectSolverTest, TheRepairedKlu2IsTheOneInUse) {
+  EXPECT_EQ(klu2_library().rfind("libixos", 0), 0U) << klu2_library();
+}
+
+TEST(DirectSolverTest, AutomaticChoiceSolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0, world()), "Automatic"), 1e-13);
+}
+
+TEST(DirectSolverTest, CholmodFactorsIndefiniteMatrices) {
+  // Eigenvalues from -1 to 3: no Cholesky factor, but an L D L^T.
+  EXPECT_LT(relative_residual(*tridiagonal(100, 1.0, 0, test::self()), "CHOLMOD"), 1e-11);
+}
+
+TEST(DirectSolverTest, RefreshReadsNewValues) {
+  const auto a = tridiagonal(50, 2.5, 0, world());
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  const LinearSolverFactory factory(list);
+  LinearSystem system(factory, a);
+  Vector b(a->getRowMap()), x(a->getRowMap()), y(a->getRowMap());
+  b.randomize();
+  ASSERT_TRUE(system.solve(b, x));
+  a->resumeFill();
+  a->scale(2.0);
+  a->fillComplete();
+  system.refresh();
+  ASSERT_TRUE(system.solve(b, y));
+  y.update(-0.5, x, 1.0);
+  EXPECT_LT(y.norm2(), 1e-13 * x.norm2());
+}
+
+TEST(LinearSolverTest, UnknownSolverIsRefused) {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Tacho");
+  EXPECT_THROW(LinearSolverFactory factory(list), InputError);
+}
+
+TEST(LinearSolverTest, BelosWithIfpack2Solves) {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Belos").set("Preconditioner Type", "Ifpack2");
+  Teuchos::ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
+  belos.set("Solver Type", "Block GMRES");
+  belos.sublist("Solver Types").sublist("Block GMRES").set("Maximum Iterations", 500);
+  list.sublist("Preconditioner Types").sublist("Ifpack2").set("Prec Type", "RILUK");
+  const LinearSolverFactory factory(list);
+  const auto a = tridiagonal(200, 2.5, 0, world());
+  LinearSystem system(factory, a);
+  Vector b(a->getRowMap()), x(a->getRowMap()), r(a->getRowMap());
+  b.randomize();
+  system.solve(b, x);
+  a->apply(x, r);
+  r.update(1.0, b, -1.0);
+  EXPECT_LT(r.norm2() / b.norm2(), 1e-11);
+}
+
+}  // namespace
+}  // namespace ixos

@@ -1,0 +1,48 @@
+#include "support/bodies.hpp"
+
+#include <cmath>
+
+#include "support/scene_text.hpp"
+
+namespace ixos::test {
+namespace {
+
+std::string rubber(const std::string& model, double nu) {
+  return list("Materials", list("Rubber", word("Model", model) + number("Young's Modulus", 1) +
+                                              number("Poisson's Ratio", nu) + number("Density", 1)));
+}
+
+}  // namespace
+
+std::string block_2d(double spin, const std::string& material) {
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {3, 2}) +
+                                                            counts("Divisions", {3, 2}))) +
+         rubber(material, 0.3) +
+         list("Initial Conditions", numbers("Velocity", {0.3, -0.2}) +
+                                        numbers("Velocity Gradient", {0.15, -spin, spin, -0.05}) +
+                                        numbers("Origin", {1.5, 1.0}));
+}
+
+std::string block_3d(double spin) {
+  return list("Mesh", word("Type", "Box") + list("Box", count("Dimension", 3) + numbers("Lengths", {2, 1, 1}) +
+                                                            counts("Divisions", {2, 1, 1}))) +
+         rubber("Neo-Hooke", 0.3) +
+         list("Initial Conditions",
+              numbers("Velocity", {0.3, -0.2, 0.1}) +
+                  numbers("Velocity Gradient",
+                          {0.1, -spin, 0.5 * spin, spin, 0.0, -0.3 * spin, -0.5 * spin, 0.3 * spin, -0.1}) +
+                  numbers("Origin", {1.0, 0.5, 0.5}));
+}
+
+std::string oscillator() {
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {1, 1}) + counts("Divisions", {1, 1}))) +
+         rubber("Linear Elastic", 0) +
+         list("Boundary Conditions", list("Base", word("Node Set", "bottom")) +
+                                         list("Rollers", word("Node Set", "top") + word("Components", "x"))) +
+         list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 1}));
+}
+
+// The top edge moves as one: u = U(t) y, energy E U^2/2 (nu = 0), kinetic energy rho U'^2/6.
+double oscillator_frequency() { return std::sqrt(3.0); }
+
+}  // namespace ixos::test

@@ -1,0 +1,142 @@
+// Every parameter of every scheme changes its table's coefficients as the literature's formulas say.
+#include "time/schemes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "base/error.hpp"
+#include "fem/quadrature.hpp"
+#include "scene/validation.hpp"
+#include "support/scene_text.hpp"
+#include "time/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+void expect_row(const Row& row, double s, double u0, double v0, double a0, const std::string& what) {
+  EXPECT_NEAR(row.unknown, s, 1e-13 * (1 + std::abs(s))) << what;
+  const Row::Known known = row.known.empty() ? Row::Known{} : row.known[0];
+  EXPECT_NEAR(known.u, u0, 1e-13 * (1 + std::abs(u0))) << what;
+  EXPECT_NEAR(known.v, v0, 1e-13 * (1 + std::abs(v0))) << what;
+  EXPECT_NEAR(known.a, a0, 1e-13 * (1 + std::abs(a0))) << what;
+}
+
+/// The table that a scene's list for this scheme makes.
+Table from_xml(const std::string& name, const std::string& parameters) {
+  const Scheme& chosen = scheme(name);
+  return chosen.table(validated(test::scene(parameters), chosen.parameters));
+}
+
+TEST(SchemesTest, NewmarkFollowsBetaAndGamma) {
+  for (const auto& [beta, gamma] : {std::pair{0.25, 0.5}, std::pair{0.3, 0.6}, std::pair{1.0 / 6, 0.5}}) {
+    const Table table = from_xml("Newmark", test::number("Beta", beta) + test::number("Gamma", gamma));
+    const Stage& stage = table.stages.at(0);
+    expect_row(stage.velocity, gamma / beta, -gamma / beta, 1 - gamma / beta, 1 - gamma / (2 * beta), "velocity");
+    expect_row(stage.acceleration, 1 / beta, -1 / beta, -1 / beta, -(1 / (2 * beta) - 1), "acceleration");
+    expect_row(stage.inertia, 1 / beta, -1 / beta, -1 / beta, -(1 / (2 * beta) - 1), "inertia");
+  }
+}
+
+TEST(SchemesTest, CompositeFollowsBetaGammaPointsAndPath) {
+  for (const auto& [beta, gamma] : {std::pair{0.25, 0.5}, std::pair{0.3, 0.7}}) {
+    const Table table = from_xml("Gautam-Sauer Composite", test::number("Beta", beta) + test::number("Gamma", gamma) +
+                                                               test::count("Interaction Points", 7));
+    const Stage& stage = table.stages.at(0);
+    // M (v - v_n) with v of Newmark.
+    expect_row(stage.inertia, gamma / beta, -gamma / beta, -gamma / beta, 1 - gamma / (2 * beta), "inertia");
+    expect_row(stage.damping, 1, -1, 0, 0, "damping");
+    EXPECT_EQ(stage.elastic.kept_weight, 0.5);
+    ASSERT_EQ(stage.elastic.points.size(), 1U);
+    EXPECT_EQ(stage.elastic.points[0].weight, 0.5);
+    ASSERT_EQ(stage.interaction.points.size(), 7U);
+    const Quadrature gauss = gauss_legendre_unit(7);
+    for (std::size_t i = 0; i < 7; ++i) {
+      EXPECT_DOUBLE_EQ(stage.interaction.points[i].to, gauss.points[i]);
+      EXPECT_DOUBLE_EQ(stage.interaction.points[i].weight, gauss.weights[i]);
+    }
+  }
+  const Table kinematic = from_xml("Gautam-Sauer Composite", test::word("Path", "Kinematic"));
+  const Quadrature gauss = gauss_legendre_unit(5);
+  const double xi = gauss.points[1];
+  EXPECT_DOUBLE_EQ(kinematic.stages[0].interaction.points[1].to, xi * xi);
+  EXPECT_DOUBLE_EQ(kinematic.stages[0].interaction.points[1].velocity, xi * (1 - xi));
+}
+
+TEST(SchemesTest, AverageVectorFieldFollowsItsPoints) {
+  const Table table =
+      from_xml("Average Vector Field", test::count("Elastic Points", 3) + test::count("Interaction Points", 6));
+  EXPECT_EQ(table.stages[0].elastic.points.size(), 3U);
+  EXPECT_EQ(table.stages[0].interaction.points.size(), 6U);
+  expect_row(table.stages[0].inertia, 2, -2, -2, 0, "inertia");
+}
+
+TEST(SchemesTest, BatheIsThePublishedFormula) {
+  // Bathe 2007 at split 1/2: dt v = u_n - 4 u_h + 3 u, dt^2 a = dt v_n - 4 dt v_h + 3 dt v, for states that obey the
+  // trapezoid of the first stage.
+  const Table table = from_xml("Bathe Composite", "");
+  const double u0 = 0.3, v0 = -0.7, a0 = 1.1, uh = 0.45, u = 0.9;  // dt = 1
+  const double vh = 4 * (uh - u0) - v0;
+  const double ah = 16 * (uh - u0) - 8 * v0 - a0;
+  const auto value = [&](const Row& row, double unknown) {
+    double sum = row.unknown * unknown;
+    const double known[2][3] = {{u0, v0, a0}, {uh, vh, ah}};
+    for (std::size_t j = 0; j < row.known.size(); ++j)
+      sum += row.known[j].u * known[j][0] + row.known[j].v * known[j][1] + row.known[j].a * known[j][2];
+    return sum;
+  };
+  EXPECT_NEAR(value(table.stages[0].velocity, uh), vh, 1e-13);
+  EXPECT_NEAR(value(table.stages[0].acceleration, uh), ah, 1e-12);
+  const double v = u0 - 4 * uh + 3 * u;
+  EXPECT_NEAR(value(table.stages[1].velocity, u), v, 1e-13);
+  EXPECT_NEAR(value(table.stages[1].acceleration, u), v0 - 4 * vh + 3 * v, 1e-12);
+}
+
+TEST(SchemesTest, BatheFollowsSpectralRadiusAndSplit) {
+  for (const auto& [rho, g] : {std::pair{0.5, 0.4}, std::pair{1.0, 0.5}, std::pair{0.0, 0.6}}) {
+    const Table table =
+        from_xml("Bathe Composite", test::number("Spectral Radius", rho) + test::number("Split", g));
+    const double q1 = (rho + 1) / (2 * g * (rho - 1) + 4);
+    const double q0 = (g - 1) * q1 + 0.5;
+    const double q2 = 0.5 - g * q1;
+    EXPECT_DOUBLE_EQ(table.stages[0].end, g);
+    EXPECT_NEAR(table.stages[0].inertia.unknown, 4 / (g * g), 1e-12);
+    EXPECT_NEAR(table.stages[0].damping.unknown, 2 / g, 1e-12);
+    EXPECT_NEAR(table.stages[1].inertia.unknown, 1 / (q2 * q2), 1e-12);
+    EXPECT_NEAR(table.stages[1].damping.unknown, 1 / q2, 1e-12);
+    EXPECT_NEAR(table.stages[1].velocity.known[0].v, -q0 / q2, 1e-12);
+    EXPECT_NEAR(table.stages[1].velocity.known[1].v, -q1 / q2, 1e-12);
+  }
+  // Split 0: equal tangents.
+  const Table equal = from_xml("Bathe Composite", test::number("Spectral Radius", 0.5) + test::number("Split", 0));
+  EXPECT_NEAR(equal.stages[0].inertia.unknown, equal.stages[1].inertia.unknown, 1e-11);
+}
+
+TEST(SchemesTest, EveryTableIsConsistent) {
+  for (const Scheme& candidate : schemes())
+    EXPECT_NO_THROW(check(candidate.table(validated({}, candidate.parameters)))) << candidate.name;
+  EXPECT_NO_THROW(check(bathe_composite(0.3, 0.7)));
+  EXPECT_NO_THROW(check(newmark(0.4, 0.8)));
+}
+
+TEST(SchemesTest, InconsistentTablesAreRefused) {
+  Table table = newmark(0.25, 0.5);
+  table.stages[0].velocity.unknown += 0.01;
+  EXPECT_THROW(check(table), std::invalid_argument);
+  table = average_vector_field(2, 2);
+  table.stages[0].elastic.points[0].weight += 0.01;
+  EXPECT_THROW(check(table), std::invalid_argument);
+}
+
+TEST(SchemesTest, UnknownSchemeNamesTheNearest) {
+  try {
+    scheme("Newmrak");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean \"Newmark\""), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace ixos

@@ -1,0 +1,61 @@
+// Order of convergence on a smooth nonlinear problem: a spinning, stretching block of rubber, with and without damping.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/simulation.hpp"
+#include "support/bodies.hpp"
+#include "support/comparison.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::time_integrator;
+using test::world;
+
+struct Solution {
+  std::vector<double> u, v;
+};
+
+Solution at_one(const std::string& body, const std::string& scheme, double dt, const std::string& parameters = "") {
+  Simulation s(test::scene(body + time_integrator(scheme, dt, 1, parameters)), world());
+  for (int step = 0; step < std::lround(1 / dt); ++step) EXPECT_TRUE(s.integrator().step(dt).converged) << scheme;
+  return {test::gathered(s.model(), s.integrator().state().u), test::gathered(s.model(), s.integrator().state().v)};
+}
+
+std::string damped_block() {
+  std::string body = test::block_2d(1.0);
+  body.insert(body.find(test::number("Density", 1)),
+              test::number("Mass Damping", 0.1) + test::number("Stiffness Damping", 0.02));
+  return body;
+}
+
+void expect_order(const std::string& body, const std::string& scheme, const std::string& parameters, int order) {
+  // The reference is another scheme's: a common limit is tested too.
+  const Solution reference = at_one(body, scheme == "Newmark" ? "Bathe Composite" : "Newmark", 1.0 / 1280);
+  const Solution coarse = at_one(body, scheme, 1.0 / 20, parameters);
+  const Solution fine = at_one(body, scheme, 1.0 / 40, parameters);
+  const double ratio = std::pow(2.0, order);
+  EXPECT_NEAR(test::distance(coarse.u, reference.u) / test::distance(fine.u, reference.u), ratio, 0.15 * ratio)
+      << scheme << " displacement";
+  EXPECT_NEAR(test::distance(coarse.v, reference.v) / test::distance(fine.v, reference.v), ratio, 0.15 * ratio)
+      << scheme << " velocity";
+}
+
+TEST(OrderTest, SchemesAreOfSecondOrder) {
+  for (const std::string& body : {test::block_2d(1.0), damped_block()}) {
+    expect_order(body, "Newmark", "", 2);
+    expect_order(body, "Bathe Composite", "", 2);
+    expect_order(body, "Bathe Composite", test::number("Spectral Radius", 0.5) + test::number("Split", 0), 2);
+    expect_order(body, "Gautam-Sauer Composite", "", 2);
+    expect_order(body, "Average Vector Field", "", 2);
+  }
+}
+
+TEST(OrderTest, NewmarkWithNumericalDampingIsOfFirstOrder) {
+  expect_order(test::block_2d(1.0), "Newmark", test::number("Beta", 0.4225) + test::number("Gamma", 0.8), 1);
+}
+
+}  // namespace
+}  // namespace ixos
