@@ -100,8 +100,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
                result.end_time, result.steps, result.reason, options.folder);
   else if (speaks)
-    fmt::print("Reached t = {:.6g} T0 in {} steps. Results are in {}\n", result.end_time, result.steps,
-               options.folder);
+    fmt::print("Reached t = {:.6g} T0 in {} steps. Results are in {}\n", result.end_time, result.steps, options.folder);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }
@@ -129,10 +128,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  Tpetra::ScopeGuard guard(&argc, &argv);
+int parse_and_run(int argc, char** argv) {
   const ixos::Comm comm = Tpetra::getDefaultComm();
   const bool first = comm->getRank() == 0;
 
@@ -161,4 +157,16 @@ int main(int argc, char** argv) {
     return 0;
   }
   return guarded_run(arguments, comm);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Tpetra::ScopeGuard guard(&argc, &argv);
+    return parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ixos: cannot start: %s\n", error.what());
+    return 1;
+  }
 }

@@ -33,12 +33,12 @@ Teuchos::RCP<const RangeValidator> make(double lower, End lower_end, double uppe
 
 }  // namespace
 
-std::string RangeValidator::describe() const {
+std::string RangeValidator::words() const {
   std::string text;
   if (lower_ > -infinity) text = fmt::format("{} {}", lower_end_ == End::Open ? "greater than" : "at least", lower_);
   if (upper_ < infinity)
-    text += fmt::format("{}{} {}", text.empty() ? "" : " and ", upper_end_ == End::Open ? "less than" : "at most",
-                        upper_);
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : " and ", upper_end_ == End::Open ? "less than" : "at most", upper_);
   return text.empty() ? "finite" : text;
 }
 
@@ -48,12 +48,12 @@ bool RangeValidator::contains(double value) const {
 }
 
 void RangeValidator::printDoc(const std::string& documentation, std::ostream& out) const {
-  out << documentation << "Allowed: " << describe() << '\n';
+  out << documentation << "Allowed: " << words() << '\n';
 }
 
 void RangeValidator::validate(const Teuchos::ParameterEntry& entry, const std::string&, const std::string&) const {
   for (double value : numbers(entry))
-    if (!contains(value)) throw InputError(fmt::format("{} is not allowed: it must be {}", value, describe()));
+    if (!contains(value)) throw InputError(fmt::format("{} is not allowed: it must be {}", value, words()));
 }
 
 Teuchos::RCP<const RangeValidator> any_number() {

@@ -17,7 +17,7 @@ class RangeValidator final : public Teuchos::ParameterEntryValidator {
       : lower_(lower), upper_(upper), lower_end_(lower_end), upper_end_(upper_end) {}
 
   /// The interval in words: "greater than 0", "at least 0 and less than 0.5", "finite".
-  std::string describe() const;
+  std::string words() const;
   bool contains(double value) const;
 
   const std::string getXMLTypeName() const override { return "IxosRange"; }

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "base/pack.hpp"
-#include "fem/reference_elements.hpp"
 #include "base/small_matrix.hpp"
+#include "fem/reference_elements.hpp"
 #include "fem/rule.hpp"
 
 namespace ixos {
@@ -72,8 +72,8 @@ struct ElasticKernel {
 
   /// Adds the rule's force to f. Returns the least J that any time point saw (of the lanes, lane by lane).
   template <class T>
-  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                     const Rule& rule, Nodal<T>& f) {
+  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                     Nodal<T>& f) {
     T least_jacobian(1e300);
     for (std::size_t q = 0; q < Q; ++q) {
       const Nodal<T> dn = shape_gradients(geometry[q], q);

@@ -1,7 +1,7 @@
 /// Reference elements: shape functions and the quadrature that goes with them.
 ///
-/// An element type offers `dimension`, `nodes`, `points` and table(), the values at its quadrature points. Node order is
-/// that of Exodus; the reference domain is [-1, 1]^dimension.
+/// An element type offers `dimension`, `nodes`, `points` and table(), the values at its quadrature points. Node order
+/// is that of Exodus; the reference domain is [-1, 1]^dimension.
 #pragma once
 #include <array>
 
@@ -11,9 +11,9 @@ namespace ixos {
 
 template <int Dim, int Nodes, int Points>
 struct ShapeTable {
-  std::array<double, Points> weight;                                            ///< quadrature weights
-  std::array<std::array<double, Nodes>, Points> value;                          ///< N_a(xi_q)
-  std::array<std::array<std::array<double, Dim>, Nodes>, Points> gradient;      ///< dN_a/dxi_d (xi_q)
+  std::array<double, Points> weight;                                        ///< quadrature weights
+  std::array<std::array<double, Nodes>, Points> value;                      ///< N_a(xi_q)
+  std::array<std::array<std::array<double, Dim>, Nodes>, Points> gradient;  ///< dN_a/dxi_d (xi_q)
 };
 
 /// Corners of [-1, 1]^Dim in Exodus order; also the signs of the multilinear shape functions.

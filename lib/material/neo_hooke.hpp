@@ -9,9 +9,9 @@
 namespace ixos {
 
 /// W = mu/2 (tr B - 3) - mu ln J + lambda/2 (ln J)^2 (Zienkiewicz and Taylor 2005; Gautam and Sauer 2014, eq. 36), in
-/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L = log1p(j),
-/// so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2 and P = F^-T (mu A + lambda/2 L I) keep their digits at strains
-/// down to roundoff. Moduli are stored A[iJ][kL], row iJ = i D + J.
+/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L =
+/// log1p(j), so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2 and P = F^-T (mu A + lambda/2 L I) keep their digits at
+/// strains down to roundoff. Moduli are stored A[iJ][kL], row iJ = i D + J.
 struct NeoHooke {
   Lame lame;
 

@@ -65,7 +65,8 @@ Mesh box(const BoxShape& shape) {
       for (int i = 0; i < n[0]; ++i) {
         std::vector<int> cell{node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k)};
         if (!flat)
-          for (int corner : {node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)})
+          for (int corner :
+               {node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)})
             cell.push_back(corner);
         for (int s = 0; s < sides_per_cell(type); ++s) {
           const std::string& name = names[static_cast<std::size_t>(s)];

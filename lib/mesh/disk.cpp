@@ -20,6 +20,7 @@ void check(const DiskShape& shape) {
 /// Grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.
 std::vector<std::array<int, 2>> core_boundary(int n) {
   std::vector<std::array<int, 2>> nodes;
+  nodes.reserve(4 * static_cast<std::size_t>(n));
   for (int i = 0; i < n; ++i) nodes.push_back({i, 0});
   for (int j = 0; j < n; ++j) nodes.push_back({n, j});
   for (int i = n; i > 0; --i) nodes.push_back({i, n});

@@ -8,11 +8,11 @@ namespace ixos {
 
 /// A disk of four-noded quadrilaterals on an O-grid: a square core and rings around it.
 struct DiskShape {
-  double diameter = 10.0;            ///< [L0], > 0
-  std::array<double, 2> center{};    ///< [L0]
-  int core_divisions = 4;            ///< cells along a side of the core, >= 2 and even
-  int rings = 2;                     ///< layers of cells around the core, >= 1
-  double core_half_side = 0.4;       ///< half side of the core over the radius, in (0, 0.7)
+  double diameter = 10.0;          ///< [L0], > 0
+  std::array<double, 2> center{};  ///< [L0]
+  int core_divisions = 4;          ///< cells along a side of the core, >= 2 and even
+  int rings = 2;                   ///< layers of cells around the core, >= 1
+  double core_half_side = 0.4;     ///< half side of the core over the radius, in (0, 0.7)
 };
 
 /// (core_divisions)^2 + 4 core_divisions rings cells, counter-clockwise. Block "body"; node and side set "surface"; the

@@ -37,7 +37,7 @@ std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector
     const int n = nodes_per_cell(block.type);
     result.emplace_back();
     for (int cell = 0; cell < block.cells(); ++cell) {
-      const int* nodes = &block.nodes[static_cast<std::size_t>(cell * n)];
+      const int* nodes = &block.nodes[cell_entry(cell, n)];
       if (std::any_of(nodes, nodes + n, [&](int node) { return owner[static_cast<std::size_t>(node)] == rank; }))
         result.back().push_back(cell);
     }
@@ -67,13 +67,12 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
     const int n = nodes_per_cell(mesh.blocks[b].type);
     for (int cell : cells[b])
       for (int a = 0; a < n; ++a) {
-        const int node = mesh.blocks[b].nodes[static_cast<std::size_t>(cell * n + a)];
+        const int node = mesh.blocks[b].nodes[cell_entry(cell, n, a)];
         if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
       }
   }
-  std::sort(ghosts.begin(), ghosts.end(), [&](int a, int b) {
-    return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)];
-  });
+  std::sort(ghosts.begin(), ghosts.end(),
+            [&](int a, int b) { return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)]; });
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
   local.original_ids.insert(local.original_ids.end(), ghosts.begin(), ghosts.end());
 
@@ -94,10 +93,10 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell : cells[b]) {
       local_cell[b][static_cast<std::size_t>(cell)] = here.cells();
-      const int first = block.nodes[static_cast<std::size_t>(cell * n)];
+      const int first = block.nodes[cell_entry(cell, n)];
       here.owned.push_back(node_owner[static_cast<std::size_t>(first)] == rank ? 1 : 0);
       for (int a = 0; a < n; ++a)
-        here.nodes.push_back(to_local[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(cell * n + a)])]);
+        here.nodes.push_back(to_local[static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])]);
     }
     local.blocks.push_back(std::move(here));
   }
@@ -112,7 +111,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
       const LocalBlock& block = local.blocks[b];
       LocalSide here{side.block, cell, {}, block.owned[static_cast<std::size_t>(cell)] != 0};
       for (int a : side_nodes(block.type, side.side))
-        here.nodes.push_back(block.nodes[static_cast<std::size_t>(cell * nodes_per_cell(block.type) + a)]);
+        here.nodes.push_back(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
       local.side_sets.back().push_back(std::move(here));
     }
   }

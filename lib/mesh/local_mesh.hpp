@@ -21,8 +21,8 @@ struct LocalSide {
 struct LocalBlock {
   std::string name;
   CellType type = CellType::Quad4;
-  std::vector<int> nodes;       ///< local node numbers, cells x nodes per cell
-  std::vector<char> owned;      ///< per cell: energies count it on this rank
+  std::vector<int> nodes;   ///< local node numbers, cells x nodes per cell
+  std::vector<char> owned;  ///< per cell: energies count it on this rank
   int cells() const { return static_cast<int>(owned.size()); }
 };
 

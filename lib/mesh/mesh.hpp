@@ -13,6 +13,11 @@ int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
 int dimension_of(CellType type);
 
+/// Where node `a` of a cell stands in a table of cells x nodes per cell.
+inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
+  return static_cast<std::size_t>(cell) * static_cast<std::size_t>(nodes_per_cell) + static_cast<std::size_t>(a);
+}
+
 /// The local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside, counter-
 /// clockwise. Two nodes for a quadrilateral, four for a hexahedron.
 const std::vector<int>& side_nodes(CellType type, int side);

@@ -11,7 +11,7 @@ namespace {
 
 Teuchos::RCP<const Map> dof_map(const LocalMesh& mesh, int nodes, long long global, const Comm& comm) {
   std::vector<GlobalId> ids;
-  ids.reserve(static_cast<std::size_t>(nodes * mesh.dimension));
+  ids.reserve(static_cast<std::size_t>(nodes) * static_cast<std::size_t>(mesh.dimension));
   for (int node = 0; node < nodes; ++node)
     for (int d = 0; d < mesh.dimension; ++d)
       ids.push_back(mesh.global_ids[static_cast<std::size_t>(node)] * mesh.dimension + d);
@@ -34,12 +34,13 @@ DofSpace::DofSpace(const LocalMesh& mesh, const Comm& comm)
       local_(mesh.nodes() * mesh.dimension),
       global_(mesh.global_nodes * mesh.dimension),
       comm_(comm),
-      owned_map_(Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(global_), static_cast<std::size_t>(owned_), 0,
-                                      comm))),
+      owned_map_(Teuchos::rcp(
+          new Map(static_cast<Tpetra::global_size_t>(global_), static_cast<std::size_t>(owned_), 0, comm))),
       local_map_(comm->getSize() == 1
                      ? owned_map_
                      : dof_map(mesh, mesh.nodes(),
-                               static_cast<long long>(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid()), comm)) {
+                               static_cast<long long>(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid()),
+                               comm)) {
   if (comm->getSize() == 1) return;
   importer_ = Teuchos::rcp(new Import(owned_map_, local_map_));
   buffer_ = Teuchos::rcp(new Vector(local_map_));

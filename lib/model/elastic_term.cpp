@@ -35,10 +35,11 @@ class ElasticTerm final : public Term {
       for (const auto& point : geometry_.back())
         for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
           if (!(point.weight[lane] > 0))
-            throw InputError(fmt::format("block \"{}\": cell {} is inverted or degenerate (its reference volume at a "
-                                         "quadrature point is {:.3g}); cells are numbered counter-clockwise",
-                                         block.name, b * static_cast<std::size_t>(pack_width) + lane + 1,
-                                         static_cast<double>(point.weight[lane])));
+            throw InputError(
+                fmt::format("block \"{}\": cell {} is inverted or degenerate (its reference volume at a "
+                            "quadrature point is {:.3g}); cells are numbered counter-clockwise",
+                            block.name, b * static_cast<std::size_t>(pack_width) + lane + 1,
+                            static_cast<double>(point.weight[lane])));
     }
   }
 
@@ -47,8 +48,7 @@ class ElasticTerm final : public Term {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gathered ends(batches_, b, segment);
       Nodal force{};
-      least_jacobian =
-          smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
+      least_jacobian = smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
       batches_.scatter_force(b, force, f);
     }
     return least(least_jacobian) > 0;  // false for NaN as well

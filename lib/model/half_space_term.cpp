@@ -37,8 +37,7 @@ class HalfSpaceTerm final : public Term {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gaps gaps(*this, b, segment);
       Nodal along{};
-      least_gap =
-          smaller(least_gap, Kernel::add_force(law_, quadrature_, measure(b), gaps.segment(), rule, along));
+      least_gap = smaller(least_gap, Kernel::add_force(law_, quadrature_, measure(b), gaps.segment(), rule, along));
       Small<Pack, N, D> force;
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t d = 0; d < D; ++d) force[a][d] = along[a] * wall_.normal[d];

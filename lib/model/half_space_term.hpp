@@ -11,8 +11,8 @@
 namespace ixos {
 
 struct SurfaceOptions {
-  int points = 5;        ///< Gauss points a direction on each side
-  double margin = 0.8;   ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
+  int points = 5;       ///< Gauss points a direction on each side
+  double margin = 0.8;  ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
 };
 
 /// The term for the sides of one side set before `wall`.

@@ -87,8 +87,7 @@ void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, do
 double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
   if (interactions_.empty()) return 1.0;
   double step = 1.0;
-  for (const auto& term : interactions_)
-    step = std::min(step, term->admissible_step(segment, interaction, direction));
+  for (const auto& term : interactions_) step = std::min(step, term->admissible_step(segment, interaction, direction));
   return space_.minimum(step);
 }
 

@@ -13,7 +13,7 @@ Pattern::Pattern(const LocalMesh& mesh) : dimension_(mesh.dimension), row_start_
   for (const LocalBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
     for (int cell = 0; cell < block.cells(); ++cell) {
-      const int* nodes = &block.nodes[static_cast<std::size_t>(cell * n)];
+      const int* nodes = &block.nodes[cell_entry(cell, n)];
       for (int a = 0; a < n; ++a)
         if (nodes[a] < mesh.owned_nodes)
           neighbours[row_index(nodes[a])].insert(neighbours[row_index(nodes[a])].end(), nodes, nodes + n);
@@ -55,6 +55,7 @@ Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {
             columns(k++) = columns_[static_cast<std::size_t>(p)] * dimension_ + static_cast<int>(j);
         starts(static_cast<std::size_t>(row) * d + i + 1) = k;
       }
+    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Kokkos counts the references of its views
     auto graph = Teuchos::rcp(new CrsGraph(space.owned_map(), space.local_map(), starts, columns));
     graph->fillComplete(space.owned_map(), space.owned_map());
     graph_ = graph;

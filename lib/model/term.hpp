@@ -17,8 +17,8 @@ struct Segment {
 
 /// What a term says of a displacement, this rank's share. Sums over ranks give the whole; `least_gap` its minimum.
 struct InteractionReport {
-  std::vector<double> force;    ///< on the bodies [E0 L0^(D-1)]
-  double measure = 0;           ///< reference length or area closer than the gap of largest attraction [L0^(D-1)]
+  std::vector<double> force;  ///< on the bodies [E0 L0^(D-1)]
+  double measure = 0;         ///< reference length or area closer than the gap of largest attraction [L0^(D-1)]
   double least_gap = std::numeric_limits<double>::infinity();  ///< [L0]
 };
 

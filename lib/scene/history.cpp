@@ -12,9 +12,17 @@ namespace {
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<std::string> columns(int dimension) {
-  std::vector<std::string> names{"step",           "time",          "time_step",         "kinetic_energy",
-                                 "elastic_energy", "contact_energy", "external_work",    "dissipated_energy",
-                                 "total_energy",   "linear_momentum_x", "linear_momentum_y"};
+  std::vector<std::string> names{"step",
+                                 "time",
+                                 "time_step",
+                                 "kinetic_energy",
+                                 "elastic_energy",
+                                 "contact_energy",
+                                 "external_work",
+                                 "dissipated_energy",
+                                 "total_energy",
+                                 "linear_momentum_x",
+                                 "linear_momentum_y"};
   if (dimension == 3) names.emplace_back("linear_momentum_z");
   if (dimension == 3)
     for (const char* axis : {"x", "y", "z"}) names.push_back(std::string("angular_momentum_") + axis);

@@ -67,8 +67,7 @@ void add_interaction(List& list) {
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
   list.set("Point", Numbers(), "a point of the wall [L0]; the origin when empty", any_number());
   list.set("Normal", Numbers(), "out of the wall; the last axis when empty", any_number());
-  list.set("Step Margin", 0.8,
-           "kappa: a Newton step keeps every gap r at least kappa min(r, equilibrium gap) [-]",
+  list.set("Step Margin", 0.8, "kappa: a Newton step keeps every gap r at least kappa min(r, equilibrium gap) [-]",
            greater_and_less_than(0, 1));
 }
 
@@ -124,8 +123,7 @@ List make_scene_parameters() {
   add_units(scene.sublist("Units", false, "names of the units; every value of a scene is in L0, E0 and T0"));
   add_mesh(scene.sublist("Mesh", false, "the bodies"));
   add_material(scene.sublist("Materials", false, "a list for each block").sublist(any_name));
-  add_interaction(
-      scene.sublist("Interactions", false, "a list for each surface that sticks").sublist(any_name));
+  add_interaction(scene.sublist("Interactions", false, "a list for each surface that sticks").sublist(any_name));
   add_boundary_condition(
       scene.sublist("Boundary Conditions", false, "a list for each held node set").sublist(any_name));
   add_initial_conditions(scene.sublist("Initial Conditions", false, "velocities at the initial time"));

@@ -52,11 +52,10 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const long interval = output.get<int>("History Interval");
   const double final_time = simulation.final_time();
   const double start = Teuchos::Time::wallTime();
-  auto phases = phase_seconds();
+  const auto phases_before = phase_seconds();
 
   RunResult result;
   RowCounts counts;
-  long newton_iterations = 0;
   history.record(counts);
   // A remainder below a thousandth of a step is rounding, not a step.
   while (final_time - integrator.time() > 1e-3 * simulation.time_step()) {
@@ -68,7 +67,7 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     const double dt = std::min(simulation.time_step(), final_time - integrator.time());
     const StepResult step = integrator.step(dt);
     counts.newton_iterations += step.newton_iterations;
-    newton_iterations += step.newton_iterations;
+    result.newton_iterations += step.newton_iterations;
     counts.wall_seconds = Teuchos::Time::wallTime() - start;
     if (!step.converged) {
       result.status = RunStatus::Diverged;
@@ -84,16 +83,16 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
       counts.newton_iterations = 0;
     }
     if (options.watch && comm->getRank() == 0)
-      options.watch({integrator.time(), final_time, result.steps, newton_iterations, counts.wall_seconds});
+      options.watch({integrator.time(), final_time, result.steps, result.newton_iterations, counts.wall_seconds});
   }
   if (result.status != RunStatus::Completed && result.steps % interval != 0) history.record(counts);
   history.flush();
   result.end_time = integrator.time();
+  result.wall_seconds = Teuchos::Time::wallTime() - start;
+  result.max_energy_error = history.max_energy_error();
   const auto phases_now = phase_seconds();
-  for (std::size_t i = 0; i < phases.size(); ++i) phases[i] = phases_now[i] - phases[i];
-  write_summary(simulation, result,
-                {newton_iterations, Teuchos::Time::wallTime() - start, history.max_energy_error(), phases},
-                options.folder + "/summary.json");
+  for (std::size_t i = 0; i < phases_now.size(); ++i) result.phase_seconds[i] = phases_now[i] - phases_before[i];
+  write_summary(simulation, result, options.folder + "/summary.json");
   return result;
 }
 

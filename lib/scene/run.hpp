@@ -1,8 +1,10 @@
 /// Running a scene to its end, with results on disk.
 #pragma once
+#include <array>
 #include <functional>
 #include <string>
 
+#include "base/phase_timer.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -17,9 +19,9 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::string folder;                                  ///< results go here; made where it does not exist
-  std::function<void(const Progress&)> watch;          ///< called after every step on rank 0; may be empty
-  std::function<bool()> interrupted;                   ///< asked before every step; may be empty
+  std::string folder;                          ///< results go here; made where it does not exist
+  std::function<void(const Progress&)> watch;  ///< called after every step on rank 0; may be empty
+  std::function<bool()> interrupted;           ///< asked before every step; may be empty
 };
 
 enum class RunStatus { Completed, Diverged, Interrupted };
@@ -29,6 +31,10 @@ struct RunResult {
   std::string reason;
   long steps = 0;
   double end_time = 0;
+  long newton_iterations = 0;
+  double wall_seconds = 0;                                 ///< of the time loop, output included
+  double max_energy_error = 0;                             ///< see History::max_energy_error
+  std::array<double, phase_names.size()> phase_seconds{};  ///< of rank 0
 };
 
 /// Runs from the simulation's present state to its final time; writes effective.xml, history.csv and summary.json. A

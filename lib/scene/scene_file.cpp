@@ -1,5 +1,7 @@
 #include "scene/scene_file.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_FileInputSource.hpp>
 #include <Teuchos_StringInputSource.hpp>
 #include <Teuchos_XMLObject.hpp>
@@ -34,9 +36,10 @@ void read_list(const Teuchos::XMLObject& element, const std::string& place, Teuc
     const std::string& tag = child.getTag();
     if (tag == "Validators") continue;  // Teuchos writes an empty one
     if (tag != "Parameter" && tag != "ParameterList")
-      throw InputError(place + ": <" + tag + "> is neither <Parameter> nor <ParameterList>");
+      throw InputError(fmt::format("{}: <{}> is neither <Parameter> nor <ParameterList>", place, tag));
     const std::string name = required(child, "name", place);
-    const std::string path = place + (place.back() == ':' ? " " : "/") + name;
+    std::string path = place;
+    path.append(place.back() == ':' ? " " : "/").append(name);
     if (list.isParameter(name)) throw InputError(path + " is given twice");
     if (tag == "ParameterList") {
       read_list(child, path, list.sublist(name));

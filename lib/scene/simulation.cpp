@@ -32,7 +32,7 @@ std::vector<std::string> sublists(const List& list) {
 std::vector<double> numbers(const List& list, const std::string& path, const char* name, std::size_t count,
                             std::vector<double> fallback) {
   const auto& values = list.get<Teuchos::Array<double>>(name);
-  if (values.size() == 0) return fallback;
+  if (values.empty()) return fallback;
   if (static_cast<std::size_t>(values.size()) != count)
     throw InputError(fmt::format("{}/{} has {} elements, not {}", path, name, values.size(), count));
   return {values.begin(), values.end()};
@@ -84,8 +84,7 @@ void set_predictor(const std::string& name, Table& table) {
 
 void add_interaction(const List& list, const std::string& path, Model& model) {
   const LocalMesh& mesh = model.mesh();
-  const std::size_t set =
-      at(path + "/Side Set", [&] { return mesh.side_set(list.get<std::string>("Side Set")); });
+  const std::size_t set = at(path + "/Side Set", [&] { return mesh.side_set(list.get<std::string>("Side Set")); });
   const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
   const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
   auto term = make_half_space_term(mesh, mesh.side_sets[set], model.pattern(), law, wall,
@@ -95,16 +94,16 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
   term->report(rest.data(), report);
   const double gap = model.space().minimum(report.least_gap);
   if (!(gap > 0))
-    throw InputError(fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; it must be "
-                                 "positive",
-                                 path, list.get<std::string>("Side Set"), gap));
+    throw InputError(
+        fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; it must be "
+                    "positive",
+                    path, list.get<std::string>("Side Set"), gap));
   model.add_interaction(std::move(term));
 }
 
 void add_boundary_condition(const List& list, const std::string& path, Model& model) {
   const LocalMesh& mesh = model.mesh();
-  const std::size_t set =
-      at(path + "/Node Set", [&] { return mesh.node_set(list.get<std::string>("Node Set")); });
+  const std::size_t set = at(path + "/Node Set", [&] { return mesh.node_set(list.get<std::string>("Node Set")); });
   std::string components = list.get<std::string>("Components");
   if (components == "all") components = mesh.dimension == 2 ? "xy" : "xyz";
   for (char component : components) {
@@ -187,8 +186,7 @@ void Simulation::set_initial_state() {
       for (std::size_t j = 0; j < d; ++j) sum += gradient[i * d + j] * (mesh.coordinates[node * d + j] - origin[j]);
       v[node * d + i] = sum;
     }
-  const double time =
-      parameters_.sublist("Time Integrator").sublist("Time Step Control").get<double>("Initial Time");
+  const double time = parameters_.sublist("Time Integrator").sublist("Time Step Control").get<double>("Initial Time");
   at("Initial Conditions", [&] {
     integrator_->initialize(std::move(u), std::move(v), time);
     return 0;

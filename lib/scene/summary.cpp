@@ -25,8 +25,7 @@ const char* name(RunStatus status) {
 
 }  // namespace
 
-void write_summary(const Simulation& simulation, const RunResult& result, const RunTotals& totals,
-                   const std::string& path) {
+void write_summary(const Simulation& simulation, const RunResult& result, const std::string& path) {
   const Model& model = simulation.model();
   const Comm& comm = model.space().comm();
   double memory = peak_memory();
@@ -42,18 +41,18 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["dofs"] = model.space().global();
   json["elements"] = model.mesh().global_cells;
   json["ranks"] = comm->getSize();
-  json["newton_iterations"] = totals.newton_iterations;
+  json["newton_iterations"] = result.newton_iterations;
   json["linear_iterations"] = 0;
-  json["wall_seconds"] = totals.wall_seconds;
+  json["wall_seconds"] = result.wall_seconds;
   json["setup_seconds"] = simulation.setup_seconds();
-  json["seconds_per_increment"] = totals.wall_seconds / static_cast<double>(std::max(result.steps, 1L));
+  json["seconds_per_increment"] = result.wall_seconds / static_cast<double>(std::max(result.steps, 1L));
   json["seconds"] = nlohmann::ordered_json::object();
-  for (std::size_t i = 0; i < phase_names.size(); ++i) json["seconds"][phase_names[i]] = totals.phase_seconds[i];
+  for (std::size_t i = 0; i < phase_names.size(); ++i) json["seconds"][phase_names[i]] = result.phase_seconds[i];
   json["peak_memory_bytes"] = static_cast<long long>(memory);
-  if (std::isnan(totals.max_energy_error))
+  if (std::isnan(result.max_energy_error))
     json["max_energy_error"] = nullptr;
   else
-    json["max_energy_error"] = totals.max_energy_error;
+    json["max_energy_error"] = result.max_energy_error;
   json["max_force"] = nlohmann::ordered_json::object();
   std::ofstream file(path);
   file << json.dump(2) << '\n';

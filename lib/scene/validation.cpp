@@ -52,7 +52,8 @@ void check_entry(const std::string& name, const Entry& value, const Entry& valid
     throw InputError(path + ": " + value_text(value) + " is of type " + found + ", but " + wanted + " is wanted");
   if (valid.validator().is_null()) return;
   const Entry& checked = *target.getEntryPtr(name);
-  if (const auto words = Teuchos::rcp_dynamic_cast<const Teuchos::StringValidator>(valid.validator()); !words.is_null()) {
+  if (const auto words = Teuchos::rcp_dynamic_cast<const Teuchos::StringValidator>(valid.validator());
+      !words.is_null()) {
     const auto& allowed = *words->validStringValues();
     const std::vector<std::string> names(allowed.begin(), allowed.end());
     const auto& word = Teuchos::getValue<std::string>(checked);
@@ -101,8 +102,7 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
   }
   for (const auto& [name, entry] : entries(valid)) {
     if (entry.isList() || complete.isParameter(name)) continue;
-    if (is_required(entry))
-      throw InputError(join(path, name) + " is missing: " + entry.docString());
+    if (is_required(entry)) throw InputError(join(path, name) + " is missing: " + entry.docString());
     complete.setEntry(name, Entry(entry.getAny(false)));
   }
   const Variants choice = variants(valid, complete);

@@ -4,8 +4,8 @@
 
 namespace ixos {
 
-/// Registered with Stratimikos as "Direct". An operator that is initialised again with the same matrix keeps its symbolic
-/// factorisation and renews the numeric one. A matrix that cannot be factored throws std::runtime_error.
+/// Registered with Stratimikos as "Direct". An operator that is initialised again with the same matrix keeps its
+/// symbolic factorisation and renews the numeric one. A matrix that cannot be factored throws std::runtime_error.
 class DirectSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;
@@ -14,8 +14,7 @@ class DirectSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
  public:
   bool isCompatible(const Source& source) const override;
   Teuchos::RCP<Op> createOp() const override;
-  void initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
-                    Thyra::ESupportSolveUse support) const override;
+  void initializeOp(const Teuchos::RCP<const Source>& source, Op* op, Thyra::ESupportSolveUse support) const override;
   void uninitializeOp(Op* op, Teuchos::RCP<const Source>* source,
                       Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
                       Teuchos::RCP<const Source>* approximate, Thyra::ESupportSolveUse* support) const override;

@@ -5,9 +5,9 @@
 namespace ixos {
 
 /// Amesos2's KLU2, as Debian ships it, solves wrongly on two or more ranks: g++ 12.2 miscompiles its triangular solve.
-/// klu2_repair.cpp instantiates the class anew, compiled with -fno-ivopts; its weak symbols come first in the link order
-/// and replace the distribution's everywhere in the process, MueLu's coarse solver included. Calling this function
-/// keeps that object in the link.
+/// klu2_repair.cpp instantiates the class anew, compiled with -fno-ivopts; its weak symbols come first in the link
+/// order and replace the distribution's everywhere in the process, MueLu's coarse solver included. Calling this
+/// function keeps that object in the link.
 void anchor_klu2_repair();
 
 /// The file name of the library whose KLU2 this process uses: libixos where the repair is in force.

@@ -49,7 +49,7 @@ struct LinearSystem::Implementation {
   bool fresh = false;
 };
 
-LinearSystem::LinearSystem(const LinearSolverFactory& factory, Teuchos::RCP<const CrsMatrix> matrix)
+LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const CrsMatrix>& matrix)
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->factory = factory.thyra();
   implementation_->space = vector_space(matrix->getRowMap());

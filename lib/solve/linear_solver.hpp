@@ -35,7 +35,7 @@ class LinearSolverFactory {
 class LinearSystem {
  public:
   /// The matrix must be fill-complete; its values are read at the first solve and after every refresh().
-  LinearSystem(const LinearSolverFactory& factory, Teuchos::RCP<const CrsMatrix> matrix);
+  LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const CrsMatrix>& matrix);
   ~LinearSystem();
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;

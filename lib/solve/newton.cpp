@@ -90,9 +90,10 @@ struct NewtonSolver::Implementation {
           result.iterations >= maximum_iterations
               ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
                             force->describe())
-              : fmt::format("Newton's iteration broke down after {} iterations: an element inverts, a gap closes or a "
-                            "number overflows at every step length tried",
-                            result.iterations);
+              : fmt::format(
+                    "Newton's iteration broke down after {} iterations: an element inverts, a gap closes or a "
+                    "number overflows at every step length tried",
+                    result.iterations);
     }
     return result;
   }

@@ -4,7 +4,8 @@
 
 namespace ixos {
 
-/// All functions are collective; vectors live on map(). Between two solves the problem may change, during one it may not.
+/// All functions are collective; vectors live on map(). Between two solves the problem may change, during one it may
+/// not.
 class NonlinearProblem {
  public:
   virtual ~NonlinearProblem() = default;

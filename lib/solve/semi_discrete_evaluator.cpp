@@ -43,8 +43,7 @@ void SemiDiscreteEvaluator::evalModelImpl(const Base::InArgs<double>& in, const 
   const auto f = out.get_f();
   if (nonnull(f) && !evaluate_force(in, *Extract::getTpetraVector(f))) out.setFailed();
   const auto w = out.get_W_op();
-  if (nonnull(w))
-    evaluate_tangent(in, *Teuchos::rcp_dynamic_cast<CrsMatrix>(Extract::getTpetraOperator(w), true));
+  if (nonnull(w)) evaluate_tangent(in, *Teuchos::rcp_dynamic_cast<CrsMatrix>(Extract::getTpetraOperator(w), true));
 }
 
 bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vector& f) const {

@@ -11,7 +11,11 @@ Table average_vector_field(int elastic_points, int interaction_points) {
   stage.damping = du;
   stage.elastic = gauss_rule(elastic_points);
   stage.interaction = gauss_rule(interaction_points);
-  return {"Average Vector Field", {stage}, Closing::Collocate, {DampingWork::Form::Increment, {}}, Predictor::LastDisplacement};
+  return {"Average Vector Field",
+          {stage},
+          Closing::Collocate,
+          {DampingWork::Form::Increment, {}},
+          Predictor::LastDisplacement};
 }
 
 }  // namespace ixos

@@ -66,10 +66,11 @@ Scheme composite_scheme() {
            }};
   add_beta_gamma(s.parameters);
   add_points(s.parameters, "Interaction Points", 5, "Gauss points in time for the interaction");
-  s.parameters.set("Path", "Linear",
-                   "path of the displacement within a step; \"Kinematic\" is quadratic and consistent with Newmark, and "
-                   "may cross the wall",
-                   Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Linear", "Kinematic"))));
+  s.parameters.set(
+      "Path", "Linear",
+      "path of the displacement within a step; \"Kinematic\" is quadratic and consistent with Newmark, and "
+      "may cross the wall",
+      Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Linear", "Kinematic"))));
   return s;
 }
 

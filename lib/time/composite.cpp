@@ -7,11 +7,15 @@ Table gautam_sauer_composite(double beta, double gamma, int interaction_points, 
   Stage stage;
   stage.velocity = kinematics.stages[0].velocity;
   stage.acceleration = kinematics.stages[0].acceleration;
-  stage.inertia = stage.velocity - velocity(0);                  // M (v - v_n)/dt
-  stage.damping = unknown_displacement() - displacement(0);      // C (u - u_n)/dt
+  stage.inertia = stage.velocity - velocity(0);              // M (v - v_n)/dt
+  stage.damping = unknown_displacement() - displacement(0);  // C (u - u_n)/dt
   stage.elastic = point_rule({0.0, 1.0}, {0.5, 0.5});
   stage.interaction = gauss_rule(interaction_points, path);
-  return {"Gautam-Sauer Composite", {stage}, Closing::Collocate, {DampingWork::Form::Increment, {}}, Predictor::LastDisplacement};
+  return {"Gautam-Sauer Composite",
+          {stage},
+          Closing::Collocate,
+          {DampingWork::Form::Increment, {}},
+          Predictor::LastDisplacement};
 }
 
 }  // namespace ixos

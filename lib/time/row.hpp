@@ -5,8 +5,8 @@
 
 namespace ixos {
 
-/// s u_s + sum_j (p_j u_j + q_j dt v_j + r_j dt^2 a_j) over known states j: 0 is the step's start, k the end of stage k.
-/// dt is the whole step. Rows are dimensionless, so no table holds a power of dt.
+/// s u_s + sum_j (p_j u_j + q_j dt v_j + r_j dt^2 a_j) over known states j: 0 is the step's start, k the end of stage
+/// k. dt is the whole step. Rows are dimensionless, so no table holds a power of dt.
 struct Row {
   struct Known {
     double u = 0;  ///< p_j

@@ -10,17 +10,17 @@ namespace ixos {
 Table newmark(double beta, double gamma);
 
 /// Bathe's composite scheme with spectral radius (Noh and Bathe 2019; rho = 0, split = 1/2 is Bathe 2007): trapezoid to
-/// t_n + split dt, then y = y_n + dt (q0 y'_n + q1 y'_g + q2 y') for u and v. Order 2, unconditionally stable for linear
-/// problems, spectral radius rho at infinite frequency. Keeps linear momentum, loses energy. rho in [0, 1], split in
-/// (0, 1).
+/// t_n + split dt, then y = y_n + dt (q0 y'_n + q1 y'_g + q2 y') for u and v. Order 2, unconditionally stable for
+/// linear problems, spectral radius rho at infinite frequency. Keeps linear momentum, loses energy. rho in [0, 1],
+/// split in (0, 1).
 Table bathe_composite(double spectral_radius, double split);
 
 /// The split for which both stages have the same tangent: (2 - sqrt(2 + 2 rho))/(1 - rho), 1/2 at rho = 1.
 double bathe_default_split(double spectral_radius);
 
 /// Gautam and Sauer (2014): the balance of momentum over the step, elastic forces by the trapezoid, interaction by n
-/// Gauss points on a path, v from Newmark. Order 2 for gamma = 2 beta. Keeps linear momentum; on the linear path the work
-/// of the interaction is exact to time quadrature. Needs beta > 0.
+/// Gauss points on a path, v from Newmark. Order 2 for gamma = 2 beta. Keeps linear momentum; on the linear path the
+/// work of the interaction is exact to time quadrature. Needs beta > 0.
 Table gautam_sauer_composite(double beta, double gamma, int interaction_points, Path path);
 
 /// Average vector field (Quispel and McLaren 2008): the mean force along the straight line from u_n to u, by Gauss

@@ -52,7 +52,7 @@ TEST(QuadratureTest, IsSymmetric) {
   for (int n = 1; n <= 64; ++n) {
     const Quadrature rule = gauss_legendre(n);
     for (std::size_t i = 0, j = rule.points.size() - 1; i <= j && j < rule.points.size(); ++i, --j) {
-      EXPECT_NEAR(rule.points[i], -rule.points[j], 1e-15) << n;
+      EXPECT_NEAR(rule.points[i], -rule.points[j], 1e-14) << n;
       EXPECT_NEAR(rule.weights[i], rule.weights[j], 1e-14) << n;
     }
   }

@@ -44,11 +44,11 @@ TYPED_TEST(ShapesTest, ArePartitionOfUnity) {
     const TypeParam shapes(xi);
     double sum = 0;
     for (double value : shapes.value) sum += value;
-    EXPECT_NEAR(sum, 1.0, 1e-15);
+    EXPECT_NEAR(sum, 1.0, 1e-14);
     for (std::size_t d = 0; d < TypeParam::dimension; ++d) {
       double slope = 0;
       for (const auto& gradient : shapes.gradient) slope += gradient[d];
-      EXPECT_NEAR(slope, 0.0, 1e-15);
+      EXPECT_NEAR(slope, 0.0, 1e-14);
     }
   }
 }
@@ -60,7 +60,7 @@ TYPED_TEST(ShapesTest, InterpolateTheReferencePointItself) {
     for (std::size_t d = 0; d < TypeParam::dimension; ++d) {
       double x = 0;
       for (std::size_t a = 0; a < TypeParam::nodes; ++a) x += shapes.value[a] * corner[a][d];
-      EXPECT_NEAR(x, xi[d], 1e-15);
+      EXPECT_NEAR(x, xi[d], 1e-14);
     }
   }
 }
@@ -104,7 +104,7 @@ void expect_sound_table() {
       for (std::size_t d = 0; d < dim; ++d) xi[d] += table.value[q][a] * corner[a][d];
     const Shapes<Element::dimension> shapes(xi);
     for (std::size_t a = 0; a < corner.size(); ++a)
-      for (std::size_t d = 0; d < dim; ++d) EXPECT_NEAR(table.gradient[q][a][d], shapes.gradient[a][d], 1e-15);
+      for (std::size_t d = 0; d < dim; ++d) EXPECT_NEAR(table.gradient[q][a][d], shapes.gradient[a][d], 1e-14);
     for (std::size_t d = 0; d < dim; ++d)
       for (std::size_t e = 0; e < dim; ++e) second[d][e] += table.weight[q] * xi[d] * xi[e];
   }

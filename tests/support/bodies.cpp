@@ -15,8 +15,7 @@ std::string rubber(const std::string& model, double nu) {
 }  // namespace
 
 std::string block_2d(double spin, const std::string& material) {
-  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {3, 2}) +
-                                                            counts("Divisions", {3, 2}))) +
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {3, 2}) + counts("Divisions", {3, 2}))) +
          rubber(material, 0.3) +
          list("Initial Conditions", numbers("Velocity", {0.3, -0.2}) +
                                         numbers("Velocity Gradient", {0.15, -spin, spin, -0.05}) +
@@ -27,11 +26,10 @@ std::string block_3d(double spin) {
   return list("Mesh", word("Type", "Box") + list("Box", count("Dimension", 3) + numbers("Lengths", {2, 1, 1}) +
                                                             counts("Divisions", {2, 1, 1}))) +
          rubber("Neo-Hooke", 0.3) +
-         list("Initial Conditions",
-              numbers("Velocity", {0.3, -0.2, 0.1}) +
-                  numbers("Velocity Gradient",
-                          {0.1, -spin, 0.5 * spin, spin, 0.0, -0.3 * spin, -0.5 * spin, 0.3 * spin, -0.1}) +
-                  numbers("Origin", {1.0, 0.5, 0.5}));
+         list("Initial Conditions", numbers("Velocity", {0.3, -0.2, 0.1}) +
+                                        numbers("Velocity Gradient", {0.1, -spin, 0.5 * spin, spin, 0.0, -0.3 * spin,
+                                                                      -0.5 * spin, 0.3 * spin, -0.1}) +
+                                        numbers("Origin", {1.0, 0.5, 0.5}));
 }
 
 std::string oscillator() {

@@ -40,7 +40,9 @@ Teuchos::ParameterList scene_file(const std::string& name, const std::vector<std
 std::string list(const std::string& name, const std::string& contents) {
   return "<ParameterList name=\"" + name + "\">" + contents + "</ParameterList>";
 }
-std::string number(const std::string& name, double value) { return parameter(name, "double", fmt::format("{}", value)); }
+std::string number(const std::string& name, double value) {
+  return parameter(name, "double", fmt::format("{}", value));
+}
 std::string count(const std::string& name, int value) { return parameter(name, "int", fmt::format("{}", value)); }
 std::string word(const std::string& name, const std::string& value) { return parameter(name, "string", value); }
 std::string numbers(const std::string& name, const std::vector<double>& values) {

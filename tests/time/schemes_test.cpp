@@ -95,8 +95,7 @@ TEST(SchemesTest, BatheIsThePublishedFormula) {
 
 TEST(SchemesTest, BatheFollowsSpectralRadiusAndSplit) {
   for (const auto& [rho, g] : {std::pair{0.5, 0.4}, std::pair{1.0, 0.5}, std::pair{0.0, 0.6}}) {
-    const Table table =
-        from_xml("Bathe Composite", test::number("Spectral Radius", rho) + test::number("Split", g));
+    const Table table = from_xml("Bathe Composite", test::number("Spectral Radius", rho) + test::number("Split", g));
     const double q1 = (rho + 1) / (2 * g * (rho - 1) + 4);
     const double q0 = (g - 1) * q1 + 0.5;
     const double q2 = 0.5 - g * q1;

@@ -62,8 +62,8 @@ TEST(OscillatorTest, TrapezoidHasTheClosedFormPeriod) {
 }
 
 TEST(OscillatorTest, NewmarkWithNumericalDampingDecaysAsItsEigenvaluesSay) {
-  // From the two-step form u_n+1 = p u_n - q u_n-1 (Zienkiewicz 1977): p = 2 - (gamma + 1/2) z/(1 + beta z), q = 1 - (gamma - 1/2) z/(1 + beta z),
-  // z = (omega dt)^2.
+  // From the two-step form u_n+1 = p u_n - q u_n-1 (Zienkiewicz 1977): p = 2 - (gamma + 1/2) z/(1 + beta z), q = 1 -
+  // (gamma - 1/2) z/(1 + beta z), z = (omega dt)^2.
   const double beta = 0.4225, gamma = 0.8, ratio = 0.1;
   const double z = std::pow(2 * M_PI * ratio, 2);
   const double q = 1 - (gamma - 0.5) * z / (1 + beta * z);

@@ -24,7 +24,8 @@ Mesh distorted_box(int dimension) {
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.nodes()); ++n) {
     bool inside = true;
-    for (std::size_t i = 0; i < d; ++i) inside = inside && mesh.coordinates[n * d + i] > 0 && mesh.coordinates[n * d + i] < 3;
+    for (std::size_t i = 0; i < d; ++i)
+      inside = inside && mesh.coordinates[n * d + i] > 0 && mesh.coordinates[n * d + i] < 3;
     if (!inside) continue;
     for (std::size_t i = 0; i < d; ++i)
       mesh.coordinates[n * d + i] += 0.25 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(i));

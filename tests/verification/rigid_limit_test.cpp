@@ -26,12 +26,12 @@ std::string stiff_block(double gap, const std::vector<double>& normal, int surfa
                                 test::list("Box", test::count("Dimension", dimension) +
                                                       test::numbers("Lengths", std::vector<double>(d, 1.0)) +
                                                       test::counts("Divisions", std::vector<int>(d, 2)))) +
-         test::list("Materials", test::list("Steel", test::number("Young's Modulus", 1e5) +
-                                                         test::number("Density", density))) +
-         test::list("Interactions", test::list("Wall", test::word("Side Set", "bottom") +
-                                                           test::count("Surface Points", surface_points) +
-                                                           test::numbers("Point", point) +
-                                                           test::numbers("Normal", normal)));
+         test::list("Materials",
+                    test::list("Steel", test::number("Young's Modulus", 1e5) + test::number("Density", density))) +
+         test::list(
+             "Interactions",
+             test::list("Wall", test::word("Side Set", "bottom") + test::count("Surface Points", surface_points) +
+                                    test::numbers("Point", point) + test::numbers("Normal", normal)));
 }
 
 TEST(RigidLimitTest, ForceOnAParallelFaceIsTheTractionTimesItsSize) {
@@ -72,9 +72,9 @@ TEST(RigidLimitTest, ForceOnATiltedFaceIsTheDifferenceOfEnergies) {
 TEST(RigidLimitTest, SmallVibrationAtTheEquilibriumGapHasTheStiffnessOfTheLaw) {
   const double omega = std::sqrt(law.stiffness(law.equilibrium_gap()));  // density 1, height 1
   const double dt = 2 * M_PI / omega / 100;
-  Simulation s(test::scene(stiff_block(law.equilibrium_gap() + 1e-6, {0, 1}, 2, 1) +
-                           test::time_integrator("Newmark", dt, 1)),
-               world());
+  Simulation s(
+      test::scene(stiff_block(law.equilibrium_gap() + 1e-6, {0, 1}, 2, 1) + test::time_integrator("Newmark", dt, 1)),
+      world());
   std::vector<double> y;
   for (int step = 0; step < 30; ++step) {
     ASSERT_TRUE(s.integrator().step(dt).converged);

@@ -1,0 +1,29 @@
+# What run.sh and the tests' run.sh share: packages, configuration, build. Sourced, not run.
+# Installs by apt what is missing of its own list and $extra_packages, configures the preset IXOS_PRESET (release) and builds.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+preset=${IXOS_PRESET:-release}
+build="$root/build/$preset"
+
+packages="g++ cmake ninja-build ccache lld openmpi-bin libopenmpi-dev trilinos-all-dev libscotch-dev libptscotch-dev
+          libopenblas-dev libsuitesparse-dev libmetis-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+          libbenchmark-dev"
+
+missing=()
+for package in $packages ${extra_packages:-}; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "Installing: ${missing[*]}"
+  sudo=""
+  [ "$(id -u)" -eq 0 ] || sudo=sudo
+  $sudo apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+fi
+
+# Containers run as root; the two cores are shared.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OPENBLAS_NUM_THREADS=1
+
+cd "$root"
+[ -f "$build/build.ninja" ] || cmake --preset "$preset"
+cmake --build "$build"

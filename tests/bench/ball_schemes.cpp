@@ -1,0 +1,97 @@
+// Scenes timed side by side in one run: the ball with every scheme, repeats interleaved, medians reported.
+//   ball_schemes SCENE.xml [END_TIME [REPEATS]]
+// All schemes must complete END_TIME (default 2 T0). Ratios are to Newmark, repeat by repeat.
+#include <fmt/format.h>
+
+#include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/parameters.hpp"
+#include "scene/run.hpp"
+#include "scene/scene_file.hpp"
+#include "time/catalogue.hpp"
+
+namespace {
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+struct Samples {
+  std::vector<double> milliseconds_per_iteration, per_increment, ratio, increment_ratio;
+  std::vector<std::array<double, ixos::phase_names.size()>> phases;
+  double iterations_per_increment = 0;
+};
+
+ixos::RunResult run(const std::string& scene_path, const std::string& scheme, double end, const std::string& folder) {
+  Teuchos::ParameterList scene = ixos::read_scene_file(scene_path);
+  ixos::set_parameter(scene, ixos::scene_parameters(), "Time Integrator/Type=" + scheme);
+  ixos::set_parameter(scene, ixos::scene_parameters(),
+                      fmt::format("Time Integrator/Time Step Control/Final Time={}", end));
+  ixos::Simulation simulation(scene, Tpetra::getDefaultComm());
+  ixos::RunOptions options;
+  options.folder = folder;
+  return ixos::run(simulation, options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  if (argc < 2) {
+    fmt::print(stderr, "ball_schemes SCENE.xml [END_TIME [REPEATS]]\n");
+    return 2;
+  }
+  const double end = argc > 2 ? std::stod(argv[2]) : 2;
+  const int repeats = argc > 3 ? std::stoi(argv[3]) : 5;
+  const std::string folder = (std::filesystem::temp_directory_path() / "ixos-bench").string();
+
+  std::map<std::string, Samples> samples;
+  for (int repeat = -1; repeat < repeats; ++repeat) {  // the first round warms up
+    double newmark = 0, newmark_increment = 0;
+    for (const ixos::Scheme& scheme : ixos::schemes()) {
+      const ixos::RunResult result = run(argv[1], scheme.name, end, folder);
+      if (result.status != ixos::RunStatus::Completed) {
+        fmt::print(stderr, "{} ended at {}: {}\n", scheme.name, result.end_time, result.reason);
+        return 3;
+      }
+      const double each = 1e3 * result.wall_seconds / static_cast<double>(result.newton_iterations);
+      const double increment = 1e3 * result.wall_seconds / static_cast<double>(result.steps);
+      if (scheme.name == "Newmark") {
+        newmark = each;
+        newmark_increment = increment;
+      }
+      if (repeat < 0) continue;
+      Samples& s = samples[scheme.name];
+      s.milliseconds_per_iteration.push_back(each);
+      s.per_increment.push_back(increment);
+      s.ratio.push_back(each / newmark);
+      s.increment_ratio.push_back(increment / newmark_increment);
+      s.phases.push_back(result.phase_seconds);
+      s.iterations_per_increment = static_cast<double>(result.newton_iterations) / static_cast<double>(result.steps);
+    }
+  }
+  std::filesystem::remove_all(folder);
+
+  fmt::print(
+      "| scheme | ms per Newton iteration | to Newmark | iterations an increment | ms an increment | to Newmark |\n");
+  fmt::print("|---|---|---|---|---|---|\n");
+  for (const ixos::Scheme& scheme : ixos::schemes()) {
+    const Samples& s = samples[scheme.name];
+    fmt::print("| {} | {:.4f} | {:.3f} | {:.2f} | {:.3f} | {:.3f} |\n", scheme.name,
+               median(s.milliseconds_per_iteration), median(s.ratio), s.iterations_per_increment,
+               median(s.per_increment), median(s.increment_ratio));
+  }
+  const Samples& composite = samples["Gautam-Sauer Composite"];
+  fmt::print("\nMicroseconds of a composite Newton iteration, last repeat:");
+  for (std::size_t i = 0; i < ixos::phase_names.size(); ++i)
+    fmt::print(" {} {:.1f};", ixos::phase_names[i],
+               1e6 * composite.phases.back()[i] / (composite.iterations_per_increment * end / 0.001));
+  fmt::print(" the whole {:.1f}\n", 1e3 * composite.milliseconds_per_iteration.back());
+  return 0;
+}

@@ -1,0 +1,86 @@
+// Google Benchmark: element kernels and assembly, in cells (or sides) a second.
+#include <benchmark/benchmark.h>
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Core.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <cmath>
+
+#include "mesh/generators.hpp"
+#include "model/half_space_term.hpp"
+#include "model/model.hpp"
+
+namespace {
+
+ixos::Mesh block(int dimension, int divisions) {
+  ixos::BoxShape shape;
+  shape.dimension = dimension;
+  shape.lengths = {10, 10, 10};
+  shape.divisions = {divisions, divisions, divisions};
+  return ixos::box(shape);
+}
+
+/// A block of neo-Hookean cells, its bottom 0.3 above a wall, and a wavy displacement.
+struct Fixture {
+  Fixture(int dimension, int divisions)
+      : comm(Tpetra::getDefaultComm()),
+        mesh(block(dimension, divisions)),
+        model(ixos::localize(mesh, ixos::partition_nodes(mesh, 1), 0, 1), comm,
+              {{"body", ixos::ElasticLaw::NeoHooke, ixos::lame_constants(1, 0.3), 1.0, 0, 0}}),
+        u(static_cast<std::size_t>(model.space().local())),
+        f(u.size()),
+        matrix(model.pattern().create_matrix(model.space())) {
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.01 * std::sin(0.37 * static_cast<double>(i));
+    ixos::HalfSpace wall;
+    wall.normal = {0, dimension == 2 ? 1.0 : 0.0, dimension == 2 ? 0.0 : 1.0};
+    wall.point = {0, dimension == 2 ? -0.3 : 0.0, dimension == 2 ? 0.0 : -0.3};
+    const ixos::LocalMesh& local = model.mesh();
+    model.add_interaction(ixos::make_half_space_term(local, local.side_sets[local.side_set("bottom")], model.pattern(),
+                                                     ixos::VanDerWaals(2.5, 25), wall, {}));
+  }
+  ixos::Segment here() const { return {u.data(), nullptr, u.data()}; }
+
+  ixos::Comm comm;
+  ixos::Mesh mesh;
+  ixos::Model model;
+  std::vector<double> u, f;
+  Teuchos::RCP<ixos::CrsMatrix> matrix;
+};
+
+int divisions(const benchmark::State& state) { return state.range(0) == 2 ? 100 : 22; }
+
+void elastic_force(benchmark::State& state) {
+  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(x.model.elastic_force(x.here(), rule, x.f.data()));
+  state.SetItemsProcessed(state.iterations() * x.mesh.cells());
+}
+
+void elastic_tangent(benchmark::State& state) {
+  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
+  double* values = x.matrix->getLocalMatrixHost().values.data();
+  for (auto _ : state) x.model.add_elastic_tangent(x.here(), rule, values);
+  state.SetItemsProcessed(state.iterations() * x.mesh.cells());
+}
+
+void interaction_force(benchmark::State& state) {
+  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  const ixos::Rule rule = ixos::gauss_rule(static_cast<int>(state.range(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(x.model.interaction_force(x.here(), rule, x.f.data()));
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<long>(x.model.mesh().side_sets[x.model.mesh().side_set("bottom")].size()));
+}
+
+BENCHMARK(elastic_force)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 4}});
+BENCHMARK(elastic_tangent)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 4}});
+BENCHMARK(interaction_force)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 8}});
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

@@ -1,0 +1,148 @@
+// The driver: what it says and how it ends. Every bad input gets one clear message and leaves nothing half-written.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "drivers/process.hpp"
+
+namespace ixos::test {
+namespace {
+
+const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
+
+std::string contents(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class DriverTest : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// Refused with this status and message, and without results.
+  void expect_refused(int status, const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome outcome = ixos(arguments, folder_);
+    EXPECT_EQ(outcome.status, status) << outcome.output;
+    EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/out")) << "something was written";
+  }
+  void expect_refused_setting(const std::string& assignment, const std::string& message) {
+    expect_refused(2, {ball, "--output", "out", "--set", assignment}, message);
+  }
+  std::string write(const std::string& text) {
+    std::ofstream(folder_ + "/scene.xml") << text;
+    return "scene.xml";
+  }
+
+  std::string folder_ = scratch_folder();
+};
+
+TEST_F(DriverTest, BadValuesAreRefused) {
+  expect_refused_setting("Materials/Ball/Density=-5e-7",
+                         "Materials/Ball/Density: -5e-07 is not allowed: it must be greater than 0");
+  expect_refused_setting("Materials/Ball/Poisson's Ratio=0.5",
+                         "0.5 is not allowed: it must be greater than -1 and less than 0.5");
+  expect_refused_setting("Time Integrator/Time Step Control/Time Step=0",
+                         "Time Step: 0 is not allowed: it must be greater than 0");
+  expect_refused_setting("Time Integrator/Time Step Control/Time Step=nan", "Time Step");
+  expect_refused_setting("Time Integrator/Time Step Control/Final Time=-1", "-1 must be later than Initial Time, 0");
+  expect_refused_setting("Materials/Ball/Young's Modulus=inf", "inf is not allowed");
+  expect_refused_setting("Mesh/Disk/Center={0, nan}", "Mesh/Disk/Center: nan is not allowed");
+  expect_refused_setting("Mesh/Disk/Center={0}", "Mesh/Disk/Center has 1 elements, not 2");
+  expect_refused_setting("Interactions/Wall/Normal={0, 0}", "Interactions/Wall/Normal is zero");
+  expect_refused_setting("Linear Solver/Linear Solver Type=Tacho", "Linear Solver: Stratimikos refuses the list");
+}
+
+TEST_F(DriverTest, UnknownNamesAreRefusedWithTheNearest) {
+  expect_refused_setting("Interactions/Wall/Side Set=surfaces",
+                         "Interactions/Wall/Side Set: side set \"surfaces\" does not exist; did you mean \"surface\"?");
+  expect_refused_setting("Time Integrator/Type=Newmrak",
+                         "Time Integrator/Type: \"Newmrak\" does not exist; did you mean \"Newmark\"?");
+  expect_refused_setting("Materials/Ball/Block=bodi",
+                         "Materials: block \"bodi\" does not exist; did you mean \"body\"?");
+  expect_refused_setting("Matrials/Ball/Density=1", "did you mean \"Materials\"?");
+  expect_refused(2, {write("<ParameterList><ParameterList name=\"Interaction\"/></ParameterList>"), "--output", "out"},
+                 "scene.xml: Interaction: there is no list \"Interaction\" here; did you mean \"Interactions\"?");
+}
+
+TEST_F(DriverTest, ASurfaceBelowTheWallIsRefused) {
+  expect_refused_setting("Mesh/Disk/Center={0, 4}",
+                         "Interactions/Wall: the surface \"surface\" starts in or below the wall, least gap");
+}
+
+TEST_F(DriverTest, BadFilesAreRefused) {
+  expect_refused(2, {"nowhere.xml", "--output", "out"}, "nowhere.xml: the scene file cannot be read");
+  expect_refused(2, {".", "--output", "out"}, "cannot be read");
+  expect_refused(2, {write("<ParameterList"), "--output", "out"}, "scene.xml: XML parse error at line 1");
+  expect_refused(2, {write("no XML at all"), "--output", "out"}, "scene.xml: XML parse error at line 1");
+  expect_refused(2, {write(""), "--output", "out"}, "scene.xml:");
+  expect_refused(2,
+                 {write("<ParameterList><Parameter name=\"x\" type=\"double\" value=\"abc\"/></ParameterList>"),
+                  "--output", "out"},
+                 "scene.xml: x: \"abc\" is not of type double");
+}
+
+TEST_F(DriverTest, BadCommandLinesAreRefused) {
+  expect_refused(2, {ball, "--frobnicate"}, "frobnicate");
+  expect_refused(2, {ball, "--set", "Mesh/Type"}, "write \"List/Sublist/Name=value\"");
+  expect_refused(2, {ball, "--set"}, "--set");
+}
+
+TEST_F(DriverTest, AFolderThatCannotBeWrittenIsExitStatusFour) {
+  expect_refused(4, {ball, "--output", "/dev/null/out"}, "the results folder cannot be used");
+}
+
+TEST_F(DriverTest, CheckBuildsButDoesNotRun) {
+  const Outcome outcome = ixos({ball, "--check", "--output", "out"}, folder_);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("48 cells, 114 degrees of freedom"), std::string::npos) << outcome.output;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(DriverTest, WithoutASceneItTellsHowToBegin) {
+  const Outcome outcome = ixos({}, folder_);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.output.find("ixos xml/ball.xml"), std::string::npos);
+  EXPECT_EQ(ixos({"--help"}, folder_).status, 0);
+}
+
+TEST_F(DriverTest, SchemesAreListedWithWhatTheyConserve) {
+  const std::string text = ixos({"--list-schemes"}, folder_).output;
+  for (const char* name : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Beta",
+                           "Interaction Points", "conserves", "order", "stability"})
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+}
+
+TEST_F(DriverTest, TheRepairedSolverIsInForceInTheDriver) {
+  EXPECT_NE(ixos({"--version"}, folder_).output.find("KLU2 from: libixos"), std::string::npos);
+}
+
+TEST_F(DriverTest, ResultsAreWrittenAndTheEffectiveSceneRepeatsTheRun) {
+  const std::string end = "Time Integrator/Time Step Control/Final Time=0.05";
+  ASSERT_EQ(ixos({ball, "--set", end, "--output", "one", "--quiet"}, folder_).status, 0);
+  ASSERT_EQ(ixos({"one/effective.xml", "--output", "two", "--quiet"}, folder_).status, 0);
+  std::istringstream one(contents(folder_ + "/one/history.csv")), two(contents(folder_ + "/two/history.csv"));
+  std::string a, b;
+  int rows = 0;
+  for (; std::getline(one, a) && std::getline(two, b); ++rows)  // all but the wall-clock column
+    EXPECT_EQ(a.substr(0, a.rfind(',')), b.substr(0, b.rfind(',')));
+  EXPECT_EQ(rows, 1 + 51);
+  const std::string summary = contents(folder_ + "/one/summary.json");
+  for (const char* key : {"\"status\": \"completed\"", "\"steps\": 50", "\"dofs\": 114", "\"elements\": 48",
+                          "\"max_energy_error\"", "\"peak_memory_bytes\"", "\"seconds_per_increment\""})
+    EXPECT_NE(summary.find(key), std::string::npos) << key;
+}
+
+TEST_F(DriverTest, AFailedStepIsExitStatusThreeWithResultsOnDisk) {
+  const Outcome outcome = ixos({ball, "--set", "Nonlinear Solver/Maximum Iterations=1", "--output", "out"}, folder_);
+  EXPECT_EQ(outcome.status, 3) << outcome.output;
+  EXPECT_NE(outcome.output.find("Newton's iteration did not converge in 1 iterations"), std::string::npos);
+  EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"diverged\""), std::string::npos);
+  EXPECT_NE(contents(folder_ + "/out/history.csv").find("\n0,0,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ixos::test

@@ -1,0 +1,19 @@
+/// Running the driver as a user does.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace ixos::test {
+
+struct Outcome {
+  int status;          ///< exit status, 128 + signal where it was killed
+  std::string output;  ///< standard output and standard error
+};
+
+/// Runs the ixos driver with these arguments (each one word, quoted here) in `folder`.
+Outcome ixos(const std::vector<std::string>& arguments, const std::string& folder);
+
+/// A fresh, empty folder.
+std::string scratch_folder();
+
+}  // namespace ixos::test
