@@ -44,7 +44,7 @@ struct LocalMesh {
   long long global_cells = 0;
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
-  /// Index of the set or block of that name; throws InputError that names the nearest one.
+  /// Index of the set of that name; throws InputError that names the nearest one.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;
 };

@@ -51,7 +51,7 @@ class ElasticTerm final : public Term {
       least_jacobian = smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
       batches_.scatter_force(b, force, f);
     }
-    return least(least_jacobian) > 0;  // false for NaN as well
+    return least(least_jacobian) > 0;
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {

@@ -43,7 +43,7 @@ class HalfSpaceTerm final : public Term {
         for (std::size_t d = 0; d < D; ++d) force[a][d] = along[a] * wall_.normal[d];
       batches_.scatter_force(b, force, f);
     }
-    return least(least_gap) > 0;  // false for NaN as well
+    return least(least_gap) > 0;
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {

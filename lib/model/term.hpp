@@ -30,7 +30,7 @@ class Term {
   virtual ~Term() = default;
 
   /// Adds the rule's force to f (not its kept part, which is a force at u_from). False where some time point is
-  /// inadmissible (a gap <= 0, an inverted element): f is then unusable.
+  /// inadmissible (a gap <= 0, an inverted element): f is then unusable. A NaN in u is not looked for: it shows in f.
   virtual bool add_force(const Segment& segment, const Rule& rule, double* f) const = 0;
 
   /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.

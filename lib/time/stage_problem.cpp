@@ -109,7 +109,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
   sums[3] = admissible ? 0 : 1;
   model_.space().sum(sums, 4);
-  if (sums[3] > 0) return false;
+  if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
   scale_ = std::sqrt(std::max({sums[0], sums[1], sums[2]}));
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
