@@ -8,6 +8,8 @@ find_package(CLI11 REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_library(IXOS_METIS metis REQUIRED)
+find_library(IXOS_EXODUS exoIIv2c REQUIRED)
+find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_CHOLMOD cholmod REQUIRED)
 find_path(IXOS_CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 

@@ -81,7 +81,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   Teuchos::ParameterList scene = ixos::read_scene_file(arguments.scene);
   for (const std::string& assignment : arguments.assignments)
     ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
-  ixos::Simulation simulation(scene, comm);
+  const auto slash = arguments.scene.find_last_of('/');
+  ixos::Simulation simulation(scene, comm, slash == std::string::npos ? "." : arguments.scene.substr(0, slash));
   if (speaks) describe(simulation);
   if (arguments.check) {
     if (speaks) fmt::print("The scene is sound.\n");

@@ -70,6 +70,33 @@ struct ElasticKernel {
     return sum;
   }
 
+  /// Means over the reference volume: tr(sigma) [E0], J, W [E0], in this order. tr(sigma) = P:F/J, and in plane strain
+  /// the stress out of the plane.
+  template <class T>
+  static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
+    T volume(0.0);
+    for (std::size_t q = 0; q < Q; ++q) {
+      const Small<T, D> h = gradient(u, shape_gradients(geometry[q], q));
+      Small<T, D> p;
+      const T jacobian = material.stress(h, p);
+      T trace(0.0);
+      for (std::size_t i = 0; i < D; ++i) {
+        trace += p[i][i];
+        for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+      }
+      trace = trace / jacobian;
+      if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+      const T& w = geometry[q].weight;
+      sums[0] += w * trace;
+      sums[1] += w * jacobian;
+      sums[2] += w * material.energy(h);
+      volume += w;
+    }
+    for (T& sum : sums) sum = sum / volume;
+    return sums;
+  }
+
   /// Adds the rule's force to f. Returns the least J that any time point saw (of the lanes, lane by lane).
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,

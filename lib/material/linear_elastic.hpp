@@ -34,6 +34,12 @@ struct LinearElastic {
     return T(1.0);
   }
 
+  /// The stress out of the plane in plane strain, lambda tr eps [E0].
+  template <class T>
+  T out_of_plane_stress(const Small<T, 2>& h) const {
+    return lame.lambda * (h[0][0] + h[1][1]);
+  }
+
   /// Stress and constant moduli, A[iJ][kL] = dP_iJ/dH_kL.
   template <std::size_t D, class T>
   T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {

@@ -36,6 +36,13 @@ struct NeoHooke {
     return s.jacobian;
   }
 
+  /// The stress out of the plane in plane strain, sigma_33 = lambda ln J/J [E0].
+  template <class T>
+  T out_of_plane_stress(const Small<T, 2>& h) const {
+    const State<2, T> s(h);
+    return lame.lambda / 2 * s.l / s.jacobian;
+  }
+
   /// Stress and its derivative A[iJ][kL] = dP_iJ/dF_kL [E0]; the derivative is symmetric. Returns J.
   template <std::size_t D, class T>
   T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {

@@ -89,7 +89,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const ElementBlock& block = mesh.blocks[b];
     const int n = nodes_per_cell(block.type);
-    LocalBlock here{block.name, block.type, {}, {}};
+    LocalBlock here{block.name, block.type, {}, {}, cells[b], block.cells()};
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell : cells[b]) {
       local_cell[b][static_cast<std::size_t>(cell)] = here.cells();
@@ -109,7 +109,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
       const int cell = local_cell[b][static_cast<std::size_t>(side.cell)];
       if (cell < 0) continue;
       const LocalBlock& block = local.blocks[b];
-      LocalSide here{side.block, cell, {}, block.owned[static_cast<std::size_t>(cell)] != 0};
+      LocalSide here{side.block, cell, side.side, {}, block.owned[static_cast<std::size_t>(cell)] != 0};
       for (int a : side_nodes(block.type, side.side))
         here.nodes.push_back(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
       local.side_sets.back().push_back(std::move(here));

@@ -7,13 +7,14 @@
 
 namespace ixos {
 
-/// Which rank owns each node: METIS on the nodal graph, balanced by nodes. One rank owns all when `ranks` is 1.
-/// Throws InputError where the mesh has fewer nodes than there are ranks.
+/// Which rank owns each node: METIS on the nodal graph, balanced by nodes. One rank owns all when `ranks` is 1. A mesh
+/// of fewer nodes than ranks leaves ranks empty. The same on every rank that asks.
 std::vector<int> partition_nodes(const Mesh& mesh, int ranks);
 
 struct LocalSide {
   int block;
   int cell;
+  int side;                ///< of the cell, from 0
   std::vector<int> nodes;  ///< local node numbers, in the order of side_nodes
   bool owned;              ///< its cell is owned by this rank: energies and forces count it here
 };
@@ -21,8 +22,10 @@ struct LocalSide {
 struct LocalBlock {
   std::string name;
   CellType type = CellType::Quad4;
-  std::vector<int> nodes;   ///< local node numbers, cells x nodes per cell
-  std::vector<char> owned;  ///< per cell: energies count it on this rank
+  std::vector<int> nodes;           ///< local node numbers, cells x nodes per cell
+  std::vector<char> owned;          ///< per cell: energies count it on this rank
+  std::vector<int> original_cells;  ///< per cell: its number in the block of the Mesh
+  int global_cells = 0;             ///< of the block, on all ranks
   int cells() const { return static_cast<int>(owned.size()); }
 };
 

@@ -1,7 +1,8 @@
 #include <fmt/format.h>
 #include <metis.h>
 
-#include "base/error.hpp"
+#include <stdexcept>
+
 #include "mesh/local_mesh.hpp"
 
 namespace ixos {
@@ -9,8 +10,11 @@ namespace ixos {
 std::vector<int> partition_nodes(const Mesh& mesh, int ranks) {
   std::vector<int> owner(static_cast<std::size_t>(mesh.nodes()), 0);
   if (ranks == 1) return owner;
-  if (mesh.nodes() < ranks)
-    throw InputError(fmt::format("the mesh has {} nodes, fewer than the {} ranks of this run", mesh.nodes(), ranks));
+  if (mesh.nodes() <= 2 * ranks) {
+    // METIS balances parts of many nodes; of so few, a rank gets one each and further ranks none.
+    for (std::size_t node = 0; node < owner.size(); ++node) owner[node] = static_cast<int>(node) % ranks;
+    return owner;
+  }
 
   std::vector<idx_t> start{0};
   std::vector<idx_t> nodes;

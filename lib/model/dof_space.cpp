@@ -59,6 +59,16 @@ void DofSpace::import(const Vector& owned, double* local) const {
   std::copy_n(view.data(), local_, local);
 }
 
+void DofSpace::update_ghosts(double* local) const {
+  if (buffer_.is_null()) return;
+  Vector owned(owned_map_);
+  {
+    const auto view = owned.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    std::copy_n(local, owned_, view.data());
+  }
+  import(owned, local);
+}
+
 void DofSpace::sum(double* values, int count) const {
   if (comm_->getSize() == 1) return;
   const std::vector<double> mine(values, values + count);

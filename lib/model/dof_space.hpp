@@ -24,6 +24,8 @@ class DofSpace {
 
   /// local = owned entries and their owners' values for the ghosts. Collective.
   void import(const Vector& owned, double* local) const;
+  /// Replaces the ghosts' entries of a local array by their owners'. Collective.
+  void update_ghosts(double* local) const;
   /// Sum over ranks; no communication on one rank. Collective.
   void sum(double* values, int count) const;
   double minimum(double value) const;

@@ -1,8 +1,5 @@
 #include "model/elastic_term.hpp"
 
-#include <fmt/format.h>
-
-#include "base/error.hpp"
 #include "fem/elastic_kernel.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
@@ -21,7 +18,7 @@ class ElasticTerm final : public Term {
 
  public:
   ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material)
-      : material_(material), batches_(block.nodes, pattern) {
+      : material_(material), youngs_modulus_(youngs_modulus(material.lame)), batches_(block.nodes, pattern) {
     geometry_.reserve(batches_.size());
     owned_.reserve(batches_.size());
     for (std::size_t b = 0; b < batches_.size(); ++b) {
@@ -32,14 +29,6 @@ class ElasticTerm final : public Term {
         const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
         return lane < batches_.lanes(b) && block.owned[cell] != 0 ? 1.0 : 0.0;
       });
-      for (const auto& point : geometry_.back())
-        for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
-          if (!(point.weight[lane] > 0))
-            throw InputError(
-                fmt::format("block \"{}\": cell {} is inverted or degenerate (its reference volume at a "
-                            "quadrature point is {:.3g}); cells are numbered counter-clockwise",
-                            block.name, b * static_cast<std::size_t>(pack_width) + lane + 1,
-                            static_cast<double>(point.weight[lane])));
     }
   }
 
@@ -73,6 +62,22 @@ class ElasticTerm final : public Term {
     return total(sum);
   }
 
+  void cell_fields(const double* u, CellFields& fields) const override {
+    for (std::vector<double>* field : {&fields.stress_invariant, &fields.jacobian, &fields.energy_density})
+      field->resize(batches_.cells());
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal nodal;
+      batches_.gather(b, u, nodal);
+      const auto means = Kernel::means(material_, geometry_[b], nodal);
+      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane) {
+        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
+        fields.stress_invariant[cell] = means[0][lane] / youngs_modulus_;
+        fields.jacobian[cell] = means[1][lane];
+        fields.energy_density[cell] = means[2][lane];
+      }
+    }
+  }
+
  private:
   /// The segment's arrays at one batch; those that are absent stay null.
   class Gathered {
@@ -93,6 +98,7 @@ class ElasticTerm final : public Term {
   };
 
   Material material_;
+  double youngs_modulus_;
   ElementBatches<N, D> batches_;
   std::vector<Geometry> geometry_;
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here

@@ -11,8 +11,7 @@ namespace ixos {
 
 enum class ElasticLaw { NeoHooke, Linear };
 
-/// The term for one block, its cells in SIMD batches. Throws InputError where a cell's reference volume is not positive
-/// at some quadrature point; the message names the cell (its number in the block on this rank, from 1).
+/// The term for one block, its cells in SIMD batches. The caller has checked the mesh (see check_cells).
 std::unique_ptr<Term> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                         ElasticLaw law, const Lame& lame);
 

@@ -37,6 +37,9 @@ class ElementBatches {
   std::size_t size() const { return batches_.size(); }
   std::size_t lanes(std::size_t batch) const { return batches_[batch].lanes; }
 
+  /// First local degree of freedom of a node.
+  int first_dof(std::size_t batch, std::size_t node, std::size_t lane) const { return batches_[batch].dof[node][lane]; }
+
   void gather(std::size_t batch, const double* local, Small<Pack, N, D>& values) const {
     const Batch& b = batches_[batch];
     for (std::size_t a = 0; a < N; ++a)

@@ -76,6 +76,15 @@ class HalfSpaceTerm final : public Term {
     return least(step);
   }
 
+  void add_nodal_measure(double* measure_by_node) const override {
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+      for (std::size_t q = 0; q < quadrature_.size(); ++q)
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+            measure_by_node[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D] +=
+                quadrature_.value[q][a] * measure(b)[q][lane];
+  }
+
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     for (std::size_t b = 0; b < batches_.size(); ++b) {

@@ -33,6 +33,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
     : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_), mass_(mesh_, pattern_) {
   for (const Material& material : materials) {
     const LocalBlock& block = block_named(mesh_, material.block);
+    elastic_block_.push_back(static_cast<std::size_t>(&block - mesh_.blocks.data()));
     elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame));
     mass_.add_block(block, material.density);
     if (material.mass_damping == 0 && material.stiffness_damping == 0) continue;
@@ -145,6 +146,24 @@ Momenta Model::momenta(const double* u, const double* v) const {
   const auto first = sums.begin() + 1;
   const auto middle = first + static_cast<std::ptrdiff_t>(d);
   return {sums[0], {first, middle}, {middle, sums.end()}};
+}
+
+std::vector<CellFields> Model::cell_fields(const double* u) const {
+  std::vector<CellFields> fields(mesh_.blocks.size());
+  for (std::size_t i = 0; i < elastic_.size(); ++i) elastic_[i]->cell_fields(u, fields[elastic_block_[i]]);
+  return fields;
+}
+
+std::vector<double> Model::interaction_traction(const double* u) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> traction(static_cast<std::size_t>(space_.local()), 0.0);
+  if (interactions_.empty()) return traction;
+  interaction_force({nullptr, nullptr, u}, end_rule(), traction.data());
+  std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
+  for (const auto& term : interactions_) term->add_nodal_measure(measure.data());
+  for (std::size_t i = 0; i < traction.size(); ++i)
+    traction[i] = measure[i / d] > 0 ? -traction[i] / measure[i / d] : 0.0;
+  return traction;
 }
 
 void Model::constrain_matrix(double diagonal, double* values) const {

@@ -72,6 +72,12 @@ class Model {
   InteractionReport interaction_report(const double* u) const;
   Momenta momenta(const double* u, const double* v) const;
 
+  /// By block, local cells. Not collective.
+  std::vector<CellFields> cell_fields(const double* u) const;
+  /// Traction of all interactions on the bodies, their nodal force over int N_a dA: local array, valid for owned nodes,
+  /// zero away from interacting surfaces [E0]. Not collective.
+  std::vector<double> interaction_traction(const double* u) const;
+
   /// values = matrix values with the rows and columns of constrained degrees of freedom replaced by `diagonal` I.
   void constrain_matrix(double diagonal, double* values) const;
 
@@ -84,6 +90,7 @@ class Model {
   Mass mass_;
   std::unique_ptr<Damping> damping_;
   std::vector<std::unique_ptr<Term>> elastic_;
+  std::vector<std::size_t> elastic_block_;  ///< of each elastic term
   std::vector<std::unique_ptr<Term>> interactions_;
   std::vector<Constraint> constraints_;
   double elastic_scale_ = 0;

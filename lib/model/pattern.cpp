@@ -55,7 +55,6 @@ Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {
             columns(k++) = columns_[static_cast<std::size_t>(p)] * dimension_ + static_cast<int>(j);
         starts(static_cast<std::size_t>(row) * d + i + 1) = k;
       }
-    // NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks): Kokkos counts the references of its views
     auto graph = Teuchos::rcp(new CrsGraph(space.owned_map(), space.local_map(), starts, columns));
     graph->fillComplete(space.owned_map(), space.owned_map());
     graph_ = graph;

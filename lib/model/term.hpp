@@ -22,6 +22,13 @@ struct InteractionReport {
   double least_gap = std::numeric_limits<double>::infinity();  ///< [L0]
 };
 
+/// Means over the reference volume of each cell of one block, for output.
+struct CellFields {
+  std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus
+  std::vector<double> jacobian;          ///< J [-]
+  std::vector<double> energy_density;    ///< W per reference volume [E0]
+};
+
 /// One conservative contribution to the model: elasticity of a block, interaction of a surface. A term evaluates a rule
 /// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
 /// scratch. None of the functions communicates.
@@ -44,6 +51,12 @@ class Term {
 
   /// Adds what an interaction reports of u; other terms add nothing.
   virtual void report(const double* /*u*/, InteractionReport&) const {}
+
+  /// An elastic term fills in the fields of its block; other terms do nothing.
+  virtual void cell_fields(const double* /*u*/, CellFields&) const {}
+
+  /// An interaction adds, per local node, int N_a dA over its surface [L0^(D-1)]; other terms add nothing.
+  virtual void add_nodal_measure(double* /*measure*/) const {}
 };
 
 }  // namespace ixos

@@ -32,7 +32,10 @@ void add_units(List& list) {
 }
 
 void add_mesh(List& list) {
-  list.set("Type", "Disk", "generator of the mesh", one_of({"Disk", "Box"}));
+  list.set("Type", "Disk", "a generator, or a file", one_of({"Disk", "Box", "Exodus"}));
+  List& exodus = list.sublist("Exodus", false, "a mesh of QUAD4 (2D) or HEX8 (3D) elements");
+  exodus.set("File", required, "path from the working folder, or from the scene's");
+  exodus.set("Dimension", 0, "2 or 3 refuses a mesh of the other dimension; 0 takes any", between(0, 3));
   List& disk = list.sublist("Disk", false, "a disk of quadrilaterals on an O-grid: block \"body\", sets \"surface\"");
   disk.set("Diameter", 10.0, "[L0]", greater_than(0));
   disk.set("Center", Numbers(2, 0.0), "x and y of the centre [L0]", any_number());
@@ -113,6 +116,7 @@ void add_nonlinear_solver(List& list) {
 void add_output(List& list) {
   list.set("History Interval", 1, "steps between rows of history.csv; the last state is always a row",
            between(1, 1000000000));
+  list.set("Fields Interval", 0, "steps between frames of fields.e (Exodus); 0 writes none", between(0, 1000000000));
   list.set("Energies", true, "energy columns");
   list.set("Momenta", true, "momentum columns");
   list.set("Interaction", true, "contact force, contact measure and least gap");

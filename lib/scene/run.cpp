@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "scene/field_recorder.hpp"
 #include "scene/history.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/summary.hpp"
@@ -54,6 +55,13 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const double start = Teuchos::Time::wallTime();
   const auto phases_before = phase_seconds();
 
+  const long field_interval = output.get<int>("Fields Interval");
+  std::unique_ptr<FieldRecorder> fields;
+  if (field_interval > 0) {
+    fields = std::make_unique<FieldRecorder>(simulation, options.folder + "/fields.e");
+    fields->record();
+  }
+
   RunResult result;
   RowCounts counts;
   history.record(counts);
@@ -82,10 +90,12 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
       history.record(counts);
       counts.newton_iterations = 0;
     }
+    if (fields && (result.steps % field_interval == 0 || last)) fields->record();
     if (options.watch && comm->getRank() == 0)
       options.watch({integrator.time(), final_time, result.steps, result.newton_iterations, counts.wall_seconds});
   }
   if (result.status != RunStatus::Completed && result.steps % interval != 0) history.record(counts);
+  if (result.status != RunStatus::Completed && fields && result.steps % field_interval != 0) fields->record();
   history.flush();
   result.end_time = integrator.time();
   result.wall_seconds = Teuchos::Time::wallTime() - start;

@@ -4,9 +4,12 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <filesystem>
 
 #include "base/error.hpp"
+#include "io/exodus_mesh.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/quality.hpp"
 
 namespace ixos {
 namespace {
@@ -42,12 +45,31 @@ Mesh box_mesh(Teuchos::ParameterList list) {
   return box(shape);
 }
 
+Mesh exodus_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder) {
+  std::string path = list.get<std::string>("File");
+  const std::string beside = scene_folder + "/" + path;
+  if (!std::filesystem::exists(path) && std::filesystem::exists(beside)) path = beside;
+  Mesh mesh = read_exodus_mesh(path);
+  const int wanted = list.get<int>("Dimension");
+  if (wanted != 0 && wanted != mesh.dimension)
+    throw InputError(fmt::format("Mesh/Exodus/File: {} is a mesh of {} dimensions, but the scene wants {}", path,
+                                 mesh.dimension, wanted));
+  return mesh;
+}
+
+Mesh generate_or_read(const Teuchos::ParameterList& list, const std::string& scene_folder) {
+  const auto type = list.get<std::string>("Type");
+  if (type == "Exodus") return exodus_mesh(list.sublist("Exodus"), scene_folder);
+  return type == "Disk" ? disk_mesh(list.sublist("Disk")) : box_mesh(list.sublist("Box"));
+}
+
 }  // namespace
 
-Mesh scene_mesh(const Teuchos::ParameterList& list) {
-  const auto type = list.get<std::string>("Type");
+Mesh scene_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder) {
   try {
-    return type == "Disk" ? disk_mesh(list.sublist("Disk")) : box_mesh(list.sublist("Box"));
+    Mesh mesh = generate_or_read(list, scene_folder);
+    check_cells(mesh);
+    return mesh;
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.rfind("Mesh", 0) == 0 ? what : "Mesh: " + what);

@@ -2,11 +2,14 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 
+#include <string>
+
 #include "mesh/mesh.hpp"
 
 namespace ixos {
 
-/// From a validated "Mesh" list. Throws InputError with the list path.
-Mesh scene_mesh(const Teuchos::ParameterList& list);
+/// From a validated "Mesh" list; the mesh has passed check_cells(). A mesh file is looked for in the working folder,
+/// then in `scene_folder`. Throws InputError with the list path.
+Mesh scene_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder);
 
 }  // namespace ixos

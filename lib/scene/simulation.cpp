@@ -117,7 +117,8 @@ void add_boundary_condition(const List& list, const std::string& path, Model& mo
 
 }  // namespace
 
-Simulation::Simulation(const List& scene, const Comm& comm) : parameters_(validated(scene, scene_parameters())) {
+Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
+    : parameters_(validated(scene, scene_parameters())) {
   Teuchos::Time timer("setup", true);
   const List& control = parameters_.sublist("Time Integrator").sublist("Time Step Control");
   if (!(final_time() > control.get<double>("Initial Time")))
@@ -126,7 +127,7 @@ Simulation::Simulation(const List& scene, const Comm& comm) : parameters_(valida
   List& linear = parameters_.sublist("Linear Solver");
   linear.get("Linear Solver Type", "Direct");
   if (linear.get<std::string>("Linear Solver Type") == "Direct") linear.get("Preconditioner Type", "None");
-  build_model(comm);
+  build_model(comm, folder);
   build_integrator();
   set_initial_state();
   setup_seconds_ = timer.stop();
@@ -140,8 +141,8 @@ double Simulation::time_step() const {
   return parameters_.sublist("Time Integrator").sublist("Time Step Control").get<double>("Time Step");
 }
 
-void Simulation::build_model(const Comm& comm) {
-  const Mesh mesh = scene_mesh(parameters_.sublist("Mesh"));
+void Simulation::build_model(const Comm& comm, const std::string& folder) {
+  const Mesh mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
   const int ranks = comm->getSize();
   std::vector<Material> materials;
   const List& list = parameters_.sublist("Materials");

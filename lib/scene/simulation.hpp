@@ -13,7 +13,8 @@ namespace ixos {
 class Simulation {
  public:
   /// `scene` as a user writes it: it is validated here. Throws InputError with the list path.
-  Simulation(const Teuchos::ParameterList& scene, const Comm& comm);
+  /// `folder` is where the scene's file stands, for mesh files named relative to it.
+  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
 
   const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, every default filled in
   const Model& model() const { return *model_; }
@@ -23,7 +24,7 @@ class Simulation {
   double setup_seconds() const { return setup_seconds_; }
 
  private:
-  void build_model(const Comm& comm);
+  void build_model(const Comm& comm, const std::string& folder);
   void build_integrator();
   void set_initial_state();
 

@@ -213,9 +213,14 @@ TEST(PartitionNodesTest, PartsAreBalancedWithinTenPercent) {
   }
 }
 
-TEST(PartitionNodesTest, MoreRanksThanNodesAreRefused) {
+TEST(PartitionNodesTest, MoreRanksThanNodesLeaveRanksEmpty) {
   const Mesh mesh = box({});
-  EXPECT_EQ(refusal([&] { partition_nodes(mesh, 5); }), "the mesh has 4 nodes, fewer than the 5 ranks of this run");
+  const std::vector<int> owner = partition_nodes(mesh, 5);
+  ASSERT_EQ(owner.size(), 4U);
+  for (int rank : owner) EXPECT_TRUE(rank >= 0 && rank < 5);
+  const LocalMesh empty = localize(mesh, owner, 4, 5);
+  EXPECT_EQ(empty.nodes(), 0);
+  EXPECT_EQ(empty.blocks.at(0).cells(), 0);
 }
 
 }  // namespace

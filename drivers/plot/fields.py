@@ -1,0 +1,112 @@
+#!/usr/bin/python3
+"""Draws configurations of the body over time, coloured by an element field: one panel a time, one colour bar."""
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+import style
+from exodus import Fields
+from results import ResultsError, wall_height
+from style import plt
+
+EPILOG = """examples:
+  fields.py ball.results                             six configurations of even spacing -> ball.results/fields.png
+  fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
+  fields.py ball.results --frames 8 --field jacobian --range 0.9,1.1 --output volume --format png,svg
+
+The folder must hold fields.e or its series fields.e.N.0 ... A plane body is drawn as its deformed mesh; a body in space is
+rendered by VTK, on the screen at hand or, without one, under xvfb-run (Debian: xvfb, xauth)."""
+
+
+def chosen_frames(fields, times, count):
+    """Frames at given times, or `count` of even spacing from the first to the last."""
+    if times is not None:
+        return [fields.nearest_frame(time) for time in times]
+    return sorted(set(np.linspace(0, len(fields.times) - 1, count).round().astype(int)))
+
+
+def draw_body(axes, polygons, values, colors, limits, wall):
+    """A deformed mesh coloured by a value a cell, above its wall. Returns the collection."""
+    colormap, norm = colors
+    edge = 0.35 if len(polygons) < 2000 else 0.1
+    body = PolyCollection(polygons, array=values, cmap=colormap, norm=norm, edgecolors=style.INK, linewidths=edge)
+    axes.add_collection(body)
+    axes.set(xlim=limits[0], ylim=limits[1], aspect="equal")
+    axes.grid(False)
+    if wall is not None:
+        style.draw_wall(axes, wall)
+    return body
+
+
+def layout(count, width_to_height):
+    """Rows, columns and figure size for `count` panels of that shape: wide rather than high, as pages are."""
+    columns = min(range(1, count + 1), key=lambda n: abs(np.log(n * width_to_height / -(-count // n) / 1.7)))
+    rows = -(-count // columns)
+    columns = -(-count // rows)
+    width = min((7.6 - 1.3) / columns, 3.4)
+    return rows, columns, (width * columns + 1.3, (width / width_to_height + 0.3) * rows + 0.5)
+
+
+def draw_plane(fields, frames, values, colors, wall):
+    """The figure of a plane body."""
+    outlines = [fields.polygons(frame) for frame in frames]
+    limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
+    rows, columns, size = layout(len(frames), np.diff(limits[0])[0] / np.diff(limits[1])[0])
+    figure, grid = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False, figsize=size, layout="compressed")
+    for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
+        body = draw_body(axes, polygons, value, colors, limits, wall)
+        axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
+    figure.supxlabel("x [L₀]", fontsize=9)
+    figure.supylabel("y [L₀]", fontsize=9)
+    return figure, grid, body
+
+
+def draw_space(fields, frames, values, colors, wall):
+    """The figure of a body in space, a rendered picture a panel."""
+    import render  # VTK's rendering is loaded only where it is needed
+    pictures = render.pictures(fields, frames, values, colors, wall)
+    rows, columns, size = layout(len(frames), pictures[0].shape[1] / pictures[0].shape[0])
+    figure, grid = plt.subplots(rows, columns, squeeze=False, figsize=size, layout="compressed")
+    for axes, frame, picture in zip(grid.flat, frames, pictures):
+        axes.imshow(picture, interpolation="antialiased")
+        axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
+        axes.set_axis_off()
+    return figure, grid, plt.cm.ScalarMappable(norm=colors[1], cmap=colors[0])
+
+
+def main():
+    parser = style.Parser(__doc__, EPILOG)
+    parser.add_argument("folder", metavar="FOLDER", help="a results folder (with fields.e)")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--times", type=style.numbers, metavar="T1,T2,...", help="times of the panels")
+    which.add_argument("--frames", type=style.count, default=6, metavar="N", help="so many of even spacing (default: 6)")
+    parser.add_argument("--field", default="first_stress_invariant", help="element field (default: %(default)s)")
+    parser.add_argument("--range", type=style.interval, metavar="LO,HI", help="limits of the colours (default: the values "
+                        "of the frames drawn, evenly about zero for stress)")
+    wall_options = parser.add_mutually_exclusive_group()
+    wall_options.add_argument("--wall", type=float, metavar="HEIGHT", help="height of the wall (default: the scene's)")
+    wall_options.add_argument("--no-wall", action="store_true", help="draw no wall")
+    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: FOLDER/fields)")
+    parser.add_argument("--format", type=style.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    arguments = parser.parse_args()
+
+    fields = Fields(arguments.folder)
+    wall = arguments.wall
+    if wall is None and not arguments.no_wall:
+        wall = wall_height(arguments.folder)
+    frames = chosen_frames(fields, arguments.times, arguments.frames)
+    values = [fields.element(arguments.field, frame) for frame in frames]
+    if not np.isfinite(values).all():
+        raise ResultsError(f"{fields.path}: '{arguments.field}' is not finite at all frames asked for")
+    colors = style.color_scale(arguments.field, np.array(values), arguments.range)
+    draw = draw_plane if fields.dimension == 2 else draw_space
+    figure, grid, body = draw(fields, frames, values, colors, wall)
+    for axes in grid.flat[len(frames):]:
+        axes.set_visible(False)
+    bar = figure.colorbar(body, ax=grid, label=style.FIELD_LABELS.get(arguments.field, arguments.field.replace("_", " ")),
+                          extend="both" if arguments.range else "neither", aspect=30, pad=0.02)
+    bar.outline.set_linewidth(0.5)
+    style.save(figure, arguments.output or fields.path.parent / "fields", arguments.format)
+
+
+if __name__ == "__main__":
+    style.run(main)

@@ -1,0 +1,95 @@
+#include "io/exodus_definition.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+const char* topology(CellType type) { return type == CellType::Quad4 ? "QUAD4" : "HEX8"; }
+
+void put_blocks(const ExodusHandle& file, const Mesh& mesh) {
+  int id = 0;
+  for (const ElementBlock& block : mesh.blocks) {
+    ++id;
+    require_written(
+        ex_put_block(file, EX_ELEM_BLOCK, id, topology(block.type), block.cells(), nodes_per_cell(block.type), 0, 0, 0),
+        file, "a block");
+    require_written(ex_put_name(file, EX_ELEM_BLOCK, id, block.name.c_str()), file, "a block's name");
+    if (block.nodes.empty()) continue;
+    std::vector<int> nodes(block.nodes);
+    for (int& node : nodes) ++node;
+    require_written(ex_put_conn(file, EX_ELEM_BLOCK, id, nodes.data(), nullptr, nullptr), file, "connectivity");
+  }
+}
+
+void put_sets(const ExodusHandle& file, const Mesh& mesh) {
+  int id = 0;
+  for (const NodeSet& set : mesh.node_sets) {
+    ++id;
+    std::vector<int> nodes(set.nodes);
+    for (int& node : nodes) ++node;
+    require_written(ex_put_set_param(file, EX_NODE_SET, id, static_cast<int64_t>(nodes.size()), 0), file, "a node set");
+    require_written(ex_put_name(file, EX_NODE_SET, id, set.name.c_str()), file, "a node set's name");
+    if (!nodes.empty()) require_written(ex_put_set(file, EX_NODE_SET, id, nodes.data(), nullptr), file, "a node set");
+  }
+  std::vector<int> first{1};
+  for (const ElementBlock& block : mesh.blocks) first.push_back(first.back() + block.cells());
+  id = 0;
+  for (const SideSet& set : mesh.side_sets) {
+    ++id;
+    std::vector<int> cells, sides;
+    for (const Side& side : set.sides) {
+      cells.push_back(first[static_cast<std::size_t>(side.block)] + side.cell);
+      sides.push_back(side.side + 1);
+    }
+    require_written(ex_put_set_param(file, EX_SIDE_SET, id, static_cast<int64_t>(cells.size()), 0), file, "a side set");
+    require_written(ex_put_name(file, EX_SIDE_SET, id, set.name.c_str()), file, "a side set's name");
+    if (!cells.empty())
+      require_written(ex_put_set(file, EX_SIDE_SET, id, cells.data(), sides.data()), file, "a side set");
+  }
+}
+
+/// What ParaView needs to join the files of a series.
+void put_share(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share) {
+  char kind[] = "p";
+  require_written(ex_put_init_info(file, share.ranks, 1, kind), file, "the series");
+  require_written(
+      ex_put_init_global(file, share.global_nodes, share.global_cells, static_cast<int64_t>(mesh.blocks.size()),
+                         static_cast<int64_t>(mesh.node_sets.size()), static_cast<int64_t>(mesh.side_sets.size())),
+      file, "the series");
+  std::vector<int> ids(mesh.blocks.size());
+  std::iota(ids.begin(), ids.end(), 1);
+  require_written(ex_put_eb_info_global(file, ids.data(), const_cast<int*>(share.global_block_cells.data())), file,
+                  "the series");
+}
+
+}  // namespace
+
+void require_written(int status, const ExodusHandle& file, const char* what) {
+  if (status < 0) throw FileError(fmt::format("{}: {} cannot be written", file.path(), what));
+}
+
+void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share,
+                        const std::string& title) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  ex_set_max_name_length(file, 80);
+  require_written(ex_put_init(file, title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension, mesh.nodes(),
+                              mesh.cells(), static_cast<int64_t>(mesh.blocks.size()),
+                              static_cast<int64_t>(mesh.node_sets.size()), static_cast<int64_t>(mesh.side_sets.size())),
+                  file, "the header");
+  if (share.ranks > 1) put_share(file, mesh, share);
+  std::array<std::vector<double>, 3> axes;
+  for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) axes[i % d].push_back(mesh.coordinates[i]);
+  require_written(ex_put_coord(file, axes[0].data(), axes[1].data(), axes[2].data()), file, "coordinates");
+  put_blocks(file, mesh);
+  put_sets(file, mesh);
+  require_written(ex_put_id_map(file, EX_NODE_MAP, share.node_ids.data()), file, "node numbers");
+  require_written(ex_put_id_map(file, EX_ELEM_MAP, share.cell_ids.data()), file, "cell numbers");
+}
+
+}  // namespace ixos

@@ -1,0 +1,64 @@
+#include "scene/field_recorder.hpp"
+
+#include "base/phase_timer.hpp"
+
+namespace ixos {
+namespace {
+
+FieldNames field_names(const Model& model) {
+  FieldNames names;
+  std::vector<std::string> vectors{"displacement", "velocity", "acceleration"};
+  if (model.has_interactions()) vectors.emplace_back("interaction_traction");
+  for (const std::string& vector : vectors)
+    for (int i = 0; i < model.mesh().dimension; ++i) names.nodal.push_back(vector + "_" + "xyz"[i]);
+  names.cell = {"first_stress_invariant", "jacobian", "energy_density"};
+  names.global = {"kinetic_energy", "elastic_energy", "contact_energy", "dissipated_energy", "total_energy"};
+  return names;
+}
+
+}  // namespace
+
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
+    : simulation_(simulation),
+      file_(path, simulation.model().mesh(), simulation.model().space().comm()->getRank(),
+            simulation.model().space().comm()->getSize(), field_names(simulation.model()),
+            simulation.parameters().name()) {}
+
+void FieldRecorder::record() {
+  const TimedScope timed(Phase::Output);
+  const Model& model = simulation_.model();
+  Integrator& integrator = simulation_.integrator();
+  const std::vector<double>& a = integrator.acceleration();
+  const State& state = integrator.state();
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  const auto nodes = static_cast<std::size_t>(model.mesh().nodes());
+
+  std::vector<std::vector<double>> nodal;
+  const auto add = [&](const std::vector<double>& field) {
+    for (std::size_t i = 0; i < d; ++i) {
+      nodal.emplace_back(nodes);
+      for (std::size_t n = 0; n < nodes; ++n) nodal.back()[n] = field[n * d + i];
+    }
+  };
+  add(state.u);
+  add(state.v);
+  add(a);
+  if (model.has_interactions()) {
+    std::vector<double> traction = model.interaction_traction(state.u.data());
+    model.space().update_ghosts(traction.data());
+    add(traction);
+  }
+  std::vector<std::vector<std::vector<double>>> cell(3);
+  for (CellFields& fields : model.cell_fields(state.u.data())) {
+    cell[0].push_back(std::move(fields.stress_invariant));
+    cell[1].push_back(std::move(fields.jacobian));
+    cell[2].push_back(std::move(fields.energy_density));
+  }
+  const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
+  const double elastic = model.elastic_energy(state.u.data());
+  const double contact = model.interaction_energy(state.u.data());
+  file_.write(integrator.time(), nodal, cell,
+              {kinetic, elastic, contact, integrator.dissipated_energy(), kinetic + elastic + contact});
+}
+
+}  // namespace ixos
