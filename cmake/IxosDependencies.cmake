@@ -1,6 +1,6 @@
 # Everything Ixos links against. Trilinos is one interface target, ixos_trilinos.
 find_package(MPI REQUIRED COMPONENTS C CXX)
-find_package(Trilinos 13.2 REQUIRED COMPONENTS NOX Stratimikos Thyra ThyraTpetraAdapters Belos Ifpack2 Amesos2
+find_package(Trilinos 13.2 REQUIRED COMPONENTS MueLu NOX Stratimikos Thyra ThyraTpetraAdapters Belos Ifpack2 Amesos2
                                                Tpetra Kokkos Sacado Teuchos)
 find_package(BLAS REQUIRED)
 find_package(LAPACK REQUIRED)

@@ -55,8 +55,11 @@ def draw_plane(fields, frames, values, colors, wall):
     for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
         body = draw_body(axes, polygons, value, colors, limits, wall)
         axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
-    figure.supxlabel("x [L₀]", fontsize=9)
-    figure.supylabel("y [L₀]", fontsize=9)
+        axes.tick_params(direction="out")
+        if axes.get_subplotspec().is_first_col():
+            axes.set_ylabel("y [L₀]")
+    for axes in grid[-1]:
+        axes.set_xlabel("x [L₀]")
     return figure, grid, body
 
 

@@ -8,7 +8,7 @@ import style
 from results import ResultsError, Run, labels
 from style import plt
 
-PIECES = 150  # of the time axis, for means
+PIECES = 60  # of the time axis, for means
 
 EPILOG = """examples:
   history.py ball.results                            -> ball.results/history.png
@@ -16,7 +16,7 @@ EPILOG = """examples:
   history.py a.results b.results --relative initial  energy errors over the initial energy's size
   history.py a.results b.results --relative 0.155    energy errors over a scale of your own [E0 L0^2; E0 L0^3 in 3D]
 
-Fast oscillations are drawn faint, and strong their mean over each 1/150 of the time; --time shows a part in full.
+Fast oscillations are drawn faint, and strong their mean over each 1/60 of the time; --time shows a part in full.
 Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over the step and stand
 at its middle. Where runs are compared, a cross marks where one diverged, and linear axes fit the others."""
 
@@ -26,12 +26,16 @@ def pieces_of(values):
     return np.array_split(np.arange(len(values)), min(len(values), PIECES))
 
 
-def draw_line(axes, run, values, color, label=None):
-    """A history; faint under its piecewise mean where it turns too often to be followed."""
-    slope = np.sign(np.diff(values))
-    fast = np.count_nonzero(slope[1:] * slope[:-1] < 0) > PIECES and axes.get_yscale() == "linear"
+def is_fast(values):
+    """Whether a history swings through its range too often to be followed."""
+    span = np.nanmax(values) - np.nanmin(values)
+    return span > 0 and np.nansum(np.abs(np.diff(values))) > 2 * PIECES * span
+
+
+def draw_line(axes, run, values, color, label=None, fast=False):
+    """A history, with a cross where it diverged; a fast one faint, under its piecewise mean."""
     axes.plot(run["time"], values, color=color, label=None if fast else label,
-              **({"linewidth": 0.4, "alpha": 0.35} if fast else {}))
+              **({"linewidth": 0.4, "alpha": 0.4} if fast else {}))
     if fast:
         pieces = pieces_of(values)
         axes.plot([run["time"][piece].mean() for piece in pieces], [values[piece].mean() for piece in pieces],
@@ -42,9 +46,10 @@ def draw_line(axes, run, values, color, label=None):
 
 def draw_column(axes, runs, column):
     """One column of every run that has it."""
+    runs = [run for run in runs if run.has(column)]
+    fast = axes.get_yscale() == "linear" and any(is_fast(run[column]) for run in runs)
     for run in runs:
-        if run.has(column):
-            draw_line(axes, run, run[column], run.color)
+        draw_line(axes, run, run[column], run.color, fast=fast)
     fit(axes, runs, column)
     if axes.get_yscale() == "log" and axes.get_ylim()[1] < 100 * axes.get_ylim()[0]:
         axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -54,7 +59,7 @@ def draw_column(axes, runs, column):
 
 def fit(axes, runs, column):
     """Limits of a linear axis by the runs that did not diverge: one that did would flatten all others."""
-    steady = [run[column] for run in runs if run.has(column) and not run.diverged]
+    steady = [run[column] for run in runs if not run.diverged]
     if steady and any(run.diverged for run in runs) and axes.get_yscale() == "linear":
         low, high = min(np.nanmin(values) for values in steady), max(np.nanmax(values) for values in steady)
         axes.set_ylim(low - 0.06 * (high - low or 1), high + 0.06 * (high - low or 1))
@@ -64,7 +69,8 @@ def draw_energies(axes, run):
     """All energies of one run."""
     for kind, color in zip(("kinetic", "elastic", "contact", "total"), style.COLORS[:3] + ["#000000"]):
         if run.has(f"{kind}_energy"):
-            draw_line(axes, run, run[f"{kind}_energy"], color, kind)
+            values = run[f"{kind}_energy"]
+            draw_line(axes, run, values, color, kind, is_fast(values))
     key(axes)
 
 

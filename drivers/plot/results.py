@@ -22,7 +22,7 @@ class Run:
         self.columns = read_history(self.folder / "history.csv")
         self.initial_energy = self["total_energy"][0]
         if interval:
-            inside = (self["time"] >= interval[0]) & (self["time"] <= interval[1])
+            inside = within(self["time"], interval)
             if np.count_nonzero(inside) < 2:
                 raise ResultsError(f"{self.folder / 'history.csv'} has no rows from time {interval[0]:g} to "
                                    f"{interval[1]:g}: it goes from {self['time'][0]:g} to {self['time'][-1]:g}")
@@ -56,6 +56,12 @@ class Run:
         first = int(means and self["step"][0] == 0)
         return [(name, time[first:], values[first:]) for name, values in self.columns.items()
                 if name.startswith("reaction_")]
+
+
+def within(times, interval):
+    """Which times lie in the interval, up to round-off."""
+    slack = 1e-9 * (interval[1] - interval[0])
+    return (times >= interval[0] - slack) & (times <= interval[1] + slack)
 
 
 def existing(folder):

@@ -83,7 +83,7 @@ def save(figure, name, formats):
     for ending in formats:
         target = path.parent / f"{path.name}.{ending}"
         try:
-            figure.savefig(target)
+            figure.savefig(target, bbox_inches="tight", pad_inches=0.06)
         except OSError as error:
             raise ResultsError(f"{target} cannot be written: {error.strerror}") from None
         print(target)

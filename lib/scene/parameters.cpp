@@ -134,7 +134,8 @@ List make_scene_parameters() {
   add_time_integrator(scene.sublist("Time Integrator", false, "the scheme and its steps"));
   add_nonlinear_solver(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)"));
   mark_free_form(scene.sublist("Linear Solver", false,
-                               "a Stratimikos list; Linear Solver Type is Direct (default), Belos or Amesos2"));
+                               "a Stratimikos list; Linear Solver Type is Automatic (default: chosen by size), Direct, "
+                               "Belos or Amesos2"));
   add_output(scene.sublist("Output", false, "what is written"));
   return scene;
 }

@@ -75,6 +75,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     const double dt = std::min(simulation.time_step(), final_time - integrator.time());
     const StepResult step = integrator.step(dt);
     counts.newton_iterations += step.newton_iterations;
+    counts.linear_iterations += step.linear_iterations;
+    result.linear_iterations += step.linear_iterations;
     result.newton_iterations += step.newton_iterations;
     counts.wall_seconds = Teuchos::Time::wallTime() - start;
     if (!step.converged) {
@@ -89,6 +91,7 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     if (result.steps % interval == 0 || last) {
       history.record(counts);
       counts.newton_iterations = 0;
+      counts.linear_iterations = 0;
     }
     if (fields && (result.steps % field_interval == 0 || last)) fields->record();
     if (options.watch && comm->getRank() == 0)

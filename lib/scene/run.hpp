@@ -32,6 +32,7 @@ struct RunResult {
   long steps = 0;
   double end_time = 0;
   long newton_iterations = 0;
+  long linear_iterations = 0;
   double wall_seconds = 0;                                 ///< of the time loop, output included
   double max_energy_error = 0;                             ///< see History::max_energy_error
   std::array<double, phase_names.size()> phase_seconds{};  ///< of rank 0

@@ -13,6 +13,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
 namespace ixos {
@@ -124,9 +125,6 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   if (!(final_time() > control.get<double>("Initial Time")))
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  final_time(), control.get<double>("Initial Time")));
-  List& linear = parameters_.sublist("Linear Solver");
-  linear.get("Linear Solver Type", "Direct");
-  if (linear.get<std::string>("Linear Solver Type") == "Direct") linear.get("Preconditioner Type", "None");
   build_model(comm, folder);
   build_integrator();
   set_initial_state();
@@ -164,10 +162,13 @@ void Simulation::build_integrator() {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX")};
+  const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize()};
+  List& linear = parameters_.sublist("Linear Solver");
+  linear = completed_linear_solver(linear, size);
   Table table = chosen.table(list.sublist(chosen.name));
   set_predictor(list.get<std::string>("Predictor"), table);
-  integrator_ = std::make_unique<Integrator>(
-      *model_, std::move(table), std::make_shared<LinearSolverFactory>(parameters_.sublist("Linear Solver")), options);
+  integrator_ = std::make_unique<Integrator>(*model_, std::move(table),
+                                             std::make_shared<LinearSolverFactory>(linear, model_.get()), options);
 }
 
 void Simulation::set_initial_state() {

@@ -42,7 +42,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["elements"] = model.mesh().global_cells;
   json["ranks"] = comm->getSize();
   json["newton_iterations"] = result.newton_iterations;
-  json["linear_iterations"] = 0;
+  json["linear_iterations"] = result.linear_iterations;
   json["wall_seconds"] = result.wall_seconds;
   json["setup_seconds"] = simulation.setup_seconds();
   json["seconds_per_increment"] = result.wall_seconds / static_cast<double>(std::max(result.steps, 1L));

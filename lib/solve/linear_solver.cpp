@@ -1,37 +1,81 @@
 #include "solve/linear_solver.hpp"
 
 #include <Stratimikos_DefaultLinearSolverBuilder.hpp>
+#include <Stratimikos_MueLuHelpers.hpp>
 #include <Teuchos_AbstractFactoryStd.hpp>
 #include <Thyra_Ifpack2PreconditionerFactory.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "base/error.hpp"
+#include "base/parameter_entries.hpp"
 #include "solve/direct_solver.hpp"
+#include "solve/lagged_solver.hpp"
+#include "solve/rigid_body_modes.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
 
 using ThyraFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 
-struct LinearSolverFactory::Implementation {
-  Stratimikos::DefaultLinearSolverBuilder builder;
-  Teuchos::RCP<const ThyraFactory> factory;
-};
+namespace {
 
-LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& stratimikos)
-    : implementation_(std::make_unique<Implementation>()) {
-  Stratimikos::DefaultLinearSolverBuilder& builder = implementation_->builder;
+/// Stratimikos with our direct solver and the preconditioners.
+void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::ParameterList& list) {
   builder.setLinearSolveStrategyFactory(Teuchos::abstractFactoryStd<ThyraFactory, DirectSolverFactory>(), "Direct");
+  Stratimikos::enableMueLu<LocalId, GlobalId, Node>(builder);
   builder.setPreconditioningStrategyFactory(
       Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
                                   Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
       "Ifpack2");
+  builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
+}
+
+/// Takes our own list "Reuse" out and returns its one entry.
+double take_setup_cost(Teuchos::ParameterList& list) {
+  if (!list.isSublist("Reuse")) return 0;
+  const Teuchos::ParameterList reuse = list.sublist("Reuse");
+  list.remove("Reuse");
+  for (const auto& [name, entry] : entries(reuse)) {
+    if (name != "Setup Cost")
+      throw InputError("Linear Solver/Reuse: there is no parameter \"" + name + "\" here; allowed: \"Setup Cost\"");
+    if (!entry.isType<double>() || !(Teuchos::getValue<double>(entry) >= 0))
+      throw InputError("Linear Solver/Reuse/Setup Cost: must be a double of at least 0");
+  }
+  return reuse.get<double>("Setup Cost");
+}
+
+}  // namespace
+
+struct LinearSolverFactory::Implementation {
+  // The builders' factories refer to them.
+  Stratimikos::DefaultLinearSolverBuilder krylov_builder, preconditioner_builder;
+  Teuchos::RCP<const ThyraFactory> factory;
+  std::shared_ptr<LinearStatistics> statistics = std::make_shared<LinearStatistics>();
+};
+
+LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, const Model* model)
+    : implementation_(std::make_unique<Implementation>()) {
+  Implementation& self = *implementation_;
+  Teuchos::ParameterList list(user);
+  const double setup_cost = take_setup_cost(list);
+  const bool preconditioned = list.get("Preconditioner Type", std::string("None")) != "None";
+  if (preconditioned && model != nullptr && list.get<std::string>("Preconditioner Type") == "MueLu") {
+    Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
+    muelu.set("Nullspace", rigid_body_modes(*model));
+    muelu.set("Coordinates", node_coordinates(*model));
+  }
   try {
-    builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(stratimikos)));
-    const Teuchos::RCP<ThyraFactory> factory = builder.createLinearSolveStrategy("");
-    factory->setVerbLevel(Teuchos::VERB_NONE);
-    implementation_->factory = factory;
+    Teuchos::ParameterList plain(list);
+    plain.set("Preconditioner Type", "None");
+    configure(self.krylov_builder, plain);
+    const Teuchos::RCP<ThyraFactory> krylov = self.krylov_builder.createLinearSolveStrategy("");
+    krylov->setVerbLevel(Teuchos::VERB_NONE);
+    self.factory = krylov;
+    if (!preconditioned) return;
+    configure(self.preconditioner_builder, list);
+    self.factory = Teuchos::rcp(new LaggedSolverFactory(
+        krylov, self.preconditioner_builder.createPreconditioningStrategy(""), setup_cost, self.statistics));
   } catch (const std::exception& error) {
     throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + error.what());
   }
@@ -40,6 +84,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& stratimik
 LinearSolverFactory::~LinearSolverFactory() = default;
 
 const Teuchos::RCP<const ThyraFactory>& LinearSolverFactory::thyra() const { return implementation_->factory; }
+
+const LinearStatistics& LinearSolverFactory::statistics() const { return *implementation_->statistics; }
 
 struct LinearSystem::Implementation {
   Teuchos::RCP<const ThyraFactory> factory;
@@ -71,7 +117,7 @@ bool LinearSystem::solve(const Vector& b, Vector& x) {
   const auto solution = Thyra::createVector<double, LocalId, GlobalId, Node>(Teuchos::rcpFromRef(x), self.space);
   Thyra::assign(solution.ptr(), 0.0);
   const Thyra::SolveCriteria<double> criteria(
-      Thyra::SolveMeasureType(Thyra::SOLVE_MEASURE_NORM_RESIDUAL, Thyra::SOLVE_MEASURE_NORM_RHS), 1e-14);
+      Thyra::SolveMeasureType(Thyra::SOLVE_MEASURE_NORM_RESIDUAL, Thyra::SOLVE_MEASURE_NORM_RHS), 1e-13);
   const auto status =
       Thyra::solve<double>(*self.solver, Thyra::NOTRANS, *rhs, solution.ptr(), Teuchos::constPtr(criteria));
   return status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED;

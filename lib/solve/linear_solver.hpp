@@ -13,18 +13,31 @@ class LinearOpWithSolveFactoryBase;
 
 namespace ixos {
 
-/// Builds solvers from a Stratimikos list. "Linear Solver Type" is "Direct", "Belos" or "Amesos2"; "Direct" is ours:
-/// it keeps the symbolic factorisation, and its list, "Linear Solver Types/Direct", has the one entry "Solver Type":
-/// "Automatic" (CHOLMOD on one rank, KLU2 on several), "CHOLMOD" or "KLU2". Preconditioners are Ifpack2's.
+class Model;
+
+/// What the iterative solvers of a factory did so far.
+struct LinearStatistics {
+  long iterations = 0;
+  long setups = 0;  ///< of preconditioners
+};
+
+/// Builds solvers from a scene's "Linear Solver" list: a Stratimikos list, with two additions. "Linear Solver Type" is
+/// "Direct", "Belos" or "Amesos2"; "Direct" is ours: it keeps the symbolic factorisation, and its list, "Linear Solver
+/// Types/Direct", has the one entry "Solver Type": "Automatic" (CHOLMOD on one rank, KLU2 on several), "CHOLMOD" or
+/// "KLU2". Preconditioners are MueLu's (null space and coordinates are given to it) and Ifpack2's; they outlive the
+/// matrix that they were made from, as the list "Reuse" says: its "Setup Cost" is the price of a new preconditioner in
+/// Krylov iterations, 0 renews it for every matrix (see LaggedSolverFactory).
 class LinearSolverFactory {
  public:
-  /// Throws InputError with Stratimikos' own words where the list is not valid.
-  explicit LinearSolverFactory(const Teuchos::ParameterList& stratimikos);
+  /// The list must be complete (see completed_linear_solver). Without a model MueLu gets neither null space nor
+  /// coordinates. Throws InputError, with Stratimikos' own words, where the list is not valid. Collective.
+  explicit LinearSolverFactory(const Teuchos::ParameterList& list, const Model* model = nullptr);
   ~LinearSolverFactory();
   LinearSolverFactory(const LinearSolverFactory&) = delete;
   LinearSolverFactory& operator=(const LinearSolverFactory&) = delete;
 
   const Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>>& thyra() const;
+  const LinearStatistics& statistics() const;
 
  private:
   struct Implementation;
@@ -40,7 +53,7 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
 
-  /// x = A^-1 b, to a relative residual of 1e-14 where the solver is iterative. False where the solve failed.
+  /// x = A^-1 b, to a relative residual of 1e-13 where the solver is iterative. False where the solve failed.
   /// Collective.
   bool solve(const Vector& b, Vector& x);
   void refresh();

@@ -46,7 +46,7 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
   Teuchos::ParameterList& direction = list->sublist("Direction");
   direction.get("Method", "Newton");
   direction.sublist("Newton").get("Forcing Term Method", "Constant");
-  direction.sublist("Newton").sublist("Linear Solver").get("Tolerance", 1e-9);
+  direction.sublist("Newton").sublist("Linear Solver").get("Tolerance", 1e-6);
   list->sublist("Solver Options").get("Status Test Check Type", "Minimal");
   Teuchos::ParameterList& search = list->sublist("Line Search");
   if (!search.isParameter("Method")) {

@@ -147,6 +147,13 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
 }
 
 StepResult Integrator::step(double dt) {
+  const long linear_before = linear_solver_->statistics().iterations;
+  StepResult result = advance(dt);
+  result.linear_iterations = linear_solver_->statistics().iterations - linear_before;
+  return result;
+}
+
+StepResult Integrator::advance(double dt) {
   StepResult result;
   if (needs_acceleration_) acceleration();
   for (std::size_t stage = 0; stage < problems_.size(); ++stage) {

@@ -17,7 +17,8 @@ namespace ixos {
 struct StepResult {
   bool converged = false;
   int newton_iterations = 0;
-  std::string reason;  ///< of a failure, for a person
+  long linear_iterations = 0;  ///< of iterative linear solvers
+  std::string reason;          ///< of a failure, for a person
 };
 
 /// Advances a model in time. The model must outlive it. Collective.
@@ -46,6 +47,7 @@ class Integrator {
   double dissipated_energy() const { return dissipated_; }
 
  private:
+  StepResult advance(double dt);
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Animates the run of a plane body as a GIF: the body coloured by stress, beside it the energies growing in time."""
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.animation import PillowWriter
+from matplotlib.colors import to_rgb
+from PIL import Image
+
+import style
+from exodus import Fields
+from fields import draw_body
+from results import ResultsError, Run, wall_height, within
+from style import plt
+
+EPILOG = """examples:
+  animate.py ball.results                            at most 250 frames -> ball.results/animation.gif
+  animate.py ball.results --every 4 --fps 20 --output ball.gif
+  animate.py ball.results --time 0,1                 a part of the run
+
+The folder must hold fields.e (or its series) and, for the energies, history.csv. The GIF has 640 x 400 pixels and
+stores only what changes from frame to frame. Stress beyond the colour bar's ends takes their colour."""
+
+LINES = style.COLORS[:3] + ["#000000"]
+
+
+def palette():
+    """The colours of all frames: shades of stress, plain and on their way to a cell's edge; of the lines; greys."""
+    def blend(color, other, weight):
+        return (1 - weight) * np.array(to_rgb(color)) + weight * np.array(to_rgb(other))
+    shades = [colormaps["RdBu_r"](x)[:3] for x in np.linspace(0, 1, 80)]
+    colors = shades + [blend(shade, style.INK, 0.45) for shade in shades[::2]]
+    colors += [blend(color, "white", k / 8) for color in LINES[:3] for k in range(8)]
+    colors += [(x, x, x) for x in np.linspace(0, 1, 64)]
+    return (np.array(colors) * 255).round().astype("u1")
+
+
+def nearest_table(colors):
+    """The number of the nearest colour for each red, green and blue of 64 levels."""
+    levels = np.linspace(0, 255, 64)
+    squares = [(levels[:, None] - colors[:, part]) ** 2 for part in range(3)]
+    plane = squares[1][:, None] + squares[2][None]
+    return np.array([(red + plane).argmin(axis=2) for red in squares[0]], dtype="u1")
+
+
+class SmallGifWriter(PillowWriter):
+    """A writer of small files: one palette for all frames, transparent where nothing changed."""
+
+    def finish(self):
+        colors = palette()
+        table, clear = nearest_table(colors), np.uint8(len(colors))
+        before, frames = None, []
+        for picture in self._frames:
+            pixels = table[tuple(np.moveaxis(np.array(picture.convert("RGB")) >> 2, 2, 0))]
+            frames.append(Image.fromarray(pixels if before is None else np.where(pixels == before, clear, pixels)))
+            frames[-1].putpalette(colors.tobytes() + b"\xff\xff\xff")
+            before = pixels
+        frames[0].save(self.outfile, save_all=True, append_images=frames[1:], duration=round(1000 / self.fps), loop=0,
+                       transparency=int(clear), disposal=1, optimize=False)
+
+
+def draw_energies(axes, run, times):
+    """Axes and empty lines of the energies. Returns (line, point, values) of each."""
+    curves = []
+    for kind, color in zip(("kinetic", "elastic", "contact", "total"), LINES):
+        if not run.has(f"{kind}_energy"):
+            continue
+        values = run[f"{kind}_energy"]
+        line, = axes.plot([], [], color=color, label=kind, linewidth=0.8)
+        point, = axes.plot([], [], "o", color=color, markersize=3)
+        curves.append((line, point, values))
+    low, high = min(np.nanmin(v) for *_, v in curves), max(np.nanmax(v) for *_, v in curves)
+    margin = 0.06 * (high - low or 1)
+    axes.set(xlim=(times[0], times[-1]), ylim=(low - margin, high + margin), xlabel="time [T₀]",
+             ylabel=f"energy {style.unit('energy', 2)}")
+    axes.legend(ncol=2, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, handlelength=1.4)
+    return curves
+
+
+def main():
+    parser = style.Parser(__doc__, EPILOG)
+    parser.add_argument("folder", metavar="FOLDER", help="a results folder (with fields.e)")
+    parser.add_argument("--fps", type=style.count, default=25, help="pictures a second (default: 25)")
+    parser.add_argument("--every", type=style.count, metavar="K", help="take every K-th frame of the run (default: as "
+                        "many as give no more than 250)")
+    parser.add_argument("--time", type=style.interval, metavar="FROM,TO", help="the part to show (default: all)")
+    parser.add_argument("--output", metavar="NAME.gif", help="file to write (default: FOLDER/animation.gif)")
+    arguments = parser.parse_args()
+
+    fields = Fields(arguments.folder)
+    if fields.dimension != 2:
+        raise ResultsError(f"{fields.path}: the body is not plane; fields.py renders bodies in space")
+    run = Run(arguments.folder, arguments.time)
+    inside = np.flatnonzero(within(fields.times, arguments.time or fields.times[[0, -1]]))
+    frames = inside[::arguments.every or -(-len(inside) // 250) or 1]
+    if len(frames) < 2:
+        raise ResultsError(f"{fields.path} has fewer than two frames to show")
+
+    values = [fields.element("first_stress_invariant", frame) for frame in frames]
+    outlines = [fields.polygons(frame) for frame in frames]
+    # One rare peak would pale all else: the colours end at the stress that a cell in a thousand exceeds.
+    bound = float(np.quantile(np.abs(values), 0.999)) or 1.0
+    colors = style.color_scale("stress", np.array(values), (-bound, bound))
+    wall = wall_height(arguments.folder)
+    limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
+
+    figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), layout="constrained", width_ratios=[1.15, 1])
+    body = draw_body(left, outlines[0], values[0], colors, limits, wall)
+    left.set(xlabel="x [L₀]", ylabel="y [L₀]")
+    left.tick_params(direction="out")
+    clock = left.set_title("t = 0.00 T₀")
+    bar = figure.colorbar(body, ax=left, location="bottom", aspect=30, shrink=0.9, extend="both",
+                          label=style.FIELD_LABELS["first_stress_invariant"])
+    bar.outline.set_linewidth(0.5)
+    curves = draw_energies(right, run, fields.times[frames]) if run.has("kinetic_energy") else []
+    right.set_visible(bool(curves))
+    figure.canvas.draw()
+    figure.set_layout_engine("none")  # settled: nothing may move from frame to frame
+
+    target = arguments.output or fields.path.parent / "animation.gif"
+    writer = SmallGifWriter(fps=arguments.fps)
+    try:
+        with writer.saving(figure, str(target), dpi=100):
+            for frame, polygons, value in zip(frames, outlines, values):
+                time = fields.times[frame]
+                body.set_verts(polygons)
+                body.set_array(value)
+                clock.set_text(f"t = {time:.2f} T₀")
+                rows = np.searchsorted(run["time"], time * (1 + 1e-12), side="right")
+                for line, point, energy in curves:
+                    line.set_data(run["time"][:rows], energy[:rows])
+                    point.set_data(run["time"][rows - 1:rows], energy[rows - 1:rows])
+                writer.grab_frame()
+    except (OSError, ValueError) as error:
+        raise ResultsError(f"{target} cannot be written: {error}") from None
+    print(target)
+
+
+if __name__ == "__main__":
+    style.run(main)

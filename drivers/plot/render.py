@@ -1,0 +1,123 @@
+"""Pictures of bodies in space, rendered by VTK without a window."""
+import ctypes
+import os
+import shutil
+import sys
+
+import numpy as np
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer itself)
+from matplotlib import colormaps
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter
+
+from results import ResultsError
+
+SIZE = (1600, 1200)
+
+
+def require_screen():
+    """VTK aborts without an X display: without one the script starts itself again under xvfb-run."""
+    if os.environ.get("DISPLAY"):
+        try:
+            library = ctypes.CDLL("libX11.so.6")
+            library.XOpenDisplay.restype = ctypes.c_void_p
+            if library.XOpenDisplay(None):
+                return
+        except OSError:
+            pass
+        raise ResultsError(f"VTK cannot render: the display {os.environ['DISPLAY']} does not answer (unset DISPLAY to "
+                           "render under xvfb-run)")
+    if not (shutil.which("xvfb-run") and shutil.which("xauth")):
+        raise ResultsError("VTK cannot render without a display: install xvfb and xauth (apt-get install xvfb xauth)")
+    sys.stdout.flush()
+    os.execvp("xvfb-run", ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", sys.executable, *sys.argv])
+
+
+def body(fields, frame, values, colors):
+    """The deformed body's surface, a colour a cell."""
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(fields.coordinates + fields.displacement(frame), deep=True))
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    for kind, cell in zip(fields.cell_types, fields.cells):
+        nodes = vtkIdList()
+        for node in cell:
+            nodes.InsertNextId(int(node))
+        grid.InsertNextCell(int(kind), nodes)
+    grid.GetCellData().SetScalars(numpy_to_vtk(values, deep=True))
+    surface = vtkDataSetSurfaceFilter()
+    surface.SetInputData(grid)
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    for number, color in enumerate(colormaps[colors[0]](np.linspace(0, 1, 256))):
+        table.SetTableValue(number, *color)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(surface.GetOutputPort())
+    mapper.SetLookupTable(table)
+    mapper.SetScalarRange(colors[1].vmin, colors[1].vmax)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    look = actor.GetProperty()
+    look.SetAmbient(0.75)  # mostly flat light: the colours must match the colour bar
+    look.SetDiffuse(0.25)
+    look.SetInterpolationToFlat()
+    look.SetEdgeVisibility(len(fields.cells) < 50000)
+    look.SetLineWidth(2)
+    look.SetEdgeColor(0.25, 0.25, 0.25)
+    return actor
+
+
+def plate(low, high, height):
+    """The wall: a grey plate under the body."""
+    margin = 0.15 * float((high - low)[:2].max())
+    source = vtkPlaneSource()
+    source.SetOrigin(low[0] - margin, low[1] - margin, height)
+    source.SetPoint1(high[0] + margin, low[1] - margin, height)
+    source.SetPoint2(low[0] - margin, high[1] + margin, height)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.82, 0.82, 0.82)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def pictures(fields, frames, values, colors, wall):
+    """A picture (height, width, 3) of each frame, all from one point of view, without their common white margins."""
+    require_screen()
+    positions = np.concatenate([fields.coordinates + fields.displacement(frame) for frame in frames])
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    if wall is not None:
+        low[2], high[2] = min(low[2], wall), max(high[2], wall)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.SetMultiSamples(0)  # large pictures, made smaller with the figure, need none
+    window.SetSize(*SIZE)
+    shots = []
+    for frame, value in zip(frames, values):
+        renderer = vtkRenderer()
+        renderer.SetBackground(1, 1, 1)
+        renderer.AddActor(body(fields, frame, value, colors))
+        if wall is not None:
+            renderer.AddActor(plate(low, high, wall))
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(0.6, -1.0, 0.4)
+        camera.SetViewUp(0, 0, 1)
+        camera.ParallelProjectionOn()
+        renderer.ResetCamera(low[0], high[0], low[1], high[1], low[2], high[2])
+        window.AddRenderer(renderer)
+        window.Render()
+        grabber = vtkWindowToImageFilter()
+        grabber.SetInput(window)
+        grabber.ReadFrontBufferOff()
+        grabber.Update()
+        shots.append(vtk_to_numpy(grabber.GetOutput().GetPointData().GetScalars()).reshape(SIZE[1], SIZE[0], 3)[::-1])
+        window.RemoveRenderer(renderer)
+    inked = (np.array(shots) < 255).any(axis=(0, 3))
+    rows, columns = np.flatnonzero(inked.any(axis=1)), np.flatnonzero(inked.any(axis=0))
+    return [shot[rows[0]:rows[-1] + 1, columns[0]:columns[-1] + 1] for shot in shots]

@@ -1,0 +1,20 @@
+/// The linear solver that a scene gets when it asks for none.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+namespace ixos {
+
+/// What the choice depends on.
+struct ProblemSize {
+  int dimension = 2;
+  long long dofs = 0;
+  int ranks = 1;
+};
+
+/// Fills in a scene's "Linear Solver" list where its "Linear Solver Type" is "Automatic" or missing: sparse
+/// factorisation where it is cheap (one rank: to 300,000 degrees of freedom in 2D, 30,000 in 3D; several ranks: to
+/// 20,000 in 2D, 5,000 in 3D), else CG with MueLu. Where Belos or MueLu is asked for, what the list does not say of
+/// them is filled in with settings that suit elasticity. Same on all ranks.
+Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
+
+}  // namespace ixos

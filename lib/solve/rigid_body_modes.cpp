@@ -1,0 +1,53 @@
+#include "solve/rigid_body_modes.hpp"
+
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <array>
+
+namespace ixos {
+
+Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const auto nodes = static_cast<std::size_t>(mesh.owned_nodes);
+  std::array<double, 4> sums{};
+  for (std::size_t n = 0; n < nodes; ++n)
+    for (std::size_t i = 0; i < d; ++i) sums[i] += mesh.coordinates[n * d + i];
+  sums[3] = static_cast<double>(nodes);
+  model.space().sum(sums.data(), 4);
+
+  const std::size_t modes = d == 2 ? 3 : 6;
+  auto result = Teuchos::rcp(new MultiVector(model.space().owned_map(), modes));
+  const auto view = result->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t n = 0; n < nodes; ++n) {
+    std::array<double, 3> x{};
+    for (std::size_t i = 0; i < d; ++i) {
+      x[i] = mesh.coordinates[n * d + i] - sums[i] / sums[3];
+      for (std::size_t m = 0; m < modes; ++m) view(n * d + i, m) = m == i ? 1.0 : 0.0;
+    }
+    // Rotation in the plane of axes i and j: (-x_j, x_i).
+    for (std::size_t r = 0; r < modes - d; ++r) {
+      const std::size_t i = d == 2 ? 0 : r, j = (i + 1) % d;
+      view(n * d + i, d + r) = -x[j];
+      view(n * d + j, d + r) = x[i];
+    }
+  }
+  for (const Constraint& c : model.constraints())
+    if (c.dof < model.space().owned())
+      for (std::size_t m = 0; m < modes; ++m) view(static_cast<std::size_t>(c.dof), m) = 0;
+  return result;
+}
+
+Teuchos::RCP<MultiVector> node_coordinates(const Model& model) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(mesh.global_nodes),
+                                        static_cast<std::size_t>(mesh.owned_nodes), 0, model.space().comm()));
+  auto result = Teuchos::rcp(new MultiVector(map, d));
+  const auto view = result->getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.owned_nodes); ++n)
+    for (std::size_t i = 0; i < d; ++i) view(n, i) = mesh.coordinates[n * d + i];
+  return result;
+}
+
+}  // namespace ixos

@@ -1,0 +1,190 @@
+#!/usr/bin/python3
+"""Tests of drivers/plot on a short run of the ball: IXOS_DRIVER=.../ixos IXOS_XML=.../xml tests/plot/plot_test.py"""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from PIL import Image
+
+PLOT = pathlib.Path(__file__).resolve().parents[2] / "drivers" / "plot"
+sys.path.insert(0, str(PLOT))
+sys.dont_write_bytecode = True
+from exodus import Fields  # noqa: E402 (after the path to it)
+from results import Run  # noqa: E402
+
+DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
+SCENE = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml")) / "ball.xml"
+SHORT = ["Time Integrator/Time Step Control/Final Time=0.05", "Output/Fields Interval=10"]
+CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
+        "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
+        "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=1"]
+
+
+def simulate(folder, settings):
+    """A run of the ball with other settings."""
+    options = [word for setting in settings for word in ("--set", setting)]
+    subprocess.run([DRIVER, SCENE, "--quiet", "--output", folder, *options], check=True, capture_output=True)
+
+
+def script(name, *arguments):
+    """Runs a script of drivers/plot."""
+    return subprocess.run(["/usr/bin/python3", "-B", PLOT / name, *map(str, arguments)], capture_output=True, text=True,
+                          check=False)
+
+
+class PlotTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.keep = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.keep.name)
+        cls.ball = cls.folder / "ball"
+        simulate(cls.ball, SHORT)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.keep.cleanup()
+
+    def draw(self, name, *arguments):
+        """Runs a script that must succeed; returns what it says it wrote."""
+        done = script(name, *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        return [pathlib.Path(line) for line in done.stdout.splitlines()]
+
+    def assert_picture(self, path, kind, low, high):
+        """A picture of that format whose width lies between limits, and that is not blank."""
+        with Image.open(path) as image:
+            image.load()
+            self.assertEqual(image.format, kind)
+            self.assertTrue(low <= image.width <= high, image.size)
+            self.assertGreater(len(set(image.convert("L").getdata())), 10)
+
+    def assert_refused(self, expected, name, *arguments):
+        """Exit status 2 and one line that says what is wrong."""
+        done = script(name, *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertIn(expected, done.stderr)
+        self.assertEqual(done.stdout, "")
+
+    def test_fields_agree_with_the_history(self):
+        fields, run = Fields(self.ball), Run(self.ball)
+        self.assertEqual(fields.dimension, 2)
+        self.assertEqual(len(fields.cells), 48)
+        self.assertEqual(fields.coordinates.shape, (57, 2))
+        np.testing.assert_allclose(fields.times, run["time"][::10], rtol=0, atol=1e-12)
+        self.assertEqual(np.abs(fields.displacement(0)).max(), 0.0)
+        self.assertGreater(np.abs(fields.displacement(5)).max(), 1e-3)
+        for frame in range(len(fields.times)):
+            for name in ("kinetic_energy", "elastic_energy", "contact_energy", "total_energy"):
+                self.assertAlmostEqual(fields.total(name, frame), run[name][10 * frame], delta=1e-12)
+        np.testing.assert_allclose(fields.element("first_stress_invariant", 0), 0.0, atol=1e-14)
+        np.testing.assert_allclose(fields.element("jacobian", 0), 1.0, atol=1e-14)
+
+    def test_energy_density_sums_to_the_elastic_energy(self):
+        # Means over elements times reference areas; exact only where the density is even, so to a tenth here.
+        fields, run = Fields(self.ball), Run(self.ball)
+        frame = len(fields.times) - 1
+        corners = [fields.coordinates[cell] for cell in fields.cells]
+        areas = [0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) for x, y in (c.T for c in corners)]
+        total = float(np.dot(areas, fields.element("energy_density", frame)))
+        self.assertAlmostEqual(total / run["elastic_energy"][-1], 1.0, delta=0.1)
+
+    def test_history(self):
+        png, svg = self.draw("history.py", self.ball, "--format", "png,svg")
+        self.assertEqual((png, svg), (self.ball / "history.png", self.ball / "history.svg"))
+        self.assert_picture(png, "PNG", 1300, 1500)
+        text = svg.read_text()
+        self.assertIn("<svg", text)
+        for label in ("kinetic", "energy error", "least gap", "contact force y", "iterations", "time [T₀]"):
+            self.assertIn(label, text)
+
+    def test_histories_compared(self):
+        other = self.folder / "other"
+        simulate(other, SHORT[:1] + ["Time Integrator/Type=Average Vector Field", "Output/Interaction=false"])
+        svg, = self.draw("history.py", self.ball, other, "--relative", "initial", "--output", self.folder / "two.svg")
+        for label in ("Gautam-Sauer Composite", "Average Vector Field", "/ |initial energy|"):
+            self.assertIn(label, svg.read_text())
+        alone, = self.draw("history.py", other, "--format", "svg", "--time", "0.01,0.03")
+        self.assertNotIn("least gap", alone.read_text())
+
+    def test_reactions_of_step_means_stand_at_the_middle(self):
+        folder = self.folder / "reactions"
+        folder.mkdir()
+        (folder / "history.csv").write_text("step,time,time_step,linear_momentum_x,total_energy,reaction_top_y\n"
+                                            "0,0,0,0,1,\n1,0.5,0.5,0,1,3\n2,1,0.5,0,1,4\n")
+        for scheme, times in (("Average Vector Field", [0.25, 0.75]), ("Newmark", [0.0, 0.5, 1.0])):
+            (folder / "summary.json").write_text('{"scheme": "%s"}' % scheme)
+            (name, time, values), = Run(folder).reactions()
+            self.assertEqual((name, list(time), list(values[-2:])), ("reaction_top_y", times, [3.0, 4.0]))
+
+    def test_fields(self):
+        png, svg = self.draw("fields.py", self.ball, "--times", "0,0.03,0.05", "--format", "png,svg")
+        self.assert_picture(png, "PNG", 1000, 1600)
+        self.assertIn("t = 0.03 T₀", svg.read_text())
+        png, = self.draw("fields.py", self.ball, "--frames", 2, "--field", "jacobian", "--range", "0.9,1.1", "--no-wall",
+                         "--output", self.folder / "jacobian")
+        self.assert_picture(png, "PNG", 800, 1600)
+
+    @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
+    def test_fields_in_space(self):
+        simulate(self.folder / "cube", CUBE)
+        png, = self.draw("fields.py", self.folder / "cube", "--frames", 2)
+        self.assert_picture(png, "PNG", 1000, 1600)
+        self.assert_refused("not plane", "animate.py", self.folder / "cube")
+
+    def test_space_without_display(self):
+        simulate(self.folder / "cube2", CUBE)
+        done = subprocess.run(["/usr/bin/python3", "-B", PLOT / "fields.py", self.folder / "cube2"], check=False, text=True,
+                              capture_output=True, env={"PATH": "", "HOME": os.environ.get("HOME", "/")})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+        self.assertIn("xvfb", done.stderr)
+
+    def test_animation(self):
+        gif, = self.draw("animate.py", self.ball, "--every", 2, "--fps", 10)
+        with Image.open(gif) as image:
+            self.assertEqual((image.format, image.size, image.n_frames), ("GIF", (640, 400), 3))
+            self.assertEqual(image.info["duration"], 100)
+            for frame in range(3):
+                image.seek(frame)
+                self.assertEqual(image.convert("RGB").getpixel((2, 2)), (255, 255, 255))
+        self.assertLess(gif.stat().st_size, 200000)
+
+    def test_what_is_missing_is_named_on_one_line(self):
+        bare = self.folder / "bare"
+        bare.mkdir(exist_ok=True)
+        for name in ("history.py", "fields.py", "animate.py"):
+            self.assert_refused("no folder", name, self.folder / "none")
+            self.assert_refused("no file", name, bare)
+            self.assert_refused("unrecognized", name, self.ball, "--wrong")
+        self.assert_refused("no frame near time 7", "fields.py", self.ball, "--times", "0,7")
+        self.assert_refused("no field 'stress'; it has", "fields.py", self.ball, "--field", "stress")
+        self.assert_refused("no interval", "fields.py", self.ball, "--range", "2,1")
+        self.assert_refused("unknown format", "history.py", self.ball, "--format", "gif")
+        self.assert_refused("neither initial nor", "history.py", self.ball, "--relative", "zero")
+        self.assert_refused("no rows from time 3", "history.py", self.ball, "--time", "3,4")
+        self.assert_refused("fewer than two frames", "animate.py", self.ball, "--every", "100")
+        self.assert_refused("cannot be written", "history.py", self.ball, "--output", bare / "no" / "such")
+        self.assert_refused("cannot be written", "animate.py", self.ball, "--output", bare / "no" / "such.gif")
+
+    def test_damaged_files(self):
+        folder = self.folder / "damaged"
+        shutil.copytree(self.ball, folder, dirs_exist_ok=True)
+        lines = (folder / "history.csv").read_text().splitlines()
+        (folder / "history.csv").write_text("\n".join(lines[:-1] + [lines[-1][:20]]))
+        self.assertEqual(len(Run(folder)["time"]), len(lines) - 2)
+        (folder / "history.csv").write_text("\n".join(line.rsplit(",", 4)[0] for line in lines))
+        self.assert_refused("no column 'min_gap'", "history.py", folder)
+        (folder / "fields.e").write_text("nonsense")
+        self.assert_refused("no Exodus file", "fields.py", folder)
+        (folder / "fields.e").rename(folder / "fields.e.2.0")
+        self.assert_refused("has 1 files and should have 2", "fields.py", folder)
+
+
+if __name__ == "__main__":
+    unittest.main()
