@@ -2,7 +2,9 @@
 include(CMakePackageConfigHelpers)
 install(TARGETS ixos ixos_trilinos EXPORT IxosTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ixos_driver RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHING PATTERN "*.hpp"
+        # Its layout follows the instruction set that the library was built for.
+        PATTERN "element_batches.hpp" EXCLUDE)
 install(DIRECTORY xml DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos)
 install(EXPORT IxosTargets NAMESPACE Ixos:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
 configure_package_config_file(cmake/IxosConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake

@@ -1,5 +1,6 @@
 # What run.sh and the tests' run.sh share: packages, configuration, build. Sourced, not run.
-# Installs by apt what is missing of its own list and $extra_packages, configures the preset IXOS_PRESET (release) and builds.
+# Installs by apt what is missing of its own list and $extra_packages, configures the preset IXOS_PRESET (release) and builds
+# $targets (everything).
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=${IXOS_PRESET:-release}
@@ -18,12 +19,14 @@ if [ ${#missing[@]} -gt 0 ]; then
   sudo=""
   [ "$(id -u)" -eq 0 ] || sudo=sudo
   $sudo apt-get update -qq
-  DEBIAN_FRONTEND=noninteractive $sudo apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 fi
 
 # Containers run as root; the two cores are shared.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OPENBLAS_NUM_THREADS=1
 
-cd "$root"
-[ -f "$build/build.ninja" ] || cmake --preset "$preset"
-cmake --build "$build"
+(
+  cd "$root"
+  [ -f "$build/build.ninja" ] || cmake --preset "$preset"
+  cmake --build "$build" ${targets:+--target $targets}
+)

@@ -8,6 +8,7 @@
 #include <Tpetra_Core.hpp>
 #include <csignal>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -74,6 +75,7 @@ void describe(ixos::Simulation& simulation) {
              simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
              model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.time_step(),
              simulation.final_time());
+  std::fflush(stdout);
 }
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
@@ -151,6 +153,8 @@ int parse_and_run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
   }
+  if (arguments.scene.empty() && (arguments.check || !arguments.assignments.empty() || !arguments.output.empty()))
+    return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (arguments.list_schemes || arguments.version || arguments.scene.empty()) {
     if (first && arguments.version) print_version();
     if (first && arguments.list_schemes) print_schemes();
@@ -168,6 +172,8 @@ int main(int argc, char** argv) {
     return parse_and_run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ixos: cannot start: %s\n", error.what());
-    return 1;
+  } catch (...) {
+    std::fprintf(stderr, "ixos: a defect of ours, please report it\n");
   }
+  return 1;
 }

@@ -6,6 +6,7 @@ from matplotlib.animation import PillowWriter
 from matplotlib.colors import to_rgb
 from PIL import Image
 
+import options
 import style
 from exodus import Fields
 from fields import draw_body
@@ -77,12 +78,13 @@ def draw_energies(axes, run, times):
 
 
 def main():
-    parser = style.Parser(__doc__, EPILOG)
+    style.use_style()
+    parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="a results folder (with fields.e)")
-    parser.add_argument("--fps", type=style.count, default=25, help="pictures a second (default: 25)")
-    parser.add_argument("--every", type=style.count, metavar="K", help="take every K-th frame of the run (default: as "
-                        "many as give no more than 250)")
-    parser.add_argument("--time", type=style.interval, metavar="FROM,TO", help="the part to show (default: all)")
+    parser.add_argument("--fps", type=options.count, default=25, help="pictures a second (default: 25)")
+    parser.add_argument("--every", type=options.count, metavar="K",
+                        help="take every K-th frame of the run (default: as many as give no more than 250)")
+    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="the part to show (default: all)")
     parser.add_argument("--output", metavar="NAME.gif", help="file to write (default: FOLDER/animation.gif)")
     arguments = parser.parse_args()
 
@@ -109,7 +111,7 @@ def main():
     left.tick_params(direction="out")
     clock = left.set_title("t = 0.00 T₀")
     bar = figure.colorbar(body, ax=left, location="bottom", aspect=30, shrink=0.9, extend="both",
-                          label=style.FIELD_LABELS["first_stress_invariant"])
+                          label=style.FIELD_LABELS["first_stress_invariant"].replace("\n", " "))
     bar.outline.set_linewidth(0.5)
     curves = draw_energies(right, run, fields.times[frames]) if run.has("kinetic_energy") else []
     right.set_visible(bool(curves))
@@ -136,4 +138,4 @@ def main():
 
 
 if __name__ == "__main__":
-    style.run(main)
+    options.run(main)

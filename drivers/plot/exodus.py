@@ -14,8 +14,8 @@ OUTLINES = {5: None, 9: None, 22: [0, 3, 1, 4, 2, 5], 23: [0, 4, 1, 5, 2, 6, 3, 
 class Fields:
     """The mesh and its fields over time, numbered as the whole mesh is, whatever the number of ranks.
 
-    times: time of each frame; dimension: 2 or 3; coordinates: a row a node; cells: nodes of each cell (a list of
-    arrays, VTK's order); cell_types: VTK's types."""
+    times: time of each frame; dimension: 2 or 3; coordinates: a row a node (VTK reads them in single precision, the
+    fields in double); cells: nodes of each cell (a list of arrays, VTK's order); cell_types: VTK's types."""
 
     def __init__(self, folder):
         vtkObject.GlobalWarningDisplayOff()
@@ -55,7 +55,7 @@ class Fields:
         _, self._first, place = np.unique(node_ids, return_index=True, return_inverse=True)
         self._order = np.argsort(cell_ids)
         points = np.concatenate([vtk_to_numpy(grid.GetPoints().GetData()) for grid in grids])
-        self.coordinates = points[self._first, :self.dimension]
+        self.coordinates = points[self._first, :self.dimension].astype(float)
         cells, types, offset = [], [], 0
         for grid in grids:
             nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -92,11 +92,11 @@ class Fields:
         return self._gather(frame, name, "GetCellData")[self._order]
 
     def total(self, name, frame):
-        """A global variable, such as total_energy."""
+        """A global variable, such as total_energy, at a frame; VTK gives all frames at once."""
         array = self._grids(frame)[0].GetFieldData().GetArray(name)
         if array is None:
             raise ResultsError(f"{self.path} has no global variable '{name}'")
-        return float(vtk_to_numpy(array).ravel()[0])
+        return float(vtk_to_numpy(array)[frame])
 
     def polygons(self, frame):
         """Outlines of the cells of a plane body, deformed: an array (corners, 2) a cell."""

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.collections import PolyCollection
 
+import options
 import style
 from exodus import Fields
 from results import ResultsError, wall_height
@@ -13,8 +14,8 @@ EPILOG = """examples:
   fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
   fields.py ball.results --frames 8 --field jacobian --range 0.9,1.1 --output volume --format png,svg
 
-The folder must hold fields.e or its series fields.e.N.0 ... A plane body is drawn as its deformed mesh; a body in space is
-rendered by VTK, on the screen at hand or, without one, under xvfb-run (Debian: xvfb, xauth)."""
+The folder must hold fields.e or its series fields.e.N.0 ... A plane body is drawn as its deformed mesh. A body in
+space is rendered by VTK, on the display at hand or, without one, under xvfb-run (Debian: xvfb, xauth)."""
 
 
 def chosen_frames(fields, times, count):
@@ -39,7 +40,7 @@ def draw_body(axes, polygons, values, colors, limits, wall):
 
 def layout(count, width_to_height):
     """Rows, columns and figure size for `count` panels of that shape: wide rather than high, as pages are."""
-    columns = min(range(1, count + 1), key=lambda n: abs(np.log(n * width_to_height / -(-count // n) / 1.7)))
+    columns = min(range(1, count + 1), key=lambda n: abs(np.log(n * width_to_height / -(-count // n) / 2.2)))
     rows = -(-count // columns)
     columns = -(-count // rows)
     width = min((7.6 - 1.3) / columns, 3.4)
@@ -51,7 +52,8 @@ def draw_plane(fields, frames, values, colors, wall):
     outlines = [fields.polygons(frame) for frame in frames]
     limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
     rows, columns, size = layout(len(frames), np.diff(limits[0])[0] / np.diff(limits[1])[0])
-    figure, grid = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False, figsize=size, layout="compressed")
+    figure, grid = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False, figsize=size,
+                                layout="compressed")
     for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
         body = draw_body(axes, polygons, value, colors, limits, wall)
         axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
@@ -77,19 +79,21 @@ def draw_space(fields, frames, values, colors, wall):
 
 
 def main():
-    parser = style.Parser(__doc__, EPILOG)
+    style.use_style()
+    parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="a results folder (with fields.e)")
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--times", type=style.numbers, metavar="T1,T2,...", help="times of the panels")
-    which.add_argument("--frames", type=style.count, default=6, metavar="N", help="so many of even spacing (default: 6)")
+    which.add_argument("--times", type=options.numbers, metavar="T1,T2,...", help="times of the panels")
+    which.add_argument("--frames", type=options.count, default=6, metavar="N",
+                       help="so many of even spacing (default: 6)")
     parser.add_argument("--field", default="first_stress_invariant", help="element field (default: %(default)s)")
-    parser.add_argument("--range", type=style.interval, metavar="LO,HI", help="limits of the colours (default: the values "
-                        "of the frames drawn, evenly about zero for stress)")
+    parser.add_argument("--range", type=options.interval, metavar="LO,HI",
+                        help="limits of the colours (default: the values drawn, evenly about zero for stress)")
     wall_options = parser.add_mutually_exclusive_group()
     wall_options.add_argument("--wall", type=float, metavar="HEIGHT", help="height of the wall (default: the scene's)")
     wall_options.add_argument("--no-wall", action="store_true", help="draw no wall")
     parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: FOLDER/fields)")
-    parser.add_argument("--format", type=style.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 
     fields = Fields(arguments.folder)
@@ -105,11 +109,13 @@ def main():
     figure, grid, body = draw(fields, frames, values, colors, wall)
     for axes in grid.flat[len(frames):]:
         axes.set_visible(False)
-    bar = figure.colorbar(body, ax=grid, label=style.FIELD_LABELS.get(arguments.field, arguments.field.replace("_", " ")),
-                          extend="both" if arguments.range else "neither", aspect=30, pad=0.02)
+    label = style.FIELD_LABELS.get(arguments.field, arguments.field.replace("_", " "))
+    ends = "both" if arguments.range else "neither"
+    bar = figure.colorbar(body, ax=grid, label=label, extend=ends, aspect=30, pad=0.02)
+    bar.formatter.set_powerlimits((-3, 4))
     bar.outline.set_linewidth(0.5)
     style.save(figure, arguments.output or fields.path.parent / "fields", arguments.format)
 
 
 if __name__ == "__main__":
-    style.run(main)
+    options.run(main)

@@ -21,6 +21,7 @@ class Run:
         self.folder = existing(folder)
         self.columns = read_history(self.folder / "history.csv")
         self.initial_energy = self["total_energy"][0]
+        self.whole = not interval or interval[1] >= self["time"][-1]  # nothing cut off the end
         if interval:
             inside = within(self["time"], interval)
             if np.count_nonzero(inside) < 2:

@@ -1,7 +1,5 @@
-"""One look and one command line for all pictures: colours, fonts, labels, saving, errors on one line."""
-import argparse
+"""One look for all pictures: colours, fonts, labels, the wall, saving."""
 import pathlib
-import sys
 
 import matplotlib
 
@@ -16,7 +14,7 @@ COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#00
 INK, FAINT = "#303030", "#D9D9D9"
 
 FIELD_LABELS = {
-    "first_stress_invariant": "first stress invariant / Young's modulus",
+    "first_stress_invariant": "first stress invariant /\nYoung's modulus",
     "jacobian": "volume ratio",
     "energy_density": "energy density [E₀]",
 }
@@ -53,7 +51,7 @@ def color_scale(field, values, limits=None):
         low = -high
     if not high > low:
         low, high = low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1)
-    return ("RdBu_r" if "stress" in field else "cividis"), plt.Normalize(low, high)
+    return ("RdBu_r" if "stress" in field else "YlGnBu"), plt.Normalize(low, high)
 
 
 def draw_wall(axes, height):
@@ -87,66 +85,3 @@ def save(figure, name, formats):
         except OSError as error:
             raise ResultsError(f"{target} cannot be written: {error.strerror}") from None
         print(target)
-
-
-def formats(text):
-    """The type of --format."""
-    words = text.split(",")
-    for word in words:
-        if word not in ("png", "svg"):
-            raise argparse.ArgumentTypeError(f"unknown format '{word}': png, svg or png,svg")
-    return words
-
-
-def scale(text):
-    """The type of --relative: 'initial' or a number above zero."""
-    try:
-        if text == "initial" or float(text) > 0:
-            return text if text == "initial" else float(text)
-    except ValueError:
-        pass
-    raise argparse.ArgumentTypeError(f"'{text}' is neither initial nor a number above zero")
-
-
-def numbers(text):
-    """The type of options that take numbers separated by commas."""
-    try:
-        values = [float(word) for word in text.split(",")]
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is no list of numbers like 0,0.5,1") from None
-    return values
-
-
-def count(text):
-    """The type of options that take a whole number above zero."""
-    if not text.isdigit() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is no whole number above zero")
-    return int(text)
-
-
-def interval(text):
-    """The type of options that take two rising numbers."""
-    values = numbers(text)
-    if len(values) != 2 or not values[1] > values[0]:
-        raise argparse.ArgumentTypeError(f"'{text}' is no interval like 0,0.5")
-    return values
-
-
-class Parser(argparse.ArgumentParser):
-    """A parser whose complaints take one line."""
-
-    def __init__(self, description, epilog):
-        super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
-
-    def error(self, message):
-        self.exit(2, f"{self.prog}: {message} (try --help)\n")
-
-
-def run(main):
-    """Runs a script: a ResultsError becomes one line and exit status 2."""
-    try:
-        use_style()
-        main()
-    except ResultsError as error:
-        print(f"{pathlib.Path(sys.argv[0]).name}: {error}", file=sys.stderr)
-        sys.exit(2)

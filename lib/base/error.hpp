@@ -18,4 +18,11 @@ class FileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The last paragraph of a message of Teuchos or NOX: the ones before it say where the library threw.
+inline std::string last_paragraph(std::string message) {
+  while (!message.empty() && message.back() == '\n') message.pop_back();
+  const auto start = message.rfind("\n\n");
+  return start == std::string::npos ? message : message.substr(start + 2);
+}
+
 }  // namespace ixos

@@ -97,7 +97,8 @@ struct ElasticKernel {
     return sums;
   }
 
-  /// Adds the rule's force to f. Returns the least J that any time point saw (of the lanes, lane by lane).
+  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane
+  /// by lane.
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
@@ -112,6 +113,7 @@ struct ElasticKernel {
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
       }
+      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry[q].weight;
       for (std::size_t a = 0; a < N; ++a)
@@ -163,6 +165,13 @@ struct ElasticKernel {
           if (has_velocity) h[i][j] += point.velocity * velocity[i][j];
         }
       return h;
+    }
+
+    /// J at the end of the segment.
+    T jacobian() const {
+      Small<T, D> f = to;
+      for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+      return determinant(f);
     }
 
     Small<T, D> to, from, velocity;

@@ -7,7 +7,8 @@
 namespace ixos {
 
 /// A CSV file with a header line. Numbers have 17 digits, so that they read back exactly; NaN makes an empty cell.
-/// Rows reach the disk at the latest one second after they were given, and when the file is closed. Writes on the rank
+/// Rows reach the disk with the first row that comes a second or
+/// more after the last flush, and when the file is closed. Writes on the rank
 /// that opened it.
 class HistoryFile {
  public:

@@ -7,6 +7,7 @@ namespace ixos {
 
 /// W = mu eps:eps + lambda/2 (tr eps)^2 with eps = (H + H^T)/2; plane strain for D = 2. Not objective.
 struct LinearElastic {
+  static constexpr bool can_invert = false;
   Lame lame;
 
   /// Energy per volume [E0].

@@ -13,6 +13,8 @@ namespace ixos {
 /// log1p(j), so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2 and P = F^-T (mu A + lambda/2 L I) keep their digits at
 /// strains down to roundoff. Moduli are stored A[iJ][kL], row iJ = i D + J.
 struct NeoHooke {
+  /// J <= 0 is inadmissible.
+  static constexpr bool can_invert = true;
   Lame lame;
 
   /// Energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.

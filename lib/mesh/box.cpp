@@ -17,6 +17,9 @@ void check(const BoxShape& shape) {
     if (shape.divisions[d] < 1)
       throw InputError(fmt::format("box: divisions {} must be at least 1", shape.divisions[d]));
   }
+  double nodes = 1;
+  for (std::size_t d = 0; d < static_cast<std::size_t>(shape.dimension); ++d) nodes *= shape.divisions[d] + 1.0;
+  if (nodes > 5e7) throw InputError(fmt::format("box: divisions make {:.3g} nodes; at most 5e7 are allowed", nodes));
 }
 
 /// The names of the sides, by local side number.

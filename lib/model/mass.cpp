@@ -83,10 +83,10 @@ void Mass::add_to(double factor, double* values) const {
   }
 }
 
-double Mass::mean_diagonal() const {
+double Mass::trace() const {
   double sum = 0;
   for (int row = 0; row < pattern_.rows(); ++row) sum += pairs_[static_cast<std::size_t>(pattern_.pair(row, row))];
-  return pattern_.rows() == 0 ? 0.0 : sum / pattern_.rows();
+  return sum;
 }
 
 }  // namespace ixos

@@ -14,15 +14,15 @@ class Mass {
  public:
   Mass(const LocalMesh& mesh, const Pattern& pattern);
 
-  /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for straight-sided cells.
+  /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals and parallelepipeds.
   void add_block(const LocalBlock& block, double density);
 
   /// y = M x: x local (with ghosts), y the rows of owned nodes.
   void multiply(const double* x, double* y) const;
   /// values += factor M, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
-  /// Mean of the diagonal over this rank's owned nodes; 0 without any.
-  double mean_diagonal() const;
+  /// Sum of M_aa over this rank's owned nodes.
+  double trace() const;
 
  private:
   const LocalMesh& mesh_;

@@ -33,6 +33,9 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
     : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_), mass_(mesh_, pattern_) {
   for (const Material& material : materials) {
     const LocalBlock& block = block_named(mesh_, material.block);
+    const auto same = [&](const Material& other) { return other.block == material.block; };
+    if (std::count_if(materials.begin(), materials.end(), same) > 1)
+      throw InputError("block \"" + material.block + "\" has two materials; give each list its own Block");
     elastic_block_.push_back(static_cast<std::size_t>(&block - mesh_.blocks.data()));
     elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame));
     mass_.add_block(block, material.density);
@@ -53,10 +56,13 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material");
-  elastic_scale_ = space_.maximum(mean_elastic_diagonal());
+  double sums[3] = {elastic_trace(), mass_.trace(), static_cast<double>(mesh_.owned_nodes)};
+  space_.sum(sums, 3);
+  elastic_scale_ = sums[0] / (sums[2] * mesh_.dimension);
+  mass_scale_ = sums[1] / sums[2];
 }
 
-double Model::mean_elastic_diagonal() const {
+double Model::elastic_trace() const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
   std::vector<double> values(static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
   const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
@@ -66,7 +72,7 @@ double Model::mean_elastic_diagonal() const {
     for (std::size_t i = 0; i < d; ++i)
       sum += values[static_cast<std::size_t>(pattern_.offset(row, row)) +
                     static_cast<std::size_t>(pattern_.stride(row)) * i + i];
-  return space_.owned() == 0 ? 0.0 : sum / space_.owned();
+  return sum;
 }
 
 bool Model::elastic_force(const Segment& segment, const Rule& rule, double* f) const {

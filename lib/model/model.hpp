@@ -44,6 +44,7 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
+  /// Interactions and constraints are added before the model is given to an integrator or an evaluator.
   void add_interaction(std::unique_ptr<Term> term) { interactions_.push_back(std::move(term)); }
   void add_constraint(const Constraint& constraint) { constraints_.push_back(constraint); }
 
@@ -54,8 +55,9 @@ class Model {
   const Damping* damping() const { return damping_.get(); }
   const std::vector<Constraint>& constraints() const { return constraints_; }
   bool has_interactions() const { return !interactions_.empty(); }
-  /// Mean diagonal entry of the elastic stiffness at rest, the largest over ranks [E0 L0^(D-2)].
+  /// Mean diagonal entry of the elastic stiffness at rest, and of the mass, over all ranks.
   double elastic_scale() const { return elastic_scale_; }
+  double mass_scale() const { return mass_scale_; }
 
   /// f = the rule's force of the elastic (interaction) terms, f local and overwritten. False where inadmissible on this
   /// rank.
@@ -82,7 +84,7 @@ class Model {
   void constrain_matrix(double diagonal, double* values) const;
 
  private:
-  double mean_elastic_diagonal() const;
+  double elastic_trace() const;
 
   LocalMesh mesh_;
   DofSpace space_;
@@ -94,6 +96,7 @@ class Model {
   std::vector<std::unique_ptr<Term>> interactions_;
   std::vector<Constraint> constraints_;
   double elastic_scale_ = 0;
+  double mass_scale_ = 0;
 };
 
 }  // namespace ixos

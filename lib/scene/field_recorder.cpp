@@ -1,5 +1,6 @@
 #include "scene/field_recorder.hpp"
 
+#include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
 
 namespace ixos {
@@ -18,11 +19,14 @@ FieldNames field_names(const Model& model) {
 
 }  // namespace
 
-FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
-    : simulation_(simulation),
-      file_(path, simulation.model().mesh(), simulation.model().space().comm()->getRank(),
-            simulation.model().space().comm()->getSize(), field_names(simulation.model()),
-            simulation.parameters().name()) {}
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path) : simulation_(simulation) {
+  const Model& model = simulation.model();
+  const Comm& comm = model.space().comm();
+  together(comm, [&] {
+    file_ = std::make_unique<FieldFile>(path, model.mesh(), comm->getRank(), comm->getSize(), field_names(model),
+                                        simulation.parameters().name());
+  });
+}
 
 void FieldRecorder::record() {
   const TimedScope timed(Phase::Output);
@@ -57,8 +61,10 @@ void FieldRecorder::record() {
   const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
   const double elastic = model.elastic_energy(state.u.data());
   const double contact = model.interaction_energy(state.u.data());
-  file_.write(integrator.time(), nodal, cell,
-              {kinetic, elastic, contact, integrator.dissipated_energy(), kinetic + elastic + contact});
+  together(model.space().comm(), [&] {
+    file_->write(integrator.time(), nodal, cell,
+                 {kinetic, elastic, contact, integrator.dissipated_energy(), kinetic + elastic + contact});
+  });
 }
 
 }  // namespace ixos

@@ -18,7 +18,7 @@ class FieldRecorder {
 
  private:
   Simulation& simulation_;
-  FieldFile file_;
+  std::unique_ptr<FieldFile> file_;
 };
 
 }  // namespace ixos

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
 
 namespace ixos {
@@ -40,8 +41,10 @@ std::vector<std::string> columns(int dimension) {
 History::History(Simulation& simulation, const HistoryOptions& options, const std::string& path)
     : simulation_(simulation), options_(options), max_energy_error_(options.energies ? 0.0 : empty) {
   const Model& model = simulation.model();
-  if (model.space().comm()->getRank() == 0)
-    file_ = std::make_unique<HistoryFile>(path, columns(model.mesh().dimension));
+  together(model.space().comm(), [&] {
+    if (model.space().comm()->getRank() == 0)
+      file_ = std::make_unique<HistoryFile>(path, columns(model.mesh().dimension));
+  });
 }
 
 void History::record(const RowCounts& counts) {
@@ -62,7 +65,8 @@ void History::record(const RowCounts& counts) {
     total_energy_ = momenta.kinetic_energy + elastic + contact;
     if (first_) initial_energy_ = total_energy_;
     const double error = total_energy_ - initial_energy_ - external_work + integrator.dissipated_energy();
-    max_energy_error_ = std::max(max_energy_error_, std::abs(error));
+    // Not std::max: a NaN is to be seen.
+    if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
     row.insert(row.end(), {momenta.kinetic_energy, elastic, contact, external_work, integrator.dissipated_energy(),
                            total_energy_});
   } else {
@@ -84,11 +88,15 @@ void History::record(const RowCounts& counts) {
   row.insert(row.end(), {static_cast<double>(counts.newton_iterations), static_cast<double>(counts.linear_iterations),
                          counts.wall_seconds});
   first_ = false;
-  if (file_) file_->write(row);
+  together(model.space().comm(), [&] {
+    if (file_) file_->write(row);
+  });
 }
 
 void History::flush() {
-  if (file_) file_->flush();
+  together(simulation_.model().space().comm(), [&] {
+    if (file_) file_->flush();
+  });
 }
 
 }  // namespace ixos

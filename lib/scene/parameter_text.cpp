@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <sstream>
 #include <vector>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "scene/field_recorder.hpp"
 #include "scene/history.hpp"
@@ -17,18 +18,14 @@ namespace {
 /// Makes the results folder and effective.xml on rank 0; throws on all ranks alike.
 void open_folder(const Simulation& simulation, const std::string& folder) {
   const Comm& comm = simulation.model().space().comm();
-  std::string problem;
-  if (comm->getRank() == 0) {
-    try {
-      std::filesystem::create_directories(folder);
-      write_scene_file(simulation.parameters(), folder + "/effective.xml");
-    } catch (const std::exception& error) {
-      problem = error.what();
-    }
-  }
-  int failed = problem.empty() ? 0 : 1;
-  Teuchos::broadcast(*comm, 0, &failed);
-  if (failed != 0) throw FileError("the results folder cannot be used: " + problem);
+  together(comm, [&] {
+    if (comm->getRank() != 0) return;
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
+    std::filesystem::remove(folder + "/summary.json");  // that of an earlier run is not this one's
+    write_scene_file(simulation.parameters(), folder + "/effective.xml");
+  });
 }
 
 bool asked_to_stop(const RunOptions& options, const Comm& comm) {

@@ -21,7 +21,7 @@ struct Progress {
 struct RunOptions {
   std::string folder;                          ///< results go here; made where it does not exist
   std::function<void(const Progress&)> watch;  ///< called after every step on rank 0; may be empty
-  std::function<bool()> interrupted;           ///< asked before every step; may be empty
+  std::function<bool()> interrupted;           ///< asked before every step; set on all ranks or on none
 };
 
 enum class RunStatus { Completed, Diverged, Interrupted };

@@ -17,13 +17,6 @@
 namespace ixos {
 namespace {
 
-/// The last paragraph of a Teuchos message: the ones before it say where Teuchos threw.
-std::string last_paragraph(std::string message) {
-  while (!message.empty() && message.back() == '\n') message.pop_back();
-  const auto start = message.rfind("\n\n");
-  return start == std::string::npos ? message : message.substr(start + 2);
-}
-
 std::string required(const Teuchos::XMLObject& element, const char* attribute, const std::string& place) {
   if (!element.hasAttribute(attribute))
     throw InputError(place + ": <" + element.getTag() + "> has no attribute \"" + attribute + "\"");
@@ -106,7 +99,9 @@ void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& 
   std::size_t start = 0;
   for (auto slash = path.find('/'); slash != std::string::npos; slash = path.find('/', start)) {
     const std::string name = path.substr(start, slash - start);
-    if (known != nullptr) known = valid_sublist(*known, name, path);
+    if (known != nullptr) known = valid_sublist(*known, name, "--set " + path);
+    if (list->isParameter(name) && !list->isSublist(name))
+      throw InputError(fmt::format("--set {}: {} is a parameter of the scene, not a list", path, name));
     list = &list->sublist(name);
     start = slash + 1;
   }

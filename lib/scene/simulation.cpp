@@ -67,12 +67,14 @@ HalfSpace half_space(const List& list, const std::string& path, std::size_t dime
   std::vector<double> up(dimension, 0.0);
   up.back() = 1;
   const auto normal = numbers(list, path, "Normal", dimension, up);
+  double largest = 0;
+  for (double n : normal) largest = std::max(largest, std::abs(n));
+  if (!(largest > 0)) throw InputError(path + "/Normal is zero: it must point out of the wall");
   double square = 0;
-  for (double n : normal) square += n * n;
-  if (!(square > 0)) throw InputError(path + "/Normal is zero: it must point out of the wall");
+  for (double n : normal) square += n / largest * (n / largest);
   for (std::size_t d = 0; d < dimension; ++d) {
     wall.point[d] = point[d];
-    wall.normal[d] = normal[d] / std::sqrt(square);
+    wall.normal[d] = normal[d] / largest / std::sqrt(square);
   }
   return wall;
 }
@@ -87,6 +89,9 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
   const LocalMesh& mesh = model.mesh();
   const std::size_t set = at(path + "/Side Set", [&] { return mesh.side_set(list.get<std::string>("Side Set")); });
   const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
+  if (!std::isfinite(law.c1()) || !(law.c1() > 0) || !std::isfinite(law.c2()) || !(law.c2() > 0))
+    throw InputError(
+        fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {}, c2 = {}", path, law.c1(), law.c2()));
   const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
   auto term = make_half_space_term(mesh, mesh.side_sets[set], model.pattern(), law, wall,
                                    {list.get<int>("Surface Points"), list.get<double>("Step Margin")});
@@ -125,6 +130,12 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   if (!(final_time() > control.get<double>("Initial Time")))
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  final_time(), control.get<double>("Initial Time")));
+  const double initial = control.get<double>("Initial Time");
+  if (!(initial + time_step() > initial && final_time() - time_step() < final_time()))
+    throw InputError(
+        fmt::format("Time Integrator/Time Step Control/Time Step: {} is lost in rounding against the times {} "
+                    "to {}",
+                    time_step(), initial, final_time()));
   build_model(comm, folder);
   build_integrator();
   set_initial_state();
@@ -167,6 +178,11 @@ void Simulation::build_integrator() {
   linear = completed_linear_solver(linear, size);
   Table table = chosen.table(list.sublist(chosen.name));
   set_predictor(list.get<std::string>("Predictor"), table);
+  try {
+    check(table);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("Time Integrator/" + chosen.name + ": " + error.what());
+  }
   integrator_ = std::make_unique<Integrator>(*model_, std::move(table),
                                              std::make_shared<LinearSolverFactory>(linear, model_.get()), options);
 }

@@ -1,10 +1,12 @@
 #include "scene/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 
 namespace ixos {
@@ -30,7 +32,6 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   const Comm& comm = model.space().comm();
   double memory = peak_memory();
   model.space().sum(&memory, 1);
-  if (comm->getRank() != 0) return;
   nlohmann::ordered_json json;
   json["status"] = name(result.status);
   json["reason"] = result.reason;
@@ -54,10 +55,13 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   else
     json["max_energy_error"] = result.max_energy_error;
   json["max_force"] = nlohmann::ordered_json::object();
-  std::ofstream file(path);
-  file << json.dump(2) << '\n';
-  file.flush();
-  if (!file) throw FileError(path + ": cannot be written");
+  together(comm, [&] {
+    if (comm->getRank() != 0) return;
+    std::ofstream file(path);
+    file << json.dump(2) << '\n';
+    file.flush();
+    if (!file) throw FileError(path + ": cannot be written");
+  });
 }
 
 }  // namespace ixos

@@ -4,6 +4,8 @@
 #include <NOX_Solver_Generic.H>
 #include <NOX_Thyra_Vector.H>
 
+#include <cmath>
+
 #include "solve/thyra.hpp"
 
 namespace ixos {
@@ -21,7 +23,8 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
   step = problem_.admissible_step(*tpetra(old.getX()), *tpetra(direction));
   for (int halving = 0; halving < 10 && step > 0; ++halving, step /= 2) {
     group.computeX(old, direction, step);
-    if (group.computeF() == NOX::Abstract::Group::Ok) return true;
+    // Thyra drops the mark of a failed evaluation on its way to NOX; the NaN in f stays.
+    if (group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF())) return true;
   }
   step = 0;  // tells NOX that the search failed
   return false;

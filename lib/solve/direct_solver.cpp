@@ -66,9 +66,10 @@ void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source,
   if (!direct.factorization || matrix.get() != direct.matrix.get()) {
     std::string type = list_.is_null() ? "Automatic" : list_->get<std::string>("Solver Type", "Automatic");
     if (type == "Automatic") type = matrix->getComm()->getSize() == 1 ? "CHOLMOD" : "KLU2";
+    auto factorization = type == "CHOLMOD" ? make_cholmod() : make_klu2();
+    factorization->analyze(matrix);
     direct.matrix = matrix;
-    direct.factorization = type == "CHOLMOD" ? make_cholmod() : make_klu2();
-    direct.factorization->analyze(matrix);
+    direct.factorization = std::move(factorization);
   }
   direct.factorization->factor();
 }

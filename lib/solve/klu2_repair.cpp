@@ -8,6 +8,7 @@
 #include <Amesos2_SolverCore_def.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_MultiVector.hpp>
+#include <typeinfo>
 
 #include "base/tpetra.hpp"
 
@@ -19,7 +20,6 @@ template class KLU2<ixos::CrsMatrix, ixos::MultiVector>;
 namespace ixos {
 namespace {
 
-/// The mangled name of KLU2<CrsMatrix, MultiVector>::numericFactorization_impl would do; a vtable is simpler to find.
 using Repaired = Amesos2::KLU2<CrsMatrix, MultiVector>;
 
 }  // namespace

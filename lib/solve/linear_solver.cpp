@@ -59,6 +59,10 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   Implementation& self = *implementation_;
   Teuchos::ParameterList list(user);
   const double setup_cost = take_setup_cost(list);
+  const bool several = model != nullptr && model->space().comm()->getSize() > 1;
+  if (several && list.get("Linear Solver Type", std::string()) == "Direct" &&
+      list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string()) == "CHOLMOD")
+    throw InputError("Linear Solver/Linear Solver Types/Direct/Solver Type: CHOLMOD runs on one rank; KLU2 on several");
   const bool preconditioned = list.get("Preconditioner Type", std::string("None")) != "None";
   if (preconditioned && model != nullptr && list.get<std::string>("Preconditioner Type") == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
@@ -77,7 +81,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
     self.factory = Teuchos::rcp(new LaggedSolverFactory(
         krylov, self.preconditioner_builder.createPreconditioningStrategy(""), setup_cost, self.statistics));
   } catch (const std::exception& error) {
-    throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + error.what());
+    throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + last_paragraph(error.what()));
   }
 }
 
@@ -88,6 +92,20 @@ const Teuchos::RCP<const ThyraFactory>& LinearSolverFactory::thyra() const { ret
 const LinearStatistics& LinearSolverFactory::statistics() const { return *implementation_->statistics; }
 
 struct LinearSystem::Implementation {
+  bool solve(const Vector& b, Vector& x) {
+    if (solver.is_null()) solver = factory->createOp();
+    if (!fresh) Thyra::initializeOp<double>(*factory, op, solver.ptr());
+    fresh = true;
+    const auto rhs = Thyra::createConstVector<double, LocalId, GlobalId, Node>(Teuchos::rcpFromRef(b), space);
+    const auto solution = Thyra::createVector<double, LocalId, GlobalId, Node>(Teuchos::rcpFromRef(x), space);
+    Thyra::assign(solution.ptr(), 0.0);
+    const Thyra::SolveCriteria<double> criteria(
+        Thyra::SolveMeasureType(Thyra::SOLVE_MEASURE_NORM_RESIDUAL, Thyra::SOLVE_MEASURE_NORM_RHS), 1e-12);
+    const auto status =
+        Thyra::solve<double>(*solver, Thyra::NOTRANS, *rhs, solution.ptr(), Teuchos::constPtr(criteria));
+    return status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED;
+  }
+
   Teuchos::RCP<const ThyraFactory> factory;
   VectorSpace space;
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
@@ -109,18 +127,13 @@ LinearSystem::~LinearSystem() = default;
 void LinearSystem::refresh() { implementation_->fresh = false; }
 
 bool LinearSystem::solve(const Vector& b, Vector& x) {
-  Implementation& self = *implementation_;
-  if (self.solver.is_null()) self.solver = self.factory->createOp();
-  if (!self.fresh) Thyra::initializeOp<double>(*self.factory, self.op, self.solver.ptr());
-  self.fresh = true;
-  const auto rhs = Thyra::createConstVector<double, LocalId, GlobalId, Node>(Teuchos::rcpFromRef(b), self.space);
-  const auto solution = Thyra::createVector<double, LocalId, GlobalId, Node>(Teuchos::rcpFromRef(x), self.space);
-  Thyra::assign(solution.ptr(), 0.0);
-  const Thyra::SolveCriteria<double> criteria(
-      Thyra::SolveMeasureType(Thyra::SOLVE_MEASURE_NORM_RESIDUAL, Thyra::SOLVE_MEASURE_NORM_RHS), 1e-13);
-  const auto status =
-      Thyra::solve<double>(*self.solver, Thyra::NOTRANS, *rhs, solution.ptr(), Teuchos::constPtr(criteria));
-  return status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED;
+  try {
+    return implementation_->solve(b, x);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    return false;  // a singular matrix, or an iteration that broke down
+  }
 }
 
 }  // namespace ixos

@@ -53,7 +53,7 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
 
-  /// x = A^-1 b, to a relative residual of 1e-13 where the solver is iterative. False where the solve failed.
+  /// x = A^-1 b, to a relative residual of 1e-12 where the solver is iterative. False where the solve failed.
   /// Collective.
   bool solve(const Vector& b, Vector& x);
   void refresh();

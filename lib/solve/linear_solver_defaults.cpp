@@ -1,5 +1,7 @@
 #include "solve/linear_solver_defaults.hpp"
 
+#include "base/error.hpp"
+
 namespace ixos {
 namespace {
 
@@ -39,6 +41,9 @@ void complete_muelu(ParameterList& list, const ProblemSize& size) {
 
 ParameterList completed_linear_solver(const ParameterList& user, const ProblemSize& size) {
   ParameterList list(user);
+  for (const char* name : {"Linear Solver Type", "Preconditioner Type"})
+    if (list.isParameter(name) && !list.isType<std::string>(name))
+      throw InputError(std::string("Linear Solver/") + name + ": must be a string");
   std::string type = list.get("Linear Solver Type", std::string("Automatic"));
   if (type == "Automatic") type = factorize(size) ? "Direct" : "Belos";
   list.set("Linear Solver Type", type);

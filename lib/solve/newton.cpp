@@ -6,7 +6,13 @@
 #include <fmt/format.h>
 
 #include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <new>
+#include <vector>
 
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+#include "base/parameter_entries.hpp"
 #include "solve/admissible_line_search.hpp"
 #include "solve/problem_evaluator.hpp"
 
@@ -39,7 +45,18 @@ class ForceTest final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
 };
 
+/// NOX ignores lists that it does not know.
+void check_names(const Teuchos::ParameterList& list) {
+  const std::vector<std::string> known{"Nonlinear Solver", "Printing",     "Direction",   "Line Search",
+                                       "Solver Options",   "Trust Region", "Status Tests"};
+  for (const auto& [name, entry] : entries(list))
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError("Nonlinear Solver/NOX: there is no \"" + name + "\" here; did you mean \"" +
+                       closest_name(name, known) + "\"? Allowed: " + quoted_list(known));
+}
+
 Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const NewtonOptions& options) {
+  check_names(options.nox);
   auto list = Teuchos::rcp(new Teuchos::ParameterList(options.nox));
   list->get("Nonlinear Solver", "Line Search Based");
   list->sublist("Printing").get("Output Information", 0);
@@ -73,14 +90,15 @@ struct NewtonSolver::Implementation {
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
   }
 
+  /// Reads NOX's list; evaluates nothing.
+  void build() {
+    const auto group = Teuchos::rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(guess), evaluator));
+    solver = NOX::Solver::buildSolver(group, tests, list);
+  }
+
   NewtonResult run() {
-    const NOX::Thyra::Vector start(guess);
-    if (solver.is_null()) {
-      const auto group = Teuchos::rcp(new NOX::Thyra::Group(start, evaluator));
-      solver = NOX::Solver::buildSolver(group, tests, list);
-    } else {
-      solver->reset(start);
-    }
+    if (solver.is_null()) build();
+    solver->reset(NOX::Thyra::Vector(guess));
     const NOX::StatusTest::StatusType status = solver->solve();
     NewtonResult result;
     result.iterations = solver->getNumIterations();
@@ -98,6 +116,15 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
+  /// A linear solver that cannot go on, or NOX at its wit's end. The next solve starts from a new solver.
+  NewtonResult broken(const std::string& what) {
+    NewtonResult result;
+    if (!solver.is_null()) result.iterations = solver->getNumIterations();
+    solver = Teuchos::null;
+    result.reason = fmt::format("the nonlinear solver stopped: {}", what);
+    return result;
+  }
+
   int maximum_iterations;
   Teuchos::RCP<ProblemEvaluator> evaluator;
   Teuchos::RCP<Thyra::VectorBase<double>> guess;
@@ -108,8 +135,18 @@ struct NewtonSolver::Implementation {
 };
 
 NewtonSolver::NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver,
-                           const NewtonOptions& options)
-    : implementation_(std::make_unique<Implementation>(problem, linear_solver, options)) {}
+                           const NewtonOptions& options) {
+  try {
+    implementation_ = std::make_unique<Implementation>(problem, linear_solver, options);
+    implementation_->build();
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError("Nonlinear Solver/NOX: NOX refuses the list: " + last_paragraph(error.what()));
+  } catch (const char* error) {
+    throw InputError(std::string("Nonlinear Solver/NOX: NOX refuses the list: ") + error);
+  }
+}
 
 NewtonSolver::~NewtonSolver() = default;
 
@@ -121,12 +158,12 @@ NewtonResult NewtonSolver::solve(Vector& x) {
     result = self.run();
     const auto& solution = dynamic_cast<const NOX::Thyra::Vector&>(self.solver->getSolutionGroup().getX());
     x.update(1.0, *Extract::getConstTpetraVector(solution.getThyraRCPVector()), 0.0);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    // NOX throws where its first evaluation fails, linear solvers where a matrix cannot be factored. The next solve
-    // starts from a new solver.
-    self.solver = Teuchos::null;
-    result.converged = false;
-    result.reason = fmt::format("the nonlinear solver stopped: {}", error.what());
+    result = self.broken(error.what());
+  } catch (const char* error) {  // NOX throws its own errors as plain text
+    result = self.broken(error);
   }
   return result;
 }

@@ -25,6 +25,7 @@ struct NewtonResult {
 /// One solver for one problem, kept for the whole run and reset for each solve.
 class NewtonSolver {
  public:
+  /// Throws InputError where NOX refuses its list.
   NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options);
   ~NewtonSolver();
   NewtonSolver(const NewtonSolver&) = delete;

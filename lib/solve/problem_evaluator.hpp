@@ -7,7 +7,7 @@
 
 namespace ixos {
 
-/// x -> f, W_op. An inadmissible x marks the outputs as failed, which NOX reports as a failed evaluation.
+/// x -> f, W_op. An inadmissible x marks the outputs as failed, upon which Thyra fills f with NaN.
 class ProblemEvaluator final : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
   using Factory = Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>>;

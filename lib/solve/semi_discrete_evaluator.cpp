@@ -83,7 +83,8 @@ void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, Crs
   model_.add_interaction_tangent(here, scaled, values);
   model_.mass().add_to(in.get_W_x_dot_dot_coeff(), values);
   if (model_.damping() != nullptr) model_.damping()->add_to(in.get_alpha(), values);
-  model_.constrain_matrix(in.get_beta(), values);
+  const double diagonal = in.get_beta() != 0 ? in.get_beta() : in.get_W_x_dot_dot_coeff();
+  model_.constrain_matrix(diagonal, values);
 }
 
 }  // namespace ixos

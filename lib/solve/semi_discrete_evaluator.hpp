@@ -10,9 +10,11 @@ namespace ixos {
 
 /// f(x'', x', x, t) = M x'' + C x' + f_el(x) + f_c(x) as a Thyra model evaluator, x displacements. In: x, x_dot,
 /// x_dot_dot, t, alpha, beta, W_x_dot_dot_coeff. Out: f and W_op = W_x_dot_dot_coeff M + alpha C + beta K, K the
-/// elastic and interaction tangent at x. Rows of constrained degrees of freedom are beta-scaled identities, f = x -
-/// u_bar(t). An inadmissible x (a gap <= 0, an inverted element) marks the outputs as failed. Thyra leaves
-/// W_x_dot_dot_coeff of fresh InArgs uninitialised: set it. The model must outlive the evaluator. Collective.
+/// elastic and interaction tangent at x. On constrained degrees of freedom f = x - u_bar(t), and W has beta
+/// (W_x_dot_dot_coeff where beta is 0) on the diagonal and zeros in their rows and columns: start Newton's method from
+/// an x that meets them. An inadmissible x (a gap <= 0, an inverted element) marks the outputs as failed, upon which
+/// Thyra fills f with NaN. Thyra leaves W_x_dot_dot_coeff of fresh InArgs uninitialised: set it. The model must outlive
+/// the evaluator. Collective.
 class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
   using Factory = Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>>;

@@ -4,7 +4,7 @@
 
 namespace ixos {
 
-double bathe_default_split(double rho) { return rho == 1 ? 0.5 : (2 - std::sqrt(2 + 2 * rho)) / (1 - rho); }
+double bathe_default_split(double rho) { return 2 / (2 + std::sqrt(2 + 2 * rho)); }
 
 Table bathe_composite(double rho, double split) {
   const double g = split;

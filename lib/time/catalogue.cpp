@@ -97,6 +97,8 @@ const std::vector<Scheme>& schemes() {
   return all;
 }
 
+const char* default_scheme() { return "Gautam-Sauer Composite"; }
+
 const Scheme& scheme(const std::string& name) {
   std::vector<std::string> names;
   for (const Scheme& candidate : schemes()) {

@@ -23,6 +23,9 @@ struct Scheme {
 
 const std::vector<Scheme>& schemes();
 
+/// The scheme of a scene that names none.
+const char* default_scheme();
+
 /// The scheme of that name. Throws InputError with the nearest name.
 const Scheme& scheme(const std::string& name);
 

@@ -3,6 +3,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -43,6 +44,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
 
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
   time_ = time;
+  time_carry_ = 0;
   dissipated_ = 0;
   acceleration_known_ = false;
   State& start = states_.front();
@@ -91,7 +93,7 @@ bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vec
   Vector rhs(model_.space().owned_map());
   Vector solution(model_.space().owned_map());
   copy_owned(sum, rhs);
-  if (!mass_system_->solve(rhs, solution)) return false;
+  if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
   a.resize(local);
   model_.space().import(solution, a.data());
   return true;
@@ -155,7 +157,14 @@ StepResult Integrator::step(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
-  if (needs_acceleration_) acceleration();
+  if (needs_acceleration_ && !acceleration_known_) {
+    State& start = states_.front();
+    if (!solve_acceleration(start.u, start.v, start.a)) {
+      result.reason = "the acceleration cannot be solved for";
+      return result;
+    }
+    acceleration_known_ = true;
+  }
   for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
     problems_[stage]->arm(states_, time_, dt);
     std::vector<double> u = std::move(states_[stage + 1].u);
@@ -170,7 +179,11 @@ StepResult Integrator::advance(double dt) {
   }
   if (model_.damping() != nullptr) dissipated_ += damping_work(dt);
   std::swap(states_.front(), states_.back());
-  time_ += dt;
+  // Compensated (Kahan), so that a million steps end where they should.
+  const double increment = dt - time_carry_;
+  const double next = time_ + increment;
+  time_carry_ = (next - time_) - increment;
+  time_ = next;
   acceleration_known_ = table_.closing == Closing::Kinematic;
   result.converged = true;
   return result;

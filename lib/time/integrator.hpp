@@ -65,6 +65,7 @@ class Integrator {
   std::vector<State> states_;  ///< the present state, then the ends of the stages
   std::vector<double> known_;  ///< scratch
   double time_ = 0;
+  double time_carry_ = 0;
   double dissipated_ = 0;
   bool acceleration_known_ = false;
   Teuchos::RCP<Vector> unknown_;

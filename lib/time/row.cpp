@@ -1,6 +1,8 @@
 #include "time/row.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ixos {
 namespace {
@@ -39,6 +41,12 @@ Row operator*(double factor, Row row) {
 }
 
 Row operator/(Row row, double divisor) { return (1 / divisor) * std::move(row); }
+
+double Row::magnitude() const {
+  double largest = std::abs(unknown);
+  for (const Known& k : known) largest = std::max({largest, std::abs(k.u), std::abs(k.v), std::abs(k.a)});
+  return largest;
+}
 
 double Row::on_monomial(int degree, double c, const std::vector<double>& known_times) const {
   const auto u = [degree](double t) { return degree == 0 ? 1.0 : std::pow(t, degree); };

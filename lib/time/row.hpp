@@ -19,6 +19,8 @@ struct Row {
   /// The value for a polynomial: u(t) sampled at the stage (time c) and at the known states (times c_j), in steps.
   /// `degree` 0, 1, 2 stands for u = 1, t, t^2 (dt = 1). A consistent row reproduces u's derivatives.
   double on_monomial(int degree, double c, const std::vector<double>& known_times) const;
+  /// The largest coefficient's magnitude: what rounding errors of on_monomial() are measured by.
+  double magnitude() const;
 };
 
 Row unknown_displacement();

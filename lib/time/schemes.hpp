@@ -15,7 +15,7 @@ Table newmark(double beta, double gamma);
 /// split in (0, 1).
 Table bathe_composite(double spectral_radius, double split);
 
-/// The split for which both stages have the same tangent: (2 - sqrt(2 + 2 rho))/(1 - rho), 1/2 at rho = 1.
+/// The split for which both stages have the same tangent: (2 - sqrt(2 + 2 rho))/(1 - rho) = 2/(2 + sqrt(2 + 2 rho)).
 double bathe_default_split(double spectral_radius);
 
 /// Gautam and Sauer (2014): the balance of momentum over the step, elastic forces by the trapezoid, interaction by n

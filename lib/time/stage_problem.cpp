@@ -59,11 +59,11 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
   keep(stage_.elastic, elastic_, [&](auto&&... args) { return model_.elastic_force(args...); });
   if (model_.has_interactions())
     keep(stage_.interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
-  if (!admissible) throw std::logic_error("the start of the step is inadmissible");
+  if (model_.space().minimum(admissible ? 1 : 0) == 0) throw std::logic_error("the start of the step is inadmissible");
 
   const double coefficient = stage_.inertia.unknown / (dt * dt);
   rounding_ = rounding_force(known[0], coefficient);
-  diagonal_ = coefficient * model_.mass().mean_diagonal() + model_.elastic_scale();
+  diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
 }
 
 double StageProblem::rounding_force(const State& start, double coefficient) {
@@ -88,6 +88,7 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
   const double step = model_.admissible_step(at_base, end_rule(), direction_.data());
   if (step < 1)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] = base[i] + step * direction_[i];
+  set_constraints(guess);
 }
 
 bool StageProblem::residual(const Vector& x, Vector& f) {

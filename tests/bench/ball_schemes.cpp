@@ -1,6 +1,6 @@
 // Scenes timed side by side in one run: the ball with every scheme, repeats interleaved, medians reported.
 //   ball_schemes SCENE.xml [END_TIME [REPEATS]]
-// All schemes must complete END_TIME (default 2 T0). Ratios are to Newmark, repeat by repeat.
+// All schemes must complete END_TIME (default 1.4 T0). Ratios are to Newmark, repeat by repeat.
 #include <fmt/format.h>
 
 #include <Tpetra_Core.hpp>
@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "ball_schemes SCENE.xml [END_TIME [REPEATS]]\n");
     return 2;
   }
-  const double end = argc > 2 ? std::stod(argv[2]) : 2;
+  const double end = argc > 2 ? std::stod(argv[2]) : 1.4;
   const int repeats = argc > 3 ? std::stoi(argv[3]) : 5;
   const std::string folder = (std::filesystem::temp_directory_path() / "ixos-bench").string();
 

@@ -1,6 +1,7 @@
 // The driver: what it says and how it ends. Every bad input gets one clear message and leaves nothing half-written.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -47,7 +48,16 @@ TEST_F(DriverTest, BadValuesAreRefused) {
                          "0.5 is not allowed: it must be greater than -1 and less than 0.5");
   expect_refused_setting("Time Integrator/Time Step Control/Time Step=0",
                          "Time Step: 0 is not allowed: it must be greater than 0");
-  expect_refused_setting("Time Integrator/Time Step Control/Time Step=nan", "Time Step");
+  expect_refused_setting("Time Integrator/Time Step Control/Time Step=nan",
+                         "Time Integrator/Time Step Control/Time Step: nan is not allowed");
+  expect_refused_setting("Time Integrator/Time Step Control/Initial Time=-1e20", "is lost in rounding");
+  expect_refused_setting("Interactions/Wall/Gamma L=1e-40", "Gamma L and Gamma W are too extreme");
+  expect_refused_setting("Nonlinear Solver/NOX/Direction/Method=Foo", "Nonlinear Solver/NOX: NOX refuses the list");
+  expect_refused_setting("Nonlinear Solver/NOX/Nonlinear Solver=1", "Nonlinear Solver/NOX: NOX refuses the list");
+  expect_refused_setting("Nonlinear Solver/NOX/Lien Search/Method=Foo", "did you mean \"Line Search\"?");
+  expect_refused_setting("Linear Solver/Linear Solver Type=1", "Linear Solver/Linear Solver Type: must be a string");
+  expect_refused_setting("Materials/Bal/Density=5e-7", "block \"body\" has two materials");
+  expect_refused_setting("Linear Solver/Reuse/Cost=1.0", "allowed: \"Setup Cost\"");
   expect_refused_setting("Time Integrator/Time Step Control/Final Time=-1", "-1 must be later than Initial Time, 0");
   expect_refused_setting("Materials/Ball/Young's Modulus=inf", "inf is not allowed");
   expect_refused_setting("Mesh/Disk/Center={0, nan}", "Mesh/Disk/Center: nan is not allowed");
@@ -134,6 +144,50 @@ TEST_F(DriverTest, ResultsAreWrittenAndTheEffectiveSceneRepeatsTheRun) {
   for (const char* key : {"\"status\": \"completed\"", "\"steps\": 50", "\"dofs\": 114", "\"elements\": 48",
                           "\"max_energy_error\"", "\"peak_memory_bytes\"", "\"seconds_per_increment\""})
     EXPECT_NE(summary.find(key), std::string::npos) << key;
+}
+
+TEST_F(DriverTest, NewmarkFailsOnTheBallWithReadableResults) {
+  const Outcome outcome = ixos({ball, "--set", "Time Integrator/Type=Newmark", "--output", "out"}, folder_);
+  EXPECT_EQ(outcome.status, 3) << outcome.output;
+  EXPECT_NE(outcome.output.find("the run ended at t = "), std::string::npos);
+  EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"diverged\""), std::string::npos);
+  const std::string history = contents(folder_ + "/out/history.csv");
+  EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 1500);
+}
+
+TEST_F(DriverTest, ASignalIsExitStatusFiveWithResultsOnDisk) {
+  const Outcome outcome = shell(
+      quoted_driver() + " " + ball + " --quiet --output out & pid=$!; sleep 1.5; kill -TERM $pid; wait $pid", folder_);
+  EXPECT_EQ(outcome.status, 5) << outcome.output;
+  EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"interrupted\""), std::string::npos);
+}
+
+TEST_F(DriverTest, ResultFilesKeepTheirContract) {
+  ASSERT_EQ(
+      ixos({ball, "--set", "Time Integrator/Time Step Control/Final Time=0.01", "--output", "out"}, folder_).status, 0);
+  const std::string history = contents(folder_ + "/out/history.csv");
+  EXPECT_EQ(history.substr(0, history.find('\n')),
+            "step,time,time_step,kinetic_energy,elastic_energy,contact_energy,external_work,dissipated_energy,"
+            "total_energy,linear_momentum_x,linear_momentum_y,angular_momentum_z,contact_force_x,contact_force_y,"
+            "contact_measure,min_gap,newton_iterations,linear_iterations,wall_seconds");
+  const std::string summary = contents(folder_ + "/out/summary.json");
+  for (const char* key : {"status", "reason", "scheme", "end_time", "steps", "rejected_steps", "dofs", "elements",
+                          "ranks", "newton_iterations", "linear_iterations", "wall_seconds", "setup_seconds",
+                          "seconds_per_increment", "seconds", "peak_memory_bytes", "max_energy_error", "max_force"})
+    EXPECT_NE(summary.find("\"" + std::string(key) + "\":"), std::string::npos) << key;
+}
+
+TEST_F(DriverTest, TwoRanksEndAlike) {
+  const std::string run = "mpiexec -np 2 --oversubscribe " + quoted_driver() + " " + ball;
+  EXPECT_EQ(shell(run + " --set 'Time Integrator/Time Step Control/Final Time=0.01' --output out", folder_).status, 0);
+  const Outcome refused = shell(run + " --set Mesh/Disk/Rings=0 --output two", folder_);
+  EXPECT_EQ(refused.status, 2) << refused.output;
+  const std::string said = "Mesh/Disk/Rings: 0 is not allowed";
+  EXPECT_NE(refused.output.find(said), std::string::npos) << refused.output;
+  EXPECT_EQ(refused.output.find(said), refused.output.rfind(said)) << "said by both ranks";
+  // A file that only rank 0 opens: both ranks must hear of it.
+  std::filesystem::create_directories(folder_ + "/three/history.csv");
+  EXPECT_EQ(shell("timeout 30 " + run + " --output three", folder_).status, 4);
 }
 
 TEST_F(DriverTest, AFailedStepIsExitStatusThreeWithResultsOnDisk) {

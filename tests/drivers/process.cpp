@@ -18,10 +18,16 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
+std::string quoted_driver() { return quoted(IXOS_DRIVER); }
+
 Outcome ixos(const std::vector<std::string>& arguments, const std::string& folder) {
-  std::string command = "cd " + quoted(folder) + " && " + quoted(IXOS_DRIVER);
+  std::string command = quoted_driver();
   for (const std::string& argument : arguments) command += " " + quoted(argument);
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  return shell(command, folder);
+}
+
+Outcome shell(const std::string& command, const std::string& folder) {
+  std::FILE* pipe = popen(("exec 2>&1; cd " + quoted(folder) + " && " + command).c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run the driver");
   std::string output;
   std::array<char, 4096> buffer{};

@@ -13,6 +13,12 @@ struct Outcome {
 /// Runs the ixos driver with these arguments (each one word, quoted here) in `folder`.
 Outcome ixos(const std::vector<std::string>& arguments, const std::string& folder);
 
+/// Runs a shell command in `folder`.
+Outcome shell(const std::string& command, const std::string& folder);
+
+/// The driver's path, quoted for the shell.
+std::string quoted_driver();
+
 /// A fresh, empty folder.
 std::string scratch_folder();
 

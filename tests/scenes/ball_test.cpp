@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "interaction/van_der_waals.hpp"
+#include "io/exodus_mesh.hpp"
+#include "mesh/generators.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
@@ -21,52 +24,84 @@ double energy(Simulation& s) {
 struct Fate {
   double end_time;
   double initial_energy;
+  double last_energy;
   double largest_error;  ///< |E - E_0|
 };
 
-Fate run_ball(const std::string& scheme, const Comm& comm) {
-  Simulation s(test::scene_file("ball.xml", {"Time Integrator/Type=" + scheme}), comm);
-  Fate fate{0, energy(s), 0};
+Fate run_ball(const std::string& scheme) {
+  Simulation s(test::scene_file("ball.xml", {"Time Integrator/Type=" + scheme}), test::self());
+  Fate fate{0, energy(s), 0, 0};
   for (int step = 0; step < 10000; ++step) {
     if (!s.integrator().step(0.001).converged) break;
-    fate.largest_error = std::max(fate.largest_error, std::abs(energy(s) - fate.initial_energy));
+    fate.last_energy = energy(s);
+    fate.largest_error = std::max(fate.largest_error, std::abs(fate.last_energy - fate.initial_energy));
   }
   fate.end_time = s.integrator().time();
   return fate;
 }
 
+/// Work of adhesion times the diameter: the energy that sticking sets free.
+const double adhesion_energy = 10 * std::cbrt(15.0) * M_PI / (8 * 25 * 2.5);
+
+/// Long runs on one rank say nothing new on two.
+bool second_run() { return world()->getSize() > 1; }
+
 TEST(BallTest, NewmarkGainsEnergyAndFails) {
-  const Fate fate = run_ball("Newmark", test::self());
+  if (second_run()) GTEST_SKIP();
+  const Fate fate = run_ball("Newmark");
   EXPECT_GT(fate.end_time, 1.5);
   EXPECT_LT(fate.end_time, 5.0);
-  EXPECT_GT(fate.largest_error, 100 * std::abs(fate.initial_energy));
+  EXPECT_GT(fate.last_energy, fate.initial_energy + adhesion_energy);
 }
 
 TEST(BallTest, BatheReachesTheEndAndLosesEnergy) {
-  const Fate fate = run_ball("Bathe Composite", test::self());
+  if (second_run()) GTEST_SKIP();
+  const Fate fate = run_ball("Bathe Composite");
   EXPECT_NEAR(fate.end_time, 10, 1e-9);
+  EXPECT_LT(fate.last_energy, fate.initial_energy - 0.05 * adhesion_energy);
 }
 
 TEST(BallTest, CompositeReachesTheEndWithBoundedEnergy) {
-  const Fate fate = run_ball("Gautam-Sauer Composite", test::self());
+  if (second_run()) GTEST_SKIP();
+  const Fate fate = run_ball("Gautam-Sauer Composite");
   EXPECT_NEAR(fate.end_time, 10, 1e-9);
-  // Relative to the work of adhesion times the diameter.
-  EXPECT_LT(fate.largest_error, 0.2 * 0.155);
+  EXPECT_LT(fate.largest_error, adhesion_energy);  // Newmark's is far above
 }
 
 TEST(BallTest, AverageVectorFieldHoldsTheEnergy) {
-  const Fate fate = run_ball("Average Vector Field", test::self());
+  if (second_run()) GTEST_SKIP();
+  const Fate fate = run_ball("Average Vector Field");
   EXPECT_NEAR(fate.end_time, 10, 1e-9);
   EXPECT_NEAR(fate.initial_energy, -0.002, 0.0005);
   EXPECT_LT(fate.largest_error, 1e-8 * std::abs(fate.initial_energy));
 }
 
 // The motion is chaotic: a rounding error of 1e-16 is 1e-10 after the first impact.
-TEST(BallTest, TwoRanksMoveAsOneToTheFirstImpact) {
-  for (const char* scheme : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field"}) {
-    const auto scene = test::scene_file("ball.xml", {std::string("Time Integrator/Type=") + scheme});
-    Simulation whole(scene, world());
-    Simulation alone(scene, test::self());
+TEST(BallTest, RanksSolversAndMeshFilesMoveAsOneToTheFirstImpact) {
+  const std::string mesh = testing::TempDir() + "ixos_ball_" + std::to_string(world()->getSize()) + ".e";
+  if (world()->getRank() == 0) {
+    DiskShape shape;
+    shape.center = {0, 7 + VanDerWaals(2.5, 25).equilibrium_gap()};
+    write_exodus_mesh(disk(shape), mesh, "ball");
+  }
+  world()->barrier();
+  const struct {
+    const char* scheme;
+    std::vector<std::string> settings;
+  } cases[] = {{"Newmark", {}},
+               {"Bathe Composite", {}},
+               {"Gautam-Sauer Composite", {}},
+               {"Average Vector Field", {}},
+               {"Gautam-Sauer Composite", {"Linear Solver/Linear Solver Type=Belos"}},
+               {"Gautam-Sauer Composite",
+                {"Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type=Ifpack2",
+                 "Linear Solver/Linear Solver Types/Belos/Solver Type=Block GMRES"}},
+               {"Gautam-Sauer Composite", {"Mesh/Type=Exodus", "Mesh/Exodus/File=" + mesh}}};
+  for (const auto& [scheme, settings] : cases) {
+    std::vector<std::string> assignments{std::string("Time Integrator/Type=") + scheme};
+    Simulation alone(test::scene_file("ball.xml", assignments), test::self());
+    assignments.insert(assignments.end(), settings.begin(), settings.end());
+    Simulation whole(test::scene_file("ball.xml", assignments), world());
     for (int step = 0; step < 500; ++step) {
       ASSERT_TRUE(whole.integrator().step(0.001).converged);
       ASSERT_TRUE(alone.integrator().step(0.001).converged);

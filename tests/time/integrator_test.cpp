@@ -81,6 +81,16 @@ TEST(IntegratorTest, CollocatedAccelerationSatisfiesTheBalanceAtTheEndOfTheStep)
     EXPECT_NEAR(inertia[i], -force[i], 1e-13);
 }
 
+TEST(IntegratorTest, AStepThatInvertsAnElementIsShortened) {
+  // A block that contracts so fast that the first Newton step turns it inside out: only a shorter one can be evaluated.
+  std::string body = block_2d(0.0);
+  const std::string gradient = test::numbers("Velocity Gradient", {0.15, -0.0, 0.0, -0.05});
+  ASSERT_NE(body.find(gradient), std::string::npos);
+  body.replace(body.find(gradient), gradient.size(), test::numbers("Velocity Gradient", {-2.4, 0, 0, -2.4}));
+  Simulation s(test::scene(body + time_integrator("Newmark", 0.4, 1)), world());
+  EXPECT_TRUE(s.integrator().step(0.4).converged);
+}
+
 TEST(IntegratorTest, TwoRanksMoveAsOne) {
   for (const std::string& body : {test::block_2d(1.0), test::block_3d(0.7)})
     for (const char* scheme : all_schemes) {

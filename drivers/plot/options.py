@@ -1,0 +1,68 @@
+"""One command line for all scripts: types of options, complaints on one line with exit status 2."""
+import argparse
+import pathlib
+import sys
+
+from results import ResultsError
+
+
+def formats(text):
+    """The type of --format."""
+    words = text.split(",")
+    for word in words:
+        if word not in ("png", "svg"):
+            raise argparse.ArgumentTypeError(f"unknown format '{word}': png, svg or png,svg")
+    return words
+
+
+def scale(text):
+    """The type of --relative: 'initial' or a number above zero."""
+    try:
+        if text == "initial" or float(text) > 0:
+            return text if text == "initial" else float(text)
+    except ValueError:
+        pass
+    raise argparse.ArgumentTypeError(f"'{text}' is neither initial nor a number above zero")
+
+
+def numbers(text):
+    """The type of options that take numbers separated by commas."""
+    try:
+        values = [float(word) for word in text.split(",")]
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"'{text}' is no list of numbers like 0,0.5,1") from None
+    return values
+
+
+def count(text):
+    """The type of options that take a whole number above zero."""
+    if not text.isdigit() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is no whole number above zero")
+    return int(text)
+
+
+def interval(text):
+    """The type of options that take two rising numbers."""
+    values = numbers(text)
+    if len(values) != 2 or not values[1] > values[0]:
+        raise argparse.ArgumentTypeError(f"'{text}' is no interval like 0,0.5")
+    return values
+
+
+class Parser(argparse.ArgumentParser):
+    """A parser whose complaints take one line."""
+
+    def __init__(self, description, epilog):
+        super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
+
+    def error(self, message):
+        self.exit(2, f"{self.prog}: {message} (try --help)\n")
+
+
+def run(main):
+    """Runs a script: a ResultsError becomes one line and exit status 2."""
+    try:
+        main()
+    except ResultsError as error:
+        print(f"{pathlib.Path(sys.argv[0]).name}: {error}", file=sys.stderr)
+        sys.exit(2)

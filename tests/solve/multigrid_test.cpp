@@ -1,0 +1,141 @@
+// MueLu on the ball's tangent, and the life of a preconditioner.
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "scene/simulation.hpp"
+#include "solve/linear_solver.hpp"
+#include "solve/linear_solver_defaults.hpp"
+#include "solve/rigid_body_modes.hpp"
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::world;
+
+/// Elastic tangent at rest plus `mass` M, of the model's sparsity.
+Teuchos::RCP<CrsMatrix> tangent(const Model& model, double mass) {
+  const auto w = model.pattern().create_matrix(model.space());
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  double* values = w->getLocalMatrixHost().values.data();
+  model.add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), values);
+  model.mass().add_to(mass, values);
+  return w;
+}
+
+Teuchos::ParameterList multigrid(const Model& model) {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Belos");
+  return completed_linear_solver(list,
+                                 {model.mesh().dimension, model.space().global(), model.space().comm()->getSize()});
+}
+
+long iterations(const Model& model, double mass) {
+  const auto w = tangent(model, mass);
+  const LinearSolverFactory factory(multigrid(model), &model);
+  LinearSystem system(factory, w);
+  Vector b(w->getRowMap()), x(w->getRowMap()), r(w->getRowMap());
+  const LocalMesh& mesh = model.mesh();
+  {
+    const auto view = b.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = std::sin(3.1 * mesh.coordinates[i]);
+  }
+  EXPECT_TRUE(system.solve(b, x));
+  w->apply(x, r);
+  r.update(1.0, b, -1.0);
+  EXPECT_LT(r.norm2(), 1e-11 * b.norm2());
+  return factory.statistics().iterations;
+}
+
+TEST(MultigridTest, IterationsOnTwoRanksAreThoseOfOne) {
+  const auto scene = test::scene_file("ball.xml", {"Mesh/Disk/Core Divisions=64", "Mesh/Disk/Rings=24"});
+  Simulation whole(scene, world()), alone(scene, test::self());
+  ASSERT_GT(alone.model().space().global(), 20000);
+  // The ball's own inertia at dt = 0.001 (Newmark), and a hundredth of it, where elasticity rules.
+  for (double dt : {0.001, 0.1}) {
+    const long one = iterations(alone.model(), 4 / (dt * dt));
+    const long many = iterations(whole.model(), 4 / (dt * dt));
+    EXPECT_LE(std::abs(static_cast<double>(many - one)), 0.3 * static_cast<double>(one)) << one << " and " << many;
+    EXPECT_LT(one, 40);
+  }
+}
+
+TEST(MultigridTest, RigidBodyModesCarryNoElasticForce) {
+  for (const std::string& body : {test::block_2d(0), test::block_3d(0)}) {
+    Simulation s(test::scene(body + test::time_integrator("Newmark", 0.1, 1)), world());
+    const auto k = tangent(s.model(), 0);
+    const auto modes = rigid_body_modes(s.model());
+    MultiVector force(k->getRowMap(), modes->getNumVectors());
+    k->apply(*modes, force);
+    std::vector<double> norms(modes->getNumVectors());
+    force.norm2(Teuchos::ArrayView<double>(norms.data(), static_cast<int>(norms.size())));
+    for (double norm : norms) EXPECT_LT(norm, 1e-13);
+    modes->norm2(Teuchos::ArrayView<double>(norms.data(), static_cast<int>(norms.size())));
+    for (double norm : norms) EXPECT_GT(norm, 0.1);
+  }
+}
+
+TEST(LaggedSolverTest, APreconditionerOutlivesItsMatrixWhileThatPays) {
+  Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
+  const auto w = tangent(s.model(), 10);
+  Teuchos::ParameterList list = multigrid(s.model());
+  list.set("Preconditioner Type", "Ifpack2");
+  list.sublist("Linear Solver Types").sublist("Belos").set("Solver Type", "Block GMRES");
+  Vector b(w->getRowMap()), x(w->getRowMap());
+  b.putScalar(1.0);
+  const auto setups = [&](double cost) {
+    list.sublist("Reuse").set("Setup Cost", cost);
+    const LinearSolverFactory factory(list, &s.model());
+    LinearSystem system(factory, w);
+    for (int k = 0; k < 10; ++k) {
+      EXPECT_TRUE(system.solve(b, x));
+      system.refresh();  // the same values: as good a preconditioner as on the first day
+    }
+    return factory.statistics().setups;
+  };
+  EXPECT_EQ(setups(20), 1);
+  // An excess of 0 iterations is not more than a cost of 0: the same values never ask for a new one.
+  EXPECT_EQ(setups(0), 1);
+}
+
+TEST(LaggedSolverTest, APreconditionerThatCostsTooManyIterationsIsRenewed) {
+  Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
+  const auto w = tangent(s.model(), 10);
+  Teuchos::ParameterList list = multigrid(s.model());
+  list.set("Preconditioner Type", "Ifpack2");
+  list.sublist("Linear Solver Types").sublist("Belos").set("Solver Type", "Block GMRES");
+  list.sublist("Reuse").set("Setup Cost", 5.0);
+  const LinearSolverFactory factory(list, &s.model());
+  LinearSystem system(factory, w);
+  Vector b(w->getRowMap()), x(w->getRowMap());
+  b.putScalar(1.0);
+  EXPECT_TRUE(system.solve(b, x));
+  // Another matrix altogether: the old preconditioner is far off, until the excess has paid for a new one.
+  const auto other = tangent(s.model(), 0.3);
+  std::copy_n(other->getLocalMatrixHost().values.data(), other->getLocalMatrixHost().nnz(),
+              w->getLocalMatrixHost().values.data());
+  for (int k = 0; k < 20; ++k) {
+    system.refresh();
+    EXPECT_TRUE(system.solve(b, x));
+  }
+  EXPECT_EQ(factory.statistics().setups, 2);
+}
+
+TEST(LinearSolverDefaultsTest, SizeDimensionAndRanksChoose) {
+  const auto type = [](int dimension, long long dofs, int ranks) {
+    return completed_linear_solver({}, {dimension, dofs, ranks}).get<std::string>("Linear Solver Type");
+  };
+  EXPECT_EQ(type(2, 100, 1), "Direct");
+  EXPECT_EQ(type(2, 300001, 1), "Belos");
+  EXPECT_EQ(type(3, 30000, 1), "Direct");
+  EXPECT_EQ(type(3, 30001, 1), "Belos");
+  EXPECT_EQ(type(2, 20001, 2), "Belos");
+  EXPECT_EQ(type(3, 5000, 2), "Direct");
+}
+
+}  // namespace
+}  // namespace ixos
