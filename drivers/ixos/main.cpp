@@ -16,6 +16,8 @@
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
 #include "progress_line.hpp"
+#include "scene/documentation.hpp"
+#include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/run.hpp"
 #include "scene/scene_file.hpp"
@@ -31,7 +33,10 @@ struct Arguments {
   std::string scene;
   std::vector<std::string> assignments;
   std::string output;
+  std::string template_name;
   bool check = false;
+  bool explain = false;
+  bool parameters = false;
   bool list_schemes = false;
   bool version = false;
   bool quiet = false;
@@ -41,6 +46,8 @@ const char* const how_to_begin =
     "Ixos simulates dynamic adhesion. Give it a scene:\n"
     "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
     "  ixos xml/ball.xml --check                  is the scene sound?\n"
+    "  ixos xml/ball.xml --explain                what does it model, and what does it leave out?\n"
+    "  ixos --template block > block.xml          a scene to begin with, every parameter explained\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
     "  ixos --list-schemes                        what the time integrators are good for\n"
     "  ixos --help                                all options\n";
@@ -86,6 +93,11 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const auto slash = arguments.scene.find_last_of('/');
   ixos::Simulation simulation(scene, comm, slash == std::string::npos ? "." : arguments.scene.substr(0, slash));
   if (speaks) describe(simulation);
+  if (arguments.explain) {
+    const std::string explanation = ixos::explain(simulation);
+    if (comm->getRank() == 0) fmt::print("{}", explanation);
+    return 0;
+  }
   if (arguments.check) {
     if (speaks) fmt::print("The scene is sound.\n");
     return 0;
@@ -131,37 +143,53 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
   }
 }
 
+/// What can be said without a scene.
+int answer(const Arguments& arguments, const ixos::Comm& comm) {
+  if (arguments.check || arguments.explain || !arguments.assignments.empty() || !arguments.output.empty())
+    return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
+  if (comm->getRank() != 0) return 0;
+  if (arguments.version) print_version();
+  if (arguments.list_schemes) print_schemes();
+  if (arguments.parameters) fmt::print("{}", ixos::parameter_documentation());
+  if (!arguments.template_name.empty()) {
+    try {
+      fmt::print("{}", ixos::scene_template(arguments.template_name));
+    } catch (const ixos::InputError& error) {
+      return report(2, std::string("--template: ") + error.what(), comm);
+    }
+  }
+  if (!arguments.version && !arguments.list_schemes && !arguments.parameters && arguments.template_name.empty())
+    fmt::print("{}", how_to_begin);
+  return 0;
+}
+
 int parse_and_run(int argc, char** argv) {
   const ixos::Comm comm = Tpetra::getDefaultComm();
-  const bool first = comm->getRank() == 0;
 
   Arguments arguments;
   CLI::App app("Ixos simulates dynamic adhesion.", "ixos");
+  app.footer(how_to_begin);
   app.add_option("SCENE", arguments.scene, "scene file (XML)");
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
   app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
+  app.add_flag("--explain", arguments.explain, "say what the scene models and what it leaves out, but do not run it");
+  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");
+  app.add_flag("--parameters", arguments.parameters, "every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "the time integrators, and what each is good for");
   app.add_flag("--version", arguments.version, "version and build");
   app.add_flag("--quiet", arguments.quiet, "say nothing but errors");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    if (first) fmt::print("{}", app.help());
+    if (comm->getRank() == 0) fmt::print("{}", app.help());
     return 0;
   } catch (const CLI::ParseError& error) {
     return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
   }
-  if (arguments.scene.empty() && (arguments.check || !arguments.assignments.empty() || !arguments.output.empty()))
-    return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
-  if (arguments.list_schemes || arguments.version || arguments.scene.empty()) {
-    if (first && arguments.version) print_version();
-    if (first && arguments.list_schemes) print_schemes();
-    if (first && !arguments.version && !arguments.list_schemes) fmt::print("{}", how_to_begin);
-    return 0;
-  }
-  return guarded_run(arguments, comm);
+  if (!arguments.scene.empty()) return guarded_run(arguments, comm);
+  return answer(arguments, comm);
 }
 
 }  // namespace

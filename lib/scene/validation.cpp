@@ -34,11 +34,6 @@ std::string join(const std::string& path, const std::string& name) { return path
   throw InputError(message + "; did you mean \"" + closest_name(name, names) + "\"? Allowed: " + quoted_list(names));
 }
 
-bool is_required(const Entry& entry) {
-  if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry) == required;
-  return entry.isType<double>() && std::isnan(Teuchos::getValue<double>(entry));
-}
-
 /// Copies `value` to `target`, checked against the valid entry.
 void check_entry(const std::string& name, const Entry& value, const Entry& valid, const std::string& path,
                  List& target) {
@@ -88,6 +83,7 @@ Variants variants(const List& valid, const List& complete) {
   return result;
 }
 
+/// The complete list in the order of the valid one.
 void fill(const List& user, const List& valid, const std::string& path, List& complete) {
   if (is_free_form(valid)) {
     complete.setParameters(user);
@@ -98,26 +94,34 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
     if (value.isList())
       valid_sublist(valid, name, here);
     else
-      check_entry(name, value, valid_entry(valid, name, here), here, complete);
+      valid_entry(valid, name, here);
   }
   for (const auto& [name, entry] : entries(valid)) {
-    if (entry.isList() || complete.isParameter(name)) continue;
-    if (is_required(entry)) throw InputError(join(path, name) + " is missing: " + entry.docString());
-    complete.setEntry(name, Entry(entry.getAny(false)));
+    if (entry.isList()) continue;
+    if (user.isParameter(name))
+      check_entry(name, user.getEntry(name), entry, join(path, name), complete);
+    else if (is_required(entry))
+      throw InputError(join(path, name) + " is missing: " + entry.docString());
+    else
+      complete.setEntry(name, Entry(entry.getAny(false)));
   }
   const Variants choice = variants(valid, complete);
   for (const auto& [name, entry] : entries(valid)) {
-    if (!entry.isList() || name == any_name || user.isSublist(name) || choice.skips(name)) continue;
-    fill(List(), valid.sublist(name), join(path, name), complete.sublist(name));
+    if (!entry.isList() || name == any_name || (!user.isSublist(name) && choice.skips(name))) continue;
+    fill(user.isSublist(name) ? user.sublist(name) : List(), valid.sublist(name), join(path, name),
+         complete.sublist(name));
   }
-  for (const auto& [name, value] : entries(user)) {
-    if (!value.isList()) continue;
-    const std::string here = join(path, name);
-    fill(user.sublist(name), *valid_sublist(valid, name, here), here, complete.sublist(name));
-  }
+  for (const auto& [name, value] : entries(user))
+    if (value.isList() && !valid.isSublist(name))
+      fill(user.sublist(name), valid.sublist(any_name), join(path, name), complete.sublist(name));
 }
 
 }  // namespace
+
+bool is_required(const Entry& entry) {
+  if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry) == required;
+  return entry.isType<double>() && std::isnan(Teuchos::getValue<double>(entry));
+}
 
 void mark_free_form(List& list) { list.set(free_form, true); }
 

@@ -15,6 +15,8 @@ extern const char* const any_name;
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);
 bool is_free_form(const Teuchos::ParameterList& valid);
+/// Must this entry of a valid list be given?
+bool is_required(const Teuchos::ParameterEntry& entry);
 
 /// The user's list with every default filled in and an int taken for a double where one is wanted. Throws InputError
 /// whose message names the list path, the offending value, what is allowed and the nearest valid name.

@@ -119,6 +119,33 @@ TEST_F(DriverTest, WithoutASceneItTellsHowToBegin) {
   EXPECT_EQ(ixos({"--help"}, folder_).status, 0);
 }
 
+TEST_F(DriverTest, TemplatesRunAsTheyAre) {
+  for (const char* name : {"ball", "block"}) {
+    const Outcome text = ixos({"--template", name}, folder_);
+    EXPECT_EQ(text.status, 0);
+    write(text.output);
+    const Outcome run =
+        ixos({"scene.xml", "--set", "Time Integrator/Time Step Control/Final Time=0.01", "--output", "out"}, folder_);
+    EXPECT_EQ(run.status, 0) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e"));
+  }
+  EXPECT_EQ(ixos({"--template", "bal"}, folder_).status, 2);
+}
+
+TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
+  const Outcome outcome = ixos({ball, "--explain"}, folder_);
+  EXPECT_EQ(outcome.status, 0);
+  for (const char* part : {"48 cells, 114 degrees of freedom", "Neo-Hooke", "Van der Waals", "linear solver Direct",
+                           "Left out, at no cost:", "damping"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in " << outcome.output;
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(DriverTest, TheParameterDocumentIsCurrent) {
+  EXPECT_EQ(ixos({"--parameters"}, folder_).output, contents(std::string(IXOS_DOCS_DIRECTORY) + "/parameters.md"))
+      << "renew it: ixos --parameters > docs/parameters.md";
+}
+
 TEST_F(DriverTest, SchemesAreListedWithWhatTheyConserve) {
   const std::string text = ixos({"--list-schemes"}, folder_).output;
   for (const char* name : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Beta",

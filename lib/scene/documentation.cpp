@@ -1,0 +1,158 @@
+#include "scene/documentation.hpp"
+
+#include <fmt/format.h>
+
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+#include "base/parameter_entries.hpp"
+#include "base/range_validator.hpp"
+#include "scene/parameter_text.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/validation.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+
+std::string default_text(const Teuchos::ParameterEntry& entry) {
+  if (is_required(entry)) return "must be given";
+  if (entry.isType<std::string>()) return "\"" + Teuchos::getValue<std::string>(entry) + "\"";
+  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
+  return value_text(entry);
+}
+
+void document(const List& valid, const std::string& path, std::string& text) {
+  std::string rows;
+  for (const auto& [name, entry] : entries(valid))
+    if (!entry.isList() && !is_free_form(valid))
+      rows += fmt::format("| {} | {} | {} | {} | {} |\n", name, type_name(entry), default_text(entry), allowed(entry),
+                          entry.docString());
+  if (!rows.empty())
+    text += "| parameter | type | default | allowed | meaning |\n|---|---|---|---|---|\n" + rows + "\n";
+  if (is_free_form(valid)) text += "Free form: checked by the library that reads it.\n\n";
+  for (const auto& [name, entry] : entries(valid)) {
+    if (!entry.isList()) continue;
+    const std::string here = path.empty() ? name : path + " / " + name;
+    text += fmt::format("## {}\n\n", here);
+    if (!entry.docString().empty()) text += entry.docString() + "\n\n";
+    document(valid.sublist(name), here, text);
+  }
+}
+
+std::string xml_escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '"')
+      result += "&quot;";
+    else
+      result += c;
+  }
+  return result;
+}
+
+/// A comment must not hold two dashes in a row.
+std::string comment(const Teuchos::ParameterEntry& valid) {
+  const std::string range = allowed(valid);
+  return valid.docString() + (range.empty() ? "" : "; " + range);
+}
+
+std::string spelled(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
+  if (entry.isType<Teuchos::Array<double>>()) {
+    std::string text;
+    for (double value : Teuchos::getValue<Teuchos::Array<double>>(entry))
+      text += (text.empty() ? "" : ", ") + fmt::format("{}", value);
+    return "{" + text + "}";
+  }
+  return value_text(entry);
+}
+
+void write(const List& list, const List& valid, const std::string& indent, std::string& text) {
+  for (const auto& [name, entry] : entries(list)) {
+    if (entry.isList()) continue;
+    const Teuchos::ParameterEntry* known = is_free_form(valid) ? nullptr : valid.getEntryPtr(name);
+    if (known != nullptr) text += fmt::format("{}<!-- {} -->\n", indent, comment(*known));
+    text += fmt::format("{}<Parameter name=\"{}\" type=\"{}\" value=\"{}\"/>\n", indent, xml_escaped(name),
+                        type_name(entry), xml_escaped(spelled(entry)));
+  }
+  for (const auto& [name, entry] : entries(list)) {
+    if (!entry.isList()) continue;
+    const List* inner = valid_sublist(valid, name, name);
+    const Teuchos::ParameterEntry* known = valid.getEntryPtr(name);
+    if (known != nullptr && !known->docString().empty())
+      text += fmt::format("\n{}<!-- {} -->\n", indent, known->docString());
+    text += fmt::format("{}<ParameterList name=\"{}\">\n", indent, xml_escaped(name));
+    if (inner != nullptr) write(list.sublist(name), *inner, indent + "  ", text);
+    text += indent + "</ParameterList>\n";
+  }
+}
+
+/// What the templates say beyond the defaults.
+const std::map<std::string, std::vector<std::string>>& template_settings() {
+  static const std::map<std::string, std::vector<std::string>> settings{
+      {"ball",
+       {"Mesh/Type=Disk", "Mesh/Disk/Center={0, 7.254709287789268}", "Materials/Ball/Block=body",
+        "Interactions/Wall/Side Set=surface", "Time Integrator/Time Step Control/Final Time=1",
+        "Time Integrator/Time Step Control/Time Step=0.001", "Output/Fields Interval=20"}},
+      {"block",
+       {"Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lengths={4, 4, 2}", "Mesh/Box/Divisions={8, 8, 4}",
+        "Materials/Rubber/Block=body", "Materials/Rubber/Stiffness Damping=0.0001", "Interactions/Wall/Side Set=bottom",
+        "Interactions/Wall/Point={0, 0, -0.5}", "Interactions/Wall/Normal={0, 0, 1}",
+        "Boundary Conditions/Held/Node Set=left", "Boundary Conditions/Held/Components=xy",
+        "Initial Conditions/Velocity={0, 0, -1}", "Time Integrator/Time Step Control/Final Time=0.2",
+        "Time Integrator/Time Step Control/Time Step=0.002", "Output/Fields Interval=10"}}};
+  return settings;
+}
+
+}  // namespace
+
+std::string allowed(const Teuchos::ParameterEntry& valid) {
+  const auto validator = valid.validator();
+  if (const auto range = Teuchos::rcp_dynamic_cast<const RangeValidator>(validator); !range.is_null())
+    return range->words();
+  if (validator.is_null() || validator->validStringValues().is_null()) return "";
+  const auto& words = *validator->validStringValues();
+  return quoted_list({words.begin(), words.end()});
+}
+
+std::string parameter_documentation() {
+  std::string text =
+      "# Parameters\n\nMade from the validators by `ixos --parameters`; do not edit. Lengths in L0, stresses in E0, "
+      "times in "
+      "T0. `<any name>` stands for lists that the scene names itself.\n\n";
+  document(scene_parameters(), "", text);
+  return text.substr(0, text.size() - 1);
+}
+
+std::string scene_template(const std::string& name) {
+  const auto found = template_settings().find(name);
+  if (found == template_settings().end()) {
+    std::vector<std::string> names;
+    for (const auto& [key, settings] : template_settings()) names.push_back(key);
+    throw InputError("there is no template \"" + name + "\"; did you mean \"" + closest_name(name, names) +
+                     "\"? There are " + quoted_list(names));
+  }
+  List scene(name);
+  for (const std::string& setting : found->second) set_parameter(scene, scene_parameters(), setting);
+  scene = validated(scene, scene_parameters());
+  scene.sublist("Linear Solver").set("Linear Solver Type", "Automatic");
+  std::string text = fmt::format(
+      "<!-- Run with: ixos FILE. Every parameter that this scene uses, with its meaning; all but a few could be left "
+      "out. -->\n<ParameterList name=\"{}\">\n",
+      name);
+  write(scene, scene_parameters(), "  ", text);
+  return text + "</ParameterList>\n";
+}
+
+}  // namespace ixos

@@ -1,0 +1,112 @@
+#include "scene/explanation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/pack.hpp"
+#include "base/parameter_entries.hpp"
+#include "time/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+
+std::string megabytes(double bytes) { return fmt::format("{:.3g} MB", bytes / 1e6); }
+
+std::string bodies(const Simulation& simulation) {
+  const LocalMesh& mesh = simulation.model().mesh();
+  std::string text =
+      fmt::format("Mesh: {} dimensions{}, {} nodes, {} cells, {} degrees of freedom, {} rank(s)\n", mesh.dimension,
+                  mesh.dimension == 2 ? " (plane strain)" : "", mesh.global_nodes, mesh.global_cells,
+                  simulation.model().space().global(), simulation.model().space().comm()->getSize());
+  const List& materials = simulation.parameters().sublist("Materials");
+  for (const auto& [name, entry] : entries(materials)) {
+    const List& list = materials.sublist(name);
+    text += fmt::format(
+        "Material {}: block \"{}\", {}, E = {} E0, nu = {}, density {}{}\n", name, list.get<std::string>("Block"),
+        list.get<std::string>("Model"), list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"),
+        list.get<double>("Density"),
+        simulation.model().damping() == nullptr ? ""
+                                                : fmt::format(", damping {} M + {} K", list.get<double>("Mass Damping"),
+                                                              list.get<double>("Stiffness Damping")));
+  }
+  return text;
+}
+
+std::string surroundings(const Simulation& simulation) {
+  std::string text;
+  const List& interactions = simulation.parameters().sublist("Interactions");
+  for (const auto& [name, entry] : entries(interactions)) {
+    const List& list = interactions.sublist(name);
+    text += fmt::format("Interaction {}: {} between side set \"{}\" and a {}, {} points a direction\n", name,
+                        list.get<std::string>("Law"), list.get<std::string>("Side Set"),
+                        list.get<std::string>("Obstacle"), list.get<int>("Surface Points"));
+  }
+  const List& conditions = simulation.parameters().sublist("Boundary Conditions");
+  for (const auto& [name, entry] : entries(conditions))
+    text += fmt::format("Held {}: node set \"{}\", components {}\n", name,
+                        conditions.sublist(name).get<std::string>("Node Set"),
+                        conditions.sublist(name).get<std::string>("Components"));
+  return text;
+}
+
+std::string solution(const Simulation& simulation) {
+  const List& integrator = simulation.parameters().sublist("Time Integrator");
+  const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
+  const List& linear = simulation.parameters().sublist("Linear Solver");
+  return fmt::format(
+      "Scheme: {}, order {}; conserves {}\nTime: to {} T0 in steps of {} T0, about {:.0f} steps\n"
+      "Newton: NOX, tolerance {}; linear solver {}, preconditioner {}\n",
+      chosen.name, chosen.order, chosen.conserves, simulation.final_time(), simulation.time_step(),
+      (simulation.final_time() - integrator.sublist("Time Step Control").get<double>("Initial Time")) /
+          simulation.time_step(),
+      simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"),
+      linear.get<std::string>("Linear Solver Type"), linear.get<std::string>("Preconditioner Type"));
+}
+
+std::string memory(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const double d = model.mesh().dimension;
+  const double pairs = model.pattern().pairs();
+  const double stages = static_cast<double>(
+      scheme(simulation.parameters().sublist("Time Integrator").get<std::string>("Type"))
+          .table(simulation.parameters()
+                     .sublist("Time Integrator")
+                     .sublist(simulation.parameters().sublist("Time Integrator").get<std::string>("Type")))
+          .stages.size());
+  double cells = 0;
+  for (const LocalBlock& block : model.mesh().blocks) cells += block.cells();
+  const double points = d == 2 ? 4 : 8, nodes = points;
+  return fmt::format(
+      "Memory on this rank, without factorisations: {} tangent matrices {}, mass {}, element geometry and "
+      "offsets {}\n",
+      stages, megabytes(stages * pairs * d * d * 12), megabytes(pairs * 8),
+      megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
+}
+
+std::string left_out(const Simulation& simulation) {
+  std::vector<std::string> absent;
+  const List& scene = simulation.parameters();
+  if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
+  if (simulation.model().damping() == nullptr) absent.emplace_back("damping");
+  if (simulation.model().constraints().empty()) absent.emplace_back("held nodes");
+  const List& output = scene.sublist("Output");
+  if (output.get<int>("Fields Interval") == 0) absent.emplace_back("fields.e");
+  for (const char* group : {"Energies", "Momenta", "Interaction"})
+    if (!output.get<bool>(group)) absent.push_back(std::string("history of ") + group);
+  if (absent.empty()) return "Left out: nothing\n";
+  std::string text = "Left out, at no cost:";
+  for (const std::string& what : absent) text += (what == absent.front() ? " " : ", ") + what;
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string explain(const Simulation& simulation) {
+  return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
+         left_out(simulation);
+}
+
+}  // namespace ixos
