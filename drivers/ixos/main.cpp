@@ -12,15 +12,19 @@
 #include <string>
 #include <vector>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
+#include "io/exodus_mesh.hpp"
 #include "progress_line.hpp"
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/run.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_mesh.hpp"
+#include "scene/validation.hpp"
 #include "solve/klu2_repair.hpp"
 #include "time/catalogue.hpp"
 
@@ -34,6 +38,7 @@ struct Arguments {
   std::vector<std::string> assignments;
   std::string output;
   std::string template_name;
+  std::string mesh_file;
   bool check = false;
   bool explain = false;
   bool parameters = false;
@@ -85,13 +90,28 @@ void describe(ixos::Simulation& simulation) {
   std::fflush(stdout);
 }
 
+/// Where the scene file stands.
+std::string folder_of(const std::string& scene) {
+  const auto slash = scene.find_last_of('/');
+  return slash == std::string::npos ? "." : scene.substr(0, slash);
+}
+
+int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
+  const Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
+  const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), folder_of(arguments.scene));
+  ixos::together(comm, [&] {
+    if (comm->getRank() == 0) ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
+  });
+  return 0;
+}
+
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const bool speaks = comm->getRank() == 0 && !arguments.quiet;
   Teuchos::ParameterList scene = ixos::read_scene_file(arguments.scene);
   for (const std::string& assignment : arguments.assignments)
     ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
-  const auto slash = arguments.scene.find_last_of('/');
-  ixos::Simulation simulation(scene, comm, slash == std::string::npos ? "." : arguments.scene.substr(0, slash));
+  if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
+  ixos::Simulation simulation(scene, comm, folder_of(arguments.scene));
   if (speaks) describe(simulation);
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
@@ -176,6 +196,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
   app.add_flag("--explain", arguments.explain, "say what the scene models and what it leaves out, but do not run it");
   app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");
+  app.add_option("--write-mesh", arguments.mesh_file, "write the scene's mesh to this Exodus file, but do not run it");
   app.add_flag("--parameters", arguments.parameters, "every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "the time integrators, and what each is good for");
   app.add_flag("--version", arguments.version, "version and build");

@@ -61,10 +61,16 @@ std::string xml_escaped(const std::string& text) {
   return result;
 }
 
-/// A comment must not hold two dashes in a row.
+/// For an XML comment, which must not hold two dashes in a row.
+std::string comment(const std::string& text) {
+  std::string result;
+  for (char c : text) result += c == '-' && !result.empty() && result.back() == '-' ? " -" : std::string(1, c);
+  return result;
+}
+
 std::string comment(const Teuchos::ParameterEntry& valid) {
   const std::string range = allowed(valid);
-  return valid.docString() + (range.empty() ? "" : "; " + range);
+  return comment(valid.docString() + (range.empty() ? "" : "; " + range));
 }
 
 std::string spelled(const Teuchos::ParameterEntry& entry) {
@@ -91,7 +97,7 @@ void write(const List& list, const List& valid, const std::string& indent, std::
     const List* inner = valid_sublist(valid, name, name);
     const Teuchos::ParameterEntry* known = valid.getEntryPtr(name);
     if (known != nullptr && !known->docString().empty())
-      text += fmt::format("\n{}<!-- {} -->\n", indent, known->docString());
+      text += fmt::format("\n{}<!-- {} -->\n", indent, comment(known->docString()));
     text += fmt::format("{}<ParameterList name=\"{}\">\n", indent, xml_escaped(name));
     if (inner != nullptr) write(list.sublist(name), *inner, indent + "  ", text);
     text += indent + "</ParameterList>\n";

@@ -95,7 +95,7 @@ void add_time_integrator(List& list) {
     list.sublist(scheme.name, false, scheme.citation) = scheme.parameters;
     list.sublist(scheme.name).setName(scheme.name);
   }
-  list.set("Type", default_scheme(), "the scheme; ixos --list-schemes tells what each is good for", one_of(names));
+  list.set("Type", default_scheme(), "the scheme; the driver lists what each is good for", one_of(names));
   list.set("Predictor", "Automatic", "where Newton's iteration starts; \"Automatic\" is the scheme's own choice",
            one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration"}));
   List& control = list.sublist("Time Step Control", false, "times and steps");

@@ -132,6 +132,27 @@ TEST_F(DriverTest, TemplatesRunAsTheyAre) {
   EXPECT_EQ(ixos({"--template", "bal"}, folder_).status, 2);
 }
 
+TEST_F(DriverTest, AMeshThatIsWrittenRunsAsTheOneThatIsGenerated) {
+  ASSERT_EQ(ixos({ball, "--write-mesh", "ball.e"}, folder_).status, 0);
+  const std::string end = "Time Integrator/Time Step Control/Final Time=0.02";
+  ASSERT_EQ(ixos({ball, "--set", end, "--output", "one"}, folder_).status, 0);
+  ASSERT_EQ(
+      ixos({ball, "--set", end, "--set", "Mesh/Type=Exodus", "--set", "Mesh/Exodus/File=ball.e", "--output", "two"},
+           folder_)
+          .status,
+      0);
+  std::istringstream one(contents(folder_ + "/one/history.csv")), two(contents(folder_ + "/two/history.csv"));
+  std::string a, b;
+  while (std::getline(one, a) && std::getline(two, b)) EXPECT_EQ(a.substr(0, a.rfind(',')), b.substr(0, b.rfind(',')));
+  expect_refused(2,
+                 {ball, "--set", "Mesh/Type=Exodus", "--set", "Mesh/Exodus/File=ball.e", "--set",
+                  "Mesh/Exodus/Dimension=3", "--output", "out"},
+                 "Mesh/Exodus/File: ball.e is a mesh of 2 dimensions, but the scene wants 3");
+  expect_refused(2, {ball, "--set", "Mesh/Type=Exodus", "--set", "Mesh/Exodus/File=none.e", "--output", "out"},
+                 "none.e: the mesh file cannot be read");
+  expect_refused(4, {ball, "--write-mesh", "/dev/null/ball.e"}, "/dev/null/ball.e: cannot be written");
+}
+
 TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
   const Outcome outcome = ixos({ball, "--explain"}, folder_);
   EXPECT_EQ(outcome.status, 0);
