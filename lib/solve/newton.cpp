@@ -4,6 +4,7 @@
 #include <NOX_StatusTest_Generic.H>
 #include <NOX_Thyra.H>
 #include <fmt/format.h>
+#include <Teuchos_oblackholestream.hpp>
 
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
@@ -59,7 +60,12 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
   check_names(options.nox);
   auto list = Teuchos::rcp(new Teuchos::ParameterList(options.nox));
   list->get("Nonlinear Solver", "Line Search Based");
-  list->sublist("Printing").get("Output Information", 0);
+  Teuchos::ParameterList& printing = list->sublist("Printing");
+  if (!printing.isParameter("Output Information")) {
+    // A failure is a status here; NOX would also print it.
+    const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
+    printing.set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
+  }
   Teuchos::ParameterList& direction = list->sublist("Direction");
   direction.get("Method", "Newton");
   direction.sublist("Newton").get("Forcing Term Method", "Constant");

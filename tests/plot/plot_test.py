@@ -25,10 +25,11 @@ CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Me
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=1"]
 
 
-def simulate(folder, settings):
+def simulate(folder, settings, ranks=1):
     """A run of the ball with other settings."""
     options = [word for setting in settings for word in ("--set", setting)]
-    subprocess.run([DRIVER, SCENE, "--quiet", "--output", folder, *options], check=True, capture_output=True)
+    launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
+    subprocess.run([*launcher, DRIVER, SCENE, "--quiet", "--output", folder, *options], check=True, capture_output=True)
 
 
 def script(name, *arguments):
@@ -85,6 +86,18 @@ class PlotTest(unittest.TestCase):
                 self.assertAlmostEqual(fields.total(name, frame), run[name][10 * frame], delta=1e-12)
         np.testing.assert_allclose(fields.element("first_stress_invariant", 0), 0.0, atol=1e-14)
         np.testing.assert_allclose(fields.element("jacobian", 0), 1.0, atol=1e-14)
+
+    def test_the_files_of_two_ranks_hold_the_fields_of_one(self):
+        two = self.folder / "two"
+        simulate(two, SHORT, ranks=2)
+        self.assertEqual(sorted(path.name for path in two.glob("fields.e*")), ["fields.e.2.0", "fields.e.2.1"])
+        one, both = Fields(self.ball), Fields(two)
+        np.testing.assert_allclose(both.coordinates, one.coordinates, atol=1e-12)
+        np.testing.assert_array_equal(both.cells, one.cells)
+        for frame in range(len(one.times)):
+            np.testing.assert_allclose(both.displacement(frame), one.displacement(frame), atol=1e-11)
+            for field in ("first_stress_invariant", "energy_density"):
+                np.testing.assert_allclose(both.element(field, frame), one.element(field, frame), atol=1e-11)
 
     def test_energy_density_sums_to_the_elastic_energy(self):
         # As exact as the areas: VTK reads coordinates in single precision.

@@ -3,6 +3,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "scene/simulation.hpp"
@@ -123,6 +124,24 @@ TEST(LaggedSolverTest, APreconditionerThatCostsTooManyIterationsIsRenewed) {
     EXPECT_TRUE(system.solve(b, x));
   }
   EXPECT_EQ(factory.statistics().setups, 2);
+}
+
+TEST(LaggedSolverTest, AnIterationThatDoesNotConvergeIsAFailedSolve) {
+  Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
+  const auto w = tangent(s.model(), 10);
+  Teuchos::ParameterList list = multigrid(s.model());
+  list.set("Preconditioner Type", "Ifpack2");
+  list.sublist("Preconditioner Types").sublist("Ifpack2").set("Prec Type", "DIAGONAL");
+  list.sublist("Linear Solver Types")
+      .sublist("Belos")
+      .sublist("Solver Types")
+      .sublist("Pseudo Block CG")
+      .set("Maximum Iterations", 2);
+  const LinearSolverFactory factory(list, &s.model());
+  LinearSystem system(factory, w);
+  Vector b(w->getRowMap()), x(w->getRowMap());
+  b.randomize();
+  EXPECT_FALSE(system.solve(b, x));
 }
 
 TEST(LinearSolverDefaultsTest, SizeDimensionAndRanksChoose) {

@@ -81,6 +81,20 @@ TEST(IntegratorTest, CollocatedAccelerationSatisfiesTheBalanceAtTheEndOfTheStep)
     EXPECT_NEAR(inertia[i], -force[i], 1e-13);
 }
 
+TEST(IntegratorTest, EmptyRanksDoNoHarm) {
+  // Four nodes: on six ranks, two are empty.
+  const auto scene = test::scene(test::oscillator() + time_integrator("Bathe Composite", 0.1, 1));
+  Simulation whole(scene, world());
+  Simulation alone(scene, test::self());
+  for (int step = 0; step < 10; ++step) {
+    ASSERT_TRUE(whole.integrator().step(0.1).converged);
+    ASSERT_TRUE(alone.integrator().step(0.1).converged);
+  }
+  EXPECT_LT(test::distance(test::gathered(whole.model(), whole.integrator().state().u),
+                           test::gathered(alone.model(), alone.integrator().state().u)),
+            1e-12);
+}
+
 TEST(IntegratorTest, AStepThatInvertsAnElementIsShortened) {
   // A block that contracts so fast that the first Newton step turns it inside out: only a shorter one can be evaluated.
   std::string body = block_2d(0.0);
