@@ -39,7 +39,7 @@ void document(const List& valid, const std::string& path, std::string& text) {
   if (is_free_form(valid)) text += "Free form: checked by the library that reads it.\n\n";
   for (const auto& [name, entry] : entries(valid)) {
     if (!entry.isList()) continue;
-    const std::string here = path.empty() ? name : path + " / " + name;
+    const std::string here = path.empty() ? name : fmt::format("{} / {}", path, name);
     text += fmt::format("## {}\n\n", here);
     if (!entry.docString().empty()) text += entry.docString() + "\n\n";
     document(valid.sublist(name), here, text);

@@ -67,7 +67,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
                    const Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override {
     const bool old = !fresh_;
     try {
-      const Status status = attempt(b, x, criteria);
+      Status status = attempt(b, x, criteria);
       if (status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED || !old) return status;
     } catch (const std::exception& error) {
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
@@ -77,7 +77,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   }
 
   Status attempt(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
-                 const Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const {
+                 const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const TimedScope timed(Phase::LinearSolve);
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
