@@ -83,10 +83,14 @@ std::string default_output(const std::string& scene) {
 void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
   const auto& integrator = simulation.parameters().sublist("Time Integrator");
-  fmt::print("{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0\n",
-             simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-             model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.time_step(),
-             simulation.final_time());
+  const auto& linear = simulation.parameters().sublist("Linear Solver");
+  fmt::print(
+      "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}, "
+      "preconditioner {}\n",
+      simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
+      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.time_step(),
+      simulation.final_time(), linear.get<std::string>("Linear Solver Type"),
+      linear.get<std::string>("Preconditioner Type"));
   std::fflush(stdout);
 }
 
@@ -97,7 +101,7 @@ std::string folder_of(const std::string& scene) {
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
-  const Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
+  Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), folder_of(arguments.scene));
   ixos::together(comm, [&] {
     if (comm->getRank() == 0) ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
@@ -165,7 +169,8 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 
 /// What can be said without a scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
-  if (arguments.check || arguments.explain || !arguments.assignments.empty() || !arguments.output.empty())
+  if (arguments.check || arguments.explain || !arguments.mesh_file.empty() || !arguments.assignments.empty() ||
+      !arguments.output.empty())
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (comm->getRank() != 0) return 0;
   if (arguments.version) print_version();
@@ -217,7 +222,8 @@ int parse_and_run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    const Tpetra::ScopeGuard guard(&argc, &argv);
+    int none = 1;  // Kokkos would answer --help itself
+    const Tpetra::ScopeGuard guard(&none, &argv);
     return parse_and_run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ixos: cannot start: %s\n", error.what());

@@ -20,6 +20,8 @@ class FileError : public std::runtime_error {
 
 /// The last paragraph of a message of Teuchos or NOX: the ones before it say where the library threw.
 inline std::string last_paragraph(std::string message) {
+  const auto count = message.find("\nThrow number = ");
+  if (count != std::string::npos && message.find("\n\n", count) == message.rfind("\n\n")) message.resize(count);
   while (!message.empty() && message.back() == '\n') message.pop_back();
   const auto start = message.rfind("\n\n");
   return start == std::string::npos ? message : message.substr(start + 2);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <climits>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -50,7 +51,8 @@ class Reader {
       refuse(path(), "has {} dimensions; 2 and 3 are allowed", header_.num_dim);
     if (header_.num_nodes < 1 || header_.num_elem < 1) refuse(path(), "has no nodes or no elements");
     // Compression gains a factor of a few; sizes far beyond the file's are nonsense, not a reason to allocate.
-    if (header_.num_nodes > 1000 * bytes_ || header_.num_elem > 1000 * bytes_)
+    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > 1000 * bytes_ ||
+        header_.num_elem > 1000 * bytes_)
       refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
     mesh_.dimension = static_cast<int>(header_.num_dim);
     read_coordinates();
@@ -135,6 +137,7 @@ class Reader {
         require(ex_get_conn(file_, EX_ELEM_BLOCK, id, here.nodes.data(), nullptr, nullptr), "connectivity");
       }
       for (int& node : here.nodes) {
+        if (node == 0) refuse(path(), "block \"{}\" refers to node 0: the file seems to be truncated", here.name);
         if (node < 1 || node > header_.num_nodes)
           refuse(path(), "block \"{}\" refers to node {}, but there are {}", here.name, node, header_.num_nodes);
         used[static_cast<std::size_t>(--node)] = 1;
@@ -230,6 +233,7 @@ void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::str
   std::iota(share.node_ids.begin(), share.node_ids.end(), 1);
   std::iota(share.cell_ids.begin(), share.cell_ids.end(), 1);
   define_exodus_mesh(file, mesh, share, title);
+  require_written(ex_update(file), file, "the mesh");
 }
 
 }  // namespace ixos

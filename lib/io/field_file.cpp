@@ -106,8 +106,11 @@ FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, i
     : implementation_(std::make_unique<Implementation>(file_name(path, rank, ranks), own_share(mesh, rank, ranks))) {
   const ExodusHandle& file = implementation_->file;
   define_exodus_mesh(file, implementation_->share.mesh, implementation_->share.description, title);
-  define_variables(file, EX_NODAL, names.nodal);
-  define_variables(file, EX_ELEM_BLOCK, names.cell);
+  // Exodus refuses variables on nodes or cells that a file has none of: a rank may own no cells.
+  if (!implementation_->share.nodes.empty()) {
+    define_variables(file, EX_NODAL, names.nodal);
+    define_variables(file, EX_ELEM_BLOCK, names.cell);
+  }
   define_variables(file, EX_GLOBAL, names.global);
 }
 

@@ -34,7 +34,7 @@ void add_units(List& list) {
 void add_mesh(List& list) {
   list.set("Type", "Disk", "a generator, or a file", one_of({"Disk", "Box", "Exodus"}));
   List& exodus = list.sublist("Exodus", false, "a mesh of QUAD4 (2D) or HEX8 (3D) elements");
-  exodus.set("File", required, "path from the working folder, or from the scene's");
+  exodus.set("File", required, "path from the scene's folder, or from the working folder");
   exodus.set("Dimension", 0, "2 or 3 refuses a mesh of the other dimension; 0 takes any", between(0, 3));
   List& disk = list.sublist("Disk", false, "a disk of quadrilaterals on an O-grid: block \"body\", sets \"surface\"");
   disk.set("Diameter", 10.0, "[L0]", greater_than(0));

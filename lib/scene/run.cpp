@@ -23,7 +23,10 @@ void open_folder(const Simulation& simulation, const std::string& folder) {
     std::error_code code;
     std::filesystem::create_directories(folder, code);
     if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
-    std::filesystem::remove(folder + "/summary.json");  // that of an earlier run is not this one's
+    // What an earlier run left is not this one's.
+    std::filesystem::remove(folder + "/summary.json");
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().filename().string().rfind("fields.e", 0) == 0) std::filesystem::remove(entry.path());
     write_scene_file(simulation.parameters(), folder + "/effective.xml");
   });
 }

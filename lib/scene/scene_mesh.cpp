@@ -45,10 +45,8 @@ Mesh box_mesh(Teuchos::ParameterList list) {
   return box(shape);
 }
 
-Mesh exodus_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder) {
-  std::string path = list.get<std::string>("File");
-  const std::string beside = scene_folder + "/" + path;
-  if (!std::filesystem::exists(path) && std::filesystem::exists(beside)) path = beside;
+Mesh exodus_mesh(const Teuchos::ParameterList& list) {
+  const std::string path = list.get<std::string>("File");
   Mesh mesh = read_exodus_mesh(path);
   const int wanted = list.get<int>("Dimension");
   if (wanted != 0 && wanted != mesh.dimension)
@@ -57,17 +55,24 @@ Mesh exodus_mesh(const Teuchos::ParameterList& list, const std::string& scene_fo
   return mesh;
 }
 
-Mesh generate_or_read(const Teuchos::ParameterList& list, const std::string& scene_folder) {
+Mesh generate_or_read(const Teuchos::ParameterList& list) {
   const auto type = list.get<std::string>("Type");
-  if (type == "Exodus") return exodus_mesh(list.sublist("Exodus"), scene_folder);
+  if (type == "Exodus") return exodus_mesh(list.sublist("Exodus"));
   return type == "Disk" ? disk_mesh(list.sublist("Disk")) : box_mesh(list.sublist("Box"));
 }
 
 }  // namespace
 
-Mesh scene_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder) {
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
+  if (list.get<std::string>("Type") == "Exodus") {
+    std::string& path = list.sublist("Exodus").get<std::string>("File");
+    const auto beside = std::filesystem::path(scene_folder) / path;
+    path = std::filesystem::absolute(std::filesystem::exists(beside) ? beside : std::filesystem::path(path))
+               .lexically_normal()
+               .string();
+  }
   try {
-    Mesh mesh = generate_or_read(list, scene_folder);
+    Mesh mesh = generate_or_read(list);
     check_cells(mesh);
     return mesh;
   } catch (const InputError& error) {

@@ -10,6 +10,6 @@ namespace ixos {
 
 /// From a validated "Mesh" list; the mesh has passed check_cells(). A mesh file is looked for in the working folder,
 /// then in `scene_folder`. Throws InputError with the list path.
-Mesh scene_mesh(const Teuchos::ParameterList& list, const std::string& scene_folder);
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
 }  // namespace ixos

@@ -35,7 +35,8 @@ std::vector<double> numbers(const List& list, const std::string& path, const cha
   const auto& values = list.get<Teuchos::Array<double>>(name);
   if (values.empty()) return fallback;
   if (static_cast<std::size_t>(values.size()) != count)
-    throw InputError(fmt::format("{}/{} has {} elements, not {}", path, name, values.size(), count));
+    throw InputError(fmt::format("{}/{} has {} elements, not {}; is the mesh of the dimension that the scene is of?",
+                                 path, name, values.size(), count));
   return {values.begin(), values.end()};
 }
 

@@ -4,7 +4,6 @@
 #include <NOX_Solver_Generic.H>
 #include <NOX_Thyra_Vector.H>
 
-#include <algorithm>
 #include <cmath>
 
 #include "solve/thyra.hpp"
@@ -21,22 +20,14 @@ Teuchos::RCP<const Vector> tpetra(const NOX::Abstract::Vector& vector) {
 bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                                    const NOX::Solver::Generic& solver) {
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
-  const double slope = old.getF().innerProduct(direction);
   step = problem_.admissible_step(*tpetra(old.getX()), *tpetra(direction));
-  for (int trial = 0; trial < 12 && step > 0; ++trial) {
+  for (int halving = 0; halving < 10 && step > 0; ++halving, step /= 2) {
     group.computeX(old, direction, step);
     // Thyra drops the mark of a failed evaluation on its way to NOX; the NaN in f stays.
-    if (group.computeF() != NOX::Abstract::Group::Ok || !std::isfinite(group.getNormF())) {
-      step /= 2;
-      continue;
-    }
-    const double overshoot = group.getF().innerProduct(direction) / -slope;
-    if (!(slope < 0) || overshoot <= 0.8) return true;
-    step *= std::max(0.1, 1 / (1 + overshoot));  // the zero of the slope, by the secant
+    if (group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF())) return true;
   }
-  const bool evaluated = step > 0 && std::isfinite(group.getNormF());
-  if (!evaluated) step = 0;  // tells NOX that the search failed
-  return evaluated;
+  step = 0;  // tells NOX that the search failed
+  return false;
 }
 
 }  // namespace ixos

@@ -8,10 +8,7 @@
 namespace ixos {
 
 /// Takes the full Newton step, shortened to the problem's admissible step; halves it where the residual cannot be
-/// evaluated all the same (an inverted element). Where f is the gradient of a potential, f.d along the direction d is
-/// the potential's slope, negative at first: a step beyond which the slope is positive and nearly as steep as it was at
-/// the start has climbed the other side of the valley, and is shortened to where the secant sees the bottom (Matthies
-/// and Strang 1979). At most 12 evaluations.
+/// evaluated all the same (an inverted element), at most 10 times.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
   explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}

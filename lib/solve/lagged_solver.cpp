@@ -4,6 +4,7 @@
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Thyra_PreconditionerFactoryHelpers.hpp>
+#include <algorithm>
 #include <stdexcept>
 
 #include "base/phase_timer.hpp"
@@ -28,6 +29,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
 
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
+    fresh_ = false;
     if (stale_) return renew();
     attach();
   }
@@ -39,6 +41,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
  private:
   void renew() const {
     const TimedScope timed(Phase::Factorization);
+    stale_ = true;  // should this throw
     factory_->initializePrec(source_, preconditioner_.get());
     attach();
     stale_ = false;
@@ -72,21 +75,30 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     } catch (const std::exception& error) {
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
+    // From scratch: a renewed multigrid keeps the prolongators of its first matrix.
+    preconditioner_ = factory_->createPrec();
     renew();
-    return attempt(b, x, criteria);
+    try {
+      return attempt(b, x, criteria);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
+    }
   }
 
   Status attempt(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                  const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const TimedScope timed(Phase::LinearSolve);
+    const bool first = fresh_;
+    fresh_ = false;
+    stale_ = true;  // should this throw, or not converge
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     const int iterations =
         status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
     statistics_->iterations += iterations;
-    if (fresh_) first_iterations_ = iterations;
-    fresh_ = false;
-    excess_ += iterations - first_iterations_;
+    if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return status;
+    least_iterations_ = first ? iterations : std::min(least_iterations_, iterations);
+    excess_ += iterations - least_iterations_;
     stale_ = excess_ > setup_cost_;
     return status;
   }
@@ -96,12 +108,12 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   double setup_cost_;
   std::shared_ptr<LinearStatistics> statistics_;
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
-  Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
+  mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
   mutable bool stale_ = true;         ///< renew before the next matrix
   mutable bool fresh_ = false;        ///< renewed, and not used since
-  mutable int first_iterations_ = 0;  ///< of the first solve with this preconditioner
-  mutable double excess_ = 0;         ///< iterations beyond those of the first solve, summed
+  mutable int least_iterations_ = 0;  ///< of the solves with this preconditioner
+  mutable double excess_ = 0;         ///< iterations beyond the least, summed
 };
 
 }  // namespace

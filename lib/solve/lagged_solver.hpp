@@ -9,7 +9,7 @@
 namespace ixos {
 
 /// Wraps a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve and renewed when
-/// the iterations spent beyond those of its first solve add up to `setup_cost`, the price of a new one in iterations:
+/// the iterations spent beyond its best solve add up to `setup_cost`, the price of a new one in iterations:
 /// the rule that spends least when iterations grow steadily. It counts iterations and reads no clock, so runs repeat. A
 /// solve that fails with an old preconditioner is tried once more with a new one; one that breaks down with a new one
 /// (Belos throws where CG meets negative curvature) throws std::runtime_error.

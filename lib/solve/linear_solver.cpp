@@ -42,7 +42,7 @@ double take_setup_cost(Teuchos::ParameterList& list) {
     if (!entry.isType<double>() || !(Teuchos::getValue<double>(entry) >= 0))
       throw InputError("Linear Solver/Reuse/Setup Cost: must be a double of at least 0");
   }
-  return reuse.get<double>("Setup Cost");
+  return reuse.isParameter("Setup Cost") ? reuse.get<double>("Setup Cost") : 20.0;
 }
 
 }  // namespace

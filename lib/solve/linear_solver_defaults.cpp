@@ -1,5 +1,9 @@
 #include "solve/linear_solver_defaults.hpp"
 
+#include <algorithm>
+#include <vector>
+
+#include "base/closest_name.hpp"
 #include "base/error.hpp"
 
 namespace ixos {
@@ -37,23 +41,47 @@ void complete_muelu(ParameterList& list, const ProblemSize& size) {
   muelu.sublist("smoother: params").get("chebyshev: ratio eigenvalue", 7.0);
 }
 
-}  // namespace
+/// The entry's value, one of the names.
+std::string choice(ParameterList& list, const char* name, const std::string& fallback,
+                   const std::vector<std::string>& names) {
+  if (list.isParameter(name) && !list.isType<std::string>(name))
+    throw InputError(std::string("Linear Solver/") + name + ": must be a string");
+  std::string value = list.get(name, fallback);
+  if (std::find(names.begin(), names.end(), value) == names.end())
+    throw InputError(std::string("Linear Solver/") + name + ": \"" + value + "\" does not exist; did you mean \"" +
+                     closest_name(value, names) + "\"? Allowed: " + quoted_list(names));
+  return value;
+}
 
-ParameterList completed_linear_solver(const ParameterList& user, const ProblemSize& size) {
+ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   ParameterList list(user);
-  for (const char* name : {"Linear Solver Type", "Preconditioner Type"})
-    if (list.isParameter(name) && !list.isType<std::string>(name))
-      throw InputError(std::string("Linear Solver/") + name + ": must be a string");
-  std::string type = list.get("Linear Solver Type", std::string("Automatic"));
-  if (type == "Automatic") type = factorize(size) ? "Direct" : "Belos";
+  std::string type = choice(list, "Linear Solver Type", "Automatic", {"Automatic", "Direct", "Belos", "Amesos2"});
+  const bool asks = list.isParameter("Preconditioner Type");
+  std::string preconditioner = choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2"});
+  if (type == "Automatic") type = factorize(size) && preconditioner == "None" ? "Direct" : "Belos";
+  if (type == "Belos" && !asks) preconditioner = "MueLu";
+  if (type != "Belos" && preconditioner != "None")
+    throw InputError("Linear Solver/Preconditioner Type: " + type + " takes no preconditioner; Belos does");
   list.set("Linear Solver Type", type);
-  const std::string preconditioner = list.get("Preconditioner Type", std::string(type == "Belos" ? "MueLu" : "None"));
+  list.set("Preconditioner Type", preconditioner);
   if (type == "Belos") complete_belos(list);
   if (type == "Direct")
     list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string("Automatic"));
   if (preconditioner == "MueLu") complete_muelu(list, size);
   if (preconditioner != "None") list.sublist("Reuse").get("Setup Cost", 20.0);
   return list;
+}
+
+}  // namespace
+
+ParameterList completed_linear_solver(const ParameterList& user, const ProblemSize& size) {
+  try {
+    return complete(user, size);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {  // a list where a parameter is due, or a value of the wrong type
+    throw InputError("Linear Solver: " + last_paragraph(error.what()));
+  }
 }
 
 }  // namespace ixos

@@ -63,7 +63,12 @@ TEST_F(DriverTest, BadValuesAreRefused) {
   expect_refused_setting("Mesh/Disk/Center={0, nan}", "Mesh/Disk/Center: nan is not allowed");
   expect_refused_setting("Mesh/Disk/Center={0}", "Mesh/Disk/Center has 1 elements, not 2");
   expect_refused_setting("Interactions/Wall/Normal={0, 0}", "Interactions/Wall/Normal is zero");
-  expect_refused_setting("Linear Solver/Linear Solver Type=Tacho", "Linear Solver: Stratimikos refuses the list");
+  expect_refused_setting("Linear Solver/Linear Solver Type=Belso",
+                         "Linear Solver/Linear Solver Type: \"Belso\" does not exist; did you mean \"Belos\"?");
+  expect_refused_setting("Linear Solver/Preconditioner Type=Foo", "\"Foo\" does not exist");
+  expect_refused_setting("Linear Solver/Linear Solver Types=foo", "Linear Solver: ");
+  expect_refused_setting("Linear Solver/Linear Solver Types/Direct/Solver Type=Nonsense",
+                         "Linear Solver: Stratimikos refuses the list");
 }
 
 TEST_F(DriverTest, UnknownNamesAreRefusedWithTheNearest) {
@@ -147,10 +152,40 @@ TEST_F(DriverTest, AMeshThatIsWrittenRunsAsTheOneThatIsGenerated) {
   expect_refused(2,
                  {ball, "--set", "Mesh/Type=Exodus", "--set", "Mesh/Exodus/File=ball.e", "--set",
                   "Mesh/Exodus/Dimension=3", "--output", "out"},
-                 "Mesh/Exodus/File: ball.e is a mesh of 2 dimensions, but the scene wants 3");
+                 "ball.e is a mesh of 2 dimensions, but the scene wants 3");
   expect_refused(2, {ball, "--set", "Mesh/Type=Exodus", "--set", "Mesh/Exodus/File=none.e", "--output", "out"},
                  "none.e: the mesh file cannot be read");
   expect_refused(4, {ball, "--write-mesh", "/dev/null/ball.e"}, "/dev/null/ball.e: cannot be written");
+}
+
+TEST_F(DriverTest, TheShortestSceneOfTheReadmeRuns) {
+  const std::string readme = contents(std::string(IXOS_DOCS_DIRECTORY) + "/../README.md");
+  const auto start = readme.find("```xml\n") + 7;
+  write(readme.substr(start, readme.find("```", start) - start));
+  const Outcome outcome = ixos({"scene.xml", "--output", "out"}, folder_);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
+TEST_F(DriverTest, HelpBeginsWithIxos) {
+  EXPECT_EQ(ixos({"--help"}, folder_).output.find("Ixos simulates dynamic adhesion."), 0U);
+}
+
+TEST_F(DriverTest, RanksWithoutCellsWriteTheirFields) {
+  const std::string cell = write(R"(<ParameterList>
+    <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/></ParameterList>
+    <ParameterList name="Materials"><ParameterList name="A"/></ParameterList>
+    <ParameterList name="Output"><Parameter name="Fields Interval" type="int" value="1"/></ParameterList>
+    <ParameterList name="Time Integrator"><ParameterList name="Time Step Control">
+      <Parameter name="Final Time" type="double" value="0.01"/><Parameter name="Time Step" type="double" value="0.001"/>
+    </ParameterList></ParameterList></ParameterList>)");
+  for (int ranks : {2, 4, 6}) {
+    const Outcome outcome = shell(
+        "mpiexec -np " + std::to_string(ranks) + " --oversubscribe " + quoted_driver() + " " + cell + " --output out",
+        folder_);
+    EXPECT_EQ(outcome.status, 0) << ranks << " ranks: " << outcome.output;
+    EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e." + std::to_string(ranks) + ".1"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/out/fields.e.2.0")) << "left from an earlier run";
 }
 
 TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
