@@ -59,8 +59,9 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
 const std::vector<double>& Integrator::acceleration() {
   State& state = states_.front();
   if (!acceleration_known_ && !solve_acceleration(state.u, state.v, state.a))
-    throw InputError("the acceleration cannot be solved for: a gap is not positive, an element is inverted, the mass "
-                     "matrix is singular, or the linear solver cannot solve with it");
+    throw InputError(
+        "the acceleration cannot be solved for: a gap is not positive, an element is inverted, the mass "
+        "matrix is singular, or the linear solver cannot solve with it");
   acceleration_known_ = true;
   return state.a;
 }
