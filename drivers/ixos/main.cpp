@@ -111,7 +111,8 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const bool speaks = comm->getRank() == 0 && !arguments.quiet;
-  Teuchos::ParameterList scene = ixos::read_scene_file(arguments.scene);
+  Teuchos::ParameterList scene;
+  ixos::together<ixos::InputError>(comm, [&] { scene = ixos::read_scene_file(arguments.scene); });
   for (const std::string& assignment : arguments.assignments)
     ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);

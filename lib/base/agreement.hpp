@@ -2,16 +2,17 @@
 #pragma once
 #include <string>
 
+#include "base/error.hpp"
 #include "base/tpetra.hpp"
 
 namespace ixos {
 
-/// Throws FileError on all ranks alike where `problem` is not empty on some rank; the message is that of the first such
-/// rank. Without it the other ranks would wait in the next collective operation for ever. Collective.
-void agree_on_files(const Comm& comm, const std::string& problem);
+/// The first rank's message that is not empty, on all ranks; empty where all are. Collective.
+std::string first_problem(const Comm& comm, const std::string& problem);
 
-/// Runs a function that may throw on some ranks, and agrees. Collective.
-template <class Function>
+/// Runs a function that may throw on some ranks, and throws `Error` on all ranks alike with the first such rank's
+/// message. Without it the other ranks would wait in the next collective operation for ever. Collective.
+template <class Error = FileError, class Function>
 void together(const Comm& comm, const Function& function) {
   std::string problem;
   try {
@@ -20,7 +21,8 @@ void together(const Comm& comm, const Function& function) {
     problem = error.what();
     if (problem.empty()) problem = "unknown failure";
   }
-  agree_on_files(comm, problem);
+  problem = first_problem(comm, problem);
+  if (!problem.empty()) throw Error(problem);
 }
 
 }  // namespace ixos

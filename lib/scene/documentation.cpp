@@ -21,11 +21,21 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
+std::string spelled(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
+  if (entry.isType<Teuchos::Array<double>>()) {
+    std::string text;
+    for (double value : Teuchos::getValue<Teuchos::Array<double>>(entry))
+      text += (text.empty() ? "" : ", ") + fmt::format("{}", value);
+    return "{" + text + "}";
+  }
+  return value_text(entry);
+}
+
 std::string default_text(const Teuchos::ParameterEntry& entry) {
   if (is_required(entry)) return "must be given";
   if (entry.isType<std::string>()) return "\"" + Teuchos::getValue<std::string>(entry) + "\"";
-  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
-  return value_text(entry);
+  return spelled(entry);
 }
 
 void document(const List& valid, const std::string& path, std::string& text) {
@@ -71,17 +81,6 @@ std::string comment(const std::string& text) {
 std::string comment(const Teuchos::ParameterEntry& valid) {
   const std::string range = allowed(valid);
   return comment(valid.docString() + (range.empty() ? "" : "; " + range));
-}
-
-std::string spelled(const Teuchos::ParameterEntry& entry) {
-  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
-  if (entry.isType<Teuchos::Array<double>>()) {
-    std::string text;
-    for (double value : Teuchos::getValue<Teuchos::Array<double>>(entry))
-      text += (text.empty() ? "" : ", ") + fmt::format("{}", value);
-    return "{" + text + "}";
-  }
-  return value_text(entry);
 }
 
 void write(const List& list, const List& valid, const std::string& indent, std::string& text) {

@@ -1,5 +1,7 @@
 #include "scene/field_recorder.hpp"
 
+#include <limits>
+
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
 
@@ -17,6 +19,15 @@ FieldNames field_names(const Model& model) {
   return names;
 }
 
+/// A run under way does not end for an acceleration that only the picture wants.
+std::vector<double> acceleration_or_nan(Integrator& integrator) {
+  try {
+    return integrator.acceleration();
+  } catch (const InputError&) {
+    return std::vector<double>(integrator.state().u.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
 }  // namespace
 
 FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path) : simulation_(simulation) {
@@ -32,7 +43,7 @@ void FieldRecorder::record() {
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
   Integrator& integrator = simulation_.integrator();
-  const std::vector<double>& a = integrator.acceleration();
+  const std::vector<double> a = acceleration_or_nan(integrator);
   const State& state = integrator.state();
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   const auto nodes = static_cast<std::size_t>(model.mesh().nodes());

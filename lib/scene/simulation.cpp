@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/parameter_entries.hpp"
 #include "model/half_space_term.hpp"
@@ -152,7 +153,8 @@ double Simulation::time_step() const {
 }
 
 void Simulation::build_model(const Comm& comm, const std::string& folder) {
-  const Mesh mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
+  Mesh mesh;
+  together<InputError>(comm, [&] { mesh = scene_mesh(parameters_.sublist("Mesh"), folder); });
   const int ranks = comm->getSize();
   std::vector<Material> materials;
   const List& list = parameters_.sublist("Materials");
