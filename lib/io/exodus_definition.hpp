@@ -9,7 +9,6 @@ namespace ixos {
 
 /// What a file of one rank says of the whole.
 struct ExodusShare {
-  int rank = 0;
   int ranks = 1;
   long long global_nodes = 0;
   long long global_cells = 0;

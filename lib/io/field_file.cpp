@@ -16,10 +16,9 @@ struct Share {
   std::vector<std::vector<int>> cells;  ///< by block: local cell of each cell of the mesh
 };
 
-Share own_share(const LocalMesh& local, int rank, int ranks) {
+Share own_share(const LocalMesh& local, int ranks) {
   Share share;
   share.mesh.dimension = local.dimension;
-  share.description.rank = rank;
   share.description.ranks = ranks;
   share.description.global_nodes = local.global_nodes;
   share.description.global_cells = local.global_cells;
@@ -103,7 +102,7 @@ struct FieldFile::Implementation {
 
 FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
                      const std::string& title)
-    : implementation_(std::make_unique<Implementation>(file_name(path, rank, ranks), own_share(mesh, rank, ranks))) {
+    : implementation_(std::make_unique<Implementation>(file_name(path, rank, ranks), own_share(mesh, ranks))) {
   const ExodusHandle& file = implementation_->file;
   define_exodus_mesh(file, implementation_->share.mesh, implementation_->share.description, title);
   // Exodus refuses variables on nodes or cells that a file has none of: a rank may own no cells.

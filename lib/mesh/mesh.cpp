@@ -6,8 +6,6 @@ int nodes_per_cell(CellType type) { return type == CellType::Quad4 ? 4 : 8; }
 
 int sides_per_cell(CellType type) { return type == CellType::Quad4 ? 4 : 6; }
 
-int dimension_of(CellType type) { return type == CellType::Quad4 ? 2 : 3; }
-
 const std::vector<int>& side_nodes(CellType type, int side) {
   static const std::vector<std::vector<int>> quad = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   static const std::vector<std::vector<int>> hex = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},

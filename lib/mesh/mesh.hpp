@@ -11,7 +11,6 @@ enum class CellType { Quad4, Hex8 };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
-int dimension_of(CellType type);
 
 /// Where node `a` of a cell stands in a table of cells x nodes per cell.
 inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {

@@ -62,13 +62,13 @@ void History::record(const RowCounts& counts) {
     const double elastic = model.elastic_energy(state.u.data());
     const double contact = model.has_interactions() ? model.interaction_energy(state.u.data()) : 0.0;
     const double external_work = 0;
-    total_energy_ = momenta.kinetic_energy + elastic + contact;
-    if (first_) initial_energy_ = total_energy_;
-    const double error = total_energy_ - initial_energy_ - external_work + integrator.dissipated_energy();
+    const double total = momenta.kinetic_energy + elastic + contact;
+    if (first_) initial_energy_ = total;
+    const double error = total - initial_energy_ - external_work + integrator.dissipated_energy();
     // Not std::max: a NaN is to be seen.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
-    row.insert(row.end(), {momenta.kinetic_energy, elastic, contact, external_work, integrator.dissipated_energy(),
-                           total_energy_});
+    row.insert(row.end(),
+               {momenta.kinetic_energy, elastic, contact, external_work, integrator.dissipated_energy(), total});
   } else {
     row.insert(row.end(), 6, empty);
   }

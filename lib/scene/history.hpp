@@ -33,7 +33,6 @@ class History {
   void record(const RowCounts& counts);
   /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
   double max_energy_error() const { return max_energy_error_; }
-  double total_energy() const { return total_energy_; }
   void flush();
 
  private:
@@ -42,7 +41,6 @@ class History {
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   bool first_ = true;
   double initial_energy_ = 0;
-  double total_energy_ = 0;
   double max_energy_error_ = 0;
 };
 
