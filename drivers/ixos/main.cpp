@@ -88,8 +88,8 @@ void describe(ixos::Simulation& simulation) {
       "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}, "
       "preconditioner {}\n",
       simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.time_step(),
-      simulation.final_time(), linear.get<std::string>("Linear Solver Type"),
+      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
+      simulation.step_control().final_time, linear.get<std::string>("Linear Solver Type"),
       linear.get<std::string>("Preconditioner Type"));
   std::fflush(stdout);
 }

@@ -3,9 +3,16 @@ import numpy as np
 from matplotlib.ticker import LogLocator, MaxNLocator
 
 import style
-from results import ResultsError
+from results import ResultsError, labels
 
 PIECES = 60  # of the time axis, for means
+
+
+def dress(runs):
+    """Gives each run its colour, its label, and whether it diverged beside others."""
+    for number, (run, label) in enumerate(zip(runs, labels(runs))):
+        run.color, run.label = style.COLORS[number % len(style.COLORS)], label
+        run.diverged = len(runs) > 1 and run.summary.get("status") == "diverged"
 
 
 def pieces_of(values):
@@ -37,17 +44,19 @@ def draw_column(axes, runs, column):
     fast = axes.get_yscale() == "linear" and any(is_fast(run[column]) for run in runs)
     for run in runs:
         draw_line(axes, run, run[column], run.color, fast=fast)
-    fit(axes, runs, column)
+    fit(axes, [(run, run[column]) for run in runs])
     if axes.get_yscale() == "log" and axes.get_ylim()[1] < 100 * axes.get_ylim()[0]:
         axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.yaxis.set_major_formatter("{x:g}")
         axes.yaxis.set_minor_formatter("")
 
 
-def fit(axes, runs, column):
-    """Limits of a linear axis by the runs that did not diverge: one that did would flatten all others."""
-    steady = [run[column] for run in runs if not run.diverged]
-    if steady and any(run.diverged for run in runs) and axes.get_yscale() == "linear":
+def fit(axes, histories):
+    """Limits of a linear axis by the runs that did not diverge: one that did would flatten all others.
+
+    histories: pairs of a run and what it shows."""
+    steady = [values for run, values in histories if not run.diverged] or [values for _, values in histories]
+    if steady and axes.get_yscale() == "linear":
         low, high = min(np.nanmin(values) for values in steady), max(np.nanmax(values) for values in steady)
         axes.set_ylim(low - 0.06 * (high - low or 1), high + 0.06 * (high - low or 1))
 

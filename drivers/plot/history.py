@@ -4,7 +4,7 @@ reactions and Newton iterations over one time axis. What a run did not write is 
 import curves
 import options
 import style
-from results import ResultsError, Run, labels
+from results import ResultsError, Run
 from style import plt
 
 EPILOG = """examples:
@@ -61,9 +61,7 @@ def main():
     arguments = parser.parse_args()
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
-    for number, (run, label) in enumerate(zip(runs, labels(runs))):
-        run.color, run.label = style.COLORS[number % len(style.COLORS)], label
-        run.diverged = len(runs) > 1 and run.summary.get("status") == "diverged"
+    curves.dress(runs)
     rows = panels(runs, arguments.relative)
     if not rows:
         raise ResultsError("these runs wrote no column that could be drawn")
@@ -83,7 +81,7 @@ def main():
         figure.suptitle(runs[0].label, x=0.01, ha="left", fontsize=10, fontweight="bold")
     else:
         lines = [plt.Line2D([], [], color=run.color, linewidth=1.6) for run in runs]
-        curves.key(grid[0, 0], lines, [run.label for run in runs])
+        style.legend(figure, lines, [run.label for run in runs])
     usual = "history" if len(runs) > 1 else runs[0].folder / "history"
     style.save(figure, arguments.output or usual, arguments.format)
 

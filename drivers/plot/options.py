@@ -25,6 +25,14 @@ def scale(text):
     raise argparse.ArgumentTypeError(f"'{text}' is neither initial nor a number above zero")
 
 
+def positive(text):
+    """The type of options that take a number above zero."""
+    value = numbers(text)
+    if len(value) != 1 or not value[0] > 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is no number above zero")
+    return value[0]
+
+
 def numbers(text):
     """The type of options that take numbers separated by commas."""
     try:
@@ -47,6 +55,22 @@ def interval(text):
     if len(values) != 2 or not values[1] > values[0]:
         raise argparse.ArgumentTypeError(f"'{text}' is no interval like 0,0.5")
     return values
+
+
+def zoom(text):
+    """The type of --zoom: an interval, and perhaps that of the ordinate."""
+    values = numbers(text)
+    if len(values) not in (2, 4) or not all(low < high for low, high in zip(values[::2], values[1::2])):
+        raise argparse.ArgumentTypeError(f"'{text}' is no interval like 30,50 nor two like 30,50,0,0.2")
+    return values
+
+
+def oscillation(text):
+    """The type of --oscillation: an interval and a width above zero."""
+    values = numbers(text)
+    if len(values) != 3 or not values[1] > values[0] or not values[2] > 0:
+        raise argparse.ArgumentTypeError(f"'{text}' is no interval and window like 60,100,5")
+    return values[:2], values[2]
 
 
 class Parser(argparse.ArgumentParser):

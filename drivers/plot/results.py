@@ -1,5 +1,6 @@
-"""Reads a results folder: history.csv, summary.json, the fields of fields.e (or of its series, one file a rank)."""
+"""Reads a results folder: history.csv, summary.json, effective.xml (fields.e, or its series: exodus.py)."""
 import csv
+import functools
 import json
 import pathlib
 import xml.etree.ElementTree
@@ -35,11 +36,15 @@ class Run:
             raise ResultsError(f"{summary}: {error}") from None
         self.scheme = self.summary.get("scheme", self.folder.resolve().name)
         self.dimension = 3 if "linear_momentum_z" in self.columns else 2
+        self.up = "z" if self.dimension == 3 else "y"
 
     def __getitem__(self, name):
         if name not in self.columns:
-            raise ResultsError(f"{self.folder / 'history.csv'} has no column '{name}'")
+            self._refuse(f"no column '{name}'")
         return self.columns[name]
+
+    def _refuse(self, complaint):
+        raise ResultsError(f"{self.folder / 'history.csv'} has {complaint}")
 
     def has(self, name):
         """Whether the column holds anything."""
@@ -57,6 +62,63 @@ class Run:
         first = int(means and self["step"][0] == 0)
         return [(name, time[first:], values[first:]) for name, values in self.columns.items()
                 if name.startswith("reaction_")]
+
+    def reaction(self, name=None):
+        """One of the reactions, where finite: of that name, with or without 'reaction_'; else the first upward one."""
+        known = self.reactions()
+        for column, times, values in known:
+            if column in (name, f"reaction_{name}") or (name is None and column.endswith("_" + self.up)):
+                there = np.isfinite(values)
+                if not there.any():
+                    self._refuse(f"an empty column '{column}'")
+                return column, times[there], values[there]
+        wanted = f"reaction_*_{self.up}" if name is None else name
+        return self._refuse(f"no column '{wanted}'; its reactions: {', '.join(r[0] for r in known) or 'none'}")
+
+    def probe(self, kind, name=None):
+        """The probe of that name that has displacements (kind u) or velocities (v). Without a name: the only one, where
+        'edge' is the driven one, so the first choice for its displacement and the last for a speed."""
+        known = [column[:-3] for column in self.columns if column.endswith(f"_{kind}{self.up}")]
+        choice = [name] if name else known
+        if name is None and "edge" in known and len(known) > 1:
+            choice = ["edge"] if kind == "u" else [probe for probe in known if probe != "edge"]
+        if len(choice) == 1 and choice[0] in known:
+            return choice[0]
+        wanted = f"column '{name or '*'}_{kind}{self.up}'"
+        return self._refuse(f"several probes to choose from: {', '.join(choice)}" if len(choice) > 1 else
+                            f"no {wanted}; its probes: {', '.join(known) or 'none'}")
+
+    def speed(self, probe):
+        """Size of a probe's velocity."""
+        return np.sqrt(sum(self[f"{probe}_v{axis}"] ** 2 for axis in "xyz"[:self.dimension]))
+
+    @functools.cached_property
+    def scene(self):
+        """effective.xml, or None where there is no such file."""
+        return read_scene(self.folder)
+
+    def setting(self, path):
+        """A value of the scene by its list path, or None."""
+        entry = find(self.scene, path)
+        return None if entry is None else entry.get("value")
+
+    @property
+    def time_step(self):
+        """The scene's time step, or None."""
+        value = self.setting("Time Integrator/Time Step Control/Time Step")
+        try:
+            return None if value is None else float(value)
+        except ValueError as error:
+            raise ResultsError(f"{self.folder / 'effective.xml'}: {error}") from None
+
+    @property
+    def element(self):
+        """The contact element of the scene's first interaction; Q1C1 where it names none; None without a scene."""
+        return None if self.scene is None else self.setting("Interactions/*/Contact Element") or "Q1C1"
+
+    def traits(self):
+        """What tells runs apart, as words: scheme, contact element, time step."""
+        return self.scheme, self.element, self.time_step and f"Δt = {self.time_step:g} T₀"
 
 
 def within(times, interval):
@@ -92,24 +154,52 @@ def read_history(path):
 
 
 def labels(runs):
-    """A label for each run: its scheme, or its folder's name where two agree."""
-    schemes = [run.scheme for run in runs]
-    return [run.scheme if schemes.count(run.scheme) == 1 else run.folder.resolve().name for run in runs]
+    """A label for each run: the traits in which they differ; its folder's name where that is none or not enough."""
+    table = [run.traits() for run in runs]
+    differ = [len(runs) == 1 and trait == 0 or len(set(values)) > 1 for trait, values in enumerate(zip(*table))]
+    names = [", ".join(word for word, counts in zip(words, differ) if word and counts) for words in table]
+    return [name if name and names.count(name) == 1 else run.folder.resolve().name for run, name in zip(runs, names)]
+
+
+def common(runs):
+    """The traits that all runs share, as a title."""
+    columns = zip(*(run.traits() for run in runs))
+    return ", ".join(values[0] for values in columns if values[0] and len(set(values)) == 1)
+
+
+def read_scene(folder):
+    """effective.xml as a tree, or None where there is no such file."""
+    path = pathlib.Path(folder) / "effective.xml"
+    if not path.is_file():
+        return None
+    try:
+        return xml.etree.ElementTree.parse(path).getroot()
+    except xml.etree.ElementTree.ParseError as error:
+        raise ResultsError(f"{path}: {error}") from None
+
+
+def find(node, path):
+    """The list or parameter at a path of names below a list ('*': the first list), or None."""
+    for word in path.split("/"):
+        entries = [] if node is None else list(node)
+        node = next((entry for entry in entries
+                     if entry.get("name") == word or (word == "*" and entry.tag == "ParameterList")), None)
+    return node
 
 
 def wall_height(folder):
     """Height of the scene's flat wall by effective.xml: 0 where that is not known, None where there is no such wall."""
-    path = pathlib.Path(folder) / "effective.xml"
-    if not path.is_file():
+    scene = read_scene(folder)
+    if scene is None:
         return 0.0
-    try:
-        interactions = xml.etree.ElementTree.parse(path).find("ParameterList[@name='Interactions']")
-        for interaction in [] if interactions is None else interactions.findall("ParameterList"):
-            value = {entry.get("name"): entry.get("value") for entry in interaction.findall("Parameter")}
+    interactions = find(scene, "Interactions")
+    for interaction in [] if interactions is None else interactions.findall("ParameterList"):
+        value = {entry.get("name"): entry.get("value") for entry in interaction.findall("Parameter")}
+        try:
             normal, point = ([float(word) for word in value.get(name, "{}").strip("{} ").split(",") if word]
                              for name in ("Normal", "Point"))
-            if not any(normal[:-1]):
-                return point[-1] if point else 0.0
-    except (xml.etree.ElementTree.ParseError, ValueError) as error:
-        raise ResultsError(f"{path}: {error}") from None
+        except ValueError as error:
+            raise ResultsError(f"{pathlib.Path(folder) / 'effective.xml'}: {error}") from None
+        if not any(normal[:-1]):
+            return point[-1] if point else 0.0
     return None

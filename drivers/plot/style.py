@@ -37,10 +37,9 @@ def use_style():
 
 def unit(quantity, dimension):
     """The unit of a quantity, ready for a label; plane bodies are counted a unit of thickness."""
+    plain = {"time": "[T₀]", "length": "[L₀]", "speed": "[L₀/T₀]"}
     powers = {"energy": dimension, "force": dimension - 1}
-    if quantity == "time":
-        return "[T₀]"
-    return "[L₀]" if quantity == "length" else "[E₀ L₀" + ["", "", "²", "³"][powers[quantity]] + "]"
+    return plain.get(quantity) or "[E₀ L₀" + ["", "", "²", "³"][powers[quantity]] + "]"
 
 
 def color_scale(field, values, limits=None):
@@ -52,6 +51,16 @@ def color_scale(field, values, limits=None):
     if not high > low:
         low, high = low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1)
     return ("RdBu_r" if "stress" in field else "YlGnBu"), plt.Normalize(low, high)
+
+
+def legend(figure, handles, names, title=None):
+    """A legend above the figure, in as few rows as its width permits."""
+    for rows in range(1, len(names) + 1):
+        columns = [names[first:first + rows] for first in range(0, len(names), rows)]
+        if sum(max(map(len, column)) + 7 for column in columns) <= 14 * figure.get_figwidth():
+            break
+    figure.legend(handles, names, title=title, ncol=len(columns), loc="lower center", bbox_to_anchor=(0.5, 1),
+                  borderaxespad=0.2, handlelength=2.2, title_fontproperties={"weight": "bold"})
 
 
 def draw_wall(axes, height):

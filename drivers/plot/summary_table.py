@@ -1,37 +1,130 @@
-#!/usr/bin/env python3
-"""Prints a Markdown table of results folders: summary_table.py FOLDER...
-
-The energy error is given absolutely, relative to the initial energy, and relative to ENERGY_SCALE
-(--scale; for the ball the work of adhesion times the diameter, 0.1549567 E0 L0^2)."""
+#!/usr/bin/python3
+"""Prints a Markdown table of results folders, a row a run: how it went, what it cost, its energy error; of peeling runs
+the force's peak, the detachment, the force's oscillation and its distance from a reference run."""
 import argparse
-import csv
-import json
-import pathlib
+
+import numpy as np
+
+import measures
+import options
+from results import ResultsError, Run
+
+SETS = {
+    "energy": "scheme,status,end,error,error-initial,error-scale,iterations,iteration,seconds",
+    "peeling": "scheme,element,dt,steps,iterations,increment,iteration,peak,peak-time,contact,detachment,status",
+}
+
+EPILOG = """examples:
+  summary_table.py a.results b.results                              energy errors and cost
+  summary_table.py *.results --columns peeling                      peak force, detachment and cost
+  summary_table.py *.results --columns scheme,dt,peak --reaction right_y --oscillation 60,100,5
+  summary_table.py *.results --columns peeling --reference exact.results --interval 35,60
+
+Columns by name, or sets of them:
+""" + "\n".join(f"  {name:9}{columns}" for name, columns in SETS.items()) + """
+A dash: not known, or not there.
+
+--oscillation T0,T1,W: root of the mean square of the force minus its smooth part from time T0 to T1. The smooth part
+at a time t is a parabola fitted to the force from t - W/2 to t + W/2: W should be five or more periods of what is to
+count. A dash where a run does not reach from T0 to T1 or has fewer than 5 rows in W. Relative: over the mean force's
+size.
+
+--reference: root of the mean square, over --interval, of the force minus the reference's, interpolated linearly to the
+run's times. Relative: over the root of the mean square of the reference's force."""
 
 
-def row(folder, scale):
-    summary = json.loads((folder / "summary.json").read_text())
-    with open(folder / "history.csv", newline="") as file:
-        initial = float(next(csv.DictReader(file))["total_energy"])
-    error = summary["max_energy_error"]
-    steps = max(summary["steps"], 1)
-    return [
-        summary["scheme"], summary["status"], f"{summary['end_time']:.4g}", f"{error:.3g}",
-        f"{error / abs(initial):.3g}", f"{error / scale:.3g}", f"{summary['newton_iterations'] / steps:.2f}",
-        f"{1e3 * summary['wall_seconds'] / summary['newton_iterations']:.4f}", f"{summary['wall_seconds']:.2f}",
-    ]
+def count(run, name):
+    """A number of summary.json, or NaN."""
+    value = run.summary.get(name)
+    return np.nan if value is None else value
+
+
+def peak(run, arguments):
+    """Time and size of the largest force; summary.json knows that of steps without a row."""
+    name, times, values = run.reaction(arguments.reaction)
+    time, value = measures.peak(times, values)
+    return time, max(value, (run.summary.get("max_force") or {}).get(name) or value)
+
+
+# Name: (header, format, value of a run).
+COLUMNS = {
+    "scheme": ("scheme", "", lambda run, _: run.scheme),
+    "element": ("contact element", "", lambda run, _: run.element),
+    "dt": ("time step", "g", lambda run, _: run.time_step),
+    "status": ("status", "", lambda run, _: run.summary.get("status")),
+    "end": ("end time", ".4g", lambda run, _: count(run, "end_time")),
+    "steps": ("steps", "g", lambda run, _: count(run, "steps")),
+    "error": ("max energy error", ".3g", lambda run, _: count(run, "max_energy_error")),
+    "error-initial": ("to initial energy", ".3g",
+                      lambda run, _: measures.over(count(run, "max_energy_error"), abs(run.initial_energy))),
+    "error-scale": ("to energy scale", ".3g", lambda run, choice: count(run, "max_energy_error") / choice.scale),
+    "iterations": ("Newton iterations a step", ".2f",
+                   lambda run, _: count(run, "newton_iterations") / max(count(run, "steps"), 1)),
+    "increment": ("ms an increment", ".4g", lambda run, _: 1e3 * count(run, "seconds_per_increment")),
+    "iteration": ("ms an iteration", ".4f",
+                  lambda run, _: 1e3 * measures.over(count(run, "wall_seconds"), count(run, "newton_iterations"))),
+    "seconds": ("seconds", ".2f", lambda run, _: count(run, "wall_seconds")),
+    "peak": ("peak force", ".4g", lambda run, choice: peak(run, choice)[1]),
+    "peak-time": ("peak at time", ".4g", lambda run, choice: peak(run, choice)[0]),
+    "contact": ("contact at peak", ".4g",
+                lambda run, choice: np.interp(peak(run, choice)[0], run["time"], run["contact_measure"])),
+    "detachment": ("detachment time", ".4g", lambda run, _: measures.detachment(run["time"], run["contact_measure"])),
+}
+
+
+def column_names(text):
+    """The type of --columns: sets and names, separated by commas."""
+    names = [name for word in text.split(",") for name in SETS.get(word, word).split(",")]
+    for name in names:
+        if name not in COLUMNS:
+            raise argparse.ArgumentTypeError(f"unknown column '{name}': {', '.join([*SETS, *COLUMNS])}")
+    return names
+
+
+def cell(value, form):
+    """A value as text; a dash where there is none."""
+    return "-" if value is None or (form and np.isnan(value)) else format(value, form)
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folders", nargs="+", type=pathlib.Path)
-    parser.add_argument("--scale", type=float, default=0.1549567)
+    parser = options.Parser(__doc__, EPILOG)
+    parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
+    parser.add_argument("--columns", type=column_names, default="energy", metavar="NAME,...",
+                        help="columns or sets of columns (default: %(default)s)")
+    parser.add_argument("--scale", type=options.positive, default=0.1549567, help="energy scale of error-scale "
+                        "(default: the ball's work of adhesion times its diameter, %(default)s E0 L0^2)")
+    parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
+                        "space _z)")
+    parser.add_argument("--oscillation", type=options.oscillation, metavar="T0,T1,W", help="oscillation of the force")
+    parser.add_argument("--reference", metavar="FOLDER", help="a run whose force is taken as exact")
+    parser.add_argument("--interval", type=options.interval, metavar="T0,T1",
+                        help="times of the comparison with it (default: all that both have)")
     arguments = parser.parse_args()
-    header = ["scheme", "status", "end time", "max energy error", "to initial energy", "to energy scale",
-              "Newton iterations a step", "ms an iteration", "seconds"]
-    for cells in [header, ["---"] * len(header)] + [row(folder, arguments.scale) for folder in arguments.folders]:
+    if arguments.interval and not arguments.reference:
+        parser.error("--interval needs --reference")
+
+    header = [COLUMNS[name][0] for name in arguments.columns]
+    rows = []
+    if arguments.oscillation:
+        header += ["force oscillation", "relative"]
+    if arguments.reference:
+        header += ["force error", "relative"]
+        exact = Run(arguments.reference).reaction(arguments.reaction)[1:]
+        if arguments.interval and not measures.covered(exact[0], arguments.interval):
+            raise ResultsError(f"{arguments.reference} does not reach from time {arguments.interval[0]:g} to "
+                               f"{arguments.interval[1]:g}")
+    for run in map(Run, arguments.folders):
+        row = [cell(value(run, arguments), form) for _, form, value in map(COLUMNS.get, arguments.columns)]
+        if arguments.oscillation or arguments.reference:
+            force = run.reaction(arguments.reaction)[1:]
+        if arguments.oscillation:
+            row += [cell(value, ".3g") for value in measures.oscillation(*force, *arguments.oscillation)]
+        if arguments.reference:
+            row += [cell(value, ".3g") for value in measures.deviation(*force, *exact, arguments.interval)]
+        rows.append(row)
+    for cells in [header, ["---"] * len(header)] + rows:
         print("| " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":
-    main()
+    options.run(main)

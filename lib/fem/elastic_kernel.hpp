@@ -2,11 +2,12 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
-#include "fem/reference_elements.hpp"
 #include "fem/rule.hpp"
+#include "fem/shape_table.hpp"
 
 namespace ixos {
 
@@ -20,7 +21,7 @@ template <class Element, class Material>
 struct ElasticKernel {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
-  static constexpr std::size_t Q = Element::points;
+  using Table = ShapeTable<Element>;
 
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -33,8 +34,12 @@ struct ElasticKernel {
     Small<T, D> inverse_jacobian;
     T weight;
   };
+  /// The element's points; the table must outlive it.
   template <class T>
-  using Geometry = std::array<Point<T>, Q>;
+  struct Geometry {
+    const Table* table;
+    std::vector<Point<T>> points;
+  };
 
   /// The ends of the segment: u_from and h v_from may be null where the rule does not use them.
   template <class T>
@@ -46,17 +51,16 @@ struct ElasticKernel {
 
   /// Geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
   template <class T>
-  static Geometry<T> geometry(const Nodal<T>& x) {
-    Geometry<T> result;
-    const auto& table = Element::table();
-    for (std::size_t q = 0; q < Q; ++q) {
+  static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
+    Geometry<T> result{&table, std::vector<Point<T>>(table.size())};
+    for (std::size_t q = 0; q < table.size(); ++q) {
       Small<T, D> jacobian{};
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += x[a][i] * table.gradient[q][a][d];
       const T det = determinant(jacobian);
-      result[q].inverse_jacobian = inverse(jacobian, det);
-      result[q].weight = det * table.weight[q];
+      result.points[q].inverse_jacobian = inverse(jacobian, det);
+      result.points[q].weight = det * table.weight[q];
     }
     return result;
   }
@@ -65,8 +69,8 @@ struct ElasticKernel {
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     T sum(0.0);
-    for (std::size_t q = 0; q < Q; ++q)
-      sum += geometry[q].weight * material.energy(gradient(u, shape_gradients(geometry[q], q)));
+    for (std::size_t q = 0; q < geometry.points.size(); ++q)
+      sum += geometry.points[q].weight * material.energy(gradient(u, shape_gradients(geometry, q)));
     return sum;
   }
 
@@ -76,8 +80,8 @@ struct ElasticKernel {
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
     T volume(0.0);
-    for (std::size_t q = 0; q < Q; ++q) {
-      const Small<T, D> h = gradient(u, shape_gradients(geometry[q], q));
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Small<T, D> h = gradient(u, shape_gradients(geometry, q));
       Small<T, D> p;
       const T jacobian = material.stress(h, p);
       T trace(0.0);
@@ -87,7 +91,7 @@ struct ElasticKernel {
       }
       trace = trace / jacobian;
       if constexpr (D == 2) trace += material.out_of_plane_stress(h);
-      const T& w = geometry[q].weight;
+      const T& w = geometry.points[q].weight;
       sums[0] += w * trace;
       sums[1] += w * jacobian;
       sums[2] += w * material.energy(h);
@@ -103,8 +107,8 @@ struct ElasticKernel {
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
     T least_jacobian(1e300);
-    for (std::size_t q = 0; q < Q; ++q) {
-      const Nodal<T> dn = shape_gradients(geometry[q], q);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
       Small<T, D> mean{};
       for (const RulePoint& point : rule.points) {
@@ -115,7 +119,7 @@ struct ElasticKernel {
       }
       if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
       for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry[q].weight;
+        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
@@ -127,8 +131,8 @@ struct ElasticKernel {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
-    for (std::size_t q = 0; q < Q; ++q) {
-      const Nodal<T> dn = shape_gradients(geometry[q], q);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
       Small<T, D * D> mean{};
       for (const RulePoint& point : rule.points) {
@@ -140,7 +144,7 @@ struct ElasticKernel {
           for (std::size_t c = 0; c < D * D; ++c) mean[r][c] += weight * moduli[r][c];
       }
       for (std::size_t r = 0; r < D * D; ++r)
-        for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry[q].weight;
+        for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry.points[q].weight;
       add_contraction(dn, mean, k);
     }
   }
@@ -180,8 +184,9 @@ struct ElasticKernel {
 
   /// dN_a/dX_J at point q.
   template <class T>
-  static Nodal<T> shape_gradients(const Point<T>& point, std::size_t q) {
-    const auto& reference = Element::table().gradient[q];
+  static Nodal<T> shape_gradients(const Geometry<T>& geometry, std::size_t q) {
+    const auto& reference = geometry.table->gradient[q];
+    const Point<T>& point = geometry.points[q];
     Nodal<T> dn{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t j = 0; j < D; ++j)

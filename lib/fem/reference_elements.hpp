@@ -1,20 +1,12 @@
-/// Reference elements: shape functions and the quadrature that goes with them.
+/// Reference elements: shape functions on [-1, 1]^dimension.
 ///
-/// An element type offers `dimension`, `nodes`, `points` and table(), the values at its quadrature points. Node order
-/// is that of Exodus; the reference domain is [-1, 1]^dimension.
+/// An element type offers `dimension`, `nodes`, `default_points` (Gauss points along each direction) and
+/// evaluate(xi, value, gradient). Node order is that of Exodus.
 #pragma once
 #include <array>
-
-#include "fem/quadrature.hpp"
+#include <cstddef>
 
 namespace ixos {
-
-template <int Dim, int Nodes, int Points>
-struct ShapeTable {
-  std::array<double, Points> weight;                                        ///< quadrature weights
-  std::array<std::array<double, Nodes>, Points> value;                      ///< N_a(xi_q)
-  std::array<std::array<std::array<double, Dim>, Nodes>, Points> gradient;  ///< dN_a/dxi_d (xi_q)
-};
 
 /// Corners of [-1, 1]^Dim in Exodus order; also the signs of the multilinear shape functions.
 template <int Dim>
@@ -27,11 +19,16 @@ constexpr std::array<std::array<double, Dim>, (1 << Dim)> corners() {
     return {{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 }
 
-/// Multilinear shape functions prod_d (1 + s_d xi_d)/2 at one reference point.
+/// Line, bilinear quadrilateral, trilinear hexahedron: shape functions prod_d (1 + s_d xi_d)/2.
 template <int Dim>
 struct Multilinear {
   static constexpr int dimension = Dim;
   static constexpr int nodes = 1 << Dim;
+  static constexpr std::array<int, Dim> default_points = [] {
+    std::array<int, Dim> points{};
+    for (int& count : points) count = 2;
+    return points;
+  }();
 
   static void evaluate(const std::array<double, Dim>& xi, std::array<double, nodes>& value,
                        std::array<std::array<double, Dim>, nodes>& gradient) {
@@ -46,44 +43,10 @@ struct Multilinear {
       }
     }
   }
-
-  /// The table at the tensor product of an n-point Gauss rule; Points must be n^Dim.
-  template <int Points>
-  static ShapeTable<Dim, nodes, Points> tabulate(int n) {
-    const Quadrature rule = gauss_legendre(n);
-    ShapeTable<Dim, nodes, Points> table{};
-    for (std::size_t q = 0; q < Points; ++q) {
-      std::array<double, Dim> xi;
-      table.weight[q] = 1;
-      std::size_t rest = q;
-      for (std::size_t d = 0; d < Dim; ++d) {
-        const std::size_t i = rest % static_cast<std::size_t>(n);
-        rest /= static_cast<std::size_t>(n);
-        xi[d] = rule.points[i];
-        table.weight[q] *= rule.weights[i];
-      }
-      evaluate(xi, table.value[q], table.gradient[q]);
-    }
-    return table;
-  }
 };
 
-/// Four-noded bilinear quadrilateral, 2 x 2 Gauss points.
-struct Quad4 : Multilinear<2> {
-  static constexpr int points = 4;
-  static const ShapeTable<2, 4, 4>& table() {
-    static const auto values = tabulate<4>(2);
-    return values;
-  }
-};
-
-/// Eight-noded trilinear hexahedron, 2 x 2 x 2 Gauss points.
-struct Hex8 : Multilinear<3> {
-  static constexpr int points = 8;
-  static const ShapeTable<3, 8, 8>& table() {
-    static const auto values = tabulate<8>(2);
-    return values;
-  }
-};
+using Line2 = Multilinear<1>;
+using Quad4 = Multilinear<2>;
+using Hex8 = Multilinear<3>;
 
 }  // namespace ixos

@@ -2,50 +2,20 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
-#include "fem/reference_elements.hpp"
 #include "fem/rule.hpp"
+#include "fem/shape_table.hpp"
 
 namespace ixos {
 
-/// Quadrature of a side of dimension D - 1 with n Gauss points a direction.
-template <std::size_t D>
-struct SurfaceQuadrature {
-  using Element = Multilinear<static_cast<int>(D) - 1>;
-  static constexpr std::size_t N = Element::nodes;
-
-  explicit SurfaceQuadrature(int n) {
-    const Quadrature rule = gauss_legendre(n);
-    const auto count = static_cast<std::size_t>(n);
-    for (std::size_t q = 0; q < (D == 2 ? count : count * count); ++q) {
-      std::array<double, D - 1> xi{rule.points[q % count]};
-      double w = rule.weights[q % count];
-      if constexpr (D == 3) {
-        xi[1] = rule.points[q / count];
-        w *= rule.weights[q / count];
-      }
-      weight.push_back(w);
-      value.emplace_back();
-      gradient.emplace_back();
-      Element::evaluate(xi, value.back(), gradient.back());
-    }
-  }
-
-  std::size_t size() const { return weight.size(); }
-
-  std::vector<double> weight;
-  std::vector<std::array<double, N>> value;
-  std::vector<std::array<std::array<double, D - 1>, N>> gradient;
-};
-
 /// Before a flat wall the gap at a quadrature point is sum_a N_a g_a of the nodal gaps g_a, and the force is along the
 /// wall's normal: everything is scalar. Nodal arrays are gaps at the side's N nodes; f_a and k_ab multiply n and n n^T.
-template <std::size_t D, class Law>
+template <class Side, class Law>
 struct SurfaceKernel {
-  static constexpr std::size_t N = SurfaceQuadrature<D>::N;
+  static constexpr std::size_t N = Side::nodes;
+  using Table = ShapeTable<Side>;
   template <class T>
   using Nodal = std::array<T, N>;
 
@@ -66,7 +36,7 @@ struct SurfaceKernel {
 
   /// Energy [E0 L0^D]; `measure[q]` is the quadrature weight times reference length or area [L0^(D-1)].
   template <class T>
-  static T energy(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure, const Nodal<T>& gap) {
+  static T energy(const Law& law, const Table& quadrature, const T* measure, const Nodal<T>& gap) {
     T sum(0.0);
     for (std::size_t q = 0; q < quadrature.size(); ++q)
       sum += measure[q] * law.energy(interpolate(quadrature.value[q], gap));
@@ -75,7 +45,7 @@ struct SurfaceKernel {
 
   /// Adds dPi/du along the normal to f. Returns the least gap of the time points and of the end.
   template <class T>
-  static T add_force(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure,
+  static T add_force(const Law& law, const Table& quadrature, const T* measure,
                      const Segment<T>& segment, const Rule& rule, Nodal<T>& f) {
     T least_gap(1e300);
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
@@ -93,15 +63,18 @@ struct SurfaceKernel {
     return least_gap;
   }
 
-  /// Adds the derivative of the force to k.
+  /// Adds the derivative of the force to k; `convex` leaves out negative stiffnesses.
   template <class T>
-  static void add_tangent(const Law& law, const SurfaceQuadrature<D>& quadrature, const T* measure,
-                          const Segment<T>& segment, const Rule& rule, Small<T, N>& k) {
+  static void add_tangent(const Law& law, const Table& quadrature, const T* measure, const Segment<T>& segment,
+                          const Rule& rule, bool convex, Small<T, N>& k) {
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
       const auto& shape = quadrature.value[q];
       const Ends<T> ends(segment, shape);
       T mean(0.0);
-      for (const RulePoint& point : rule.points) mean += (point.weight * point.to) * law.stiffness(ends.at(point));
+      for (const RulePoint& point : rule.points) {
+        const T stiffness = law.stiffness(ends.at(point));
+        mean += (point.weight * point.to) * (convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness);
+      }
       mean *= measure[q];
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b < N; ++b) k[a][b] += (shape[a] * shape[b]) * mean;
@@ -112,7 +85,7 @@ struct SurfaceKernel {
   /// the path is not linear (a linear path between two points before a flat wall never leaves their segment). `change`
   /// holds nodal gap changes dr; p = du(xi)/du_s.
   template <class T>
-  static T admissible_step(const SurfaceQuadrature<D>& quadrature, const Segment<T>& segment, const Rule& rule,
+  static T admissible_step(const Table& quadrature, const Segment<T>& segment, const Rule& rule,
                            const Nodal<T>& change, double margin, double near) {
     T step(1.0);
     const auto restrict_to = [&](const T& r, const T& dr) {

@@ -37,6 +37,14 @@ class VanDerWaals {
     return s * s * ((9 * c1_) * (s * s * s) - 3 * c2_);
   }
 
+  /// What the traction's rounding error is measured by: both parts without their signs, and |dT/dr| r.
+  template <class T>
+  T magnitude(const T& r) const {
+    const T inverse = 1.0 / r;
+    const T s = inverse * inverse;
+    return s * inverse * ((10 * c1_) * (s * s * s) + 4 * c2_);
+  }
+
   double c1() const { return c1_; }
   double c2() const { return c2_; }
   /// T = 0: 15^(-1/6) r0 [L0].

@@ -83,13 +83,19 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
     to_local[node] = static_cast<int>(i);
     local.global_ids.push_back(number[node]);
     for (std::size_t d = 0; d < dim; ++d) local.coordinates.push_back(mesh.coordinates[node * dim + d]);
+    if (!mesh.derivative_of.empty()) local.derivative.push_back(mesh.derivative_of[node] >= 0 ? 1 : 0);
   }
 
   std::vector<std::vector<int>> local_cell;  // per block: number of the cell here, or -1
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const ElementBlock& block = mesh.blocks[b];
     const int n = nodes_per_cell(block.type);
-    LocalBlock here{block.name, block.type, {}, {}, cells[b], block.cells()};
+    LocalBlock here;
+    here.name = block.name;
+    here.type = block.type;
+    here.points = block.points;
+    here.original_cells = cells[b];
+    here.global_cells = block.cells();
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell : cells[b]) {
       local_cell[b][static_cast<std::size_t>(cell)] = here.cells();
@@ -97,6 +103,8 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
       here.owned.push_back(node_owner[static_cast<std::size_t>(first)] == rank ? 1 : 0);
       for (int a = 0; a < n; ++a)
         here.nodes.push_back(to_local[static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])]);
+      for (int a = 0; a < 2 && !block.derivative_scale.empty(); ++a)
+        here.derivative_scale.push_back(block.derivative_scale[cell_entry(cell, 2, a)]);
     }
     local.blocks.push_back(std::move(here));
   }

@@ -24,6 +24,8 @@ struct LocalBlock {
   CellType type = CellType::Quad4;
   std::vector<int> nodes;           ///< local node numbers, cells x nodes per cell
   std::vector<char> owned;          ///< per cell: energies count it on this rank
+  std::vector<double> derivative_scale;  ///< see ElementBlock
+  int points = 0;                        ///< see ElementBlock
   std::vector<int> original_cells;  ///< per cell: its number in the block of the Mesh
   int global_cells = 0;             ///< of the block, on all ranks
   int cells() const { return static_cast<int>(owned.size()); }
@@ -38,6 +40,7 @@ struct LocalMesh {
   std::vector<long long> global_ids;  ///< per local node; consecutive over the ranks
   std::vector<int> original_ids;      ///< per local node; the number in the Mesh
   std::vector<double> coordinates;    ///< local nodes x dimension [L0]
+  std::vector<char> derivative;       ///< empty, or per local node: it stands for a derivative, see Mesh::derivative_of
   std::vector<LocalBlock> blocks;     ///< all blocks of the mesh, possibly empty here
   std::vector<std::string> side_set_names;
   std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
@@ -47,6 +50,7 @@ struct LocalMesh {
   long long global_cells = 0;
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
+  bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
   /// Index of the set of that name; throws InputError that names the nearest one.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;

@@ -7,7 +7,9 @@
 
 namespace ixos {
 
-enum class CellType { Quad4, Hex8 };
+/// Quad4Cq and Quad4CH are quadrilaterals with an enriched contact side, side 0 (see fem/contact_elements.hpp): nodes 1
+/// to 4 as of Quad4, then the other nodes of that side.
+enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
@@ -18,7 +20,7 @@ inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
 }
 
 /// The local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside, counter-
-/// clockwise. Two nodes for a quadrilateral, four for a hexahedron.
+/// clockwise. Two nodes for a quadrilateral, four for a hexahedron; of an enriched side the two ends, then the others.
 const std::vector<int>& side_nodes(CellType type, int side);
 
 /// Cells of one type and one material.
@@ -26,8 +28,20 @@ struct ElementBlock {
   std::string name;
   CellType type = CellType::Quad4;
   std::vector<int> nodes;  ///< cells x nodes per cell, row by row, in Exodus order
+  /// Quad4CH only, cells x 2: what the shape functions of a cell's two derivative nodes are multiplied by, the side's
+  /// length over the length that scales the node's derivative.
+  std::vector<double> derivative_scale{};
+  int points = 0;  ///< Gauss points along an enriched side; 0: the element's own
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }
 };
+
+/// What node `a` of the cell counts with in its cell: 1, or its entry in `derivative_scale`. `Block` is an ElementBlock
+/// or a LocalBlock.
+template <class Block>
+double node_scale(const Block& block, int cell, int a) {
+  if (block.derivative_scale.empty() || a < 4) return 1.0;
+  return block.derivative_scale[cell_entry(cell, 2, a - 4)];
+}
 
 struct Side {
   int block;  ///< index of the block
@@ -45,15 +59,22 @@ struct NodeSet {
   std::vector<int> nodes;
 };
 
+/// Blocks of one name are one body part; enrich() splits them by cell type.
 struct Mesh {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension, row by row [L0]
+  /// Empty, or per node: -1 for a point of the body; else this node stands for a derivative along the boundary at that
+  /// node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds.
+  std::vector<int> derivative_of;
   std::vector<ElementBlock> blocks;
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int cells() const;
+  bool is_derivative(int node) const {
+    return !derivative_of.empty() && derivative_of[static_cast<std::size_t>(node)] >= 0;
+  }
 };
 
 }  // namespace ixos

@@ -4,7 +4,8 @@
 
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
-#include "fem/reference_elements.hpp"
+#include "fem/cell_types.hpp"
+#include "fem/shape_table.hpp"
 
 namespace ixos {
 namespace {
@@ -13,13 +14,15 @@ template <class Element>
 void check(const Mesh& mesh, const ElementBlock& block) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
+  const ShapeTable<Element> table;
   for (int cell = 0; cell < block.cells(); ++cell)
-    for (const auto& gradient : Element::table().gradient) {
+    for (const auto& gradient : table.gradient) {
       Small<double, D> jacobian{};
       for (std::size_t a = 0; a < N; ++a) {
-        const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(cell) * N + a]);
+        const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, N, static_cast<int>(a))]);
+        const double scale = node_scale(block, cell, static_cast<int>(a));
         for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) jacobian[i][j] += mesh.coordinates[node * D + i] * gradient[a][j];
+          for (std::size_t j = 0; j < D; ++j) jacobian[i][j] += scale * mesh.coordinates[node * D + i] * gradient[a][j];
       }
       if (!(determinant(jacobian) > 0))
         throw InputError(
@@ -32,12 +35,8 @@ void check(const Mesh& mesh, const ElementBlock& block) {
 }  // namespace
 
 void check_cells(const Mesh& mesh) {
-  for (const ElementBlock& block : mesh.blocks) {
-    if (block.type == CellType::Quad4)
-      check<Quad4>(mesh, block);
-    else
-      check<Hex8>(mesh, block);
-  }
+  for (const ElementBlock& block : mesh.blocks)
+    with_element(block.type, [&](auto element) { check<typename decltype(element)::type>(mesh, block); });
 }
 
 }  // namespace ixos

@@ -1,8 +1,10 @@
 #include "model/elastic_term.hpp"
 
+#include "fem/cell_types.hpp"
 #include "fem/elastic_kernel.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "model/cell_quadrature.hpp"
 #include "model/element_batches.hpp"
 
 namespace ixos {
@@ -17,14 +19,18 @@ class ElasticTerm final : public Term {
   using Geometry = typename Kernel::template Geometry<Pack>;
 
  public:
-  ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material)
-      : material_(material), youngs_modulus_(youngs_modulus(material.lame)), batches_(block.nodes, pattern) {
+  ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material,
+              int points)
+      : material_(material),
+        youngs_modulus_(youngs_modulus(material.lame)),
+        batches_(block.nodes, pattern, node_scales(block)),
+        table_(cell_points<Element>(block, points)) {
     geometry_.reserve(batches_.size());
     owned_.reserve(batches_.size());
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Nodal x;
       batches_.gather(b, mesh.coordinates.data(), x);
-      geometry_.push_back(Kernel::geometry(x));
+      geometry_.push_back(Kernel::geometry(table_, x));
       owned_.emplace_back([&](auto lane) {
         const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
         return lane < batches_.lanes(b) && block.owned[cell] != 0 ? 1.0 : 0.0;
@@ -43,7 +49,7 @@ class ElasticTerm final : public Term {
     return least(least_jacobian) > 0;
   }
 
-  void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gathered ends(batches_, b, segment);
       typename Kernel::template Tangent<Pack> tangent{};
@@ -100,24 +106,26 @@ class ElasticTerm final : public Term {
   Material material_;
   double youngs_modulus_;
   ElementBatches<N, D> batches_;
+  typename Kernel::Table table_;
   std::vector<Geometry> geometry_;
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };
 
 template <class Element>
 std::unique_ptr<Term> make(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, ElasticLaw law,
-                           const Lame& lame) {
+                           const Lame& lame, int points) {
   if (law == ElasticLaw::Linear)
-    return std::make_unique<ElasticTerm<Element, LinearElastic>>(mesh, block, pattern, LinearElastic{lame});
-  return std::make_unique<ElasticTerm<Element, NeoHooke>>(mesh, block, pattern, NeoHooke{lame});
+    return std::make_unique<ElasticTerm<Element, LinearElastic>>(mesh, block, pattern, LinearElastic{lame}, points);
+  return std::make_unique<ElasticTerm<Element, NeoHooke>>(mesh, block, pattern, NeoHooke{lame}, points);
 }
 
 }  // namespace
 
 std::unique_ptr<Term> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-                                        ElasticLaw law, const Lame& lame) {
-  if (block.type == CellType::Quad4) return make<Quad4>(mesh, block, pattern, law, lame);
-  return make<Hex8>(mesh, block, pattern, law, lame);
+                                        ElasticLaw law, const Lame& lame, int points) {
+  return with_element(block.type, [&](auto element) {
+    return make<typename decltype(element)::type>(mesh, block, pattern, law, lame, points);
+  });
 }
 
 }  // namespace ixos

@@ -16,8 +16,9 @@ namespace ixos {
 template <std::size_t N, std::size_t D>
 class ElementBatches {
  public:
-  /// `nodes`: cells x N local node numbers.
-  ElementBatches(const std::vector<int>& nodes, const Pattern& pattern) : cells_(nodes.size() / N) {
+  /// `nodes`: cells x N local node numbers. `scale`: empty, or cells x N factors of the nodes' shape functions.
+  ElementBatches(const std::vector<int>& nodes, const Pattern& pattern, const std::vector<double>& scale = {})
+      : cells_(nodes.size() / N) {
     batches_.resize((cells_ + width - 1) / width);
     for (std::size_t e = 0; e < batches_.size() * width; ++e) {
       Batch& batch = batches_[e / width];
@@ -30,6 +31,11 @@ class ElementBatches {
         for (std::size_t b = 0; b < N; ++b) batch.offset[a][b][lane] = pattern.offset(cell[a], cell[b]);
       }
     }
+    if (scale.empty()) return;
+    scale_.resize(batches_.size());
+    for (std::size_t e = 0; e < batches_.size() * width; ++e)
+      for (std::size_t a = 0; a < N; ++a)
+        scale_[e / width][a][e % width] = scale[(e < cells_ ? e : (e / width) * width) * N + a];
   }
 
   static constexpr std::size_t width = static_cast<std::size_t>(pack_width);
@@ -45,10 +51,21 @@ class ElementBatches {
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d)
         values[a][d] = Pack([&](auto lane) { return local[static_cast<std::size_t>(b.dof[a][lane]) + d]; });
+    if (!scale_.empty())
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
   }
 
-  void scatter_force(std::size_t batch, const Small<Pack, N, D>& values, double* local) const {
+  /// The factor of a node's shape function in that cell.
+  double scale(std::size_t batch, std::size_t node, std::size_t lane) const {
+    return scale_.empty() ? 1.0 : scale_[batch][node][lane];
+  }
+
+  void scatter_force(std::size_t batch, Small<Pack, N, D> values, double* local) const {
     const Batch& b = batches_[batch];
+    if (!scale_.empty())
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t lane = 0; lane < b.lanes; ++lane) {
         double* target = local + b.dof[a][lane];
@@ -56,9 +73,12 @@ class ElementBatches {
       }
   }
 
-  /// Adds the rows of owned nodes to the matrix values.
-  void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
+  /// Adds the rows of owned nodes to the matrix values; k is scratch afterwards.
+  void scatter_tangent(std::size_t batch, Small<Pack, N * D>& k, double* values) const {
     const Batch& b = batches_[batch];
+    if (!scale_.empty())
+      for (std::size_t r = 0; r < N * D; ++r)
+        for (std::size_t c = 0; c < N * D; ++c) k[r][c] *= scale_[batch][r / D] * scale_[batch][c / D];
     std::array<double, N * D * N * D * width> lanes;
     for (std::size_t r = 0; r < N * D; ++r)
       for (std::size_t c = 0; c < N * D; ++c)
@@ -86,6 +106,7 @@ class ElementBatches {
   };
   std::size_t cells_;
   std::vector<Batch> batches_;
+  std::vector<std::array<Pack, N>> scale_;  ///< empty where all factors are 1
 };
 
 }  // namespace ixos

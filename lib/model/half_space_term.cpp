@@ -1,30 +1,42 @@
 #include "model/half_space_term.hpp"
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <type_traits>
+#include <utility>
 
+#include "fem/cell_types.hpp"
 #include "interaction/surface_kernel.hpp"
 #include "model/element_batches.hpp"
 
 namespace ixos {
 namespace {
 
-template <std::size_t D, class Law>
+/// Sides of one element type.
+template <class SideElement, class Law>
 class HalfSpaceTerm final : public Term {
-  using Kernel = SurfaceKernel<D, Law>;
+  using Kernel = SurfaceKernel<SideElement, Law>;
+  static constexpr std::size_t D = SideElement::dimension + 1;
   static constexpr std::size_t N = Kernel::N;
   using Nodal = typename Kernel::template Nodal<Pack>;
 
  public:
   HalfSpaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
                 const HalfSpace& wall, const SurfaceOptions& options)
-      : law_(law), wall_(wall), options_(options), quadrature_(options.points), batches_(node_table(sides), pattern) {
+      : law_(law),
+        wall_(wall),
+        options_(options),
+        quadrature_(points(options)),
+        batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
     double origin = 0;
     for (std::size_t d = 0; d < D; ++d) origin += wall.point[d] * wall.normal[d];
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Small<Pack, N, D> x;
       batches_.gather(b, mesh.coordinates.data(), x);
       reference_gap_.push_back(along_normal(x));
-      for (Pack& gap : reference_gap_.back()) gap -= origin;
+      // The other nodes of a Hermite side are derivatives: no place, and no distance from the origin.
+      for (std::size_t a = 0; a < places; ++a) reference_gap_.back()[a] -= origin;
       for (std::size_t q = 0; q < quadrature_.size(); ++q) measure_.push_back(quadrature_.weight[q] * stretch(x, q));
       owned_.emplace_back([&](auto lane) {
         return lane < batches_.lanes(b) && sides[b * static_cast<std::size_t>(pack_width) + lane].owned ? 1.0 : 0.0;
@@ -46,11 +58,11 @@ class HalfSpaceTerm final : public Term {
     return least(least_gap) > 0;
   }
 
-  void add_tangent(const Segment& segment, const Rule& rule, double* values) const override {
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gaps gaps(*this, b, segment);
       Small<Pack, N> along{};
-      Kernel::add_tangent(law_, quadrature_, measure(b), gaps.segment(), rule, along);
+      Kernel::add_tangent(law_, quadrature_, measure(b), gaps.segment(), rule, kind == Tangent::Convex, along);
       Small<Pack, N * D> tangent;
       for (std::size_t r = 0; r < N * D; ++r)
         for (std::size_t c = 0; c < N * D; ++c)
@@ -76,13 +88,25 @@ class HalfSpaceTerm final : public Term {
     return least(step);
   }
 
+  double rounding(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Nodal gap = gaps_of(b, u);
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) {
+        const Pack force = measure(b)[q] * law_.magnitude(Kernel::interpolate(quadrature_.value[q], gap));
+        sum += owned_[b] * force * force;
+      }
+    }
+    return total(sum);
+  }
+
   void add_nodal_measure(double* measure_by_node) const override {
     for (std::size_t b = 0; b < batches_.size(); ++b)
       for (std::size_t q = 0; q < quadrature_.size(); ++q)
         for (std::size_t a = 0; a < N; ++a)
           for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
             measure_by_node[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D] +=
-                quadrature_.value[q][a] * measure(b)[q][lane];
+                batches_.scale(b, a, lane) * quadrature_.value[q][a] * measure(b)[q][lane];
   }
 
   void report(const double* u, InteractionReport& report) const override {
@@ -118,6 +142,23 @@ class HalfSpaceTerm final : public Term {
     bool has_from_, has_velocity_;
     Nodal to_, from_, velocity_;
   };
+
+  static constexpr std::size_t places = std::is_same_v<SideElement, HermiteEdge> ? 2 : N;
+
+  static std::array<int, D - 1> points(const SurfaceOptions& options) {
+    std::array<int, D - 1> counts;
+    counts.fill(options.points > 0 ? options.points : N > (1 << (D - 1)) + 1 ? 8 : 5);
+    return counts;
+  }
+
+  static std::vector<double> scale_table(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
+    std::vector<double> scales;
+    if (places == N) return scales;
+    for (const LocalSide& side : sides)
+      for (int a : {0, 1, 4, 5})
+        scales.push_back(node_scale(mesh.blocks[static_cast<std::size_t>(side.block)], side.cell, a));
+    return scales;
+  }
 
   static std::vector<int> node_table(const std::vector<LocalSide>& sides) {
     std::vector<int> nodes;
@@ -170,7 +211,7 @@ class HalfSpaceTerm final : public Term {
   Law law_;
   HalfSpace wall_;
   SurfaceOptions options_;
-  SurfaceQuadrature<D> quadrature_;
+  ShapeTable<SideElement> quadrature_;
   ElementBatches<N, D> batches_;
   std::vector<Nodal> reference_gap_;
   std::vector<Pack> measure_;  ///< batches x quadrature points
@@ -179,12 +220,31 @@ class HalfSpaceTerm final : public Term {
 
 }  // namespace
 
-std::unique_ptr<Term> make_half_space_term(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
-                                           const Pattern& pattern, const VanDerWaals& law, const HalfSpace& wall,
-                                           const SurfaceOptions& options) {
-  if (mesh.dimension == 2)
-    return std::make_unique<HalfSpaceTerm<2, VanDerWaals>>(mesh, sides, pattern, law, wall, options);
-  return std::make_unique<HalfSpaceTerm<3, VanDerWaals>>(mesh, sides, pattern, law, wall, options);
+std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                                         const Pattern& pattern, const VanDerWaals& law,
+                                                         const HalfSpace& wall, const SurfaceOptions& options) {
+  // A set may hold enriched sides beside plain ones.
+  std::map<std::pair<std::size_t, bool>, std::vector<LocalSide>> groups;
+  for (const LocalSide& side : sides) {
+    const bool hermite = mesh.blocks[static_cast<std::size_t>(side.block)].type == CellType::Quad4CH;
+    groups[{side.nodes.size(), hermite}].push_back(side);
+  }
+  std::vector<std::unique_ptr<Term>> terms;
+  // A rank without sides has a term too: what follows from there being one is collective.
+  if (groups.empty() && mesh.dimension == 2)
+    terms.push_back(std::make_unique<HalfSpaceTerm<Line2, VanDerWaals>>(mesh, sides, pattern, law, wall, options));
+  if (groups.empty() && mesh.dimension == 3)
+    terms.push_back(
+        std::make_unique<HalfSpaceTerm<Multilinear<2>, VanDerWaals>>(mesh, sides, pattern, law, wall, options));
+  for (const auto& [key, group] : groups) {
+    const CellType type = mesh.blocks[static_cast<std::size_t>(group.front().block)].type;
+    with_side_element(type, group.front().side, [&](auto side) {
+      using SideElement = typename decltype(side)::type;
+      terms.push_back(
+          std::make_unique<HalfSpaceTerm<SideElement, VanDerWaals>>(mesh, group, pattern, law, wall, options));
+    });
+  }
+  return terms;
 }
 
 }  // namespace ixos

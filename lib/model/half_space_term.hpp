@@ -1,6 +1,7 @@
 /// Interaction of a surface with a rigid flat wall.
 #pragma once
 #include <memory>
+#include <vector>
 
 #include "interaction/half_space.hpp"
 #include "interaction/van_der_waals.hpp"
@@ -11,13 +12,14 @@
 namespace ixos {
 
 struct SurfaceOptions {
-  int points = 5;       ///< Gauss points a direction on each side
+  int points = 0;       ///< Gauss points a direction on each side; 0: 5, but 8 on sides of order 3 or more
   double margin = 0.8;  ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
 };
 
-/// The term for the sides of one side set before `wall`.
-std::unique_ptr<Term> make_half_space_term(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
-                                           const Pattern& pattern, const VanDerWaals& law, const HalfSpace& wall,
-                                           const SurfaceOptions& options);
+/// The terms for the sides of one side set before `wall`, one for each element type among them, and at
+/// least one.
+std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                                         const Pattern& pattern, const VanDerWaals& law,
+                                                         const HalfSpace& wall, const SurfaceOptions& options);
 
 }  // namespace ixos

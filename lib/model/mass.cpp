@@ -3,7 +3,8 @@
 #include <array>
 
 #include "base/small_matrix.hpp"
-#include "fem/reference_elements.hpp"
+#include "fem/cell_types.hpp"
+#include "fem/shape_table.hpp"
 
 namespace ixos {
 namespace {
@@ -13,19 +14,26 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
          std::vector<double>& pairs) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
-  const auto& table = Element::table();
-  for (std::size_t cell = 0; cell < static_cast<std::size_t>(block.cells()); ++cell) {
-    const int* nodes = &block.nodes[cell * N];
+  // One point more along an enriched side than for the stiffness: the square of the shape functions.
+  std::array<int, D> counts = Element::default_points;
+  if (N != 1 << D) ++counts[0];
+  const ShapeTable<Element> table(counts);
+  for (int cell = 0; cell < block.cells(); ++cell) {
+    const int* nodes = &block.nodes[cell_entry(cell, N)];
+    std::array<double, N> scale;
+    for (std::size_t a = 0; a < N; ++a) scale[a] = node_scale(block, cell, static_cast<int>(a));
     Small<double, N> element{};
-    for (std::size_t q = 0; q < table.weight.size(); ++q) {
+    for (std::size_t q = 0; q < table.size(); ++q) {
       Small<double, D> jacobian{};
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t d = 0; d < D; ++d)
-            jacobian[i][d] += mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i] * table.gradient[q][a][d];
+            jacobian[i][d] +=
+                scale[a] * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i] * table.gradient[q][a][d];
       const double weight = density * table.weight[q] * determinant(jacobian);
       for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t b = 0; b < N; ++b) element[a][b] += weight * table.value[q][a] * table.value[q][b];
+        for (std::size_t b = 0; b < N; ++b)
+          element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];
     }
     for (std::size_t a = 0; a < N; ++a) {
       if (nodes[a] >= pattern.rows()) continue;
@@ -56,10 +64,9 @@ Mass::Mass(const LocalMesh& mesh, const Pattern& pattern)
     : mesh_(mesh), pattern_(pattern), pairs_(static_cast<std::size_t>(pattern.pairs()), 0.0) {}
 
 void Mass::add_block(const LocalBlock& block, double density) {
-  if (block.type == CellType::Quad4)
-    add<Quad4>(mesh_, block, density, pattern_, pairs_);
-  else
-    add<Hex8>(mesh_, block, density, pattern_, pairs_);
+  with_element(block.type, [&](auto element) {
+    add<typename decltype(element)::type>(mesh_, block, density, pattern_, pairs_);
+  });
 }
 
 void Mass::multiply(const double* x, double* y) const {

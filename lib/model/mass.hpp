@@ -14,7 +14,8 @@ class Mass {
  public:
   Mass(const LocalMesh& mesh, const Pattern& pattern);
 
-  /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals and parallelepipeds.
+  /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals with straight sides and for
+  /// parallelepipeds.
   void add_block(const LocalBlock& block, double density);
 
   /// y = M x: x local (with ghosts), y the rows of owned nodes.

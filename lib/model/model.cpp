@@ -17,49 +17,59 @@ bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, do
   return admissible;
 }
 
-const LocalBlock& block_named(const LocalMesh& mesh, const std::string& name) {
+/// The blocks of one name: enriched cells are a block of their own.
+std::vector<std::size_t> blocks_named(const LocalMesh& mesh, const std::string& name) {
+  std::vector<std::size_t> found;
   std::vector<std::string> names;
-  for (const LocalBlock& block : mesh.blocks) {
-    if (block.name == name) return block;
-    names.push_back(block.name);
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+    if (mesh.blocks[b].name == name) found.push_back(b);
+    if (std::find(names.begin(), names.end(), mesh.blocks[b].name) == names.end()) names.push_back(mesh.blocks[b].name);
   }
-  throw InputError("block \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                   "\"? The mesh has " + quoted_list(names));
+  if (found.empty())
+    throw InputError("block \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
+                     "\"? The mesh has " + quoted_list(names));
+  return found;
 }
 
 }  // namespace
 
-Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials)
-    : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_), mass_(mesh_, pattern_) {
+Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
+    : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_) {
+  if (inertia == Inertia::Consistent) mass_ = std::make_unique<Mass>(mesh_, pattern_);
   for (const Material& material : materials) {
-    const LocalBlock& block = block_named(mesh_, material.block);
     const auto same = [&](const Material& other) { return other.block == material.block; };
     if (std::count_if(materials.begin(), materials.end(), same) > 1)
       throw InputError("block \"" + material.block + "\" has two materials; give each list its own Block");
-    elastic_block_.push_back(static_cast<std::size_t>(&block - mesh_.blocks.data()));
-    elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame));
-    mass_.add_block(block, material.density);
-    if (material.mass_damping == 0 && material.stiffness_damping == 0) continue;
-    if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension);
-    if (material.mass_damping != 0) {
-      Mass block_mass(mesh_, pattern_);
-      block_mass.add_block(block, material.density);
-      block_mass.add_to(material.mass_damping, damping_->values());
-    }
-    if (material.stiffness_damping != 0) {
-      Rule rule = end_rule();
-      rule.points[0].weight = material.stiffness_damping;
-      const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
-      elastic_.back()->add_tangent({nullptr, nullptr, rest.data()}, rule, damping_->values());
-    }
+    for (std::size_t b : blocks_named(mesh_, material.block)) add_block(b, material);
   }
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material");
-  double sums[3] = {elastic_trace(), mass_.trace(), static_cast<double>(mesh_.owned_nodes)};
+  double sums[3] = {elastic_trace(), mass_ ? mass_->trace() : 0.0, static_cast<double>(mesh_.owned_nodes)};
   space_.sum(sums, 3);
   elastic_scale_ = sums[0] / (sums[2] * mesh_.dimension);
   mass_scale_ = sums[1] / sums[2];
+}
+
+void Model::add_block(std::size_t number, const Material& material) {
+  const LocalBlock& block = mesh_.blocks[number];
+  elastic_block_.push_back(number);
+  elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame, material.points));
+  if (!mass_) return;
+  mass_->add_block(block, material.density);
+  if (material.mass_damping == 0 && material.stiffness_damping == 0) return;
+  if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension);
+  if (material.mass_damping != 0) {
+    Mass block_mass(mesh_, pattern_);
+    block_mass.add_block(block, material.density);
+    block_mass.add_to(material.mass_damping, damping_->values());
+  }
+  if (material.stiffness_damping != 0) {
+    Rule rule = end_rule();
+    rule.points[0].weight = material.stiffness_damping;
+    const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
+    elastic_.back()->add_tangent({nullptr, nullptr, rest.data()}, rule, Tangent::Exact, damping_->values());
+  }
 }
 
 double Model::elastic_trace() const {
@@ -84,11 +94,11 @@ bool Model::interaction_force(const Segment& segment, const Rule& rule, double* 
 }
 
 void Model::add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const {
-  for (const auto& term : elastic_) term->add_tangent(segment, rule, values);
+  for (const auto& term : elastic_) term->add_tangent(segment, rule, Tangent::Exact, values);
 }
 
-void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, double* values) const {
-  for (const auto& term : interactions_) term->add_tangent(segment, rule, values);
+void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const {
+  for (const auto& term : interactions_) term->add_tangent(segment, rule, kind, values);
 }
 
 double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
@@ -98,16 +108,32 @@ double Model::admissible_step(const Segment& segment, const Rule& interaction, c
   return space_.minimum(step);
 }
 
-double Model::elastic_energy(const double* u) const {
+double Model::local_elastic_energy(const double* u) const {
   double sum = 0;
   for (const auto& term : elastic_) sum += term->energy(u);
+  return sum;
+}
+
+double Model::local_interaction_energy(const double* u) const {
+  double sum = 0;
+  for (const auto& term : interactions_) sum += term->energy(u);
+  return sum;
+}
+
+double Model::local_rounding(const double* u) const {
+  double sum = 0;
+  for (const auto& term : interactions_) sum += term->rounding(u);
+  return sum;
+}
+
+double Model::elastic_energy(const double* u) const {
+  double sum = local_elastic_energy(u);
   space_.sum(&sum, 1);
   return sum;
 }
 
 double Model::interaction_energy(const double* u) const {
-  double sum = 0;
-  for (const auto& term : interactions_) sum += term->energy(u);
+  double sum = local_interaction_energy(u);
   space_.sum(&sum, 1);
   return sum;
 }
@@ -128,8 +154,8 @@ InteractionReport Model::interaction_report(const double* u) const {
 
 Momenta Model::momenta(const double* u, const double* v) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
-  std::vector<double> momentum(static_cast<std::size_t>(space_.owned()));
-  mass_.multiply(v, momentum.data());
+  std::vector<double> momentum(static_cast<std::size_t>(space_.owned()), 0.0);
+  if (mass_) mass_->multiply(v, momentum.data());
   std::vector<double> sums(1 + d + (d == 2 ? 1 : 3), 0.0);
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
     const double* p = &momentum[node * d];
@@ -137,7 +163,7 @@ Momenta Model::momenta(const double* u, const double* v) const {
     for (std::size_t i = 0; i < d; ++i) {
       x[i] = mesh_.coordinates[node * d + i] + u[node * d + i];
       sums[0] += 0.5 * v[node * d + i] * p[i];
-      sums[1 + i] += p[i];
+      if (!mesh_.is_derivative(node)) sums[1 + i] += p[i];
     }
     if (d == 2) {
       sums[3] += x[0] * p[1] - x[1] * p[0];
@@ -172,11 +198,31 @@ std::vector<double> Model::interaction_traction(const double* u) const {
   return traction;
 }
 
+void Model::multiply_constrained_columns(const double* values, const double* x, double* result) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  const std::vector<int>& start = pattern_.row_start();
+  const double* value = values;
+  for (int row = 0; row < pattern_.rows(); ++row)
+    for (std::size_t i = 0; i < d; ++i) {
+      double sum = 0;
+      for (int p = start[static_cast<std::size_t>(row)]; p < start[static_cast<std::size_t>(row) + 1]; ++p)
+        for (std::size_t j = 0; j < d; ++j, ++value) {
+          const std::size_t c = static_cast<std::size_t>(pattern_.columns()[static_cast<std::size_t>(p)]) * d + j;
+          if (constraints_.holds(static_cast<int>(c))) sum += *value * x[c];
+        }
+      const std::size_t r = static_cast<std::size_t>(row) * d + i;
+      result[r] = constraints_.holds(static_cast<int>(r)) ? 0.0 : sum;
+    }
+}
+
+void Model::add_to_diagonal(double value, double* values) const {
+  for (int row = 0; row < pattern_.rows(); ++row)
+    for (int i = 0; i < mesh_.dimension; ++i) values[pattern_.offset(row, row) + pattern_.stride(row) * i + i] += value;
+}
+
 void Model::constrain_matrix(double diagonal, double* values) const {
   if (constraints_.empty()) return;
   const int d = mesh_.dimension;
-  std::vector<char> constrained(static_cast<std::size_t>(space_.local()), 0);
-  for (const Constraint& constraint : constraints_) constrained[static_cast<std::size_t>(constraint.dof)] = 1;
   const std::vector<int>& start = pattern_.row_start();
   double* value = values;
   for (int row = 0; row < pattern_.rows(); ++row)
@@ -185,8 +231,7 @@ void Model::constrain_matrix(double diagonal, double* values) const {
         for (int j = 0; j < d; ++j, ++value) {
           const int r = row * d + i;
           const int c = pattern_.columns()[static_cast<std::size_t>(p)] * d + j;
-          if (constrained[static_cast<std::size_t>(r)] || constrained[static_cast<std::size_t>(c)])
-            *value = r == c ? diagonal : 0.0;
+          if (constraints_.holds(r) || constraints_.holds(c)) *value = r == c ? diagonal : 0.0;
         }
 }
 

@@ -1,12 +1,14 @@
-/// The semi-discrete model: M a + C v + f_el(u) + f_c(u) = 0 with constrained degrees of freedom.
+/// The semi-discrete model: M a + C v + f_el(u) + f_c(u) = f_ext(t) with constrained degrees of freedom.
 #pragma once
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/constraints.hpp"
 #include "model/damping.hpp"
 #include "model/elastic_term.hpp"
+#include "model/loads.hpp"
 #include "model/mass.hpp"
 #include "model/term.hpp"
 
@@ -20,19 +22,16 @@ struct Material {
   double density = 0;            ///< [E0 T0^2/L0^2]
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
+  int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
 };
 
-/// A prescribed degree of freedom, u(t) = displacement + velocity t.
-struct Constraint {
-  int dof;              ///< local number; ghosts are constrained on every rank that sees them
-  double displacement;  ///< [L0]
-  double velocity;      ///< [L0/T0]
-};
+/// A static model has no mass and no damping: neither is allocated.
+enum class Inertia { Consistent, None };
 
 /// A sum over all ranks of what the model stores and moves.
 struct Momenta {
   double kinetic_energy = 0;
-  std::vector<double> linear;   ///< D components
+  std::vector<double> linear;   ///< D components; all are zero without inertia
   std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D
 };
 
@@ -40,22 +39,25 @@ struct Momenta {
 /// ghosts; owned arrays the owned nodes only.
 class Model {
  public:
-  Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials);
+  Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials,
+        Inertia inertia = Inertia::Consistent);
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Interactions and constraints are added before the model is given to an integrator or an evaluator.
+  /// Interactions, constraints and loads are added before the model is given to an integrator or an evaluator.
   void add_interaction(std::unique_ptr<Term> term) { interactions_.push_back(std::move(term)); }
-  void add_constraint(const Constraint& constraint) { constraints_.push_back(constraint); }
+  Constraints& constraints() { return constraints_; }
+  Loads& loads() { return loads_; }
 
   const LocalMesh& mesh() const { return mesh_; }
   const DofSpace& space() const { return space_; }
   const Pattern& pattern() const { return pattern_; }
-  const Mass& mass() const { return mass_; }
+  const Mass* mass() const { return mass_.get(); }  ///< null where static
   const Damping* damping() const { return damping_.get(); }
-  const std::vector<Constraint>& constraints() const { return constraints_; }
+  const Constraints& constraints() const { return constraints_; }
+  const Loads& loads() const { return loads_; }
   bool has_interactions() const { return !interactions_.empty(); }
-  /// Mean diagonal entry of the elastic stiffness at rest, and of the mass, over all ranks.
+  /// Mean diagonal entry of the elastic stiffness at rest, and of the mass (0 where static), over all ranks.
   double elastic_scale() const { return elastic_scale_; }
   double mass_scale() const { return mass_scale_; }
 
@@ -64,10 +66,15 @@ class Model {
   bool elastic_force(const Segment& segment, const Rule& rule, double* f) const;
   bool interaction_force(const Segment& segment, const Rule& rule, double* f) const;
   void add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const;
-  void add_interaction_tangent(const Segment& segment, const Rule& rule, double* values) const;
+  void add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
   /// Largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
 
+  /// This rank's share of the potential energy of the elastic (interaction) terms [E0 L0^D].
+  double local_elastic_energy(const double* u) const;
+  double local_interaction_energy(const double* u) const;
+  /// This rank's sum of Term::rounding over the interactions.
+  double local_rounding(const double* u) const;
   /// Collective sums over all ranks [E0 L0^D].
   double elastic_energy(const double* u) const;
   double interaction_energy(const double* u) const;
@@ -80,21 +87,27 @@ class Model {
   /// zero away from interacting surfaces [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
 
+  /// result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in the layout
+  /// of Pattern::create_matrix, x local.
+  void multiply_constrained_columns(const double* values, const double* x, double* result) const;
+  void add_to_diagonal(double value, double* values) const;
   /// values = matrix values with the rows and columns of constrained degrees of freedom replaced by `diagonal` I.
   void constrain_matrix(double diagonal, double* values) const;
 
  private:
+  void add_block(std::size_t number, const Material& material);
   double elastic_trace() const;
 
   LocalMesh mesh_;
   DofSpace space_;
   Pattern pattern_;
-  Mass mass_;
+  std::unique_ptr<Mass> mass_;
   std::unique_ptr<Damping> damping_;
   std::vector<std::unique_ptr<Term>> elastic_;
   std::vector<std::size_t> elastic_block_;  ///< of each elastic term
   std::vector<std::unique_ptr<Term>> interactions_;
-  std::vector<Constraint> constraints_;
+  Constraints constraints_;
+  Loads loads_;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;
 };

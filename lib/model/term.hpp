@@ -29,6 +29,10 @@ struct CellFields {
   std::vector<double> energy_density;    ///< W per reference volume [E0]
 };
 
+/// Which derivative of the force: the exact one, or the one without the interactions' negative stiffness, which makes a
+/// descent direction where the exact tangent is not positive definite.
+enum class Tangent { Exact, Convex };
+
 /// One conservative contribution to the model: elasticity of a block, interaction of a surface. A term evaluates a rule
 /// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
 /// scratch. None of the functions communicates.
@@ -41,13 +45,17 @@ class Term {
   virtual bool add_force(const Segment& segment, const Rule& rule, double* f) const = 0;
 
   /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
-  virtual void add_tangent(const Segment& segment, const Rule& rule, double* values) const = 0;
+  virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
 
   /// This rank's share of the potential energy [E0 L0^D].
   virtual double energy(const double* u) const = 0;
 
   /// The largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
   virtual double admissible_step(const Segment&, const Rule&, const double* /*direction*/) const { return 1.0; }
+
+  /// Sum of squares of the forces at quadrature points that cancel in add_force, and of what rounding the gap costs, both
+  /// over the machine's epsilon: near the equilibrium gap they are all that is left of the force. 0 of other terms.
+  virtual double rounding(const double* /*u*/) const { return 0; }
 
   /// Adds what an interaction reports of u; other terms add nothing.
   virtual void report(const double* /*u*/, InteractionReport&) const {}

@@ -40,15 +40,23 @@ std::string surroundings(const Simulation& simulation) {
   const List& interactions = simulation.parameters().sublist("Interactions");
   for (const auto& [name, entry] : entries(interactions)) {
     const List& list = interactions.sublist(name);
-    text += fmt::format("Interaction {}: {} between side set \"{}\" and a {}, {} points a direction\n", name,
+    text += fmt::format("Interaction {}: {} between side set \"{}\" and a {}, {}, {} points a direction\n", name,
                         list.get<std::string>("Law"), list.get<std::string>("Side Set"),
-                        list.get<std::string>("Obstacle"), list.get<int>("Surface Points"));
+                        list.get<std::string>("Obstacle"), list.get<std::string>("Contact Element"),
+                        list.get<int>("Surface Points") > 0 ? std::to_string(list.get<int>("Surface Points"))
+                                                            : "the element's own number of");
   }
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");
-  for (const auto& [name, entry] : entries(conditions))
-    text += fmt::format("Held {}: node set \"{}\", components {}\n", name,
-                        conditions.sublist(name).get<std::string>("Node Set"),
-                        conditions.sublist(name).get<std::string>("Components"));
+  for (const auto& [name, entry] : entries(conditions)) {
+    const List& list = conditions.sublist(name);
+    const auto type = list.get<std::string>("Type");
+    const auto history = list.get<std::string>("History");
+    if (type == "Displacement")
+      text += fmt::format("{} {}: node set \"{}\", components {}\n", history.empty() ? "Held" : "Driven by " + history,
+                          name, list.get<std::string>("Node Set"), list.get<std::string>("Components"));
+    else
+      text += fmt::format("{} {}: {}\n", type, name, history.empty() ? "constant" : "by history " + history);
+  }
   return text;
 }
 
@@ -56,12 +64,12 @@ std::string solution(const Simulation& simulation) {
   const List& integrator = simulation.parameters().sublist("Time Integrator");
   const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
   const List& linear = simulation.parameters().sublist("Linear Solver");
+  const StepControlOptions control = simulation.step_control();
   return fmt::format(
       "Scheme: {}, order {}; conserves {}\nTime: to {} T0 in steps of {} T0, about {:.0f} steps\n"
       "Newton: NOX, tolerance {}; linear solver {}, preconditioner {}\n",
-      chosen.name, chosen.order, chosen.conserves, simulation.final_time(), simulation.time_step(),
-      (simulation.final_time() - integrator.sublist("Time Step Control").get<double>("Initial Time")) /
-          simulation.time_step(),
+      chosen.name, chosen.order, chosen.conserves, control.final_time, control.time_step,
+      (control.final_time - control.initial_time) / control.time_step,
       simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"),
       linear.get<std::string>("Linear Solver Type"), linear.get<std::string>("Preconditioner Type"));
 }
@@ -70,19 +78,14 @@ std::string memory(const Simulation& simulation) {
   const Model& model = simulation.model();
   const double d = model.mesh().dimension;
   const double pairs = model.pattern().pairs();
-  const double stages = static_cast<double>(
-      scheme(simulation.parameters().sublist("Time Integrator").get<std::string>("Type"))
-          .table(simulation.parameters()
-                     .sublist("Time Integrator")
-                     .sublist(simulation.parameters().sublist("Time Integrator").get<std::string>("Type")))
-          .stages.size());
+  const auto stages = static_cast<double>(simulation.integrator().table().stages.size());
   double cells = 0;
   for (const LocalBlock& block : model.mesh().blocks) cells += block.cells();
   const double points = d == 2 ? 4 : 8, nodes = points;
   return fmt::format(
       "Memory on this rank, without factorisations: {} tangent matrices {}, mass {}, element geometry and "
       "offsets {}\n",
-      stages, megabytes(stages * pairs * d * d * 12), megabytes(pairs * 8),
+      stages, megabytes(stages * pairs * d * d * 12), megabytes(model.mass() == nullptr ? 0 : pairs * 8),
       megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
 }
 
@@ -90,10 +93,16 @@ std::string left_out(const Simulation& simulation) {
   std::vector<std::string> absent;
   const List& scene = simulation.parameters();
   if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
+  if (simulation.model().mass() == nullptr) absent.emplace_back("inertia");
   if (simulation.model().damping() == nullptr) absent.emplace_back("damping");
-  if (simulation.model().constraints().empty()) absent.emplace_back("held nodes");
+  bool prescribed = false;
+  const List& conditions = scene.sublist("Boundary Conditions");
+  for (const auto& [name, entry] : entries(conditions))
+    prescribed = prescribed || conditions.sublist(name).get<std::string>("Type") == "Displacement";
+  if (!prescribed) absent.emplace_back("prescribed motion");
+  if (simulation.model().loads().empty()) absent.emplace_back("loads");
   const List& output = scene.sublist("Output");
-  if (output.get<int>("Fields Interval") == 0) absent.emplace_back("fields.e");
+  if (output.get<int>("Fields Interval") == 0 && output.get<double>("Fields Time Interval") == 0) absent.emplace_back("fields.e");
   for (const char* group : {"Energies", "Momenta", "Interaction"})
     if (!output.get<bool>(group)) absent.push_back(std::string("history of ") + group);
   if (absent.empty()) return "Left out: nothing\n";

@@ -41,10 +41,40 @@ std::vector<std::string> columns(int dimension) {
 History::History(Simulation& simulation, const HistoryOptions& options, const std::string& path)
     : simulation_(simulation), options_(options), max_energy_error_(options.energies ? 0.0 : empty) {
   const Model& model = simulation.model();
+  std::vector<std::string> names = columns(model.mesh().dimension);
+  const std::string axes = model.mesh().dimension == 2 ? "xy" : "xyz";
+  for (const std::string& set : simulation.reactions()) {
+    reaction_sets_.push_back(model.mesh().node_set(set));
+    for (char axis : axes) {
+      names.push_back("reaction_" + set + "_" + axis);
+      max_forces_.emplace_back(names.back(), 0.0);
+    }
+  }
+  for (const Probe& probe : simulation.probes())
+    for (char field : {'u', 'v'})
+      for (char axis : axes) names.push_back(probe.name + "_" + field + axis);
   together(model.space().comm(), [&] {
-    if (model.space().comm()->getRank() == 0)
-      file_ = std::make_unique<HistoryFile>(path, columns(model.mesh().dimension));
+    if (model.space().comm()->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, names);
   });
+}
+
+void History::add_reactions(std::vector<double>& row) {
+  const Model& model = simulation_.model();
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  const std::vector<double>& reaction = simulation_.integrator().state().reaction;
+  std::vector<double> sums(reaction_sets_.size() * d, 0.0);
+  for (std::size_t s = 0; s < reaction_sets_.size(); ++s)
+    for (int node : model.mesh().node_sets[reaction_sets_[s]])
+      for (std::size_t i = 0; i < d; ++i) {
+        // The forces on derivative nodes are moments.
+        const std::size_t dof = static_cast<std::size_t>(node) * d + i;
+        if (dof < reaction.size() && !model.mesh().is_derivative(static_cast<std::size_t>(node)))
+          sums[s * d + i] += reaction[dof];
+      }
+  model.space().sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];
+  row.insert(row.end(), sums.begin(), sums.end());
 }
 
 void History::record(const RowCounts& counts) {
@@ -61,7 +91,7 @@ void History::record(const RowCounts& counts) {
   if (options_.energies) {
     const double elastic = model.elastic_energy(state.u.data());
     const double contact = model.has_interactions() ? model.interaction_energy(state.u.data()) : 0.0;
-    const double external_work = 0;
+    const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
     if (first_) initial_energy_ = total;
     const double error = total - initial_energy_ - external_work + integrator.dissipated_energy();
@@ -87,6 +117,12 @@ void History::record(const RowCounts& counts) {
   }
   row.insert(row.end(), {static_cast<double>(counts.newton_iterations), static_cast<double>(counts.linear_iterations),
                          counts.wall_seconds});
+  add_reactions(row);
+  for (const Probe& probe : simulation_.probes())
+    for (const std::vector<double>* field : {&state.u, &state.v}) {
+      const std::vector<double> value = probe.point.value(model.space(), *field);
+      row.insert(row.end(), value.begin(), value.end());
+    }
   first_ = false;
   together(model.space().comm(), [&] {
     if (file_) file_->write(row);

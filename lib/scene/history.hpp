@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/history_file.hpp"
@@ -33,15 +34,21 @@ class History {
   void record(const RowCounts& counts);
   /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
   double max_energy_error() const { return max_energy_error_; }
+  /// By reaction column, the recorded value of largest magnitude.
+  const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   void flush();
 
  private:
+  void add_reactions(std::vector<double>& row);
+
   Simulation& simulation_;
   HistoryOptions options_;
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   bool first_ = true;
   double initial_energy_ = 0;
   double max_energy_error_ = 0;
+  std::vector<std::size_t> reaction_sets_;  ///< node set numbers
+  std::vector<std::pair<std::string, double>> max_forces_;
 };
 
 }  // namespace ixos

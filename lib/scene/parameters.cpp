@@ -49,6 +49,11 @@ void add_mesh(List& list) {
   box.set("Lower", Numbers(), "corner with the smallest coordinates [L0]; the origin when empty", any_number());
   box.set("Lengths", Numbers(2, 1.0), "edge lengths [L0]", greater_than(0));
   box.set("Divisions", Counts(2, 1), "cells along each edge", between(1, 100000));
+  List& set = list.sublist("Sets", false, "further sets, named by the scene, chosen by place").sublist(any_name);
+  set.set("Kind", "Sides", "what the set holds", one_of({"Sides", "Nodes"}));
+  set.set("From", "", "the set to choose from; of nodes, all where empty");
+  set.set("Lower", Numbers(), "least coordinates of the region [L0]; no bound when empty", any_number());
+  set.set("Upper", Numbers(), "largest coordinates of the region [L0]; no bound when empty", any_number());
 }
 
 void add_material(List& list) {
@@ -59,6 +64,7 @@ void add_material(List& list) {
   list.set("Density", 5e-7, "rho [E0 T0^2/L0^2]; 5e-7 is 1000 kg/m^3 in the default units", greater_than(0));
   list.set("Mass Damping", 0.0, "Rayleigh's alpha_1 [1/T0]", at_least(0));
   list.set("Stiffness Damping", 0.0, "Rayleigh's alpha_2 [T0]; damps finite rigid rotations too", at_least(0));
+  list.set("Quadrature Points", 2, "Gauss points a direction of elements that are not enriched", between(1, 10));
 }
 
 void add_interaction(List& list) {
@@ -66,7 +72,12 @@ void add_interaction(List& list) {
   list.set("Side Set", required, "the surface that interacts");
   list.set("Gamma L", 2.5, "L0/r0 [-]", greater_than(0));
   list.set("Gamma W", 25.0, "E0/W0 [-]", greater_than(0));
-  list.set("Surface Points", 5, "Gauss points a direction on each side", between(1, 64));
+  list.set("Contact Element", "Q1C1",
+           "displacement along the side: linear, of order 2, 3 or 4, or cubic Hermite; all but Q1C1 in 2D only",
+           one_of({"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"}));
+  list.set("Bulk Points", 0, "Gauss points along the side in the enriched elements; 0: order + 1", between(0, 64));
+  list.set("Surface Points", 0, "Gauss points a direction on each side; 0: 5, but 8 for Q1C3, Q1C4 and Q1CH",
+           between(0, 64));
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
   list.set("Point", Numbers(), "a point of the wall [L0]; the origin when empty", any_number());
   list.set("Normal", Numbers(), "out of the wall; the last axis when empty", any_number());
@@ -74,10 +85,48 @@ void add_interaction(List& list) {
            greater_and_less_than(0, 1));
 }
 
-void add_boundary_condition(List& list) {
-  list.set("Node Set", required, "the nodes that are held at their initial place");
-  list.set("Components", "all", "the directions that are held",
+Teuchos::RCP<Teuchos::StringValidator> ramp_shapes() { return one_of({"Linear", "Cosine", "Quintic"}); }
+
+void add_history(List& list) {
+  list.set("Type", "Constant", "the kind of function",
+           one_of({"Constant", "Ramp", "Rate Ramp", "Sine", "Table", "Expression"}));
+  list.sublist("Constant", false, "one value at all times").set("Value", 1.0, "", any_number());
+  List& ramp = list.sublist("Ramp", false, "from 0 to Value, then constant");
+  require(ramp, "Value", "reached at Start + Length", any_number());
+  ramp.set("Start", 0.0, "[T0]", any_number());
+  require(ramp, "Length", "[T0]; a motion needs more than 0", at_least(0));
+  ramp.set("Shape", "Quintic", "Cosine has a continuous rate, Quintic a continuous acceleration too", ramp_shapes());
+  List& rate = list.sublist("Rate Ramp", false,
+                            "the rate goes from 0 to Rate, then stays; the value is its integral, 0 until Start");
+  require(rate, "Rate", "reached at Start + Length [1/T0]", any_number());
+  rate.set("Start", 0.0, "[T0]", any_number());
+  require(rate, "Length", "[T0]; a motion needs more than 0", at_least(0));
+  rate.set("Shape", "Cosine", "of the rate", ramp_shapes());
+  List& sine = list.sublist("Sine", false, "Offset + Amplitude sin(2 pi Frequency t + Phase)");
+  sine.set("Offset", 0.0, "", any_number());
+  sine.set("Amplitude", 1.0, "", any_number());
+  require(sine, "Frequency", "cycles per T0", greater_than(0));
+  sine.set("Phase", 0.0, "[rad]", any_number());
+  List& table = list.sublist("Table", false, "quintic interpolation, twice continuously differentiable");
+  table.set("Times", Numbers(), "strictly increasing, over the whole run [T0]", any_number());
+  table.set("Values", Numbers(), "as many as Times", any_number());
+  List& formula = list.sublist("Expression", false, "muParser expressions in the time t");
+  formula.set("Value", required, "");
+  formula.set("Velocity", "", "derivative of Value; a motion needs it, and it is checked by quadrature");
+  formula.set("Acceleration", "", "derivative of Velocity; a motion needs it");
+}
+
+void add_condition(List& list) {
+  list.set("Type", "Displacement", "prescribed displacement, force per reference length or area, per volume, per node",
+           one_of({"Displacement", "Traction", "Body Force", "Point Force"}));
+  list.set("Node Set", "", "of a Displacement or a Point Force (on each of its nodes)");
+  list.set("Side Set", "", "of a Traction");
+  list.set("Block", "", "of a Body Force; the whole body when empty");
+  list.set("Components", "all", "the directions of a Displacement",
            one_of({"x", "y", "z", "xy", "xz", "yz", "xyz", "all"}));
+  list.set("Vector", Numbers(), "of a load, for a history of 1: E0 (Traction), E0/L0 (Body Force), E0 L0^(D-1) (Point Force)",
+           any_number());
+  list.set("History", "", "its course in time, a list of Histories; when empty a Displacement is held, a load constant");
 }
 
 void add_initial_conditions(List& list) {
@@ -97,17 +146,29 @@ void add_time_integrator(List& list) {
   }
   list.set("Type", default_scheme(), "the scheme; the driver lists what each is good for", one_of(names));
   list.set("Predictor", "Automatic", "where Newton's iteration starts; \"Automatic\" is the scheme's own choice",
-           one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration"}));
+           one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",
+                   "Extrapolation"}));
   List& control = list.sublist("Time Step Control", false, "times and steps");
   control.set("Type", "Fixed", "how the step is chosen", one_of({"Fixed"}));
   control.set("Initial Time", 0.0, "[T0]", any_number());
   require(control, "Final Time", "[T0]; later than Initial Time", any_number());
   require(control, "Time Step", "[T0]; the last one is shortened to end at Final Time", greater_than(0));
+  control.set("Maximum Cuts", 0, "how often a step that fails may be halved; 0 ends the run", between(0, 60));
+  control.set("Minimum Time Step", 0.0, "no cut goes below [T0]", at_least(0));
+  List& stop = list.sublist("Stop", false, "ends of the run before Final Time; the first that holds counts")
+                   .sublist(any_name);
+  stop.set("Type", "Probe", "a probe's value, or no contact after there was some", one_of({"Probe", "Detached"}));
+  List& probe = stop.sublist("Probe", false, "a probe of Output/Probes");
+  probe.set("Name", required, "the probe");
+  probe.set("Quantity", "y", "place, displacement or velocity of the probe",
+            one_of({"x", "y", "z", "ux", "uy", "uz", "vx", "vy", "vz"}));
+  probe.set("Side", "Above", "on which side of the limit the run ends", one_of({"Above", "Below"}));
+  require(probe, "Limit", "in the quantity's unit", any_number());
 }
 
 void add_nonlinear_solver(List& list) {
   list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c| [-]", greater_and_less_than(0, 1));
-  list.set("Maximum Iterations", 25, "more is a failed step", between(1, 10000));
+  list.set("Maximum Iterations", 50, "more is a failed step", between(1, 10000));
   List& nox = list.sublist("NOX", false, "overrides of NOX's own lists: Printing, Direction, Line Search, ...");
   mark_free_form(nox);
 }
@@ -116,9 +177,15 @@ void add_output(List& list) {
   list.set("History Interval", 1, "steps between rows of history.csv; the last state is always a row",
            between(1, 1000000000));
   list.set("Fields Interval", 0, "steps between frames of fields.e (Exodus); 0 writes none", between(0, 1000000000));
+  list.set("History Time Interval", 0.0, "time between rows [T0], in place of History Interval; 0: off", at_least(0));
+  list.set("Fields Time Interval", 0.0, "time between frames [T0], in place of Fields Interval; 0: off", at_least(0));
   list.set("Energies", true, "energy columns");
   list.set("Momenta", true, "momentum columns");
   list.set("Interaction", true, "contact force, contact measure and least gap");
+  list.set("Reactions", Teuchos::Array<std::string>(), "node sets whose reactions become columns");
+  List& probe = list.sublist("Probes", false, "named points whose displacement and velocity become columns")
+                    .sublist(any_name);
+  probe.set("Point", Numbers(), "place in the reference configuration [L0]", any_number());
 }
 
 List make_scene_parameters() {
@@ -127,8 +194,9 @@ List make_scene_parameters() {
   add_mesh(scene.sublist("Mesh", false, "the bodies"));
   add_material(scene.sublist("Materials", false, "a list for each block").sublist(any_name));
   add_interaction(scene.sublist("Interactions", false, "a list for each surface that sticks").sublist(any_name));
-  add_boundary_condition(
-      scene.sublist("Boundary Conditions", false, "a list for each held node set").sublist(any_name));
+  add_history(scene.sublist("Histories", false, "named functions of time, for motions and loads").sublist(any_name));
+  add_condition(
+      scene.sublist("Boundary Conditions", false, "a list for each prescribed motion and each load").sublist(any_name));
   add_initial_conditions(scene.sublist("Initial Conditions", false, "velocities at the initial time"));
   add_time_integrator(scene.sublist("Time Integrator", false, "the scheme and its steps"));
   add_nonlinear_solver(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)"));

@@ -40,24 +40,43 @@ bool asked_to_stop(const RunOptions& options, const Comm& comm) {
   return any != 0;
 }
 
+/// Which steps are recorded: every so many, or those that pass a multiple of a time interval.
+class Recording {
+ public:
+  Recording(int steps, double interval, double start) : steps_(steps), interval_(interval), start_(start) {}
+  bool any() const { return steps_ > 0 || interval_ > 0; }
+  bool due(long step, double before, double now) const {
+    if (interval_ == 0) return steps_ > 0 && step % steps_ == 0;
+    const double slack = 1e-9 * (now - start_);
+    return std::floor((now - start_ + slack) / interval_) > std::floor((before - start_ + slack) / interval_);
+  }
+
+ private:
+  long steps_;
+  double interval_;
+  double start_;
+};
+
 }  // namespace
 
 RunResult run(Simulation& simulation, const RunOptions& options) {
   const Comm& comm = simulation.model().space().comm();
   Integrator& integrator = simulation.integrator();
   const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
+  StepControl control(simulation.step_control());
+  StopCriteria stop = simulation.stop_criteria();
   open_folder(simulation, options.folder);
   History history(simulation,
                   {output.get<bool>("Energies"), output.get<bool>("Momenta"), output.get<bool>("Interaction")},
                   options.folder + "/history.csv");
-  const long interval = output.get<int>("History Interval");
-  const double final_time = simulation.final_time();
+  const double first_time = integrator.time();
+  const Recording rows(output.get<int>("History Interval"), output.get<double>("History Time Interval"), first_time);
+  const Recording frames(output.get<int>("Fields Interval"), output.get<double>("Fields Time Interval"), first_time);
   const double start = Teuchos::Time::wallTime();
   const auto phases_before = phase_seconds();
 
-  const long field_interval = output.get<int>("Fields Interval");
   std::unique_ptr<FieldRecorder> fields;
-  if (field_interval > 0) {
+  if (frames.any()) {
     fields = std::make_unique<FieldRecorder>(simulation, options.folder + "/fields.e");
     fields->record();
   }
@@ -65,14 +84,17 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   RunResult result;
   RowCounts counts;
   history.record(counts);
-  // A remainder below a thousandth of a step is rounding, not a step.
-  while (final_time - integrator.time() > 1e-3 * simulation.time_step()) {
+  stop.reason(simulation.model(), integrator.state());  // the criteria's memory of the beginning
+  bool recorded = true;
+  bool framed = true;
+  while (result.status == RunStatus::Completed && !control.done(integrator.time())) {
     if (asked_to_stop(options, comm)) {
       result.status = RunStatus::Interrupted;
       result.reason = "interrupted by a signal";
       break;
     }
-    const double dt = std::min(simulation.time_step(), final_time - integrator.time());
+    const double before = integrator.time();
+    const double dt = control.next(before);
     const StepResult step = integrator.step(dt);
     counts.newton_iterations += step.newton_iterations;
     counts.linear_iterations += step.linear_iterations;
@@ -80,29 +102,37 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     result.newton_iterations += step.newton_iterations;
     counts.wall_seconds = Teuchos::Time::wallTime() - start;
     if (!step.converged) {
+      ++result.rejected_steps;
+      if (control.cut(dt)) continue;
       result.status = RunStatus::Diverged;
       result.reason = step.reason;
       break;
     }
+    control.succeeded();
     ++result.steps;
     counts.step = result.steps;
     counts.time_step = dt;
-    const bool last = !(final_time - integrator.time() > 1e-3 * simulation.time_step());
-    if (result.steps % interval == 0 || last) {
+    result.reason = stop.reason(simulation.model(), integrator.state());
+    if (!result.reason.empty()) result.status = RunStatus::Stopped;
+    recorded = rows.due(result.steps, before, integrator.time());
+    if (recorded) {
       history.record(counts);
       counts.newton_iterations = 0;
       counts.linear_iterations = 0;
     }
-    if (fields && (result.steps % field_interval == 0 || last)) fields->record();
+    framed = frames.due(result.steps, before, integrator.time());
+    if (fields && framed) fields->record();
     if (options.watch && comm->getRank() == 0)
-      options.watch({integrator.time(), final_time, result.steps, result.newton_iterations, counts.wall_seconds});
+      options.watch({integrator.time(), simulation.step_control().final_time, result.steps, result.newton_iterations,
+                     counts.wall_seconds});
   }
-  if (result.status != RunStatus::Completed && result.steps % interval != 0) history.record(counts);
-  if (result.status != RunStatus::Completed && fields && result.steps % field_interval != 0) fields->record();
+  if (!recorded) history.record(counts);  // the last state always
+  if (fields && !framed) fields->record();
   history.flush();
   result.end_time = integrator.time();
   result.wall_seconds = Teuchos::Time::wallTime() - start;
   result.max_energy_error = history.max_energy_error();
+  result.max_forces = history.max_forces();
   const auto phases_now = phase_seconds();
   for (std::size_t i = 0; i < phases_now.size(); ++i) result.phase_seconds[i] = phases_now[i] - phases_before[i];
   write_summary(simulation, result, options.folder + "/summary.json");

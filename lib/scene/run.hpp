@@ -3,6 +3,8 @@
 #include <array>
 #include <functional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/phase_timer.hpp"
 #include "scene/simulation.hpp"
@@ -24,17 +26,19 @@ struct RunOptions {
   std::function<bool()> interrupted;           ///< asked before every step; set on all ranks or on none
 };
 
-enum class RunStatus { Completed, Diverged, Interrupted };
+enum class RunStatus { Completed, Stopped, Diverged, Interrupted };  ///< Stopped: a stop criterion holds
 
 struct RunResult {
   RunStatus status = RunStatus::Completed;
   std::string reason;
   long steps = 0;
+  long rejected_steps = 0;  ///< that failed, and were cut where that is allowed
   double end_time = 0;
   long newton_iterations = 0;
   long linear_iterations = 0;
   double wall_seconds = 0;                                 ///< of the time loop, output included
   double max_energy_error = 0;                             ///< see History::max_energy_error
+  std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   std::array<double, phase_names.size()> phase_seconds{};  ///< of rank 0
 };
 

@@ -5,11 +5,16 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "base/error.hpp"
 #include "io/exodus_mesh.hpp"
+#include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/selection.hpp"
+#include "scene/list_access.hpp"
 
 namespace ixos {
 namespace {
@@ -55,6 +60,23 @@ Mesh exodus_mesh(const Teuchos::ParameterList& list) {
   return mesh;
 }
 
+void add_sets(const Teuchos::ParameterList& list, Mesh& mesh) {
+  for (const std::string& name : sublists(list)) {
+    const Teuchos::ParameterList& own = list.sublist(name);
+    const auto bound = [&](const char* key) {
+      const auto& values = own.get<Teuchos::Array<double>>(key);
+      return std::vector<double>(values.begin(), values.end());
+    };
+    const Region region{bound("Lower"), bound("Upper")};
+    at("Mesh/Sets/" + name, [&] {
+      if (own.get<std::string>("Kind") == "Sides")
+        add_side_set(mesh, name, own.get<std::string>("From"), region);
+      else
+        add_node_set(mesh, name, own.get<std::string>("From"), region);
+    });
+  }
+}
+
 Mesh generate_or_read(const Teuchos::ParameterList& list) {
   const auto type = list.get<std::string>("Type");
   if (type == "Exodus") return exodus_mesh(list.sublist("Exodus"));
@@ -74,11 +96,37 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   try {
     Mesh mesh = generate_or_read(list);
     check_cells(mesh);
+    add_sets(list.sublist("Sets"), mesh);
     return mesh;
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.rfind("Mesh", 0) == 0 ? what : "Mesh: " + what);
   }
+}
+
+void enrich_surfaces(const Teuchos::ParameterList& interactions, Mesh& mesh) {
+  std::map<std::string, std::pair<std::string, int>> known;
+  for (const std::string& name : sublists(interactions)) {
+    const Teuchos::ParameterList& own = interactions.sublist(name);
+    const auto set = own.get<std::string>("Side Set");
+    const auto element = own.get<std::string>("Contact Element");
+    const int points = own.get<int>("Bulk Points");
+    const std::string path = "Interactions/" + name + "/Contact Element";
+    const auto [before, added] = known.insert({set, {element, points}});
+    if (!added) {
+      if (before->second != std::make_pair(element, points))
+        throw InputError(path + ": another interaction wants " + before->second.first + " on the side set \"" + set +
+                         "\", or other Bulk Points");
+      continue;
+    }
+    const std::map<std::string, ContactElement> elements{{"Q1C1", ContactElement::Q1C1},
+                                                         {"Q1C2", ContactElement::Q1C2},
+                                                         {"Q1C3", ContactElement::Q1C3},
+                                                         {"Q1C4", ContactElement::Q1C4},
+                                                         {"Q1CH", ContactElement::Q1CH}};
+    at(path, [&] { enrich(mesh, set, elements.at(element), points); });
+  }
+  check_cells(mesh);
 }
 
 }  // namespace ixos

@@ -12,4 +12,8 @@ namespace ixos {
 /// then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
+/// Gives the surfaces of a validated "Interactions" list the contact elements that they ask for. Throws InputError with
+/// the list path.
+void enrich_surfaces(const Teuchos::ParameterList& interactions, Mesh& mesh);
+
 }  // namespace ixos

@@ -3,8 +3,12 @@
 #include <Teuchos_ParameterList.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/tpetra.hpp"
+#include "scene/probes.hpp"
+#include "scene/step_control.hpp"
+#include "scene/stop.hpp"
 #include "time/integrator.hpp"
 
 namespace ixos {
@@ -19,18 +23,23 @@ class Simulation {
   const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, every default filled in
   const Model& model() const { return *model_; }
   Integrator& integrator() { return *integrator_; }
-  double final_time() const;
-  double time_step() const;
+  const Integrator& integrator() const { return *integrator_; }
+  StepControlOptions step_control() const;
+  const std::vector<Probe>& probes() const { return probes_; }
+  std::vector<std::string> reactions() const;  ///< node sets whose reactions are recorded
+  StopCriteria stop_criteria() const;
   double setup_seconds() const { return setup_seconds_; }
 
  private:
-  void build_model(const Comm& comm, const std::string& folder);
-  void build_integrator();
+  Table chosen_table() const;
+  void build_model(const Comm& comm, const std::string& folder, Inertia inertia);
+  void build_integrator(Table table);
   void set_initial_state();
 
   Teuchos::ParameterList parameters_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
+  std::vector<Probe> probes_;
   double setup_seconds_ = 0;
 };
 

@@ -22,6 +22,7 @@ double peak_memory() {
 
 const char* name(RunStatus status) {
   if (status == RunStatus::Completed) return "completed";
+  if (status == RunStatus::Stopped) return "stopped";
   return status == RunStatus::Diverged ? "diverged" : "interrupted";
 }
 
@@ -38,7 +39,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["scheme"] = simulation.parameters().sublist("Time Integrator").get<std::string>("Type");
   json["end_time"] = result.end_time;
   json["steps"] = result.steps;
-  json["rejected_steps"] = 0;
+  json["rejected_steps"] = result.rejected_steps;
   json["dofs"] = model.space().global();
   json["elements"] = model.mesh().global_cells;
   json["ranks"] = comm->getSize();
@@ -55,6 +56,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   else
     json["max_energy_error"] = result.max_energy_error;
   json["max_force"] = nlohmann::ordered_json::object();
+  for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
   together(comm, [&] {
     if (comm->getRank() != 0) return;
     std::ofstream file(path);

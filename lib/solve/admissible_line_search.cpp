@@ -2,17 +2,30 @@
 
 #include <NOX_Abstract_Group.H>
 #include <NOX_Solver_Generic.H>
-#include <NOX_Thyra_Vector.H>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "solve/thyra.hpp"
+#include "solve/nox_vector.hpp"
 
 namespace ixos {
+
 namespace {
 
-Teuchos::RCP<const Vector> tpetra(const NOX::Abstract::Vector& vector) {
-  return Extract::getConstTpetraVector(dynamic_cast<const NOX::Thyra::Vector&>(vector).getThyraRCPVector());
+/// A potential and its slope at one end of the step.
+struct End {
+  double value;
+  double slope;
+};
+
+/// Where in [0, 1] the cubic through both ends has its minimum, kept within [0.1, 0.6].
+double valley(const End& start, const End& end) {
+  const double a = start.slope + end.slope - 2 * (end.value - start.value);
+  const double b = 3 * (end.value - start.value) - 2 * start.slope - end.slope;
+  const double root = std::sqrt(std::max(b * b - 3 * a * start.slope, 0.0));
+  const double place = -start.slope / (b + root);  // of 3 a s^2 + 2 b s + slope = 0, without cancellation
+  return std::isfinite(place) && place > 0 ? std::clamp(place, 0.1, 0.6) : 0.5;
 }
 
 }  // namespace
@@ -20,11 +33,25 @@ Teuchos::RCP<const Vector> tpetra(const NOX::Abstract::Vector& vector) {
 bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                                    const NOX::Solver::Generic& solver) {
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
+  const bool gradient = problem_.is_gradient();  // at the old iterate, the last that was evaluated
+  const double slope = gradient ? old.getF().innerProduct(direction) : 0.0;
+  std::optional<Potential> start;
   step = problem_.admissible_step(*tpetra(old.getX()), *tpetra(direction));
-  for (int halving = 0; halving < 10 && step > 0; ++halving, step /= 2) {
+  for (int trial = 0; trial < 25 && step > 0; ++trial) {
     group.computeX(old, direction, step);
     // Thyra drops the mark of a failed evaluation on its way to NOX; the NaN in f stays.
-    if (group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF())) return true;
+    if (group.computeF() != NOX::Abstract::Group::Ok || !std::isfinite(group.getNormF())) {
+      step /= 2;
+      continue;
+    }
+    if (!gradient || !(slope < 0)) return true;
+    const double end_slope = group.getF().innerProduct(direction);
+    if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
+    if (!start) start = problem_.potential(*tpetra(old.getX()));
+    const Potential end = problem_.potential(*tpetra(group.getX()));
+    const double noise = 1e-14 * (start->magnitude + end.magnitude);
+    if (end.value <= start->value + 1e-4 * step * slope + noise) return true;
+    step *= valley({start->value, step * slope}, {end.value, step * end_slope});
   }
   step = 0;  // tells NOX that the search failed
   return false;

@@ -1,4 +1,4 @@
-/// NOX line search that stays in the admissible region.
+/// NOX line search that stays in the admissible region and goes down the problem's potential.
 #pragma once
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
@@ -7,8 +7,11 @@
 
 namespace ixos {
 
-/// Takes the full Newton step, shortened to the problem's admissible step; halves it where the residual cannot be
-/// evaluated all the same (an inverted element), at most 10 times.
+/// Takes the full Newton step, shortened to the problem's admissible step and halved where the residual cannot be
+/// evaluated all the same (an inverted element). Where the residual is a gradient, the potential must fall: a step at
+/// whose end the slope along the direction is between -0.9 and 0.2 of the start's is accepted; otherwise the potential
+/// is evaluated, and unless it has fallen (Armijo, with room for rounding), the step is shortened to the minimum of the
+/// cubic through values and slopes of both ends. So a step that Newton's method takes well costs no potential.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
   explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}

@@ -1,6 +1,5 @@
 #include "solve/direct_solver.hpp"
 
-#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <utility>
@@ -46,10 +45,6 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
   }
 };
 
-Teuchos::RCP<const CrsMatrix> matrix_of(const Thyra::LinearOpSourceBase<double>& source) {
-  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source.getOp()));
-}
-
 }  // namespace
 
 bool DirectSolverFactory::isCompatible(const Source& source) const { return !matrix_of(source).is_null(); }
@@ -64,9 +59,7 @@ void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source,
   direct.op = source->getOp();
   const auto matrix = matrix_of(*source);
   if (!direct.factorization || matrix.get() != direct.matrix.get()) {
-    std::string type = list_.is_null() ? "Automatic" : list_->get<std::string>("Solver Type", "Automatic");
-    if (type == "Automatic") type = matrix->getComm()->getSize() == 1 ? "CHOLMOD" : "KLU2";
-    auto factorization = type == "CHOLMOD" ? make_cholmod() : make_klu2();
+    auto factorization = make_factorization(list_.is_null() ? "CHOLMOD" : list_->get<std::string>("Solver Type", "CHOLMOD"));
     factorization->analyze(matrix);
     direct.matrix = matrix;
     direct.factorization = std::move(factorization);
@@ -88,11 +81,7 @@ void DirectSolverFactory::setParameterList(const List& list) {
 }
 
 Teuchos::RCP<const Teuchos::ParameterList> DirectSolverFactory::getValidParameters() const {
-  const auto valid = Teuchos::parameterList();
-  valid->set("Solver Type", "Automatic",
-             "\"CHOLMOD\" (symmetric, one rank), \"KLU2\" (any), or \"Automatic\": CHOLMOD on one rank, else KLU2",
-             Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Automatic", "CHOLMOD", "KLU2"))));
-  return valid;
+  return factorization_parameters();
 }
 
 }  // namespace ixos

@@ -1,5 +1,6 @@
 /// Sparse factorisations behind the direct solver.
 #pragma once
+#include <Teuchos_ParameterList.hpp>
 #include <memory>
 #include <string>
 
@@ -19,11 +20,18 @@ class Factorization {
   virtual void solve(const MultiVector& b, MultiVector& x) = 0;
 };
 
-/// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, one rank. Supernodal Cholesky where the
+/// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, on the first rank, which gathers them from all;
+/// the row map's ranges must follow each other in rank order, as a DofSpace's do. Supernodal Cholesky where the
 /// matrix is large; simplicial L D L^T where it is small, and from the first matrix on that is not positive definite.
 std::unique_ptr<Factorization> make_cholmod();
 
 /// KLU2 of Amesos2 (Davis and Palamadai Natarajan 2010): any matrix, gathered on the first of any number of ranks.
 std::unique_ptr<Factorization> make_klu2();
+
+/// The factorisation of that name: "CHOLMOD" or "KLU2".
+std::unique_ptr<Factorization> make_factorization(const std::string& type);
+
+/// The list that chooses one: "Solver Type".
+Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters();
 
 }  // namespace ixos

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parameter_entries.hpp"
+#include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"
 #include "solve/lagged_solver.hpp"
 #include "solve/rigid_body_modes.hpp"
@@ -28,6 +29,8 @@ void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::
       Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
                                   Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
       "Ifpack2");
+  builder.setPreconditioningStrategyFactory(
+      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, DirectPreconditionerFactory>(), "Direct");
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
 }
 
@@ -59,10 +62,6 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   Implementation& self = *implementation_;
   Teuchos::ParameterList list(user);
   const double setup_cost = take_setup_cost(list);
-  const bool several = model != nullptr && model->space().comm()->getSize() > 1;
-  if (several && list.get("Linear Solver Type", std::string()) == "Direct" &&
-      list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string()) == "CHOLMOD")
-    throw InputError("Linear Solver/Linear Solver Types/Direct/Solver Type: CHOLMOD runs on one rank; KLU2 on several");
   const bool preconditioned = list.get("Preconditioner Type", std::string("None")) != "None";
   if (preconditioned && model != nullptr && list.get<std::string>("Preconditioner Type") == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");

@@ -13,8 +13,11 @@ using Teuchos::ParameterList;
 
 bool factorize(const ProblemSize& size) {
   if (size.ranks == 1) return size.dofs <= (size.dimension == 2 ? 300000 : 30000);
-  return size.dofs <= (size.dimension == 2 ? 20000 : 5000);
+  return size.dofs <= (size.dimension == 2 ? 50000 : 5000);
 }
+
+/// Where a factorisation costs many Krylov iterations it pays to keep it.
+bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
 void complete_belos(ParameterList& list) {
   ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
@@ -56,9 +59,14 @@ std::string choice(ParameterList& list, const char* name, const std::string& fal
 ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   ParameterList list(user);
   std::string type = choice(list, "Linear Solver Type", "Automatic", {"Automatic", "Direct", "Belos", "Amesos2"});
-  const bool asks = list.isParameter("Preconditioner Type");
-  std::string preconditioner = choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2"});
-  if (type == "Automatic") type = factorize(size) && preconditioner == "None" ? "Direct" : "Belos";
+  bool asks = list.isParameter("Preconditioner Type");
+  std::string preconditioner = choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2", "Direct"});
+  if (type == "Automatic") {
+    const bool direct = factorize(size) && !asks;
+    type = direct && !keep_factorization(size) ? "Direct" : "Belos";
+    if (type == "Belos" && direct) preconditioner = "Direct";
+    asks = asks || direct;
+  }
   if (type == "Belos" && !asks) preconditioner = "MueLu";
   if (type != "Belos" && preconditioner != "None")
     throw InputError("Linear Solver/Preconditioner Type: " + type + " takes no preconditioner; Belos does");
@@ -66,7 +74,9 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   list.set("Preconditioner Type", preconditioner);
   if (type == "Belos") complete_belos(list);
   if (type == "Direct")
-    list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string("Automatic"));
+    list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string("CHOLMOD"));
+  if (preconditioner == "Direct")
+    list.sublist("Preconditioner Types").sublist("Direct").get("Solver Type", std::string("CHOLMOD"));
   if (preconditioner == "MueLu") complete_muelu(list, size);
   if (preconditioner != "None") list.sublist("Reuse").get("Setup Cost", 20.0);
   return list;

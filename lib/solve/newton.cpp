@@ -15,6 +15,8 @@
 #include "base/error.hpp"
 #include "base/parameter_entries.hpp"
 #include "solve/admissible_line_search.hpp"
+#include "solve/descent_direction.hpp"
+#include "solve/incremental_potential.hpp"
 #include "solve/problem_evaluator.hpp"
 
 namespace ixos {
@@ -67,10 +69,19 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
     printing.set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
   }
   Teuchos::ParameterList& direction = list->sublist("Direction");
-  direction.get("Method", "Newton");
+  if (!direction.isParameter("Method")) {
+    direction.set("Method", "User Defined");
+    const Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new DescentDirectionFactory(problem));
+    direction.set("User Defined Direction Factory", factory);
+  }
   direction.sublist("Newton").get("Forcing Term Method", "Constant");
   direction.sublist("Newton").sublist("Linear Solver").get("Tolerance", 1e-6);
-  list->sublist("Solver Options").get("Status Test Check Type", "Minimal");
+  Teuchos::ParameterList& options_list = list->sublist("Solver Options");
+  options_list.get("Status Test Check Type", "Minimal");
+  if (!options_list.isParameter("User Defined Merit Function")) {
+    const Teuchos::RCP<NOX::MeritFunction::Generic> merit = Teuchos::rcp(new IncrementalPotential(problem));
+    options_list.set("User Defined Merit Function", merit);
+  }
   Teuchos::ParameterList& search = list->sublist("Line Search");
   if (!search.isParameter("Method")) {
     search.set("Method", "User Defined");

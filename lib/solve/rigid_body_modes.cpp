@@ -12,18 +12,22 @@ Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
   const auto nodes = static_cast<std::size_t>(mesh.owned_nodes);
   std::array<double, 4> sums{};
   for (std::size_t n = 0; n < nodes; ++n)
-    for (std::size_t i = 0; i < d; ++i) sums[i] += mesh.coordinates[n * d + i];
-  sums[3] = static_cast<double>(nodes);
+    if (!mesh.is_derivative(n)) {
+      for (std::size_t i = 0; i < d; ++i) sums[i] += mesh.coordinates[n * d + i];
+      sums[3] += 1;
+    }
   model.space().sum(sums.data(), 4);
 
   const std::size_t modes = d == 2 ? 3 : 6;
   auto result = Teuchos::rcp(new MultiVector(model.space().owned_map(), modes));
   const auto view = result->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t n = 0; n < nodes; ++n) {
+    // A derivative node does not take part in translations, and its "place" is a direction.
+    const double place = mesh.is_derivative(n) ? 0.0 : 1.0;
     std::array<double, 3> x{};
     for (std::size_t i = 0; i < d; ++i) {
-      x[i] = mesh.coordinates[n * d + i] - sums[i] / sums[3];
-      for (std::size_t m = 0; m < modes; ++m) view(n * d + i, m) = m == i ? 1.0 : 0.0;
+      x[i] = mesh.coordinates[n * d + i] - place * sums[i] / sums[3];
+      for (std::size_t m = 0; m < modes; ++m) view(n * d + i, m) = m == i ? place : 0.0;
     }
     // Rotation in the plane of axes i and j: (-x_j, x_i).
     for (std::size_t r = 0; r < modes - d; ++r) {
@@ -32,9 +36,9 @@ Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
       view(n * d + j, d + r) = x[i];
     }
   }
-  for (const Constraint& c : model.constraints())
-    if (c.dof < model.space().owned())
-      for (std::size_t m = 0; m < modes; ++m) view(static_cast<std::size_t>(c.dof), m) = 0;
+  for (int dof : model.constraints().dofs())
+    if (dof < model.space().owned())
+      for (std::size_t m = 0; m < modes; ++m) view(static_cast<std::size_t>(dof), m) = 0;
   return result;
 }
 

@@ -54,18 +54,20 @@ bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vecto
     admissible = model_.interaction_force(here, end_rule(), part_.data()) && admissible;
     for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
   }
-  if (nonnull(in.get_x_dot_dot())) {
+  if (nonnull(in.get_x_dot_dot()) && model_.mass() != nullptr) {
     model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot_dot()), rate_.data());
-    model_.mass().multiply(rate_.data(), part_.data());
+    model_.mass()->multiply(rate_.data(), part_.data());
     for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
   }
   if (nonnull(in.get_x_dot()) && model_.damping() != nullptr) {
     model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot()), rate_.data());
     model_.damping()->multiply_add(1.0, rate_.data(), sum_.data());
   }
-  for (const Constraint& c : model_.constraints()) {
-    const auto dof = static_cast<std::size_t>(c.dof);
-    sum_[dof] = u_[dof] - c.displacement - c.velocity * in.get_t();
+  model_.loads().add_force(in.get_t(), -1.0, sum_.data());
+  model_.constraints().set(in.get_t(), part_.data(), nullptr, nullptr);
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    sum_[i] = u_[i] - part_[i];
   }
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   std::copy_n(sum_.data(), owned, view.data());
@@ -80,8 +82,8 @@ void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, Crs
   scaled.points[0].weight = in.get_beta();
   const Segment here{nullptr, nullptr, u_.data()};
   model_.add_elastic_tangent(here, scaled, values);
-  model_.add_interaction_tangent(here, scaled, values);
-  model_.mass().add_to(in.get_W_x_dot_dot_coeff(), values);
+  model_.add_interaction_tangent(here, scaled, Tangent::Exact, values);
+  if (model_.mass() != nullptr) model_.mass()->add_to(in.get_W_x_dot_dot_coeff(), values);
   if (model_.damping() != nullptr) model_.damping()->add_to(in.get_alpha(), values);
   const double diagonal = in.get_beta() != 0 ? in.get_beta() : in.get_W_x_dot_dot_coeff();
   model_.constrain_matrix(diagonal, values);

@@ -1,5 +1,6 @@
 /// Thyra over Tpetra: the conversions, in one place. Included by lib/solve only.
 #pragma once
+#include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>
 
 #include "base/tpetra.hpp"
@@ -18,6 +19,11 @@ inline Teuchos::RCP<Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<Cr
                                                            const VectorSpace& space) {
   const Teuchos::RCP<Operator> as_operator = matrix;
   return Thyra::createLinearOp<double, LocalId, GlobalId, Node>(as_operator, space, space);
+}
+
+/// The matrix behind an operator, or null where it is none.
+inline Teuchos::RCP<const CrsMatrix> matrix_of(const Thyra::LinearOpSourceBase<double>& source) {
+  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source.getOp()));
 }
 
 }  // namespace ixos

@@ -11,10 +11,11 @@ Table average_vector_field(int elastic_points, int interaction_points) {
   stage.damping = du;
   stage.elastic = gauss_rule(elastic_points);
   stage.interaction = gauss_rule(interaction_points);
+  stage.load = gauss_times(interaction_points);
   return {"Average Vector Field",
           {stage},
           Closing::Collocate,
-          {DampingWork::Form::Increment, {}},
+          {WorkSum::Form::Increment, {}},
           Predictor::LastDisplacement};
 }
 

@@ -27,11 +27,12 @@ Table bathe_composite(double rho, double split) {
     stage->damping = stage->velocity;
     stage->elastic = end_rule();
     stage->interaction = end_rule();
+    stage->load = {{stage->end, 1.0}};
   }
   return {"Bathe Composite",
           {trapezoid, backward},
           Closing::Kinematic,
-          {DampingWork::Form::Stages, {q0, q1, q2}},
+          {WorkSum::Form::Stages, {q0, q1, q2}},
           Predictor::ConstantAcceleration};
 }
 

@@ -89,11 +89,21 @@ Scheme average_vector_field_scheme() {
   return s;
 }
 
+Scheme static_scheme() {
+  return {"Static",
+          "exact where each step's equilibrium is",
+          "none: an unstable equilibrium ends in a jump to another, or in a failed step",
+          "the balance of forces; no inertia, no damping",
+          "load stepping, e.g. Wriggers 2008",
+          {},
+          [](const List&) { return static_equilibrium(); }};
+}
+
 }  // namespace
 
 const std::vector<Scheme>& schemes() {
   static const std::vector<Scheme> all{newmark_scheme(), bathe_scheme(), composite_scheme(),
-                                       average_vector_field_scheme()};
+                                       average_vector_field_scheme(), static_scheme()};
   return all;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "time/row_on_states.hpp"
+#include "time/work.hpp"
 
 namespace ixos {
 namespace {
@@ -32,12 +33,16 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     : model_(model),
       table_(std::move(table)),
       linear_solver_(std::move(linear_solver)),
-      needs_acceleration_(uses_acceleration(table_) || table_.predictor == Predictor::ConstantAcceleration),
+      needs_acceleration_(uses_acceleration(table_) ||
+                          table_.predictor == Predictor::ConstantAcceleration ||
+                          table_.predictor == Predictor::Newmark),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
+  has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
+  const bool exact_rates = table_.closing == Closing::Kinematic;
   for (const Stage& stage : table_.stages) {
-    problems_.push_back(std::make_unique<StageProblem>(model_, stage));
+    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates));
     solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
   }
 }
@@ -46,14 +51,15 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   time_ = time;
   time_carry_ = 0;
   dissipated_ = 0;
+  external_work_ = 0;
+  previous_dt_ = 0;
   acceleration_known_ = false;
   State& start = states_.front();
-  start = {std::move(u), std::move(v), {}};
-  for (const Constraint& c : model_.constraints()) {
-    start.u[static_cast<std::size_t>(c.dof)] = c.displacement + c.velocity * time;
-    start.v[static_cast<std::size_t>(c.dof)] = c.velocity;
-  }
-  if (needs_acceleration_ || table_.closing == Closing::Kinematic) acceleration();
+  start = {std::move(u), std::move(v), {}, {}, {}};
+  if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
+  model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
+  if (needs_acceleration_ || table_.closing == Closing::Kinematic || has_external_) acceleration();
+  if (has_external_) record_initial_forces();
 }
 
 const std::vector<double>& Integrator::acceleration() {
@@ -66,13 +72,12 @@ const std::vector<double>& Integrator::acceleration() {
   return state.a;
 }
 
-bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vector<double>& v,
-                                    std::vector<double>& a) {
+bool Integrator::balance(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& sum) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  const auto local = static_cast<std::size_t>(model_.space().local());
   const Segment here{nullptr, nullptr, u.data()};
-  std::vector<double> force(local);
-  std::vector<double> sum(local, 0.0);
+  std::vector<double> force(u.size());
+  sum.assign(u.size(), 0.0);
+  model_.loads().add_force(time_, 1.0, sum.data());
   bool admissible = model_.elastic_force(here, end_rule(), force.data());
   for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
   if (model_.has_interactions()) {
@@ -80,13 +85,28 @@ bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vec
     for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
   }
   if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), sum.data());
-  for (const Constraint& c : model_.constraints()) sum[static_cast<std::size_t>(c.dof)] = 0;
-  if (model_.space().minimum(admissible ? 1 : 0) == 0) return false;
+  return model_.space().minimum(admissible ? 1 : 0) > 0;
+}
 
+bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vector<double>& v,
+                                    std::vector<double>& a) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::vector<double> sum;
+  const bool admissible = balance(u, v, sum);
+  a.assign(u.size(), 0.0);
+  if (!admissible || model_.mass() == nullptr) return admissible;
+  if (!model_.constraints().empty()) {
+    // M_ff a_f = ... - M_fp a_p, a_p the motion's.
+    std::vector<double> product(owned);
+    model_.constraints().set(time_, nullptr, nullptr, a.data());
+    model_.mass()->multiply(a.data(), product.data());
+    for (std::size_t i = 0; i < owned; ++i) sum[i] -= product[i];
+    for (int dof : model_.constraints().dofs()) sum[static_cast<std::size_t>(dof)] = a[static_cast<std::size_t>(dof)];
+  }
   if (!mass_system_) {
     const auto matrix = model_.pattern().create_matrix(model_.space());
     double* values = matrix->getLocalMatrixHost().values.data();
-    model_.mass().add_to(1.0, values);
+    model_.mass()->add_to(1.0, values);
     model_.constrain_matrix(1.0, values);
     mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
   }
@@ -94,9 +114,27 @@ bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vec
   Vector solution(model_.space().owned_map());
   copy_owned(sum, rhs);
   if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
-  a.resize(local);
   model_.space().import(solution, a.data());
   return true;
+}
+
+void Integrator::record_initial_forces() {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  State& start = states_.front();
+  if (!model_.loads().empty()) {
+    start.load.assign(start.u.size(), 0.0);
+    model_.loads().add_force(time_, 1.0, start.load.data());
+    start.load.resize(owned);
+  }
+  if (model_.constraints().empty()) return;
+  std::vector<double> sum, inertia(owned, 0.0);
+  balance(start.u, start.v, sum);
+  if (model_.mass() != nullptr) model_.mass()->multiply(start.a.data(), inertia.data());
+  start.reaction.assign(owned, 0.0);
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) start.reaction[i] = inertia[i] - sum[i];
+  }
 }
 
 void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
@@ -104,10 +142,19 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
   const double h = (table_.stages[stage].end - start) * dt;
   guess = last.u;
-  if (predictor != Predictor::LastDisplacement)
+  if (predictor == Predictor::LastDisplacement) return;
+  if (predictor == Predictor::Extrapolation) {
+    if (previous_dt_ == 0) return;
+    const State& first = states_.front();
+    const double ratio = h / previous_dt_;
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * (first.u[i] - previous_u_[i]);
+  } else {
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
-  if (predictor == Predictor::ConstantAcceleration)
-    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * h / 2 * last.a[i];
+  }
+  if (predictor == Predictor::ConstantAcceleration || predictor == Predictor::Newmark) {
+    const double factor = predictor == Predictor::Newmark ? h * h / 4 : h * h / 2;
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * last.a[i];
+  }
   problems_[stage]->clip(last.u, guess);
 }
 
@@ -140,12 +187,10 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   derive(row.velocity, dt, end.v);
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
-    for (const Constraint& c : model_.constraints()) {
-      end.v[static_cast<std::size_t>(c.dof)] = c.velocity;
-      end.a[static_cast<std::size_t>(c.dof)] = 0;
-    }
+    model_.constraints().set(problems_[stage]->time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
+  problems_[stage]->record_forces(end);
 }
 
 StepResult Integrator::step(double dt) {
@@ -177,7 +222,12 @@ StepResult Integrator::advance(double dt) {
     }
     close_stage(stage, dt, std::move(u));
   }
-  if (model_.damping() != nullptr) dissipated_ += damping_work(dt);
+  if (model_.damping() != nullptr) dissipated_ += work_of_damping(model_, table_, states_, dt);
+  if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
+  if (table_.predictor == Predictor::Extrapolation) {
+    previous_u_ = states_.front().u;
+    previous_dt_ = dt;
+  }
   std::swap(states_.front(), states_.back());
   // Compensated (Kahan), so that a million steps end where they should.
   const double increment = dt - time_carry_;
@@ -187,34 +237,6 @@ StepResult Integrator::advance(double dt) {
   acceleration_known_ = table_.closing == Closing::Kinematic;
   result.converged = true;
   return result;
-}
-
-double Integrator::damping_work(double dt) {
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  std::vector<double> force(owned);
-  const auto work = [&](const std::vector<double>& x, const std::vector<double>& y) {
-    std::fill(force.begin(), force.end(), 0.0);
-    model_.damping()->multiply_add(1.0, y.data(), force.data());
-    double sum = 0;
-    for (std::size_t i = 0; i < owned; ++i) sum += x[i] * force[i];
-    return sum;
-  };
-  const State& start = states_.front();
-  const State& end = states_.back();
-  std::vector<double> du(end.u);
-  for (std::size_t i = 0; i < du.size(); ++i) du[i] -= start.u[i];
-
-  double sum = 0;
-  if (table_.damping_work.form == DampingWork::Form::Increment) {
-    sum = work(du, du) / dt;
-  } else if (table_.damping_work.form == DampingWork::Form::EndMean) {
-    sum = (work(du, start.v) + work(du, end.v)) / 2;
-  } else {
-    for (std::size_t i = 0; i < states_.size(); ++i)
-      sum += dt * table_.damping_work.weights[i] * work(states_[i].v, states_[i].v);
-  }
-  model_.space().sum(&sum, 1);
-  return sum;
 }
 
 }  // namespace ixos

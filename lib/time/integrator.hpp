@@ -30,7 +30,7 @@ class Integrator {
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
-  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = -C v - f. Constrained
+  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = f_ext - C v - f. Constrained
   /// degrees of freedom take their motion's values. Throws InputError where the state is inadmissible.
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
@@ -43,21 +43,24 @@ class Integrator {
   double time() const { return time_; }
   /// Local array of accelerations of the present state; momentum-form schemes solve for it at the first request.
   const std::vector<double>& acceleration();
-  /// Work of the damping since initialize() [E0 L0^D].
+  /// Work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
   double dissipated_energy() const { return dissipated_; }
+  double external_work() const { return external_work_; }
 
  private:
   StepResult advance(double dt);
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
-  double damping_work(double dt);
   bool solve_acceleration(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
+  bool balance(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& sum) const;
+  void record_initial_forces();
 
   const Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
+  bool has_external_ = false;        ///< the model has loads or constraints on some rank
   std::vector<std::unique_ptr<StageProblem>> problems_;
   std::vector<std::unique_ptr<NewtonSolver>> solvers_;
   std::unique_ptr<LinearSystem> mass_system_;
@@ -67,6 +70,9 @@ class Integrator {
   double time_ = 0;
   double time_carry_ = 0;
   double dissipated_ = 0;
+  double external_work_ = 0;
+  std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
+  double previous_dt_ = 0;          ///< 0 where there was none
   bool acceleration_known_ = false;
   Teuchos::RCP<Vector> unknown_;
 };

@@ -11,7 +11,8 @@ Table newmark(double beta, double gamma) {
   stage.damping = stage.velocity;
   stage.elastic = end_rule();
   stage.interaction = end_rule();
-  return {"Newmark", {stage}, Closing::Kinematic, {DampingWork::Form::EndMean, {}}, Predictor::LastDisplacement};
+  stage.load = {{1.0, 1.0}};
+  return {"Newmark", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::LastDisplacement};
 }
 
 }  // namespace ixos

@@ -28,4 +28,7 @@ Table gautam_sauer_composite(double beta, double gamma, int interaction_points, 
 /// angular momentum only to second order.
 Table average_vector_field(int elastic_points, int interaction_points);
 
+/// No inertia and no damping: equilibrium at the end of each step, time a parameter of the loads and motions.
+Table static_equilibrium();
+
 }  // namespace ixos

@@ -19,21 +19,30 @@ double square_sum(const std::vector<double>& x, std::size_t count) {
   return sum;
 }
 
+double dot(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
+  return sum;
+}
+
 }  // namespace
 
-StageProblem::StageProblem(const Model& model, const Stage& stage) : model_(model), stage_(stage) {
+StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates)
+    : model_(model), stage_(stage), exact_rates_(exact_rates), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());
   const bool path_velocity = stage.elastic.uses_velocity() || stage.interaction.uses_velocity();
   path_velocity_.resize(path_velocity ? local : 0);
-  for (std::vector<double>* array : {&known_inertia_, &u_, &bracket_, &inertia_, &elastic_, &direction_, &kept_})
-    array->resize(local);
+  for (std::vector<double>* array : {&u_, &bracket_, &inertia_, &elastic_, &direction_, &kept_}) array->resize(local);
+  if (has_mass_) known_inertia_.resize(local);
   if (model.damping() != nullptr) known_damping_.resize(local);
   if (model.has_interactions()) interaction_.resize(local);
-}
-
-void StageProblem::set_constraints(std::vector<double>& u) const {
-  for (const Constraint& c : model_.constraints())
-    u[static_cast<std::size_t>(c.dof)] = c.displacement + c.velocity * stage_time_;
+  if (!model.loads().empty()) load_.resize(local);
+  if (model.constraints().empty()) return;
+  reaction_.resize(static_cast<std::size_t>(model.space().owned()));
+  prescribed_.resize(local);
+  if (!exact_rates) return;
+  prescribed_velocity_.resize(local);
+  prescribed_acceleration_.resize(local);
 }
 
 Segment StageProblem::segment(const Rule& rule) const {
@@ -45,9 +54,13 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
   dt_ = dt;
   stage_time_ = time + stage_.end * dt;
   from_ = &known[0].u;
-  evaluate_known(stage_.inertia, known, dt, known_inertia_);
+  assembled_at_.clear();
+  if (has_mass_) evaluate_known(stage_.inertia, known, dt, known_inertia_);
   if (model_.damping() != nullptr) evaluate_known(stage_.damping, known, dt, known_damping_);
   for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_.end * dt * known[0].v[i];
+  if (!model_.constraints().empty())
+    model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
+                             exact_rates_ ? prescribed_acceleration_.data() : nullptr);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
@@ -60,6 +73,14 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
   if (model_.has_interactions())
     keep(stage_.interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
   if (model_.space().minimum(admissible ? 1 : 0) == 0) throw std::logic_error("the start of the step is inadmissible");
+  if (!model_.loads().empty()) {
+    std::fill(load_.begin(), load_.end(), 0.0);
+    model_.loads().add_mean(stage_.load, time, dt, load_.data());
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] -= load_[i];
+    double square = square_sum(load_, static_cast<std::size_t>(model_.space().owned()));
+    model_.space().sum(&square, 1);
+    load_norm_ = std::sqrt(square);
+  }
 
   const double coefficient = stage_.inertia.unknown / (dt * dt);
   rounding_ = rounding_force(known[0], coefficient);
@@ -68,27 +89,45 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
 
 double StageProblem::rounding_force(const State& start, double coefficient) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  double squares[3] = {0, 0, square_sum(start.u, owned)};
-  model_.mass().multiply(start.u.data(), inertia_.data());
-  squares[0] = square_sum(inertia_, owned);
-  model_.mass().multiply(start.v.data(), inertia_.data());
-  squares[1] = square_sum(inertia_, owned);
-  model_.space().sum(squares, 3);
+  double squares[4] = {0, 0, square_sum(start.u, owned), model_.local_rounding(start.u.data())};
+  if (has_mass_) {
+    model_.mass()->multiply(start.u.data(), inertia_.data());
+    squares[0] = square_sum(inertia_, owned);
+    model_.mass()->multiply(start.v.data(), inertia_.data());
+    squares[1] = square_sum(inertia_, owned);
+  }
+  model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
   return 2 * std::numeric_limits<double>::epsilon() *
          (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) +
-          model_.elastic_scale() * std::sqrt(squares[2]));
+          model_.elastic_scale() * std::sqrt(squares[2]) + std::sqrt(squares[3]));
 }
 
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
-  set_constraints(guess);
   if (!model_.has_interactions()) return;
   for (std::size_t i = 0; i < guess.size(); ++i) direction_[i] = guess[i] - base[i];
   const Segment at_base{nullptr, nullptr, base.data()};
   const double step = model_.admissible_step(at_base, end_rule(), direction_.data());
   if (step < 1)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] = base[i] + step * direction_[i];
-  set_constraints(guess);
+}
+
+void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
+  evaluate(stage_.inertia, u, *from_, known_inertia_, bracket);
+  if (!exact_rates_) return;
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    bracket[i] = dt_ * dt_ * prescribed_acceleration_[i];
+  }
+}
+
+void StageProblem::damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
+  evaluate(stage_.damping, u, *from_, known_damping_, bracket);
+  if (!exact_rates_) return;
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    bracket[i] = dt_ * prescribed_velocity_[i];
+  }
 }
 
 bool StageProblem::residual(const Vector& x, Vector& f) {
@@ -96,37 +135,82 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
   const double inverse = 1 / dt_;
-  evaluate(stage_.inertia, u_, *from_, known_inertia_, bracket_);
-  model_.mass().multiply(bracket_.data(), inertia_.data());
-  for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
+  if (has_mass_) {
+    inertia_bracket(u_, bracket_);
+    model_.mass()->multiply(bracket_.data(), inertia_.data());
+    for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
+  }
 
   bool admissible = model_.elastic_force(segment(stage_.elastic), stage_.elastic, elastic_.data());
-  // Norms of the three parts and the number of ranks where some part is inadmissible.
-  double sums[4] = {square_sum(inertia_, owned), square_sum(elastic_, owned), 0, 0};
+  // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way.
+  double sums[5] = {has_mass_ ? square_sum(inertia_, owned) : 0.0, square_sum(elastic_, owned), 0, 0, 0};
   if (model_.has_interactions()) {
     admissible =
         model_.interaction_force(segment(stage_.interaction), stage_.interaction, interaction_.data()) && admissible;
     sums[2] = square_sum(interaction_, owned);
   }
   sums[3] = admissible ? 0 : 1;
-  model_.space().sum(sums, 4);
+  for (int dof : model_.constraints().dofs()) {
+    // What Newton's steps leave behind by rounding is reached.
+    const auto i = static_cast<std::size_t>(dof);
+    const double reached = 1e-10 * std::abs(prescribed_[i] - (*from_)[i]) + 1e-15 * std::abs(prescribed_[i]);
+    if (!(std::abs(u_[i] - prescribed_[i]) <= reached)) sums[4] += 1;
+  }
+  model_.space().sum(sums, 5);
+  moving_ = sums[4] > 0;
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
-  scale_ = std::sqrt(std::max({sums[0], sums[1], sums[2]}));
+  scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   double* out = view.data();
-  for (std::size_t i = 0; i < owned; ++i) out[i] = inertia_[i] + elastic_[i] + kept_[i];
+  for (std::size_t i = 0; i < owned; ++i) out[i] = elastic_[i] + kept_[i];
+  if (has_mass_)
+    for (std::size_t i = 0; i < owned; ++i) out[i] += inertia_[i];
   if (model_.has_interactions())
     for (std::size_t i = 0; i < owned; ++i) out[i] += interaction_[i];
   if (model_.damping() != nullptr) {
-    evaluate(stage_.damping, u_, *from_, known_damping_, bracket_);
+    damping_bracket(u_, bracket_);
     model_.damping()->multiply_add(inverse, bracket_.data(), out);
   }
-  for (const Constraint& c : model_.constraints()) {
-    const auto dof = static_cast<std::size_t>(c.dof);
-    if (dof < owned) out[dof] = diagonal_ * (u_[dof] - c.displacement - c.velocity * stage_time_);
-  }
+  constrain_residual(out);
   return true;
+}
+
+void StageProblem::constrain_residual(double* out) {
+  if (model_.constraints().empty()) return;
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    bracket_[i] = u_[i] - prescribed_[i];
+    if (i < owned) reaction_[i] = out[i];
+  }
+  if (moving_) {
+    const auto d = static_cast<std::size_t>(model_.mesh().dimension);
+    assembled_values_.assign(static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
+    assemble(assembled_values_.data());
+    assembled_at_ = u_;
+    model_.multiply_constrained_columns(assembled_values_.data(), bracket_.data(), inertia_.data());
+    for (std::size_t i = 0; i < owned; ++i) out[i] -= inertia_[i];
+  }
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) out[i] = diagonal_ * bracket_[i];
+  }
+}
+
+void StageProblem::record_forces(State& state) const {
+  const auto owned = static_cast<std::ptrdiff_t>(model_.space().owned());
+  if (!load_.empty()) state.load.assign(load_.begin(), load_.begin() + owned);
+  state.reaction = reaction_;
+}
+
+void StageProblem::assemble(double* values) const {
+  if (has_mass_) model_.mass()->add_to(stage_.inertia.unknown / (dt_ * dt_), values);
+  if (model_.damping() != nullptr) model_.damping()->add_to(stage_.damping.unknown / dt_, values);
+  model_.add_elastic_tangent(segment(stage_.elastic), stage_.elastic, values);
+  const Tangent kind = relaxation_ == 0 ? Tangent::Exact : Tangent::Convex;
+  model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, kind, values);
+  if (relaxation_ > 1) model_.add_to_diagonal(model_.elastic_scale() * std::pow(10.0, relaxation_ - 5), values);
 }
 
 void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
@@ -134,11 +218,12 @@ void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
   model_.space().import(x, u_.data());
   const auto matrix = w.getLocalMatrixHost();
   double* values = matrix.values.data();
-  std::fill_n(values, matrix.values.extent(0), 0.0);
-  model_.mass().add_to(stage_.inertia.unknown / (dt_ * dt_), values);
-  if (model_.damping() != nullptr) model_.damping()->add_to(stage_.damping.unknown / dt_, values);
-  model_.add_elastic_tangent(segment(stage_.elastic), stage_.elastic, values);
-  model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, values);
+  if (relaxation_ == 0 && u_ == assembled_at_) {
+    std::copy(assembled_values_.begin(), assembled_values_.end(), values);
+  } else {
+    std::fill_n(values, matrix.values.extent(0), 0.0);
+    assemble(values);
+  }
   model_.constrain_matrix(diagonal_, values);
 }
 
@@ -151,6 +236,54 @@ double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
 
 double StageProblem::convergence_bound(double relative_tolerance) const {
   return std::max(relative_tolerance * scale_, rounding_);
+}
+
+Potential StageProblem::rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const {
+  Potential sum;
+  std::vector<double> at(u.size());
+  for (const RulePoint& point : rule.points) {
+    for (std::size_t i = 0; i < u.size(); ++i) at[i] = point.to * u[i];
+    if (point.from != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.from * (*from_)[i];
+    if (point.velocity != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.velocity * path_velocity_[i];
+    const double energy = elastic ? model_.local_elastic_energy(at.data()) : model_.local_interaction_energy(at.data());
+    sum.value += point.weight / point.to * energy;
+    sum.magnitude += point.weight / point.to * std::abs(energy);
+  }
+  return sum;
+}
+
+Potential StageProblem::potential(const Vector& x) {
+  const TimedScope timed(Phase::Residual);
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::vector<double> u(u_.size()), bracket(u_.size()), product(u_.size());
+  model_.space().import(x, u.data());
+  Potential sum = rule_potential(stage_.elastic, u, true);
+  const auto add = [&sum](double value) {
+    sum.value += value;
+    sum.magnitude += std::abs(value);
+  };
+  if (model_.has_interactions()) {
+    const Potential interaction = rule_potential(stage_.interaction, u, false);
+    sum.value += interaction.value;
+    sum.magnitude += interaction.magnitude;
+  }
+  if (has_mass_) {
+    inertia_bracket(u, bracket);
+    model_.mass()->multiply(bracket.data(), product.data());
+    add(dot(bracket, product, owned) / (2 * stage_.inertia.unknown * dt_ * dt_));
+  }
+  if (model_.damping() != nullptr) {
+    damping_bracket(u, bracket);
+    std::fill(product.begin(), product.end(), 0.0);
+    model_.damping()->multiply_add(1 / dt_, bracket.data(), product.data());
+    add(dot(bracket, product, owned) / (2 * stage_.damping.unknown));
+  }
+  add(dot(kept_, u, owned));
+  double sums[2] = {sum.value, sum.magnitude};
+  model_.space().sum(sums, 2);
+  return {sums[0], sums[1]};
 }
 
 }  // namespace ixos

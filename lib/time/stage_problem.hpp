@@ -9,49 +9,75 @@
 
 namespace ixos {
 
-/// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule; the row of a constrained degree of
-/// freedom is kappa (u - u_bar). arm() sets it for a step; until the next arm() it is constant. Model and stage must
-/// outlive it.
+/// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule - mean load. arm() sets it for a
+/// step; until the next arm() it is constant. Model and stage must outlive it.
+///
+/// A constrained degree of freedom has the row kappa (u - u_bar), and nothing couples it to the others, so that the
+/// matrix stays symmetric. While u is not yet u_bar, the other rows are those at u, moved along the tangent to u_bar:
+/// f_f - K_fp (u - u_bar)_p. Newton's step with the uncoupled matrix is then the one with the prescribed values
+/// eliminated exactly.
 class StageProblem final : public NonlinearProblem {
  public:
-  StageProblem(const Model& model, const Stage& stage);
+  /// `exact_rates`: driven degrees of freedom have the velocity and acceleration of their motion, not the rows'.
+  StageProblem(const Model& model, const Stage& stage, bool exact_rates);
 
   /// `known` are the step's start and the ends of the stages before this one; they must stay until the solve is over.
   /// `time` is the step's start. Throws std::logic_error where the start of the segment is inadmissible.
   void arm(const std::vector<State>& known, double time, double dt);
 
-  /// u_s = the guess, moved from `base` (an admissible local array) towards `guess` as far as is admissible, with the
-  /// constrained values set. Both local, result local in place of guess. Collective.
+  /// The guess moved from `base` (an admissible local array) towards `guess` as far as is admissible; both local.
+  /// Collective.
   void clip(const std::vector<double>& base, std::vector<double>& guess) const;
+
+  /// Time of the stage's end.
+  double time() const { return stage_time_; }
+  /// Puts mean load and reactions at the last x that residual() saw into the state.
+  void record_forces(State& state) const;
 
   Teuchos::RCP<const Map> map() const override { return model_.space().owned_map(); }
   Teuchos::RCP<CrsMatrix> create_matrix() const override { return model_.pattern().create_matrix(model_.space()); }
   bool residual(const Vector& x, Vector& f) override;
   void tangent(const Vector& x, CrsMatrix& w) override;
   double admissible_step(const Vector& x, const Vector& direction) override;
-  /// tolerance x the largest of |inertia|, |elastic|, |interaction|, but no less than what rounding u_s alone changes.
+  /// tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but no less than what rounding u_s alone
+  /// changes.
   double convergence_bound(double relative_tolerance) const override;
+  bool is_gradient() const override { return !moving_; }
+  Potential potential(const Vector& x) override;
+  void relax_tangent(int level) override { relaxation_ = level; }
 
  private:
   Segment segment(const Rule& rule) const;
-  void set_constraints(std::vector<double>& u) const;
+  void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
+  void damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
+  void assemble(double* values) const;
+  void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
+  Potential rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const;
 
   const Model& model_;
   const Stage& stage_;
+  bool exact_rates_;
+  bool has_mass_;
   double dt_ = 0;
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start
   std::vector<double> path_velocity_;          ///< h v at the step's start, where a rule uses it
   std::vector<double> known_inertia_;          ///< inertia row without s (u_s - u_0), local
   std::vector<double> known_damping_;
-  std::vector<double> kept_;  ///< kept parts of the rules, local
-  double rounding_ = 0;       ///< force by which the last digits of u change the balance
-  double diagonal_ = 0;       ///< kappa
-  double scale_ = 0;          ///< largest of the three norms at the last residual
+  std::vector<double> kept_;  ///< kept parts of the rules less the mean load, local
+  std::vector<double> load_;  ///< mean load, local
+  std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
+  double rounding_ = 0;   ///< force by which the last digits of u change the balance
+  double diagonal_ = 0;   ///< kappa
+  double load_norm_ = 0;
+  double scale_ = 0;      ///< largest of the four norms at the last residual
+  bool moving_ = false;   ///< some prescribed value is not reached at the last residual
+  int relaxation_ = 0;
 
   std::vector<double> u_;  ///< local, at the last residual
-  std::vector<double> bracket_, inertia_, elastic_, interaction_;
+  std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
+  std::vector<double> assembled_values_, assembled_at_;  ///< tangent that residual() needed on the way, and its u
   mutable std::vector<double> direction_;
 };
 

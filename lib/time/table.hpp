@@ -4,13 +4,16 @@
 #include <vector>
 
 #include "fem/rule.hpp"
+#include "model/loads.hpp"
 #include "time/row.hpp"
 
 namespace ixos {
 
 /// One stage solves for one displacement u_s:
-///   (1/dt^2) M inertia(u_s) + (1/dt) C damping(u_s) + elastic rule + interaction rule = 0,
+///   (1/dt^2) M inertia(u_s) + (1/dt) C damping(u_s) + elastic rule + interaction rule = sum_i w_i f_ext(t_i),
 /// the rules on the segment from the step's start to u_s. Then dt v_s = velocity(u_s), dt^2 a_s = acceleration(u_s).
+/// The left side is the gradient of an incremental potential, sum_i (w_i/to_i) Pi(u(xi_i)) and quadratic forms in the
+/// inertia and damping rows.
 struct Stage {
   double end = 1;  ///< time of u_s in steps from the step's start
   Row velocity;
@@ -19,37 +22,46 @@ struct Stage {
   Row damping;  ///< dt times what C multiplies
   Rule elastic;
   Rule interaction;
+  std::vector<TimePoint> load;  ///< times t_i in steps from the step's start, and weights w_i
 };
 
 /// How the acceleration at the end of a step is found.
 enum class Closing {
-  Kinematic,  ///< from the last stage's row, which satisfies the balance at the end of the step
-  Collocate   ///< from M a = -C v - f at the end of the step, where it is asked for; momentum-form schemes, whose
-              ///< recursion rings
+  Kinematic,  ///< from the last stage's row, which satisfies the balance at the end of the step; driven degrees of
+              ///< freedom take the exact velocity and acceleration of their motion
+  Collocate   ///< from M a = f_ext - C v - f at the end of the step, where it is asked for; momentum-form schemes,
+              ///< whose recursion rings; driven degrees of freedom take the scheme's own velocity
 };
 
-/// How the damping work of a step is summed (the column D of the energy balance).
-struct DampingWork {
+/// How the work of external forces g (loads and reactions) and of damping forces C v is summed over a step.
+struct WorkSum {
   enum class Form {
-    Increment,  ///< du . C du/dt
-    EndMean,    ///< du . C (v_n + v)/2
-    Stages      ///< dt sum_i weights_i v_i . C v_i over the known states and the end
+    Increment,  ///< du . g of the step mean; du . C du/dt
+    EndMean,    ///< du . (g_n + g)/2; du . C (v_n + v)/2
+    Stages      ///< dt sum_i weights_i v_i . g_i over the known states and the end; dt sum_i weights_i v_i . C v_i
   };
   Form form = Form::Increment;
   std::vector<double> weights;
 };
 
 /// Where Newton's iteration starts: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
-/// known state k, h to the stage's end. Always clipped to admissible gaps.
-enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration };
+/// known state k, h to the stage's end; Newmark's predictor with h^2/4 a_k; or the straight line through the starts of
+/// this step and the one before. Always clipped to admissible gaps.
+enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration, Newmark, Extrapolation };
 
 struct Table {
   std::string name;
   std::vector<Stage> stages;
   Closing closing = Closing::Kinematic;
-  DampingWork damping_work;
+  WorkSum work;
   Predictor predictor = Predictor::LastDisplacement;  ///< the one that takes the fewest iterations at an impact
 };
+
+/// n Gauss points over the step.
+std::vector<TimePoint> gauss_times(int n);
+
+/// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping zero.
+bool is_static(const Table& table);
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,
 /// acceleration, inertia and damping rows reproduce u = 1, t and t^2 (inertia and damping rows: the mean of u'' and u'

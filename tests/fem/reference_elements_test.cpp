@@ -1,5 +1,8 @@
 #include "fem/reference_elements.hpp"
 
+#include "fem/contact_elements.hpp"
+#include "fem/shape_table.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -92,7 +95,7 @@ TYPED_TEST(ShapesTest, GradientsAreDifferenceQuotients) {
 template <class Element>
 void expect_sound_table() {
   constexpr auto dim = static_cast<std::size_t>(Element::dimension);
-  const auto& table = Element::table();
+  const ShapeTable<Element> table;
   const auto corner = corners<Element::dimension>();
   double volume = 0;
   std::array<std::array<double, dim>, dim> second{};  // integrals of xi_d xi_e
@@ -117,6 +120,61 @@ void expect_sound_table() {
 TEST(ReferenceElementTest, Quad4TableIntegratesQuadratics) { expect_sound_table<Quad4>(); }
 
 TEST(ReferenceElementTest, Hex8TableIntegratesQuadratics) { expect_sound_table<Hex8>(); }
+
+template <class Element>
+class ContactElementTest : public testing::Test {};
+using ContactElements = testing::Types<Quad4C2, Quad4C3, Quad4C4, Quad4CH>;
+TYPED_TEST_SUITE(ContactElementTest, ContactElements);
+
+/// Shape functions of an enriched element at a point.
+template <class Element>
+struct At {
+  explicit At(const std::array<double, 2>& xi) { Element::evaluate(xi, value, gradient); }
+  std::array<double, Element::nodes> value;
+  std::array<std::array<double, 2>, Element::nodes> gradient;
+};
+
+TYPED_TEST(ContactElementTest, SideEdgesAndFarEdgeAreThoseOfTheBilinearElement) {
+  // So that plain neighbours conform.
+  for (double t : {-1.0, -0.3, 0.4, 1.0})
+    for (const std::array<double, 2>& xi : {std::array{-1.0, t}, std::array{1.0, t}, std::array{t, 1.0}}) {
+      const At<TypeParam> rich(xi);
+      const At<Quad4> plain(xi);
+      for (std::size_t a = 0; a < rich.value.size(); ++a)
+        EXPECT_NEAR(rich.value[a], a < 4 ? plain.value[a] : 0.0, 1e-15);
+    }
+}
+
+TYPED_TEST(ContactElementTest, GradientsAreDifferenceQuotients) {
+  const double h = 1e-5;
+  for (const std::array<double, 2>& xi : {std::array{-0.7, -0.9}, std::array{0.1, -0.2}, std::array{0.8, 0.5}})
+    for (std::size_t d = 0; d < 2; ++d) {
+      auto ahead = xi, behind = xi;
+      ahead[d] += h;
+      behind[d] -= h;
+      const At<TypeParam> here(xi), after(ahead), before(behind);
+      for (std::size_t a = 0; a < here.value.size(); ++a)
+        EXPECT_NEAR(here.gradient[a][d], (after.value[a] - before.value[a]) / (2 * h), 1e-8);
+    }
+}
+
+TYPED_TEST(ContactElementTest, ContactEdgeHoldsPolynomialsOfItsOrder) {
+  // x^k on the edge, by its nodal values (and for the Hermite edge its end derivatives).
+  constexpr bool hermite = std::is_same_v<TypeParam, Quad4CH>;
+  const int order = hermite ? 3 : TypeParam::nodes - 3;
+  for (int k = 0; k <= order; ++k)
+    for (double x : {-0.9, -0.35, 0.2, 0.75}) {
+      const At<TypeParam> shapes({x, -1.0});
+      double sum = shapes.value[0] * std::pow(-1.0, k) + shapes.value[1];
+      for (int a = 4; a < TypeParam::nodes; ++a) {
+        const double place = -1 + 2.0 * (a - 3) / order;
+        const double end = a == 4 ? -1.0 : 1.0;
+        const double nodal = hermite ? (k == 0 ? 0.0 : k * std::pow(end, k - 1)) : std::pow(place, k);
+        sum += shapes.value[static_cast<std::size_t>(a)] * nodal;
+      }
+      EXPECT_NEAR(sum, std::pow(x, k), 1e-14) << "x^" << k;
+    }
+}
 
 }  // namespace
 }  // namespace ixos

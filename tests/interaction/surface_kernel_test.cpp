@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/reference_elements.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "support/automatic_differentiation.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 template <std::size_t Dim>
 struct Surface {
   static constexpr std::size_t D = Dim;
-  using Kernel = SurfaceKernel<D, VanDerWaals>;
+  using Kernel = SurfaceKernel<Multilinear<static_cast<int>(D) - 1>, VanDerWaals>;
   static constexpr std::size_t N = Kernel::N;
   using Variable = test::Dual<static_cast<int>(N)>;
   template <class T>
@@ -26,7 +27,13 @@ struct Surface {
     Nodal<T> from, velocity, to;
   };
 
-  explicit Surface(int points) : quadrature(points) {}
+  explicit Surface(int points) : quadrature(counts(points)) {}
+
+  static std::array<int, D - 1> counts(int points) {
+    std::array<int, D - 1> result;
+    result.fill(points);
+    return result;
+  }
 
   static Nodal<double> constant(double value) {
     Nodal<double> result{};
@@ -81,13 +88,13 @@ struct Surface {
     const typename Kernel::template Segment<double> segment{&m.from, &m.velocity, &m.to};
     const std::vector<double> weights = measure<double>();
     Small<double, N> k{};
-    Kernel::add_tangent(law, quadrature, weights.data(), segment, rule, k);
+    Kernel::add_tangent(law, quadrature, weights.data(), segment, rule, false, k);
     return k;
   }
 
   VanDerWaals law{2.5, 25.0};
   double size = 0.7;
-  SurfaceQuadrature<D> quadrature;
+  typename Kernel::Table quadrature;
 };
 
 template <class S>

@@ -69,7 +69,7 @@ std::vector<double> tangent_errors(const Model& model, const Table& table, const
       for (std::size_t i = 0; i < local; ++i)
         (*field)[i] = 0.05 * std::sin(1.7 * mesh.coordinates[i] + 0.9 * static_cast<double>(i % d + s)) + 0.02;
     }
-  StageProblem problem(model, table.stages.back());
+  StageProblem problem(model, table.stages.back(), table.closing == Closing::Kinematic);
   problem.arm(states, 0.0, 0.1);
 
   const auto map = problem.map();
@@ -127,7 +127,7 @@ TEST(ModelTest, TwoRanksAssembleTheSameOperatorAsOne) {
       for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.1 * std::sin(1.9 * mesh.coordinates[i]);
       double* values = w->getLocalMatrixHost().values.data();
       model.add_elastic_tangent({nullptr, nullptr, u.data()}, end_rule(), values);
-      model.mass().add_to(3.0, values);
+      model.mass()->add_to(3.0, values);
       Vector x(model.space().owned_map()), y(model.space().owned_map());
       {
         const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -5,16 +5,14 @@ import pathlib
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
 import numpy as np
 from PIL import Image
 
-PLOT = pathlib.Path(__file__).resolve().parents[2] / "drivers" / "plot"
-sys.path.insert(0, str(PLOT))
 sys.dont_write_bytecode = True
-from exodus import Fields  # noqa: E402 (after the path to it)
+from scripts import PLOT, ScriptTest  # noqa: E402 (sets the path to the others)
+from exodus import Fields  # noqa: E402
 from results import Run  # noqa: E402
 
 DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
@@ -32,46 +30,12 @@ def simulate(folder, settings, ranks=1):
     subprocess.run([*launcher, DRIVER, SCENE, "--quiet", "--output", folder, *options], check=True, capture_output=True)
 
 
-def script(name, *arguments):
-    """Runs a script of drivers/plot."""
-    return subprocess.run(["/usr/bin/python3", "-B", PLOT / name, *map(str, arguments)], capture_output=True, text=True,
-                          check=False)
-
-
-class PlotTest(unittest.TestCase):
+class PlotTest(ScriptTest):
     @classmethod
     def setUpClass(cls):
-        cls.keep = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.keep.name)
+        super().setUpClass()
         cls.ball = cls.folder / "ball"
         simulate(cls.ball, SHORT)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.keep.cleanup()
-
-    def draw(self, name, *arguments):
-        """Runs a script that must succeed; returns what it says it wrote."""
-        done = script(name, *arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(done.stderr, "")
-        return [pathlib.Path(line) for line in done.stdout.splitlines()]
-
-    def assert_picture(self, path, kind, low, high):
-        """A picture of that format whose width lies between limits, and that is not blank."""
-        with Image.open(path) as image:
-            image.load()
-            self.assertEqual(image.format, kind)
-            self.assertTrue(low <= image.width <= high, image.size)
-            self.assertGreater(len(set(image.convert("L").getdata())), 10)
-
-    def assert_refused(self, expected, name, *arguments):
-        """Exit status 2 and one line that says what is wrong."""
-        done = script(name, *arguments)
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
-        self.assertIn(expected, done.stderr)
-        self.assertEqual(done.stdout, "")
 
     def test_fields_agree_with_the_history(self):
         fields, run = Fields(self.ball), Run(self.ball)

@@ -49,10 +49,11 @@ void run_patch(int dimension, ElasticLaw law, const Table& table) {
   for (std::size_t n = 0; n < velocity.size() / d; ++n)
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t j = 0; j < d; ++j) velocity[n * d + i] += g[i][j] * local.coordinates[n * d + j];
+  const auto unit_rate = rate_ramp(1.0, 0.0, 0.0, RampShape::Linear);  // u = t
   for (int node : local.node_sets[local.node_set("surface")])
     for (int i = 0; i < dimension; ++i) {
       const int dof = node * dimension + i;
-      model.add_constraint({dof, 0.0, velocity[static_cast<std::size_t>(dof)]});
+      model.constraints().add(dof, velocity[static_cast<std::size_t>(dof)], unit_rate);
     }
 
   Teuchos::ParameterList linear;

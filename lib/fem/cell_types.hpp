@@ -1,0 +1,45 @@
+/// From a mesh's cell type to the element's C++ type.
+#pragma once
+#include <stdexcept>
+
+#include "fem/contact_elements.hpp"
+#include "fem/reference_elements.hpp"
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// A type as a value.
+template <class T>
+struct TypeTag {
+  using type = T;
+};
+
+/// function(TypeTag<Element>) for the element of that cell type.
+template <class Function>
+decltype(auto) with_element(CellType type, const Function& function) {
+  switch (type) {
+    case CellType::Quad4: return function(TypeTag<Quad4>{});
+    case CellType::Hex8: return function(TypeTag<Hex8>{});
+    case CellType::Quad4C2: return function(TypeTag<Quad4C2>{});
+    case CellType::Quad4C3: return function(TypeTag<Quad4C3>{});
+    case CellType::Quad4C4: return function(TypeTag<Quad4C4>{});
+    case CellType::Quad4CH: return function(TypeTag<Quad4CH>{});
+  }
+  throw std::logic_error("unknown cell type");
+}
+
+/// function(TypeTag<Element>) for the element of a side of that cell type: side 0 of an enriched quadrilateral is its
+/// contact edge.
+template <class Function>
+decltype(auto) with_side_element(CellType type, int side, const Function& function) {
+  if (type == CellType::Hex8) return function(TypeTag<Multilinear<2>>{});
+  if (side == 0) {
+    if (type == CellType::Quad4C2) return function(TypeTag<LagrangeEdge<2>>{});
+    if (type == CellType::Quad4C3) return function(TypeTag<LagrangeEdge<3>>{});
+    if (type == CellType::Quad4C4) return function(TypeTag<LagrangeEdge<4>>{});
+    if (type == CellType::Quad4CH) return function(TypeTag<HermiteEdge>{});
+  }
+  return function(TypeTag<Line2>{});
+}
+
+}  // namespace ixos

@@ -1,0 +1,48 @@
+/// Shape functions at quadrature points.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "fem/quadrature.hpp"
+
+namespace ixos {
+
+/// Values of an element's shape functions at the points of a tensor product of Gauss rules, the first direction fastest.
+template <class Element>
+struct ShapeTable {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+
+  /// `counts`: points along each reference direction, 1 to 64.
+  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points) {
+    std::array<Quadrature, D> rules;
+    std::size_t size = 1;
+    for (std::size_t d = 0; d < D; ++d) {
+      rules[d] = gauss_legendre(counts[d]);
+      size *= rules[d].points.size();
+    }
+    weight.assign(size, 1.0);
+    value.resize(size);
+    gradient.resize(size);
+    for (std::size_t q = 0; q < size; ++q) {
+      std::array<double, D> xi;
+      std::size_t rest = q;
+      for (std::size_t d = 0; d < D; ++d) {
+        const std::size_t i = rest % rules[d].points.size();
+        rest /= rules[d].points.size();
+        xi[d] = rules[d].points[i];
+        weight[q] *= rules[d].weights[i];
+      }
+      Element::evaluate(xi, value[q], gradient[q]);
+    }
+  }
+
+  std::size_t size() const { return weight.size(); }
+
+  std::vector<double> weight;                                       ///< quadrature weights
+  std::vector<std::array<double, N>> value;                         ///< N_a(xi_q)
+  std::vector<std::array<std::array<double, D>, N>> gradient;  ///< dN_a/dxi_d (xi_q)
+};
+
+}  // namespace ixos

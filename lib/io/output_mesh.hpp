@@ -1,0 +1,36 @@
+/// One rank's share of a mesh as ParaView shows it right.
+#pragma once
+#include <utility>
+#include <vector>
+
+#include "io/exodus_definition.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// The rank's own cells and their nodes as a mesh of their own. An enriched cell becomes a row of bilinear
+/// quadrilaterals, one for each piece of its contact side (four of a Hermite side), so that the curved side shows; their
+/// nodes are fixed combinations of the mesh's.
+struct OutputMesh {
+  OutputMesh(const LocalMesh& local, int ranks);
+
+  /// The value at each node of a field given by local node.
+  std::vector<double> nodal(const std::vector<double>& field) const;
+
+  Mesh mesh;
+  ExodusShare description;
+  std::vector<std::vector<int>> cells;  ///< by block: local cell that each cell of the mesh is (a part of)
+
+ private:
+  using Combination = std::vector<std::pair<int, double>>;  ///< local nodes and weights
+  int add_node(const LocalMesh& local, Combination combination, int id);
+  int own_node(const LocalMesh& local, int node);
+  void add_cell(const LocalMesh& local, const LocalBlock& block, int cell, int cell_offset, ElementBlock& here);
+  void add_sets(const LocalMesh& local);
+
+  std::vector<Combination> combinations_;     ///< by node of the mesh
+  std::vector<int> number_;                   ///< by local node: its number here, or -1
+  std::vector<std::vector<int>> first_cell_;  ///< by block and local cell: its first cell here, or -1
+};
+
+}  // namespace ixos

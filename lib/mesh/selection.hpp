@@ -1,0 +1,24 @@
+/// Sets of sides and nodes chosen by place.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// An axis-parallel box; an empty bound is none. Points on its boundary count as inside, to 1e-9 of the mesh's size.
+struct Region {
+  std::vector<double> lower;  ///< D coordinates [L0], or empty
+  std::vector<double> upper;
+};
+
+/// Adds the side set `name`: the sides of the set `from` whose corner nodes all lie in the region. Throws InputError
+/// where `from` does not exist, `name` does, or no side is chosen.
+void add_side_set(Mesh& mesh, const std::string& name, const std::string& from, const Region& region);
+
+/// Adds the node set `name`: the nodes of the set `from`, or of the whole mesh where it is empty, in the region. Throws
+/// InputError likewise.
+void add_node_set(Mesh& mesh, const std::string& name, const std::string& from, const Region& region);
+
+}  // namespace ixos

@@ -1,0 +1,32 @@
+/// Quadrature of a block's cells, and the factors of their shape functions.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "fem/shape_table.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// Gauss points along each direction: of an enriched element what its block says along the contact side, of others
+/// `points` in every direction; 0 stands for the element's own number.
+template <class Element>
+std::array<int, Element::dimension> cell_points(const LocalBlock& block, int points) {
+  std::array<int, Element::dimension> counts = Element::default_points;
+  const bool enriched = Element::nodes != 1 << Element::dimension;
+  if (enriched && block.points > 0) counts[0] = block.points;
+  if (!enriched && points > 0) counts.fill(points);
+  return counts;
+}
+
+/// Cells x nodes factors, see node_scale(); empty where all are 1.
+inline std::vector<double> node_scales(const LocalBlock& block) {
+  std::vector<double> scales;
+  if (block.derivative_scale.empty()) return scales;
+  const int n = nodes_per_cell(block.type);
+  for (int cell = 0; cell < block.cells(); ++cell)
+    for (int a = 0; a < n; ++a) scales.push_back(node_scale(block, cell, a));
+  return scales;
+}
+
+}  // namespace ixos

@@ -1,0 +1,41 @@
+#include "model/constraints.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace ixos {
+
+void Constraints::add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {
+  auto found = std::find(motions_.begin(), motions_.end(), motion);
+  if (found == motions_.end()) found = motions_.insert(found, motion);
+  const auto number = static_cast<std::size_t>(found - motions_.begin());
+  if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
+  int& entry = index_[dof_index(dof)];
+  if (entry >= 0) {
+    const Entry& known = entries_[static_cast<std::size_t>(entry)];
+    if (known.motion != number || known.factor != factor)
+      throw InputError("two conditions prescribe different motions for one degree of freedom");
+    return;
+  }
+  entry = static_cast<int>(entries_.size());
+  dofs_.push_back(dof);
+  entries_.push_back({number, factor});
+  driven_ = driven_ || motion != nullptr;
+}
+
+void Constraints::set(double time, double* u, double* v, double* a) const {
+  std::vector<TimeValue> values;
+  values.reserve(motions_.size());
+  for (const auto& motion : motions_) values.push_back(motion ? motion->at(time) : TimeValue{});
+  for (std::size_t i = 0; i < dofs_.size(); ++i) {
+    const TimeValue& value = values[entries_[i].motion];
+    const double factor = entries_[i].factor;
+    const std::size_t dof = dof_index(dofs_[i]);
+    if (u != nullptr) u[dof] = factor * value.value;
+    if (v != nullptr) v[dof] = factor * value.rate;
+    if (a != nullptr) a[dof] = factor * value.acceleration;
+  }
+}
+
+}  // namespace ixos

@@ -1,0 +1,41 @@
+/// Prescribed degrees of freedom.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "model/time_function.hpp"
+
+namespace ixos {
+
+/// u(t) = factor * motion(t) for each constrained degree of freedom; local numbers, ghosts constrained on every rank that
+/// sees them. A motion is evaluated once for all its degrees of freedom.
+class Constraints {
+ public:
+  /// Without a motion the degree of freedom is held at zero. One that is constrained already may be so again by the same motion and factor. Throws InputError
+  /// for another.
+  void add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
+
+  bool empty() const { return entries_.empty(); }
+  bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
+  const std::vector<int>& dofs() const { return dofs_; }
+  /// Does any degree of freedom move?
+  bool driven() const { return driven_; }
+
+  /// Puts displacement, velocity and acceleration at `time` into local arrays; each may be null.
+  void set(double time, double* u, double* v, double* a) const;
+
+ private:
+  static std::size_t dof_index(int dof) { return static_cast<std::size_t>(dof); }
+  struct Entry {
+    std::size_t motion;
+    double factor;
+  };
+  std::vector<int> dofs_;
+  std::vector<Entry> entries_;  ///< parallel to dofs_
+  std::vector<int> index_;      ///< by dof: its entry, or -1
+  std::vector<std::shared_ptr<const TimeFunction>> motions_;
+  bool driven_ = false;
+};
+
+}  // namespace ixos

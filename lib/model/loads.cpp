@@ -1,0 +1,23 @@
+#include "model/loads.hpp"
+
+#include <cstddef>
+#include <utility>
+
+namespace ixos {
+
+void Loads::add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history) {
+  loads_.push_back({std::move(forces), std::move(history)});
+}
+
+void Loads::add_force(double time, double factor, double* force) const {
+  for (const Load& load : loads_) {
+    const double value = factor * load.history->at(time).value;
+    for (std::size_t i = 0; i < load.forces.size(); ++i) force[i] += value * load.forces[i];
+  }
+}
+
+void Loads::add_mean(const std::vector<TimePoint>& points, double start, double dt, double* force) const {
+  for (const TimePoint& point : points) add_force(start + point.time * dt, point.weight, force);
+}
+
+}  // namespace ixos

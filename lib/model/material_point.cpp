@@ -1,0 +1,110 @@
+#include "model/material_point.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/small_matrix.hpp"
+#include "fem/cell_types.hpp"
+
+namespace ixos {
+namespace {
+
+/// Finds x in the cell by Newton's method on the geometry map; false where it is outside.
+template <class Element>
+bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, const std::vector<double>& x,
+                  MaterialPoint& point) {
+  constexpr std::size_t D = Element::dimension;
+  constexpr std::size_t N = Element::nodes;
+  const int* nodes = &block.nodes[cell_entry(cell, N)];
+  constexpr std::size_t corner_count = std::size_t{1} << D;
+  std::array<double, D> low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (std::size_t a = 0; a < corner_count; ++a)
+    for (std::size_t i = 0; i < D; ++i) {
+      const double value = mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i];
+      low[i] = std::min(low[i], value);
+      high[i] = std::max(high[i], value);
+    }
+  for (std::size_t i = 0; i < D; ++i) {
+    const double slack = 0.2 * (high[i] - low[i]);  // an enriched side may bulge
+    if (x[i] < low[i] - slack || x[i] > high[i] + slack) return false;
+  }
+
+  std::array<double, D> xi{};
+  std::array<double, N> value;
+  std::array<std::array<double, D>, N> gradient;
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    Element::evaluate(xi, value, gradient);
+    std::array<double, D> residual{};
+    Small<double, D> jacobian{};
+    for (std::size_t a = 0; a < N; ++a) {
+      const double scale = node_scale(block, cell, static_cast<int>(a));
+      for (std::size_t i = 0; i < D; ++i) {
+        const double coordinate = scale * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i];
+        residual[i] += coordinate * value[a];
+        for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += coordinate * gradient[a][d];
+      }
+    }
+    const auto back = inverse(jacobian, determinant(jacobian));
+    double change = 0;
+    for (std::size_t d = 0; d < D; ++d) {
+      double step = 0;
+      for (std::size_t i = 0; i < D; ++i) step += back[d][i] * (x[i] - residual[i]);
+      xi[d] += step;
+      change = std::max(change, std::abs(step));
+    }
+    if (change < 1e-13) break;
+  }
+  for (double coordinate : xi)
+    if (!(std::abs(coordinate) <= 1 + 1e-9)) return false;
+  Element::evaluate(xi, value, gradient);
+  point.nodes.assign(nodes, nodes + N);
+  for (std::size_t a = 0; a < N; ++a) point.weights.push_back(node_scale(block, cell, static_cast<int>(a)) * value[a]);
+  return true;
+}
+
+bool find(const LocalMesh& mesh, const std::vector<double>& x, MaterialPoint& point) {
+  for (const LocalBlock& block : mesh.blocks) {
+    const bool found = with_element(block.type, [&](auto element) {
+      for (int cell = 0; cell < block.cells(); ++cell)
+        if (block.owned[static_cast<std::size_t>(cell)] != 0 &&
+            find_in_cell<typename decltype(element)::type>(mesh, block, cell, x, point))
+          return true;
+      return false;
+    });
+    if (found) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<double> MaterialPoint::value(const DofSpace& space, const std::vector<double>& local) const {
+  const auto d = static_cast<std::size_t>(space.dimension());
+  std::vector<double> sum(d, 0.0);
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t i = 0; i < d; ++i) sum[i] += weights[a] * local[static_cast<std::size_t>(nodes[a]) * d + i];
+  space.sum(sum.data(), static_cast<int>(d));
+  return sum;
+}
+
+MaterialPoint locate(const LocalMesh& mesh, const DofSpace& space, const std::vector<double>& x) {
+  MaterialPoint point;
+  const double rank = space.comm()->getRank();
+  const double none = std::numeric_limits<double>::infinity();
+  const double owner = space.minimum(find(mesh, x, point) ? rank : none);
+  if (owner == none)
+    throw InputError(fmt::format("the point ({}) lies outside the body in its reference configuration",
+                                 fmt::join(x, ", ")));
+  if (owner != rank) point = {};
+  return point;
+}
+
+}  // namespace ixos

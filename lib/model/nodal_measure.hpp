@@ -1,0 +1,15 @@
+/// Integrals of the shape functions: what turns a load per volume or area into nodal forces.
+#pragma once
+#include <vector>
+
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// Adds int N_a dV over the block's cells to measure[a], per local node [L0^D]; complete for owned nodes.
+void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vector<double>& measure);
+
+/// Adds int N_a dA over the sides [L0^(D-1)].
+void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides, std::vector<double>& measure);
+
+}  // namespace ixos

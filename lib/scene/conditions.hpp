@@ -1,0 +1,13 @@
+/// Boundary conditions and loads of a scene.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+#include "model/model.hpp"
+#include "scene/histories.hpp"
+
+namespace ixos {
+
+/// Carries out the list "Boundary Conditions". Throws InputError with the list path, on all ranks alike. Collective.
+void add_conditions(const Teuchos::ParameterList& list, const Histories& histories, Model& model);
+
+}  // namespace ixos

@@ -1,0 +1,65 @@
+#include "scene/stop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/closest_name.hpp"
+#include "scene/list_access.hpp"
+
+namespace ixos {
+namespace {
+
+const Probe& probe_named(const std::vector<Probe>& probes, const std::string& name) {
+  std::vector<std::string> names;
+  for (const Probe& probe : probes) {
+    if (probe.name == name) return probe;
+    names.push_back(probe.name);
+  }
+  if (names.empty()) throw InputError("probe \"" + name + "\" does not exist; Output/Probes has none");
+  throw InputError("probe \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
+                   "\"? Output/Probes has " + quoted_list(names));
+}
+
+}  // namespace
+
+StopCriteria::StopCriteria(const Teuchos::ParameterList& list, const std::vector<Probe>& probes, const Model& model) {
+  for (const std::string& name : sublists(list)) {
+    const Teuchos::ParameterList& own = list.sublist(name);
+    const std::string path = "Time Integrator/Stop/" + name;
+    Criterion criterion;
+    criterion.name = name;
+    if (own.get<std::string>("Type") == "Detached") {
+      if (!model.has_interactions()) throw InputError(path + "/Type: \"Detached\" needs an interaction");
+    } else {
+      const Teuchos::ParameterList& probe = own.sublist("Probe");
+      criterion.probe =
+          at(path + "/Probe/Name", [&]() -> const Probe* { return &probe_named(probes, probe.get<std::string>("Name")); });
+      criterion.quantity = probe.get<std::string>("Quantity");
+      if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
+        throw InputError(fmt::format("{}/Probe/Quantity: \"{}\" names z, but the scene has {} dimensions", path,
+                                     criterion.quantity, model.mesh().dimension));
+      criterion.above = probe.get<std::string>("Side") == "Above";
+      criterion.limit = probe.get<double>("Limit");
+    }
+    criteria_.push_back(criterion);
+  }
+}
+
+std::string StopCriteria::reason(const Model& model, const State& state) {
+  for (const Criterion& criterion : criteria_) {
+    if (criterion.probe == nullptr) {
+      const bool attached = model.interaction_report(state.u.data()).measure > 0;
+      if (was_attached_ && !attached) return criterion.name + ": detached";
+      was_attached_ = attached;
+      continue;
+    }
+    const double value = probe_value(*criterion.probe, criterion.quantity, model, state);
+    if (criterion.above ? value >= criterion.limit : value <= criterion.limit)
+      return fmt::format("{}: {} of probe {} is {:.6g}, {} {:.6g}", criterion.name, criterion.quantity,
+                         criterion.probe->name, value, criterion.above ? "above" : "below", criterion.limit);
+  }
+  return "";
+}
+
+}  // namespace ixos

@@ -1,0 +1,43 @@
+/// NOX direction: Newton's, or the nearest that goes down the problem's potential.
+#pragma once
+#include <NOX_Direction_Generic.H>
+#include <NOX_Direction_Newton.H>
+#include <NOX_Direction_UserDefinedFactory.H>
+
+#include "solve/nonlinear_problem.hpp"
+
+namespace ixos {
+
+/// NOX's Newton direction, with its forcing terms. Where the residual f is a gradient and f . d >= 0, or the linear
+/// solver fails, the tangent is not positive definite: the direction is computed again with the tangent relaxed step by
+/// step (see NonlinearProblem::relax_tangent).
+class DescentDirection final : public NOX::Direction::Generic {
+ public:
+  DescentDirection(NonlinearProblem& problem, const Teuchos::RCP<NOX::GlobalData>& data, Teuchos::ParameterList& list)
+      : problem_(problem), newton_(data, list) {}
+
+  bool reset(const Teuchos::RCP<NOX::GlobalData>& data, Teuchos::ParameterList& list) override {
+    return newton_.reset(data, list);
+  }
+  bool compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group,
+               const NOX::Solver::Generic& solver) override;
+
+ private:
+  NonlinearProblem& problem_;
+  NOX::Direction::Newton newton_;
+};
+
+/// Hands NOX the direction for a problem.
+class DescentDirectionFactory final : public NOX::Direction::UserDefinedFactory {
+ public:
+  explicit DescentDirectionFactory(NonlinearProblem& problem) : problem_(problem) {}
+  Teuchos::RCP<NOX::Direction::Generic> buildDirection(const Teuchos::RCP<NOX::GlobalData>& data,
+                                                       Teuchos::ParameterList& list) const override {
+    return Teuchos::rcp(new DescentDirection(problem_, data, list));
+  }
+
+ private:
+  NonlinearProblem& problem_;
+};
+
+}  // namespace ixos

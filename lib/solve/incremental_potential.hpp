@@ -1,0 +1,27 @@
+/// The problem's potential as the merit function of NOX's own line searches.
+#pragma once
+#include <NOX_MeritFunction_Generic.H>
+
+#include "solve/nonlinear_problem.hpp"
+
+namespace ixos {
+
+/// merit = potential, slope = f . d; while prescribed values are on their way |f|^2/2, which has no slope to offer.
+class IncrementalPotential final : public NOX::MeritFunction::Generic {
+ public:
+  explicit IncrementalPotential(NonlinearProblem& problem) : problem_(problem) {}
+
+  double computef(const NOX::Abstract::Group& group) const override;
+  double computeSlope(const NOX::Abstract::Vector& direction, const NOX::Abstract::Group& group) const override;
+  void computeGradient(const NOX::Abstract::Group& group, NOX::Abstract::Vector& result) const override;
+  double computeQuadraticModel(const NOX::Abstract::Vector& direction,
+                               const NOX::Abstract::Group& group) const override;
+  void computeQuadraticMinimizer(const NOX::Abstract::Group& group, NOX::Abstract::Vector& result) const override;
+  const std::string& name() const override { return name_; }
+
+ private:
+  NonlinearProblem& problem_;
+  std::string name_ = "Incremental Potential";
+};
+
+}  // namespace ixos

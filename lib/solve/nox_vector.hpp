@@ -1,0 +1,13 @@
+/// The Tpetra vector inside a NOX one. Included by lib/solve only.
+#pragma once
+#include <NOX_Thyra_Vector.H>
+
+#include "solve/thyra.hpp"
+
+namespace ixos {
+
+inline Teuchos::RCP<const Vector> tpetra(const NOX::Abstract::Vector& vector) {
+  return Extract::getConstTpetraVector(dynamic_cast<const NOX::Thyra::Vector&>(vector).getThyraRCPVector());
+}
+
+}  // namespace ixos

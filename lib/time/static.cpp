@@ -1,0 +1,14 @@
+#include "time/schemes.hpp"
+
+namespace ixos {
+
+Table static_equilibrium() {
+  Stage stage;
+  stage.velocity = unknown_displacement() - displacement(0);
+  stage.elastic = end_rule();
+  stage.interaction = end_rule();
+  stage.load = {{1.0, 1.0}};
+  return {"Static", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::LastDisplacement};
+}
+
+}  // namespace ixos

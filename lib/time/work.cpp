@@ -1,0 +1,88 @@
+#include "time/work.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ixos {
+namespace {
+
+using Array = std::vector<double>;
+
+Array difference(const Array& a, const Array& b) {
+  Array result(a);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] -= b[i];
+  return result;
+}
+
+double dot(const Array& x, const Array& y, std::size_t count) {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
+  return sum;
+}
+
+/// Of owned entries: with the state's load and reaction, where there are any.
+double with_external(const Array& x, const State& state) {
+  return dot(x, state.load, state.load.size()) + dot(x, state.reaction, state.reaction.size());
+}
+
+/// d . M dv + du . M e/dt on driven degrees of freedom.
+double exact_rate_work(const Model& model, const State& start, const State& end, const Array& du, double dt) {
+  const auto owned = static_cast<std::size_t>(model.space().owned());
+  Array product(owned), e(du.size(), 0.0);
+  model.mass()->multiply(difference(end.v, start.v).data(), product.data());
+  double sum = 0;
+  for (int dof : model.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    e[i] = end.v[i] - start.v[i] - dt * (start.a[i] + end.a[i]) / 2;
+    if (i < owned) sum += ((start.v[i] + end.v[i]) / 2 - du[i] / dt) * product[i];
+  }
+  model.mass()->multiply(e.data(), product.data());
+  return sum + dot(du, product, owned) / dt;
+}
+
+}  // namespace
+
+double work_of_external_forces(const Model& model, const Table& table, const std::vector<State>& states, double dt) {
+  const State& start = states.front();
+  const State& end = states.back();
+  const Array du = difference(end.u, start.u);
+  double sum = 0;
+  if (table.work.form == WorkSum::Form::Increment) {
+    sum = with_external(du, end);
+  } else if (table.work.form == WorkSum::Form::EndMean) {
+    sum = (with_external(du, start) + with_external(du, end)) / 2;
+    if (model.mass() != nullptr && model.constraints().driven())
+      sum += exact_rate_work(model, start, end, du, dt);
+  } else {
+    for (std::size_t i = 0; i < states.size(); ++i)
+      sum += dt * table.work.weights[i] * with_external(states[i].v, states[i]);
+  }
+  model.space().sum(&sum, 1);
+  return sum;
+}
+
+double work_of_damping(const Model& model, const Table& table, const std::vector<State>& states, double dt) {
+  const auto owned = static_cast<std::size_t>(model.space().owned());
+  Array force(owned);
+  const auto work = [&](const Array& x, const Array& y) {
+    std::fill(force.begin(), force.end(), 0.0);
+    model.damping()->multiply_add(1.0, y.data(), force.data());
+    return dot(x, force, owned);
+  };
+  const State& start = states.front();
+  const State& end = states.back();
+  const Array du = difference(end.u, start.u);
+  double sum = 0;
+  if (table.work.form == WorkSum::Form::Increment) {
+    sum = work(du, du) / dt;
+  } else if (table.work.form == WorkSum::Form::EndMean) {
+    sum = (work(du, start.v) + work(du, end.v)) / 2;
+  } else {
+    for (std::size_t i = 0; i < states.size(); ++i)
+      sum += dt * table.work.weights[i] * work(states[i].v, states[i].v);
+  }
+  model.space().sum(&sum, 1);
+  return sum;
+}
+
+}  // namespace ixos

@@ -1,0 +1,332 @@
+#include "model/time_function.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+using Function = std::shared_ptr<const TimeFunction>;
+
+const std::vector<RampShape> shapes = {RampShape::Linear, RampShape::Cosine, RampShape::Quintic};
+
+void expect_value(const TimeFunction& function, double time, double value, double rate, double acceleration) {
+  const TimeValue f = function.at(time);
+  EXPECT_NEAR(f.value, value, 1e-13 * (1 + std::abs(value))) << "t = " << time;
+  EXPECT_NEAR(f.rate, rate, 1e-13 * (1 + std::abs(rate))) << "t = " << time;
+  EXPECT_NEAR(f.acceleration, acceleration, 1e-13 * (1 + std::abs(acceleration))) << "t = " << time;
+}
+
+/// Derivatives against central differences.
+void expect_derivatives(const TimeFunction& function, const std::vector<double>& times) {
+  const double h = 1e-5;
+  for (double time : times) {
+    const TimeValue before = function.at(time - h), f = function.at(time), after = function.at(time + h);
+    EXPECT_NEAR(f.rate, (after.value - before.value) / (2 * h), 1e-7) << "t = " << time;
+    EXPECT_NEAR(f.acceleration, (after.rate - before.rate) / (2 * h), 1e-7) << "t = " << time;
+  }
+}
+
+/// Value, rate and, where `twice`, acceleration do not jump at `time`.
+void expect_continuous(const TimeFunction& function, double time, bool twice) {
+  const double h = 1e-9;
+  const TimeValue before = function.at(time - h), f = function.at(time), after = function.at(time + h);
+  for (const TimeValue& near : {before, after}) {
+    EXPECT_NEAR(near.value, f.value, 1e-7) << "t = " << time;
+    EXPECT_NEAR(near.rate, f.rate, 1e-7) << "t = " << time;
+    if (twice) {
+      EXPECT_NEAR(near.acceleration, f.acceleration, 1e-6) << "t = " << time;
+    }
+  }
+}
+
+void expect_nan(const TimeValue& f) {
+  EXPECT_TRUE(std::isnan(f.value));
+  EXPECT_TRUE(std::isnan(f.rate));
+  EXPECT_TRUE(std::isnan(f.acceleration));
+}
+
+/// The message of the InputError that `action` throws; empty where it throws none.
+template <class Action>
+std::string refusal(const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string refusal_over(const Function& function, double from, double to, bool derivatives) {
+  return refusal([&] { check_over(*function, from, to, derivatives); });
+}
+
+void expect_contains(const std::string& message, const std::string& words) {
+  EXPECT_NE(message.find(words), std::string::npos) << "message: " << message << "\nexpected: " << words;
+}
+
+TEST(TimeFunctionTest, ConstantHasNoDerivatives) {
+  const Function f = constant(-2.5);
+  for (double time : {-1e9, 0.0, 3.0}) expect_value(*f, time, -2.5, 0, 0);
+  EXPECT_EQ(f->first_time(), -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(f->last_time(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(f->ramp_end(), -std::numeric_limits<double>::infinity());
+}
+
+TEST(TimeFunctionTest, Sine) {
+  const Function f = sine(1, 2, 0.25, M_PI / 6);
+  const double omega = M_PI / 2;
+  expect_value(*f, 0, 2, omega * std::sqrt(3.0), -omega * omega);
+  expect_value(*f, 1, 1 + std::sqrt(3.0), -omega, -omega * omega * std::sqrt(3.0));
+  expect_value(*f, 4, 2, omega * std::sqrt(3.0), -omega * omega);
+  expect_derivatives(*f, {-1.2, 0.1, 0.77, 5});
+}
+
+TEST(TimeFunctionTest, ValueRamps) {
+  for (RampShape shape : shapes) {
+    const Function f = value_ramp(-3, 1, 4, shape);
+    expect_value(*f, 0.999, 0, 0, 0);
+    EXPECT_DOUBLE_EQ(f->at(3).value, -1.5);
+    expect_value(*f, 5, -3, 0, 0);
+    expect_value(*f, 50, -3, 0, 0);
+    EXPECT_EQ(f->ramp_end(), 5.0);
+    expect_derivatives(*f, {0.5, 1.3, 2, 3, 4.1, 4.9, 6});
+  }
+  expect_value(*value_ramp(8, 0, 4, RampShape::Linear), 1, 2, 2, 0);
+  expect_value(*value_ramp(8, 0, 4, RampShape::Cosine), 2, 4, M_PI, 0);
+  expect_value(*value_ramp(8, 0, 4, RampShape::Cosine), 0, 0, 0, M_PI * M_PI / 4);
+  expect_value(*value_ramp(8, 0, 4, RampShape::Quintic), 1, 8 * 53.0 / 512, 8 * 135.0 / 512, 8 * 5.625 / 16);
+}
+
+TEST(TimeFunctionTest, RateRamps) {
+  for (RampShape shape : shapes) {
+    const Function f = rate_ramp(-3, 1, 4, shape);
+    expect_value(*f, 0.999, 0, 0, 0);
+    EXPECT_DOUBLE_EQ(f->at(3).rate, -1.5);
+    expect_value(*f, 5, -6, -3, 0);
+    expect_value(*f, 7, -12, -3, 0);
+    EXPECT_EQ(f->ramp_end(), 5.0);
+    expect_derivatives(*f, {0.5, 1.3, 2, 3, 4.1, 4.9, 6});
+  }
+  expect_value(*rate_ramp(8, 0, 4, RampShape::Linear), 1, 1, 2, 2);
+  expect_value(*rate_ramp(8, 0, 4, RampShape::Quintic), 2, 8 * 4 * 5.0 / 64, 4, 8 * 1.875 / 4);
+}
+
+TEST(TimeFunctionTest, CosineRateRampIsTheDocumentedFormula) {
+  const double V = 1, t_r = 55;
+  const Function f = rate_ramp(V, 0, t_r, RampShape::Cosine);
+  EXPECT_NEAR(f->at(20).value, V * (10 - t_r / (2 * M_PI) * std::sin(M_PI * 20 / t_r)), 1e-13);
+  EXPECT_NEAR(f->at(20).rate, V * (1 - std::cos(M_PI * 20 / t_r)) / 2, 1e-15);
+  EXPECT_NEAR(f->at(20).acceleration, V * M_PI / (2 * t_r) * std::sin(M_PI * 20 / t_r), 1e-15);
+  expect_value(*f, 55, V * t_r / 2, V, 0);
+  expect_value(*f, 100, V * (100 - t_r / 2), V, 0);
+}
+
+TEST(TimeFunctionTest, RampsAreAsSmoothAsTheirShape) {
+  for (double time : {1.0, 5.0}) {
+    expect_continuous(*value_ramp(2, 1, 4, RampShape::Cosine), time, false);
+    expect_continuous(*value_ramp(2, 1, 4, RampShape::Quintic), time, true);
+    expect_continuous(*rate_ramp(2, 1, 4, RampShape::Linear), time, false);
+    expect_continuous(*rate_ramp(2, 1, 4, RampShape::Cosine), time, true);
+    expect_continuous(*rate_ramp(2, 1, 4, RampShape::Quintic), time, true);
+  }
+}
+
+TEST(TimeFunctionTest, RampsOfNoLengthJump) {
+  for (RampShape shape : shapes) {
+    const Function value = value_ramp(2, 1, 0, shape);
+    expect_value(*value, 0.999, 0, 0, 0);
+    expect_value(*value, 1, 2, 0, 0);
+    const Function rate = rate_ramp(2, 1, 0, shape);
+    expect_value(*rate, 0.999, 0, 0, 0);
+    expect_value(*rate, 1, 0, 2, 0);
+    expect_value(*rate, 3, 4, 2, 0);
+  }
+}
+
+TEST(TimeFunctionTest, RampsOfNegativeOrEndlessLengthAreRefused) {
+  expect_contains(refusal([] { value_ramp(1, 0, -2, RampShape::Linear); }), "length -2");
+  expect_contains(refusal([] { rate_ramp(1, 0, -2, RampShape::Linear); }), "length -2");
+  expect_contains(refusal([] { value_ramp(1, 0, NAN, RampShape::Linear); }), "length nan");
+  expect_contains(refusal([] { rate_ramp(1, 0, INFINITY, RampShape::Linear); }), "length inf");
+}
+
+const std::vector<double> uneven = {-1, 0, 0.3, 2, 2.5, 4};
+
+TEST(TimeTableTest, IsTwiceContinuouslyDifferentiableThroughItsPoints) {
+  const std::vector<double> values = {1, -2, 0.5, 3, 3, -1};
+  const Function f = interpolated(uneven, values);
+  EXPECT_EQ(f->first_time(), -1.0);
+  EXPECT_EQ(f->last_time(), 4.0);
+  EXPECT_EQ(f->ramp_end(), -std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < uneven.size(); ++i) EXPECT_NEAR(f->at(uneven[i]).value, values[i], 1e-13);
+  for (std::size_t i = 1; i + 1 < uneven.size(); ++i) {
+    expect_continuous(*f, uneven[i], true);
+    // Of the parabola through the three points: its mean slopes on both sides, and how they change.
+    const double h0 = uneven[i] - uneven[i - 1], h1 = uneven[i + 1] - uneven[i];
+    const double d0 = (values[i] - values[i - 1]) / h0, d1 = (values[i + 1] - values[i]) / h1;
+    EXPECT_NEAR(f->at(uneven[i]).rate, (d0 * h1 + d1 * h0) / (h0 + h1), 1e-12);
+    EXPECT_NEAR(f->at(uneven[i]).acceleration, 2 * (d1 - d0) / (h0 + h1), 1e-11);
+  }
+  expect_derivatives(*interpolated({0, 1, 2, 4}, {0, 1, -1, 0.5}), {0.2, 0.9, 1.5, 3.1});
+  EXPECT_EQ(refusal_over(f, -1, 4, true), "");
+}
+
+TEST(TimeTableTest, IsExactForAParabola) {
+  std::vector<double> values;
+  for (double t : uneven) values.push_back(2 - 3 * t + 0.5 * t * t);
+  const Function f = interpolated(uneven, values);
+  for (double t : {-1.0, -0.4, 0.0, 0.1, 1.3, 2.0, 2.2, 3.9, 4.0}) {
+    EXPECT_NEAR(f->at(t).value, 2 - 3 * t + 0.5 * t * t, 1e-13);
+    EXPECT_NEAR(f->at(t).rate, -3 + t, 1e-12);
+    EXPECT_NEAR(f->at(t).acceleration, 1, 1e-11);
+  }
+}
+
+TEST(TimeTableTest, TwoPointsMakeALine) {
+  const Function f = interpolated({1, 3}, {2, 8});
+  for (double t : {1.0, 1.5, 3.0}) expect_value(*f, t, 2 + 3 * (t - 1), 3, 0);
+}
+
+TEST(TimeTableTest, IsNotANumberOutside) {
+  const Function f = interpolated({0, 1, 3}, {1, 2, 5});
+  for (double time : {-1e-6, 3 + 1e-6, 1e300, static_cast<double>(NAN)}) expect_nan(f->at(time));
+  // Roundoff in a run's last time is not outside.
+  EXPECT_NEAR(f->at(std::nextafter(3.0, 4.0)).value, 5, 1e-13);
+  EXPECT_NEAR(f->at(std::nextafter(0.0, -1.0)).value, 1, 1e-13);
+}
+
+TEST(TimeTableTest, BadTablesAreRefused) {
+  const auto message = [](const std::vector<double>& times, const std::vector<double>& values) {
+    return refusal([&] { interpolated(times, values); });
+  };
+  expect_contains(message({}, {}), "0 times");
+  expect_contains(message({1}, {1}), "at least 2");
+  expect_contains(message({0, 1, 2}, {1, 2}), "3 times and 2 values");
+  expect_contains(message({0, 1, 1}, {1, 2, 3}), "increase, but 1 follows 1");
+  expect_contains(message({0, 2, 1}, {1, 2, 3}), "entry 3");
+  expect_contains(message({0, NAN, 2}, {1, 2, 3}), "finite");
+  expect_contains(message({0, 1, INFINITY}, {1, 2, 3}), "finite");
+  expect_contains(message({0, 1, 2}, {1, NAN, 3}), "entry 2");
+}
+
+TEST(TimeExpressionTest, EvaluatesAllThree) {
+  const Function f = expression("3*sin(2*_pi*t) + 1e-1*_e", "6*_pi*cos(2*_pi*t)", "-12*_pi^2*sin(2*_pi*t)");
+  for (double t : {0.0, 0.1, 0.7, -2.0})
+    expect_value(*f, t, 3 * std::sin(2 * M_PI * t) + 0.1 * M_E, 6 * M_PI * std::cos(2 * M_PI * t),
+                 -12 * M_PI * M_PI * std::sin(2 * M_PI * t));
+  const Function pieces = expression("t <= 1 ? t : (t >= 3 && t != 4 ? 7 : (t == 4 ? 8 : 1))", "", "");
+  expect_value(*pieces, 0.5, 0.5, 0, 0);
+  expect_value(*pieces, 2, 1, 0, 0);
+  expect_value(*pieces, 3, 7, 0, 0);
+  expect_value(*pieces, 4, 8, 0, 0);
+}
+
+TEST(TimeExpressionTest, MissingDerivativesAreZero) {
+  expect_value(*expression("t^2", "", ""), 3, 9, 0, 0);
+  expect_value(*expression("t^2", "2*t", ""), 3, 9, 6, 0);
+}
+
+TEST(TimeExpressionTest, UndefinedValuesAreReturned) {
+  const Function f = expression("1/t", "sqrt(t-1)", "ln(t)");
+  EXPECT_TRUE(std::isinf(f->at(0).value));
+  EXPECT_TRUE(std::isnan(f->at(0).rate));
+  EXPECT_TRUE(std::isinf(f->at(0).acceleration));
+  expect_value(*f, 1, 1, 0, 0);
+}
+
+TEST(TimeExpressionTest, BadExpressionsAreRefused) {
+  const auto message = [](const std::string& value, const std::string& rate = "") {
+    return refusal([&] { expression(value, rate, ""); });
+  };
+  expect_contains(message("2*x"), "the value \"2*x\"");
+  expect_contains(message("2*x"), "\"x\" found at position 2");
+  expect_contains(message("t", "2*(t+1"), "the rate \"2*(t+1\"");
+  expect_contains(message("sin(t"), "parenthesis");
+  expect_contains(message("\"abc\""), "At position");
+  expect_contains(message("foo(t)"), "foo");
+  expect_contains(message("2t"), "\"t\" found at position 1");
+  expect_contains(message(""), "empty");
+  expect_contains(message(" "), "empty");
+  expect_contains(message("t = 3"), "assigns");
+  expect_contains(message("=t"), "assigns");
+  expect_contains(message("t, 2"), "commas");
+}
+
+TEST(TimeFunctionCheckTest, GoodMotionsAreAccepted) {
+  const std::vector<Function> functions = {
+      constant(0), constant(-7), sine(3, 0.1, 0.5, 1), sine(1e4, 1, 0.5, 1),
+      // As many cycles as there are samples of the value.
+      sine(0, 2, 100, 0),
+      // Under-resolved by the first quadrature.
+      sine(0, 2, 2718.28, 0), value_ramp(2, 1.23, 4.56, RampShape::Cosine),
+      value_ramp(2, 1.23, 4.56, RampShape::Quintic),
+      // Most of the run at rest.
+      value_ramp(1e-9, 1.23, 0.001, RampShape::Quintic), rate_ramp(2, 1.23, 4.56, RampShape::Linear),
+      rate_ramp(2, 1.23, 4.56, RampShape::Cosine), rate_ramp(2, 1.23, 4.56, RampShape::Quintic),
+      expression("t^3", "3*t^2", "6*t"), expression("exp(3*t)", "3*exp(3*t)", "9*exp(3*t)"),
+      // Kinks of the rate, at 1, and a rate that steps up in pieces.
+      expression("(t-1)*abs(t-1)/2", "abs(t-1)", "sign(t-1)"),
+      expression("abs(sin(40*t))*sin(40*t)", "80*abs(sin(40*t))*cos(40*t)",
+                 "3200*sign(sin(40*t))*(cos(40*t)^2-sin(40*t)^2)")};
+  for (std::size_t i = 0; i < functions.size(); ++i)
+    for (double from : {0.0, -3.3}) EXPECT_EQ(refusal_over(functions[i], from, 10, true), "") << "function " << i;
+  EXPECT_EQ(refusal_over(sine(0, 1, 1, 0), 2, 2, true), "");
+}
+
+TEST(TimeFunctionCheckTest, WrongDerivativesAreFound) {
+  const std::string rate = refusal_over(expression("t^2", "3*t", "3"), 0, 10, true);
+  expect_contains(rate, "the rate is not the derivative of the value: from t = 0 to t = 0.102 the value changes by");
+  const std::string acceleration = refusal_over(expression("t^2", "2*t", "2.001"), 0, 10, true);
+  expect_contains(acceleration, "the acceleration is not the derivative of the rate");
+  expect_contains(refusal_over(expression("t", "", ""), 0, 1, true), "changes by 0.01");
+  // No change of the value over any of 50 equal parts.
+  expect_contains(refusal_over(expression("sin(2*_pi*t)", "cos(2*_pi*t)", "-2*_pi*sin(2*_pi*t)"), 0, 50, true),
+                  "the rate is not");
+  // A small motion about a large value.
+  expect_contains(refusal_over(expression("1e4+sin(t)", "1.001*cos(t)", "-1.001*sin(t)"), 0, 5, true), "the rate");
+  // The same functions as loads.
+  EXPECT_EQ(refusal_over(expression("t^2", "3*t", "3"), 0, 10, false), "");
+}
+
+TEST(TimeFunctionCheckTest, JumpsOfValueAndRateAreNoMotions) {
+  for (RampShape shape : shapes) {
+    expect_contains(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, true), "the rate is not");
+    expect_contains(refusal_over(rate_ramp(2, 1, 0, shape), 0, 10, true), "the acceleration is not");
+    EXPECT_EQ(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, false), "");
+  }
+  expect_contains(refusal_over(value_ramp(2, 1, 3, RampShape::Linear), 0, 10, true), "the acceleration is not");
+  expect_contains(refusal_over(expression("abs(t-1)", "sign(t-1)", "0"), 0, 10, true), "the acceleration is not");
+}
+
+TEST(TimeFunctionCheckTest, SingularitiesAreFound) {
+  const Function pole = expression("1/(t-1)", "-1/(t-1)^2", "2/(t-1)^3");
+  for (bool derivatives : {false, true}) {
+    expect_contains(refusal_over(pole, 0, 2, derivatives), "the value is not finite at t = 1");
+    expect_contains(refusal_over(pole, 0, 3, derivatives), "the value is not finite at t = 1");
+    expect_contains(refusal_over(pole, 0, 1, derivatives), "the value is not finite at t = 1");
+    EXPECT_EQ(refusal_over(pole, 1.5, 3, derivatives), "");
+  }
+  expect_contains(refusal_over(expression("-1/(t-0.9)", "", ""), 0.17, 2, false), "not finite at t = 0.9");
+  expect_contains(refusal_over(expression("sqrt(2-t)", "", ""), 0, 3, false), "the value is not finite at t = 2.00");
+  // Between the sampled times: no pole is hit, but no integral comes out either.
+  expect_contains(refusal_over(expression("1/(t-_pi)^2", "-2/(t-_pi)^3", "6/(t-_pi)^4"), 0, 10, true), "the rate");
+  expect_contains(refusal_over(expression("t*sqrt(t)", "1.5*sqrt(t)", "0.75/sqrt(t)"), 0, 3, true),
+                  "the acceleration is not finite at t = 0");
+  EXPECT_EQ(refusal_over(expression("sqrt(t)", "1/t", ""), 0, 3, false), "");
+}
+
+TEST(TimeFunctionCheckTest, TablesThatDoNotCoverTheRunAreRefused) {
+  const Function f = interpolated({0, 1, 3}, {1, 2, 5});
+  EXPECT_EQ(refusal_over(f, 0, 3, true), "");
+  expect_contains(refusal_over(f, 0, 4, false), "the value is not finite at t = 3.00");
+  expect_contains(refusal_over(f, -1, 3, true), "the value is not finite at t = -1");
+}
+
+}  // namespace
+}  // namespace ixos
