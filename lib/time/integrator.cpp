@@ -126,9 +126,9 @@ void Integrator::record_initial_forces() {
     model_.loads().add_force(time_, 1.0, start.load.data());
     start.load.resize(owned);
   }
-  if (model_.constraints().empty()) return;
   std::vector<double> sum, inertia(owned, 0.0);
-  balance(start.u, start.v, sum);
+  balance(start.u, start.v, sum);  // collective
+  if (model_.constraints().empty()) return;
   if (model_.mass() != nullptr) model_.mass()->multiply(start.a.data(), inertia.data());
   start.reaction.assign(owned, 0.0);
   for (int dof : model_.constraints().dofs()) {
