@@ -7,14 +7,10 @@ namespace ixos {
 
 double StepControl::next(double time) const {
   const double h = options_.time_step;
-  double grid = options_.final_time;
-  if (cuts_ > 0) {
-    const double count = std::floor((time - options_.initial_time) / h + 1e-6) + 1;
-    grid = std::min(grid, options_.initial_time + count * h);
-  }
-  // No sliver is left before the grid's time.
-  const double room = grid - time;
-  return length_ > room * (1 - 1e-9) ? room : length_;
+  // The next time of the grid; one that rounding has just missed counts as reached.
+  const double count = std::floor((time - options_.initial_time) / h + 1e-3) + 1;
+  const double room = std::min(options_.initial_time + count * h, options_.final_time) - time;
+  return length_ > room * (1 + 1e-9) ? room : length_;
 }
 
 void StepControl::succeeded() {

@@ -12,7 +12,7 @@ struct StepControlOptions {
 };
 
 /// Steps of nominal length on a fixed grid of times. A failed step is halved; after a step that succeeds the length grows
-/// again by two, never beyond the next time of the grid, so that the grid is hit whatever was cut.
+/// again by two, never beyond the next time of the grid, which so is hit whatever was cut.
 class StepControl {
  public:
   explicit StepControl(const StepControlOptions& options) : options_(options), length_(options.time_step) {}

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
@@ -14,8 +15,8 @@ namespace {
 
 using test::world;
 
-/// A box whose inner nodes are moved off the grid.
-Mesh distorted_box(int dimension) {
+/// A box whose inner nodes are moved off the grid; in 2D its bottom, of uneven sides, with that contact element.
+Mesh distorted_box(int dimension, ContactElement element) {
   BoxShape shape;
   shape.dimension = dimension;
   shape.lengths = {3, 3, 3};
@@ -30,11 +31,13 @@ Mesh distorted_box(int dimension) {
     for (std::size_t i = 0; i < d; ++i)
       mesh.coordinates[n * d + i] += 0.25 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(i));
   }
+  if (element != ContactElement::Q1C1) mesh.coordinates[2] += 0.2;
+  enrich(mesh, "bottom", element);
   return mesh;
 }
 
-void run_patch(int dimension, ElasticLaw law, const Table& table) {
-  const Mesh mesh = distorted_box(dimension);
+void run_patch(int dimension, ElasticLaw law, const Table& table, ContactElement element = ContactElement::Q1C1) {
+  const Mesh mesh = distorted_box(dimension, element);
   const Comm comm = world();
   Material rubber;
   rubber.block = "body";
@@ -72,6 +75,14 @@ TEST(PatchTest, AffineMotionIsReproduced) {
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
       run_patch(dimension, ElasticLaw::NeoHooke, table);
+}
+
+TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
+  for (ContactElement element :
+       {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
+    for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
+                               gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
+      run_patch(2, ElasticLaw::NeoHooke, table, element);
 }
 
 TEST(PatchTest, AffineMotionOfALinearMaterialIsReproduced) {
