@@ -168,7 +168,7 @@ void add_time_integrator(List& list) {
 
 void add_nonlinear_solver(List& list) {
   list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c| [-]", greater_and_less_than(0, 1));
-  list.set("Maximum Iterations", 50, "more is a failed step", between(1, 10000));
+  list.set("Maximum Iterations", 100, "more is a failed step", between(1, 10000));
   List& nox = list.sublist("NOX", false, "overrides of NOX's own lists: Printing, Direction, Line Search, ...");
   mark_free_form(nox);
 }

@@ -7,7 +7,7 @@
 namespace ixos {
 namespace {
 
-constexpr int highest_level = 5;
+constexpr int highest_level = 8;
 
 }  // namespace
 

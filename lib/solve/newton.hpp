@@ -11,7 +11,7 @@ namespace ixos {
 
 struct NewtonOptions {
   double tolerance = 1e-11;     ///< relative: see NonlinearProblem::convergence_bound
-  int maximum_iterations = 50;  ///< NOX iterations; more is a failed solve
+  int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
   Teuchos::ParameterList nox;   ///< overrides of NOX's own list
 };
 

@@ -210,7 +210,7 @@ void StageProblem::assemble(double* values) const {
   model_.add_elastic_tangent(segment(stage_.elastic), stage_.elastic, values);
   const Tangent kind = relaxation_ == 0 ? Tangent::Exact : Tangent::Convex;
   model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, kind, values);
-  if (relaxation_ > 1) model_.add_to_diagonal(model_.elastic_scale() * std::pow(10.0, relaxation_ - 5), values);
+  if (relaxation_ > 1) model_.add_to_diagonal(model_.elastic_scale() * std::pow(10.0, relaxation_ - 8), values);
 }
 
 void StageProblem::tangent(const Vector& x, CrsMatrix& w) {

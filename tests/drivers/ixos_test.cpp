@@ -71,6 +71,83 @@ TEST_F(DriverTest, BadValuesAreRefused) {
                          "Linear Solver: Stratimikos refuses the list");
 }
 
+TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
+  const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
+  const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {
+    std::vector<std::string> arguments{strip, "--output", "out"};
+    for (const std::string& assignment : assignments) arguments.insert(arguments.end(), {"--set", assignment});
+    expect_refused(2, arguments, message);
+  };
+  const std::string formula = "Histories/Pull/Type=Expression";
+  const std::string value = "Histories/Pull/Expression/Value=", rate = "Histories/Pull/Expression/Velocity=",
+                    acceleration = "Histories/Pull/Expression/Acceleration=";
+  refused({formula, value + "2*s"}, "Histories/Pull/Expression: the value \"2*s\" is not an expression in t");
+  refused({formula, value + "sin(t", rate + "0", acceleration + "0"}, "is not an expression in t");
+  refused({formula, value + "1/(t-1)", rate + "-1/(t-1)^2", acceleration + "2/(t-1)^3"}, "not finite at t = 1");
+  refused({formula, value + "t^2", rate + "t", acceleration + "1"}, "the rate is not the derivative of the value");
+  refused({formula, value + "t^2"}, "Histories/Pull");
+  const std::string table = "Histories/Pull/Type=Table";
+  refused({table, "Histories/Pull/Table/Times={0, 2, 1}", "Histories/Pull/Table/Values={0, 1, 2}"},
+          "Histories/Pull/Table: ");
+  refused({table, "Histories/Pull/Table/Times={0, 2}", "Histories/Pull/Table/Values={0, 1, 2}"},
+          "Histories/Pull/Table: ");
+  refused({table, "Histories/Pull/Table/Times={0, 2, 5}", "Histories/Pull/Table/Values={0, 1, 2}"},
+          "the table goes from 0 to 5, but the run from 0 to 160");
+  refused({"Histories/Pull/Rate Ramp/Length=200"}, "the ramp ends at 200, after the run's Final Time, 160");
+  refused({"Histories/Pull/Rate Ramp/Length=-1"}, "must be at least 0");
+  refused({"Boundary Conditions/Pull/History=Pul"}, "history \"Pul\" does not exist; did you mean \"Pull\"?");
+  refused({"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Guide/Components=xy",
+           "Boundary Conditions/Pull/History="},
+          "prescribe different motions for one degree of freedom");
+  refused({"Boundary Conditions/Other/Node Set=right", "Boundary Conditions/Other/Components=y"},
+          "Boundary Conditions/Other: two conditions prescribe different motions");
+  refused({"Boundary Conditions/Guide/Vector={1, 0}"}, "Boundary Conditions/Guide/Vector: a Displacement takes none");
+  refused({"Boundary Conditions/Wind/Type=Traction"}, "Boundary Conditions/Wind/Side Set is missing");
+  refused({"Boundary Conditions/Wind/Type=Traction", "Boundary Conditions/Wind/Side Set=top"},
+          "Boundary Conditions/Wind/Vector is missing");
+  refused({"Boundary Conditions/Weight/Type=Body Force", "Boundary Conditions/Weight/Vector={0, -1}",
+           "Boundary Conditions/Weight/Block=bodi"},
+          "did you mean \"body\"?");
+  refused({"Output/Probes/P/Point={0, 0}"}, "Output/Probes/P/Point: the point (0, 0) lies outside the body");
+  refused({"Output/Probes/P/Point={0}"}, "Output/Probes/P/Point has 1 elements, not 2");
+  refused({"Output/Reactions={rihgt}"}, "Output/Reactions: node set \"rihgt\" does not exist; did you mean \"right\"?");
+  refused({"Time Integrator/Stop/Peeled/Probe/Name=Q"}, "Time Integrator/Stop/Peeled/Probe/Name: probe \"Q\"");
+  refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the scene has 2 dimensions");
+  refused({"Interactions/Wall/Contact Element=Q1C5"}, "\"Q1C5\" does not exist");
+  refused({"Interactions/Wall/Side Set=surface"},
+          "Interactions/Wall/Contact Element: side set \"surface\", block \"body\", cell 1: two sides");
+  refused({"Interactions/Second/Side Set=contact"}, "another interaction wants Q1C4 on the side set \"contact\"");
+  refused({"Interactions/Second/Side Set=bottom", "Interactions/Second/Contact Element=Q1C2"},
+          "the cell has an enriched side already");
+  refused({"Mesh/Sets/contact/From=botom"}, "Mesh/Sets/contact: side set \"botom\" does not exist");
+  refused({"Mesh/Sets/contact/Upper={-1, 1}"}, "Mesh/Sets/contact: no side of \"bottom\" lies in the region");
+  expect_refused(2, {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
+                     "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
+                     "Interactions/Wall/Contact Element=Q1C2"},
+                 "hexahedra have no enriched contact elements; Q1C1 only");
+}
+
+TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
+  const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
+  const std::vector<std::string> arguments{
+      strip, "--quiet", "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}", "--set",
+      "Time Integrator/Time Step Control/Time Step=4", "--set", "Output/Fields Time Interval=0", "--set",
+      "Time Integrator/Stop/Peeled/Probe/Name=edge", "--set", "Time Integrator/Stop/Peeled/Probe/Quantity=uy", "--set",
+      // Too few iterations for the steps in which peeling begins.
+      "Nonlinear Solver/Maximum Iterations=6", "--set", "Time Integrator/Time Step Control/Maximum Cuts=8"};
+  const Outcome outcome = ixos(arguments, folder_);
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  const std::string summary = contents(folder_ + "/out/summary.json");
+  EXPECT_NE(summary.find("\"status\": \"stopped\""), std::string::npos) << summary;
+  EXPECT_NE(summary.find("Peeled: uy of probe edge is 1"), std::string::npos) << summary;
+  EXPECT_EQ(summary.find("\"rejected_steps\": 0"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("reaction_right_y"), std::string::npos) << summary;
+  const std::string history = contents(folder_ + "/out/history.csv");
+  const std::string header = history.substr(0, history.find('\n'));
+  EXPECT_NE(header.find(",reaction_right_x,reaction_right_y,P_ux,P_uy,P_vx,P_vy,edge_ux,"), std::string::npos)
+      << header;
+}
+
 TEST_F(DriverTest, UnknownNamesAreRefusedWithTheNearest) {
   expect_refused_setting("Interactions/Wall/Side Set=surfaces",
                          "Interactions/Wall/Side Set: side set \"surfaces\" does not exist; did you mean \"surface\"?");

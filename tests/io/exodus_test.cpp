@@ -5,9 +5,12 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "base/error.hpp"
 #include "io/exodus_mesh.hpp"
+#include "io/output_mesh.hpp"
+#include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
 
@@ -148,6 +151,70 @@ TEST(ExodusTest, ForeignFilesAreReadOrRefusedByWhatTheyHold) {
   expect_contains(refusal(path("tet.e")), "TETRA");
   make_file("numbers.e", 2, "QUAD4", 20, 1);
   expect_contains(refusal(path("numbers.e")), "node number 1 is given twice");
+}
+
+// An enriched cell is shown as a row of bilinear ones along its curved side.
+TEST(OutputMeshTest, EnrichedCellsBecomeRowsThatFillTheSameArea) {
+  for (const auto& [element, parts] : {std::pair{ContactElement::Q1C2, 2}, std::pair{ContactElement::Q1C3, 3},
+                                       std::pair{ContactElement::Q1C4, 4}, std::pair{ContactElement::Q1CH, 4}}) {
+    BoxShape shape;
+    shape.lengths = {3, 2, 0};
+    shape.divisions = {3, 2, 1};
+    Mesh mesh = box(shape);
+    enrich(mesh, "bottom", element);
+    const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+    const OutputMesh output(local, 1);
+    EXPECT_EQ(output.mesh.cells(), 3 + 3 * parts);
+    double area = 0;
+    for (const ElementBlock& block : output.mesh.blocks)
+      for (int cell = 0; cell < block.cells(); ++cell)
+        for (int a = 0; a < 4; ++a) {
+          const auto n = 2 * static_cast<std::size_t>(block.nodes[cell_entry(cell, 4, a)]);
+          const auto m = 2 * static_cast<std::size_t>(block.nodes[cell_entry(cell, 4, (a + 1) % 4)]);
+          const std::vector<double>& x = output.mesh.coordinates;
+          area += (x[n] * x[m + 1] - x[m] * x[n + 1]) / 2;
+        }
+    EXPECT_NEAR(area, 6, 1e-13);
+    const std::set<int> ids(output.description.node_ids.begin(), output.description.node_ids.end());
+    EXPECT_EQ(ids.size(), output.description.node_ids.size());
+    const std::set<int> cells(output.description.cell_ids.begin(), output.description.cell_ids.end());
+    EXPECT_EQ(cells.size(), static_cast<std::size_t>(output.mesh.cells()));
+    // Side sets keep their length in pieces.
+    const auto sides = [&](const char* name) {
+      for (const SideSet& set : output.mesh.side_sets)
+        if (set.name == name) return set.sides.size();
+      return std::size_t{0};
+    };
+    EXPECT_EQ(sides("bottom"), 3U * static_cast<std::size_t>(parts));
+    EXPECT_EQ(sides("left"), 2U);
+    EXPECT_EQ(sides("top"), 3U);
+  }
+}
+
+TEST(OutputMeshTest, TheCurvedSideIsTheElementsOwn) {
+  // One cell of length 2, its bottom displaced by (x - 1)^2 - 1: a parabola, which every contact element holds.
+  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4,
+                                 ContactElement::Q1CH}) {
+    BoxShape shape;
+    shape.lengths = {2, 1, 0};
+    Mesh mesh = box(shape);
+    enrich(mesh, "bottom", element);
+    const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+    const OutputMesh output(local, 1);
+    std::vector<double> field(static_cast<std::size_t>(local.nodes()), 0.0);
+    for (std::size_t n = 0; n < field.size(); ++n) {
+      const double x = local.coordinates[2 * n], y = local.coordinates[2 * n + 1];
+      if (y == 0) field[n] = (x - 1) * (x - 1) - 1;
+    }
+    if (element == ContactElement::Q1CH)  // d/dxi at the ends, x = 1 + xi
+      for (std::size_t k : {0U, 1U})
+        field[static_cast<std::size_t>(local.blocks[0].nodes[4 + k])] = k == 0 ? -2 : 2;
+    const std::vector<double> shown = output.nodal(field);
+    for (std::size_t n = 0; n < shown.size(); ++n) {
+      const double x = output.mesh.coordinates[2 * n], y = output.mesh.coordinates[2 * n + 1];
+      EXPECT_NEAR(shown[n], y == 0 ? (x - 1) * (x - 1) - 1 : 0.0, 1e-14);
+    }
+  }
 }
 
 }  // namespace

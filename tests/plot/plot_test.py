@@ -16,18 +16,18 @@ from exodus import Fields  # noqa: E402
 from results import Run  # noqa: E402
 
 DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
-SCENE = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml")) / "ball.xml"
+SCENES = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml"))
 SHORT = ["Time Integrator/Time Step Control/Final Time=0.05", "Output/Fields Interval=10"]
 CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=1"]
 
 
-def simulate(folder, settings, ranks=1):
-    """A run of the ball with other settings."""
+def simulate(folder, settings, ranks=1, scene="ball.xml"):
+    """A run of a scene with other settings."""
     options = [word for setting in settings for word in ("--set", setting)]
     launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
-    subprocess.run([*launcher, DRIVER, SCENE, "--quiet", "--output", folder, *options], check=True, capture_output=True)
+    subprocess.run([*launcher, DRIVER, SCENES / scene, "--quiet", "--output", folder, *options], check=True, capture_output=True)
 
 
 class PlotTest(ScriptTest):
@@ -62,6 +62,30 @@ class PlotTest(ScriptTest):
             np.testing.assert_allclose(both.displacement(frame), one.displacement(frame), atol=1e-11)
             for field in ("first_stress_invariant", "energy_density"):
                 np.testing.assert_allclose(both.element(field, frame), one.element(field, frame), atol=1e-11)
+
+    def test_enriched_cells_read_back(self):
+        # 40 of 80 x 2 cells have the contact side; of a row, the last carries the field of its cell.
+        coarse = ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}", "Output/Fields Time Interval=2",
+                  "Time Integrator/Type=Static", "Time Integrator/Time Step Control/Time Step=1",
+                  "Histories/Pull/Rate Ramp/Length=4", "Time Integrator/Time Step Control/Final Time=4"]
+        for element, parts in (("Q1C4", 4), ("Q1CH", 4), ("Q1C2", 2)):
+            shown = []
+            for ranks in (1, 2):
+                folder = self.folder / f"strip-{element}-{ranks}"
+                simulate(folder, [*coarse, f"Interactions/Wall/Contact Element={element}"], ranks, "strip.xml")
+                shown.append(Fields(folder))
+                self.assertEqual(len(shown[-1].cells), 160 + 40 * (parts - 1))
+            one, two = shown
+            corners = one.coordinates[one.cells]
+            x, y = corners[..., 0], corners[..., 1]
+            areas = 0.5 * np.sum(x * np.roll(y, -1, 1) - y * np.roll(x, -1, 1), axis=1)
+            self.assertAlmostEqual(areas.sum(), 2000.0, delta=1e-3)
+            self.assertGreater(areas.min(), 0.0)
+            # Both hold the same motion, whatever the order of their nodes.
+            for frame in range(len(one.times)):
+                ends = [np.sort(np.round(f.displacement(frame)[:, 1], 9)) for f in (one, two)]
+                np.testing.assert_allclose(ends[0].max(), ends[1].max(), atol=1e-9)
+                np.testing.assert_allclose(ends[0].min(), ends[1].min(), atol=1e-8)
 
     def test_energy_density_sums_to_the_elastic_energy(self):
         # As exact as the areas: VTK reads coordinates in single precision.

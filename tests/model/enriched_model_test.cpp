@@ -1,0 +1,146 @@
+// Enriched elements in the model: mass, momenta, gaps, null space, probes, loads.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "model/loads.hpp"
+#include "model/material_point.hpp"
+#include "scene/simulation.hpp"
+#include "solve/rigid_body_modes.hpp"
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+
+#include <Tpetra_MultiVector.hpp>
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+using test::world;
+
+/// The block of 3 by 2, its bottom with that contact element at a gap from a wall.
+Simulation block(const std::string& element, double gap = 50) {
+  return Simulation(test::scene(test::block_2d(0.7) +
+                                list("Interactions",
+                                     list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -gap}) +
+                                                      word("Contact Element", element))) +
+                                test::time_integrator("Newmark", 0.1, 1)),
+                    world());
+}
+
+const char* const elements[] = {"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"};
+
+TEST(EnrichedModelTest, MassAndMomentaOfAnAffineVelocityAreExact) {
+  for (const char* element : elements) {
+    Simulation s = block(element);
+    const State& state = s.integrator().state();  // v = V + L (X - O), L with a spin of 0.7
+    const Momenta momenta = s.model().momenta(state.u.data(), state.v.data());
+    EXPECT_NEAR(momenta.linear[0], 6 * 0.3, 1e-12) << element;
+    EXPECT_NEAR(momenta.linear[1], 6 * -0.2, 1e-12) << element;
+    // About the origin: X_c x P and 0.7 times the moment of inertia about the centre.
+    EXPECT_NEAR(momenta.angular[0], 1.5 * 6 * -0.2 - 1.0 * 6 * 0.3 + 0.7 * 6 * (9 + 4) / 12.0, 1e-12) << element;
+    const double stretch = (0.15 * 0.15 + 0.49) * 9 / 12.0 + (0.05 * 0.05 + 0.49) * 4 / 12.0;
+    EXPECT_NEAR(momenta.kinetic_energy, 0.5 * 6 * (0.09 + 0.04 + stretch), 1e-12) << element;
+  }
+}
+
+TEST(EnrichedModelTest, LinearMomentumIsKeptAndAngularByNoneLost) {
+  for (const char* element : elements) {
+    Simulation s = block(element);
+    const auto momenta = [&s] {
+      return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
+    };
+    const Momenta start = momenta();
+    for (int n = 0; n < 20; ++n) ASSERT_TRUE(s.integrator().step(0.02).converged) << element;
+    // The wall, 50 away, pulls by less than 1e-7.
+    EXPECT_NEAR(momenta().linear[0], start.linear[0], 1e-11) << element;
+    EXPECT_NEAR(momenta().linear[1], start.linear[1], 1e-6) << element;
+    EXPECT_NEAR(momenta().angular[0], start.angular[0], 1e-3 * start.angular[0]) << element;
+  }
+}
+
+TEST(EnrichedModelTest, GapAndForceOfAParallelSideAreThoseOfTheLaw) {
+  const VanDerWaals law(2.5, 25);
+  for (const char* element : elements) {
+    Simulation s = block(element, 0.28);
+    const std::vector<double> rest(static_cast<std::size_t>(s.model().space().local()), 0.0);
+    const InteractionReport report = s.model().interaction_report(rest.data());
+    EXPECT_NEAR(report.least_gap, 0.28, 1e-14) << element;
+    EXPECT_NEAR(report.measure, 3.0, 1e-13) << element;
+    EXPECT_NEAR(report.force[1], 3 * law.traction(0.28), 1e-13) << element;
+    EXPECT_NEAR(s.model().interaction_energy(rest.data()), 3 * law.energy(0.28), 1e-13) << element;
+  }
+}
+
+TEST(EnrichedModelTest, RigidBodyModesCarryNoForce) {
+  for (const char* element : elements) {
+    Simulation s = block(element);
+    const auto modes = rigid_body_modes(s.model());
+    const auto local = static_cast<std::size_t>(s.model().space().local());
+    for (std::size_t m = 0; m < 3; ++m) {
+      std::vector<double> u(local), f(local);
+      s.model().space().import(*modes->getVector(m), u.data());
+      for (double& value : u) value *= 1e-6;
+      s.model().elastic_force({nullptr, nullptr, u.data()}, end_rule(), f.data());
+      // A small rotation strains by its square.
+      for (std::size_t i = 0; i < static_cast<std::size_t>(s.model().space().owned()); ++i)
+        EXPECT_LT(std::abs(f[i]), 2e-11) << element << ", mode " << m;
+    }
+  }
+}
+
+TEST(EnrichedModelTest, AProbeInterpolatesAnAffineField) {
+  for (const char* element : elements) {
+    Simulation s = block(element);
+    const Model& model = s.model();
+    for (const std::vector<double>& x : {std::vector{0.0, 0.0}, {2.2, 0.0}, {1.3, 0.4}, {3.0, 2.0}, {0.1, 1.7}}) {
+      const MaterialPoint point = locate(model.mesh(), model.space(), x);
+      const auto place = point.value(model.space(), s.integrator().state().v);
+      EXPECT_NEAR(place[0], 0.3 + 0.15 * (x[0] - 1.5) - 0.7 * (x[1] - 1), 1e-12) << element;
+      EXPECT_NEAR(place[1], -0.2 + 0.7 * (x[0] - 1.5) - 0.05 * (x[1] - 1), 1e-12) << element;
+    }
+    EXPECT_THROW(locate(model.mesh(), model.space(), {3.001, 1.0}), InputError);
+    EXPECT_THROW(locate(model.mesh(), model.space(), {-0.5, -0.5}), InputError);
+  }
+}
+
+TEST(ConstraintsTest, OneMotionADegreeOfFreedom) {
+  Constraints constraints;
+  const auto motion = sine(0, 1, 1, 0);
+  constraints.add(4, 2.0, motion);
+  constraints.add(4, 2.0, motion);
+  constraints.add(7, 1.0, nullptr);
+  EXPECT_EQ(constraints.dofs(), (std::vector<int>{4, 7}));
+  EXPECT_TRUE(constraints.holds(4));
+  EXPECT_FALSE(constraints.holds(5));
+  EXPECT_FALSE(constraints.holds(100));
+  EXPECT_THROW(constraints.add(4, 1.0, motion), InputError);
+  EXPECT_THROW(constraints.add(4, 2.0, nullptr), InputError);
+  std::vector<double> u(8, 9.0), v(8, 9.0), a(8, 9.0);
+  constraints.set(0.1, u.data(), v.data(), a.data());
+  const double w = 2 * M_PI;
+  EXPECT_NEAR(u[4], 2 * std::sin(0.1 * w), 1e-15);
+  EXPECT_NEAR(v[4], 2 * w * std::cos(0.1 * w), 1e-14);
+  EXPECT_NEAR(a[4], -2 * w * w * std::sin(0.1 * w), 1e-13);
+  EXPECT_EQ(u[7], 0);
+  EXPECT_EQ(u[5], 9);
+}
+
+TEST(LoadsTest, MeansAreOfTheHistory) {
+  Loads loads;
+  EXPECT_TRUE(loads.empty());
+  loads.add({1, 2}, expression("t^2", "", ""));
+  loads.add({0, 1}, constant(3));
+  std::vector<double> f(2, 0.0);
+  loads.add_mean({{0.0, 0.5}, {1.0, 0.5}}, 2.0, 1.0, f.data());
+  EXPECT_NEAR(f[0], (4 + 9) / 2.0, 1e-15);
+  EXPECT_NEAR(f[1], (4 + 9) + 3, 1e-15);
+}
+
+}  // namespace
+}  // namespace ixos
