@@ -42,6 +42,9 @@ def count(run, name):
 def peak(run, arguments):
     """Time and size of the largest force; summary.json knows that of steps without a row."""
     name, times, values = run.reaction(arguments.reaction)
+    if arguments.until is not None:
+        early = times <= arguments.until
+        return measures.peak(times[early], values[early]) if early.any() else (np.nan, np.nan)
     time, value = measures.peak(times, values)
     return time, max(value, (run.summary.get("max_force") or {}).get(name) or value)
 
@@ -95,6 +98,8 @@ def main():
                         "(default: the ball's work of adhesion times its diameter, %(default)s E0 L0^2)")
     parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
                         "space _z)")
+    parser.add_argument("--until", type=options.positive, metavar="T", help="the peak is the largest force up to this "
+                        "time: that of the peeling's beginning, not of the snap-off")
     parser.add_argument("--oscillation", type=options.oscillation, metavar="T0,T1,W", help="oscillation of the force")
     parser.add_argument("--reference", metavar="FOLDER", help="a run whose force is taken as exact")
     parser.add_argument("--interval", type=options.interval, metavar="T0,T1",

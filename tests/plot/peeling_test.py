@@ -205,6 +205,11 @@ class PeelingTest(ScriptTest):
             (folder / "summary.json").write_text(json.dumps({**summary, "max_force": known}))
             self.assertEqual(self.table(folder, "--columns", "peak")[1], [[expected]])
 
+    def test_the_peak_of_the_beginning(self):
+        # The force grows to its peak at 40: up to 30 the last row is the largest, whatever the summary knows.
+        rows = self.table(self.coarse, "--columns", "peak-time,peak", "--until", "30")[1]
+        self.assertEqual(rows, [["30", f"{force(np.array(30.0)):.4g}"]])
+
     def test_table_of_oscillations_and_errors(self):
         header, rows = self.table(self.newmark, self.composite, self.coarse, self.short, "--columns", "dt",
                                   "--oscillation", "80,120,4", "--reference", self.composite, "--interval", "80,120")
