@@ -28,8 +28,10 @@ def chosen_frames(fields, times, count):
 def draw_body(axes, polygons, values, colors, limits, wall):
     """A deformed mesh coloured by a value a cell, above its wall. Returns the collection."""
     colormap, norm = colors
-    edge = 0.35 if len(polygons) < 2000 else 0.1
-    body = PolyCollection(polygons, array=values, cmap=colormap, norm=norm, edgecolors=style.INK, linewidths=edge)
+    # Of a fine mesh the lines would hide the colours.
+    lines = {"edgecolors": style.INK, "linewidths": 0.35} if len(polygons) < 2000 else {"edgecolors": "face",
+                                                                                       "linewidths": 0.2}
+    body = PolyCollection(polygons, array=values, cmap=colormap, norm=norm, **lines)
     axes.add_collection(body)
     axes.set(xlim=limits[0], ylim=limits[1], aspect="equal")
     axes.grid(False)

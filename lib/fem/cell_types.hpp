@@ -18,12 +18,18 @@ struct TypeTag {
 template <class Function>
 decltype(auto) with_element(CellType type, const Function& function) {
   switch (type) {
-    case CellType::Quad4: return function(TypeTag<Quad4>{});
-    case CellType::Hex8: return function(TypeTag<Hex8>{});
-    case CellType::Quad4C2: return function(TypeTag<Quad4C2>{});
-    case CellType::Quad4C3: return function(TypeTag<Quad4C3>{});
-    case CellType::Quad4C4: return function(TypeTag<Quad4C4>{});
-    case CellType::Quad4CH: return function(TypeTag<Quad4CH>{});
+    case CellType::Quad4:
+      return function(TypeTag<Quad4>{});
+    case CellType::Hex8:
+      return function(TypeTag<Hex8>{});
+    case CellType::Quad4C2:
+      return function(TypeTag<Quad4C2>{});
+    case CellType::Quad4C3:
+      return function(TypeTag<Quad4C3>{});
+    case CellType::Quad4C4:
+      return function(TypeTag<Quad4C4>{});
+    case CellType::Quad4CH:
+      return function(TypeTag<Quad4CH>{});
   }
   throw std::logic_error("unknown cell type");
 }

@@ -42,14 +42,14 @@ struct HermiteEdge {
     const double x = xi[0];
     value = {(2 - 3 * x + x * x * x) / 4, (2 + 3 * x - x * x * x) / 4, (1 - x - x * x + x * x * x) / 4,
              (-1 - x + x * x + x * x * x) / 4};
-    gradient = {{{3 * (x * x - 1) / 4}, {3 * (1 - x * x) / 4}, {(3 * x * x - 2 * x - 1) / 4},
-                 {(3 * x * x + 2 * x - 1) / 4}}};
+    gradient = {
+        {{3 * (x * x - 1) / 4}, {3 * (1 - x * x) / 4}, {(3 * x * x - 2 * x - 1) / 4}, {(3 * x * x + 2 * x - 1) / 4}}};
   }
 };
 
-/// A quadrilateral with the edge at eta = -1: N = (1 - eta)/2 edge(xi) for the edge's nodes, (1 + eta)/2 (1 +- xi)/2 for
-/// the two nodes opposite. Node order: edge ends, opposite nodes, the edge's other nodes; the first four are those of
-/// the bilinear quadrilateral. Side edges stay linear, so it conforms with bilinear neighbours.
+/// A quadrilateral with the edge at eta = -1: N = (1 - eta)/2 edge(xi) for the edge's nodes, (1 + eta)/2 (1 +- xi)/2
+/// for the two nodes opposite. Node order: edge ends, opposite nodes, the edge's other nodes; the first four are those
+/// of the bilinear quadrilateral. Side edges stay linear, so it conforms with bilinear neighbours.
 template <class Edge>
 struct ContactQuad {
   static constexpr int dimension = 2;

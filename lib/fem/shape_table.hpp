@@ -8,7 +8,8 @@
 
 namespace ixos {
 
-/// Values of an element's shape functions at the points of a tensor product of Gauss rules, the first direction fastest.
+/// Values of an element's shape functions at the points of a tensor product of Gauss rules, the first direction
+/// fastest.
 template <class Element>
 struct ShapeTable {
   static constexpr std::size_t D = Element::dimension;
@@ -40,8 +41,8 @@ struct ShapeTable {
 
   std::size_t size() const { return weight.size(); }
 
-  std::vector<double> weight;                                       ///< quadrature weights
-  std::vector<std::array<double, N>> value;                         ///< N_a(xi_q)
+  std::vector<double> weight;                                  ///< quadrature weights
+  std::vector<std::array<double, N>> value;                    ///< N_a(xi_q)
   std::vector<std::array<std::array<double, D>, N>> gradient;  ///< dN_a/dxi_d (xi_q)
 };
 

@@ -45,8 +45,8 @@ struct SurfaceKernel {
 
   /// Adds dPi/du along the normal to f. Returns the least gap of the time points and of the end.
   template <class T>
-  static T add_force(const Law& law, const Table& quadrature, const T* measure,
-                     const Segment<T>& segment, const Rule& rule, Nodal<T>& f) {
+  static T add_force(const Law& law, const Table& quadrature, const T* measure, const Segment<T>& segment,
+                     const Rule& rule, Nodal<T>& f) {
     T least_gap(1e300);
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
       const auto& shape = quadrature.value[q];
@@ -85,8 +85,8 @@ struct SurfaceKernel {
   /// the path is not linear (a linear path between two points before a flat wall never leaves their segment). `change`
   /// holds nodal gap changes dr; p = du(xi)/du_s.
   template <class T>
-  static T admissible_step(const Table& quadrature, const Segment<T>& segment, const Rule& rule,
-                           const Nodal<T>& change, double margin, double near) {
+  static T admissible_step(const Table& quadrature, const Segment<T>& segment, const Rule& rule, const Nodal<T>& change,
+                           double margin, double near) {
     T step(1.0);
     const auto restrict_to = [&](const T& r, const T& dr) {
       const T room = r - margin * smaller(r, T(near));

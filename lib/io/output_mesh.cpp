@@ -11,11 +11,15 @@ namespace {
 /// Into how many cells one is cut.
 int pieces(CellType type) {
   switch (type) {
-    case CellType::Quad4C2: return 2;
-    case CellType::Quad4C3: return 3;
+    case CellType::Quad4C2:
+      return 2;
+    case CellType::Quad4C3:
+      return 3;
     case CellType::Quad4C4:
-    case CellType::Quad4CH: return 4;
-    default: return 1;
+    case CellType::Quad4CH:
+      return 4;
+    default:
+      return 1;
   }
 }
 

@@ -9,8 +9,8 @@
 namespace ixos {
 
 /// The rank's own cells and their nodes as a mesh of their own. An enriched cell becomes a row of bilinear
-/// quadrilaterals, one for each piece of its contact side (four of a Hermite side), so that the curved side shows; their
-/// nodes are fixed combinations of the mesh's.
+/// quadrilaterals, one for each piece of its contact side (four of a Hermite side), so that the curved side shows;
+/// their nodes are fixed combinations of the mesh's.
 struct OutputMesh {
   OutputMesh(const LocalMesh& local, int ranks);
 

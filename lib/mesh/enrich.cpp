@@ -21,10 +21,14 @@ struct Kind {
 
 Kind kind(ContactElement element) {
   switch (element) {
-    case ContactElement::Q1C2: return {CellType::Quad4C2, 1};
-    case ContactElement::Q1C3: return {CellType::Quad4C3, 2};
-    case ContactElement::Q1C4: return {CellType::Quad4C4, 3};
-    default: return {CellType::Quad4CH, 0};
+    case ContactElement::Q1C2:
+      return {CellType::Quad4C2, 1};
+    case ContactElement::Q1C3:
+      return {CellType::Quad4C3, 2};
+    case ContactElement::Q1C4:
+      return {CellType::Quad4C4, 3};
+    default:
+      return {CellType::Quad4CH, 0};
   }
 }
 
@@ -157,8 +161,7 @@ class Enrichment {
         const std::vector<int>& extra = extra_.at(edge);
         rich.nodes.insert(rich.nodes.end(), extra.begin(), extra.end());
         if (kind_.type == CellType::Quad4CH)
-          for (int node : {edge.first, edge.second})
-            rich.derivative_scale.push_back(length(edge) / nodal_length(node));
+          for (int node : {edge.first, edge.second}) rich.derivative_scale.push_back(length(edge) / nodal_length(node));
       }
       if (keeps_plain) blocks.push_back(std::move(plain));
       blocks.push_back(std::move(rich));
@@ -195,7 +198,7 @@ class Enrichment {
   const SideSet set_;  ///< a copy: the mesh's own changes on the way
   Kind kind_;
   int points_;
-  std::map<int, int> previous_, next_;   ///< along the set
+  std::map<int, int> previous_, next_;      ///< along the set
   std::map<Edge, std::vector<int>> extra_;  ///< a side's nodes beyond its ends
   std::map<int, int> derivative_nodes_;
   std::vector<std::vector<Place>> places_;  ///< where each old cell went

@@ -22,12 +22,12 @@ struct LocalSide {
 struct LocalBlock {
   std::string name;
   CellType type = CellType::Quad4;
-  std::vector<int> nodes;           ///< local node numbers, cells x nodes per cell
-  std::vector<char> owned;          ///< per cell: energies count it on this rank
+  std::vector<int> nodes;                ///< local node numbers, cells x nodes per cell
+  std::vector<char> owned;               ///< per cell: energies count it on this rank
   std::vector<double> derivative_scale;  ///< see ElementBlock
   int points = 0;                        ///< see ElementBlock
-  std::vector<int> original_cells;  ///< per cell: its number in the block of the Mesh
-  int global_cells = 0;             ///< of the block, on all ranks
+  std::vector<int> original_cells;       ///< per cell: its number in the block of the Mesh
+  int global_cells = 0;                  ///< of the block, on all ranks
   int cells() const { return static_cast<int>(owned.size()); }
 };
 

@@ -4,12 +4,18 @@ namespace ixos {
 
 int nodes_per_cell(CellType type) {
   switch (type) {
-    case CellType::Quad4: return 4;
-    case CellType::Hex8: return 8;
-    case CellType::Quad4C2: return 5;
-    case CellType::Quad4C3: return 6;
-    case CellType::Quad4C4: return 7;
-    case CellType::Quad4CH: return 6;
+    case CellType::Quad4:
+      return 4;
+    case CellType::Hex8:
+      return 8;
+    case CellType::Quad4C2:
+      return 5;
+    case CellType::Quad4C3:
+      return 6;
+    case CellType::Quad4C4:
+      return 7;
+    case CellType::Quad4CH:
+      return 6;
   }
   return 0;
 }

@@ -16,8 +16,8 @@ const Set& set_named(const std::vector<Set>& sets, const std::string& name, cons
     if (set.name == name) return set;
     names.push_back(set.name);
   }
-  throw InputError(std::string(what) + " \"" + name + "\" does not exist; did you mean \"" +
-                   closest_name(name, names) + "\"? The mesh has " + quoted_list(names));
+  throw InputError(std::string(what) + " \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
+                   "\"? The mesh has " + quoted_list(names));
 }
 
 template <class Set>

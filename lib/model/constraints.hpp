@@ -8,12 +8,12 @@
 
 namespace ixos {
 
-/// u(t) = factor * motion(t) for each constrained degree of freedom; local numbers, ghosts constrained on every rank that
-/// sees them. A motion is evaluated once for all its degrees of freedom.
+/// u(t) = factor * motion(t) for each constrained degree of freedom; local numbers, ghosts constrained on every rank
+/// that sees them. A motion is evaluated once for all its degrees of freedom.
 class Constraints {
  public:
-  /// Without a motion the degree of freedom is held at zero. One that is constrained already may be so again by the same motion and factor. Throws InputError
-  /// for another.
+  /// Without a motion the degree of freedom is held at zero. One that is constrained already may be so again by the
+  /// same motion and factor. Throws InputError for another.
   void add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
 
   bool empty() const { return entries_.empty(); }

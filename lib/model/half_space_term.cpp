@@ -236,7 +236,8 @@ std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, 
   if (groups.empty() && mesh.dimension == 3)
     terms.push_back(
         std::make_unique<HalfSpaceTerm<Multilinear<2>, VanDerWaals>>(mesh, sides, pattern, law, wall, options));
-  for (const auto& [key, group] : groups) {
+  for (const auto& entry : groups) {
+    const std::vector<LocalSide>& group = entry.second;
     const CellType type = mesh.blocks[static_cast<std::size_t>(group.front().block)].type;
     with_side_element(type, group.front().side, [&](auto side) {
       using SideElement = typename decltype(side)::type;

@@ -64,9 +64,8 @@ Mass::Mass(const LocalMesh& mesh, const Pattern& pattern)
     : mesh_(mesh), pattern_(pattern), pairs_(static_cast<std::size_t>(pattern.pairs()), 0.0) {}
 
 void Mass::add_block(const LocalBlock& block, double density) {
-  with_element(block.type, [&](auto element) {
-    add<typename decltype(element)::type>(mesh_, block, density, pattern_, pairs_);
-  });
+  with_element(block.type,
+               [&](auto element) { add<typename decltype(element)::type>(mesh_, block, density, pattern_, pairs_); });
 }
 
 void Mass::multiply(const double* x, double* y) const {

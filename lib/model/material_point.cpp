@@ -101,8 +101,8 @@ MaterialPoint locate(const LocalMesh& mesh, const DofSpace& space, const std::ve
   const double none = std::numeric_limits<double>::infinity();
   const double owner = space.minimum(find(mesh, x, point) ? rank : none);
   if (owner == none)
-    throw InputError(fmt::format("the point ({}) lies outside the body in its reference configuration",
-                                 fmt::join(x, ", ")));
+    throw InputError(
+        fmt::format("the point ({}) lies outside the body in its reference configuration", fmt::join(x, ", ")));
   if (owner != rank) point = {};
   return point;
 }

@@ -7,8 +7,8 @@
 
 namespace ixos {
 
-/// A point fixed to the material: its displacement is the weighted sum of its nodes'. Nodes and weights are empty on all
-/// ranks but one.
+/// A point fixed to the material: its displacement is the weighted sum of its nodes'. Nodes and weights are empty on
+/// all ranks but one.
 struct MaterialPoint {
   std::vector<int> nodes;  ///< local numbers
   std::vector<double> weights;

@@ -87,8 +87,8 @@ class Model {
   /// zero away from interacting surfaces [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
 
-  /// result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in the layout
-  /// of Pattern::create_matrix, x local.
+  /// result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in the
+  /// layout of Pattern::create_matrix, x local.
   void multiply_constrained_columns(const double* values, const double* x, double* result) const;
   void add_to_diagonal(double value, double* values) const;
   /// values = matrix values with the rows and columns of constrained degrees of freedom replaced by `diagonal` I.

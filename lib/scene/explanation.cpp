@@ -102,7 +102,8 @@ std::string left_out(const Simulation& simulation) {
   if (!prescribed) absent.emplace_back("prescribed motion");
   if (simulation.model().loads().empty()) absent.emplace_back("loads");
   const List& output = scene.sublist("Output");
-  if (output.get<int>("Fields Interval") == 0 && output.get<double>("Fields Time Interval") == 0) absent.emplace_back("fields.e");
+  if (output.get<int>("Fields Interval") == 0 && output.get<double>("Fields Time Interval") == 0)
+    absent.emplace_back("fields.e");
   for (const char* group : {"Energies", "Momenta", "Interaction"})
     if (!output.get<bool>(group)) absent.push_back(std::string("history of ") + group);
   if (absent.empty()) return "Left out: nothing\n";

@@ -46,8 +46,7 @@ Histories::Histories(const List& list, double initial_time, double final_time)
     : initial_time_(initial_time), final_time_(final_time) {
   for (const std::string& name : sublists(list)) {
     const List& own = list.sublist(name);
-    functions_[name] =
-        at("Histories/" + name + "/" + own.get<std::string>("Type"), [&own] { return make(own); });
+    functions_[name] = at("Histories/" + name + "/" + own.get<std::string>("Type"), [&own] { return make(own); });
   }
 }
 
@@ -67,8 +66,8 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
       throw InputError(fmt::format("the table goes from {} to {}, but the run from {} to {}", function.first_time(),
                                    function.last_time(), initial_time_, final_time_));
     if (function.ramp_end() > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      throw InputError(fmt::format("the ramp ends at {}, after the run's Final Time, {}", function.ramp_end(),
-                                   final_time_));
+      throw InputError(
+          fmt::format("the ramp ends at {}, after the run's Final Time, {}", function.ramp_end(), final_time_));
     check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
   });
   return found->second;

@@ -124,9 +124,10 @@ void add_condition(List& list) {
   list.set("Block", "", "of a Body Force; the whole body when empty");
   list.set("Components", "all", "the directions of a Displacement",
            one_of({"x", "y", "z", "xy", "xz", "yz", "xyz", "all"}));
-  list.set("Vector", Numbers(), "of a load, for a history of 1: E0 (Traction), E0/L0 (Body Force), E0 L0^(D-1) (Point Force)",
-           any_number());
-  list.set("History", "", "its course in time, a list of Histories; when empty a Displacement is held, a load constant");
+  list.set("Vector", Numbers(),
+           "of a load, for a history of 1: E0 (Traction), E0/L0 (Body Force), E0 L0^(D-1) (Point Force)", any_number());
+  list.set("History", "",
+           "its course in time, a list of Histories; when empty a Displacement is held, a load constant");
 }
 
 void add_initial_conditions(List& list) {
@@ -155,8 +156,8 @@ void add_time_integrator(List& list) {
   require(control, "Time Step", "[T0]; the last one is shortened to end at Final Time", greater_than(0));
   control.set("Maximum Cuts", 0, "how often a step that fails may be halved; 0 ends the run", between(0, 60));
   control.set("Minimum Time Step", 0.0, "no cut goes below [T0]", at_least(0));
-  List& stop = list.sublist("Stop", false, "ends of the run before Final Time; the first that holds counts")
-                   .sublist(any_name);
+  List& stop =
+      list.sublist("Stop", false, "ends of the run before Final Time; the first that holds counts").sublist(any_name);
   stop.set("Type", "Probe", "a probe's value, or no contact after there was some", one_of({"Probe", "Detached"}));
   List& probe = stop.sublist("Probe", false, "a probe of Output/Probes");
   probe.set("Name", required, "the probe");
@@ -183,8 +184,8 @@ void add_output(List& list) {
   list.set("Momenta", true, "momentum columns");
   list.set("Interaction", true, "contact force, contact measure and least gap");
   list.set("Reactions", Teuchos::Array<std::string>(), "node sets whose reactions become columns");
-  List& probe = list.sublist("Probes", false, "named points whose displacement and velocity become columns")
-                    .sublist(any_name);
+  List& probe =
+      list.sublist("Probes", false, "named points whose displacement and velocity become columns").sublist(any_name);
   probe.set("Point", Numbers(), "place in the reference configuration [L0]", any_number());
 }
 

@@ -115,8 +115,8 @@ void enrich_surfaces(const Teuchos::ParameterList& interactions, Mesh& mesh) {
     const auto [before, added] = known.insert({set, {element, points}});
     if (!added) {
       if (before->second != std::make_pair(element, points))
-        throw InputError(path + ": another interaction wants " + before->second.first + " on the side set \"" + set +
-                         "\", or other Bulk Points");
+        throw InputError(fmt::format("{}: another interaction wants {} on the side set \"{}\", or other Bulk Points",
+                                     path, before->second.first, set));
       continue;
     }
     const std::map<std::string, ContactElement> elements{{"Q1C1", ContactElement::Q1C1},

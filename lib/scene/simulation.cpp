@@ -72,7 +72,7 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
         fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {}, c2 = {}", path, law.c1(), law.c2()));
   const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
   auto terms = make_half_space_terms(mesh, mesh.side_sets[set], model.pattern(), law, wall,
-                                   {list.get<int>("Surface Points"), list.get<double>("Step Margin")});
+                                     {list.get<int>("Surface Points"), list.get<double>("Step Margin")});
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   InteractionReport report;
   for (const auto& term : terms) term->report(rest.data(), report);
@@ -155,8 +155,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const Histories histories(parameters_.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(parameters_.sublist("Boundary Conditions"), histories, *model_);
   probes_ = find_probes(parameters_.sublist("Output").sublist("Probes"), *model_);
-  for (const std::string& name : reactions())
-    at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
+  for (const std::string& name : reactions()) at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
 }
 
 void Simulation::build_integrator(Table table) {

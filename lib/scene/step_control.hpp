@@ -6,13 +6,13 @@ namespace ixos {
 struct StepControlOptions {
   double initial_time = 0;
   double final_time = 0;
-  double time_step = 0;      ///< nominal
-  int maximum_cuts = 0;      ///< halvings of the nominal step
-  double minimum_step = 0;   ///< a cut may not go below
+  double time_step = 0;     ///< nominal
+  int maximum_cuts = 0;     ///< halvings of the nominal step
+  double minimum_step = 0;  ///< a cut may not go below
 };
 
-/// Steps of nominal length on a fixed grid of times. A failed step is halved; after a step that succeeds the length grows
-/// again by two, never beyond the next time of the grid, which so is hit whatever was cut.
+/// Steps of nominal length on a fixed grid of times. A failed step is halved; after a step that succeeds the length
+/// grows again by two, never beyond the next time of the grid, which so is hit whatever was cut.
 class StepControl {
  public:
   explicit StepControl(const StepControlOptions& options) : options_(options), length_(options.time_step) {}

@@ -33,8 +33,8 @@ StopCriteria::StopCriteria(const Teuchos::ParameterList& list, const std::vector
       if (!model.has_interactions()) throw InputError(path + "/Type: \"Detached\" needs an interaction");
     } else {
       const Teuchos::ParameterList& probe = own.sublist("Probe");
-      criterion.probe =
-          at(path + "/Probe/Name", [&]() -> const Probe* { return &probe_named(probes, probe.get<std::string>("Name")); });
+      criterion.probe = at(path + "/Probe/Name",
+                           [&]() -> const Probe* { return &probe_named(probes, probe.get<std::string>("Name")); });
       criterion.quantity = probe.get<std::string>("Quantity");
       if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
         throw InputError(fmt::format("{}/Probe/Quantity: \"{}\" names z, but the scene has {} dimensions", path,

@@ -79,7 +79,8 @@ class Cholmod final : public Factorization {
     cholmod_start(&common_);
     common_.print = 0;
     common_.error_handler = nullptr;
-    // Below some 80 operations an entry of L (CHOLMOD says 40) the simplicial factorisation was the faster, by 1.6 at 41.
+    // Below some 80 operations an entry of L (CHOLMOD says 40) the simplicial factorisation was the faster, by 1.6
+    // at 41.
     common_.supernodal_switch = 80;
     common_.final_ll = 0;  // L D L^T: an indefinite tangent is factored too
   }
@@ -225,8 +226,8 @@ class Cholmod final : public Factorization {
   Teuchos::RCP<const CrsMatrix> matrix_;
   std::unique_ptr<Gather> gather_;
   std::vector<int> starts_;
-  // On the first of several ranks: right-hand side, columns and values of the whole matrix, row by row and sorted; values
-  // as they come in; of each entry, where it comes in.
+  // On the first of several ranks: right-hand side, columns and values of the whole matrix, row by row and sorted;
+  // values as they come in; of each entry, where it comes in.
   std::vector<double> rhs_, values_, incoming_;
   std::vector<int> columns_, place_;
 };

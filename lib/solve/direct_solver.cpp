@@ -59,7 +59,8 @@ void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source,
   direct.op = source->getOp();
   const auto matrix = matrix_of(*source);
   if (!direct.factorization || matrix.get() != direct.matrix.get()) {
-    auto factorization = make_factorization(list_.is_null() ? "CHOLMOD" : list_->get<std::string>("Solver Type", "CHOLMOD"));
+    auto factorization =
+        make_factorization(list_.is_null() ? "CHOLMOD" : list_->get<std::string>("Solver Type", "CHOLMOD"));
     factorization->analyze(matrix);
     direct.matrix = matrix;
     direct.factorization = std::move(factorization);

@@ -20,8 +20,8 @@ class Factorization {
   virtual void solve(const MultiVector& b, MultiVector& x) = 0;
 };
 
-/// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, on the first rank, which gathers them from all;
-/// the row map's ranges must follow each other in rank order, as a DofSpace's do. Supernodal Cholesky where the
+/// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, on the first rank, which gathers them from
+/// all; the row map's ranges must follow each other in rank order, as a DofSpace's do. Supernodal Cholesky where the
 /// matrix is large; simplicial L D L^T where it is small, and from the first matrix on that is not positive definite.
 std::unique_ptr<Factorization> make_cholmod();
 

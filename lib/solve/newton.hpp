@@ -10,9 +10,9 @@
 namespace ixos {
 
 struct NewtonOptions {
-  double tolerance = 1e-11;     ///< relative: see NonlinearProblem::convergence_bound
+  double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
   int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
-  Teuchos::ParameterList nox;   ///< overrides of NOX's own list
+  Teuchos::ParameterList nox;    ///< overrides of NOX's own list
 };
 
 /// How a solve ended. A failure is a status, not an exception.

@@ -12,11 +12,8 @@ Table average_vector_field(int elastic_points, int interaction_points) {
   stage.elastic = gauss_rule(elastic_points);
   stage.interaction = gauss_rule(interaction_points);
   stage.load = gauss_times(interaction_points);
-  return {"Average Vector Field",
-          {stage},
-          Closing::Collocate,
-          {WorkSum::Form::Increment, {}},
-          Predictor::LastDisplacement};
+  return {
+      "Average Vector Field", {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::LastDisplacement};
 }
 
 }  // namespace ixos

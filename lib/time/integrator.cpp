@@ -33,8 +33,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     : model_(model),
       table_(std::move(table)),
       linear_solver_(std::move(linear_solver)),
-      needs_acceleration_(uses_acceleration(table_) ||
-                          table_.predictor == Predictor::ConstantAcceleration ||
+      needs_acceleration_(uses_acceleration(table_) || table_.predictor == Predictor::ConstantAcceleration ||
                           table_.predictor == Predictor::Newmark),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {

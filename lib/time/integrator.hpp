@@ -30,8 +30,8 @@ class Integrator {
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
-  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = f_ext - C v - f. Constrained
-  /// degrees of freedom take their motion's values. Throws InputError where the state is inadmissible.
+  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = f_ext - C v - f.
+  /// Constrained degrees of freedom take their motion's values. Throws InputError where the state is inadmissible.
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
   /// One step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.

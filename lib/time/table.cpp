@@ -44,8 +44,8 @@ void check(const Table& table) {
     double load_weight = 0;
     for (const TimePoint& point : stage.load) load_weight += point.weight;
     if (std::abs(load_weight - 1) > 1e-12)
-      throw std::invalid_argument(fmt::format("scheme \"{}\", stage {}: the load's weights sum to {}, not 1", table.name,
-                                              s + 1, load_weight));
+      throw std::invalid_argument(
+          fmt::format("scheme \"{}\", stage {}: the load's weights sum to {}, not 1", table.name, s + 1, load_weight));
     const double c = stage.end;
     for (int degree = 0; degree <= 2; ++degree) {
       const double first = degree == 0 ? 0.0 : degree == 1 ? 1.0 : 2 * c;

@@ -60,7 +60,8 @@ struct Table {
 /// n Gauss points over the step.
 std::vector<TimePoint> gauss_times(int n);
 
-/// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping zero.
+/// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping
+/// zero.
 bool is_static(const Table& table);
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,

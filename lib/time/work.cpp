@@ -51,8 +51,7 @@ double work_of_external_forces(const Model& model, const Table& table, const std
     sum = with_external(du, end);
   } else if (table.work.form == WorkSum::Form::EndMean) {
     sum = (with_external(du, start) + with_external(du, end)) / 2;
-    if (model.mass() != nullptr && model.constraints().driven())
-      sum += exact_rate_work(model, start, end, du, dt);
+    if (model.mass() != nullptr && model.constraints().driven()) sum += exact_rate_work(model, start, end, du, dt);
   } else {
     for (std::size_t i = 0; i < states.size(); ++i)
       sum += dt * table.work.weights[i] * with_external(states[i].v, states[i]);
@@ -78,8 +77,7 @@ double work_of_damping(const Model& model, const Table& table, const std::vector
   } else if (table.work.form == WorkSum::Form::EndMean) {
     sum = (work(du, start.v) + work(du, end.v)) / 2;
   } else {
-    for (std::size_t i = 0; i < states.size(); ++i)
-      sum += dt * table.work.weights[i] * work(states[i].v, states[i].v);
+    for (std::size_t i = 0; i < states.size(); ++i) sum += dt * table.work.weights[i] * work(states[i].v, states[i].v);
   }
   model.space().sum(&sum, 1);
   return sum;

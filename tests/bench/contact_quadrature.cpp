@@ -22,9 +22,8 @@ std::vector<double> contact_force(const ixos::Model& model, const std::vector<do
   wall.point = {0, 0, 0};
   wall.normal = {0, 1, 0};
   std::vector<double> force(u.size(), 0.0);
-  for (const auto& term :
-       ixos::make_half_space_terms(mesh, mesh.side_sets[mesh.side_set("contact")], model.pattern(),
-                                   ixos::VanDerWaals(2.5, 25), wall, {points, 0.8}))
+  for (const auto& term : ixos::make_half_space_terms(mesh, mesh.side_sets[mesh.side_set("contact")], model.pattern(),
+                                                      ixos::VanDerWaals(2.5, 25), wall, {points, 0.8}))
     term->add_force({nullptr, nullptr, u.data()}, ixos::end_rule(), force.data());
   return force;
 }

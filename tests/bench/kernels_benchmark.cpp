@@ -35,9 +35,8 @@ struct Fixture {
     wall.normal = {0, dimension == 2 ? 1.0 : 0.0, dimension == 2 ? 0.0 : 1.0};
     wall.point = {0, dimension == 2 ? -0.3 : 0.0, dimension == 2 ? 0.0 : -0.3};
     const ixos::LocalMesh& local = model.mesh();
-    for (auto& term :
-         ixos::make_half_space_terms(local, local.side_sets[local.side_set("bottom")], model.pattern(),
-                                     ixos::VanDerWaals(2.5, 25), wall, {}))
+    for (auto& term : ixos::make_half_space_terms(local, local.side_sets[local.side_set("bottom")], model.pattern(),
+                                                  ixos::VanDerWaals(2.5, 25), wall, {}))
       model.add_interaction(std::move(term));
   }
   ixos::Segment here() const { return {u.data(), nullptr, u.data()}; }

@@ -39,8 +39,7 @@ std::vector<ixos::Scheme> dynamic_schemes() {
 ixos::RunResult run(const std::string& scene_path, const std::string& scheme, double end, const std::string& folder,
                     const std::vector<std::string>& assignments) {
   Teuchos::ParameterList scene = ixos::read_scene_file(scene_path);
-  for (const std::string& assignment : assignments)
-    ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
+  for (const std::string& assignment : assignments) ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
   ixos::set_parameter(scene, ixos::scene_parameters(), "Time Integrator/Type=" + scheme);
   ixos::set_parameter(scene, ixos::scene_parameters(),
                       fmt::format("Time Integrator/Time Step Control/Final Time={}", end));
@@ -104,8 +103,7 @@ int main(int argc, char** argv) {
   const Samples& composite = samples["Gautam-Sauer Composite"];
   fmt::print("\nMicroseconds of a composite Newton iteration, last repeat:");
   for (std::size_t i = 0; i < ixos::phase_names.size(); ++i)
-    fmt::print(" {} {:.1f};", ixos::phase_names[i],
-               1e6 * composite.phases.back()[i] / composite.iterations);
+    fmt::print(" {} {:.1f};", ixos::phase_names[i], 1e6 * composite.phases.back()[i] / composite.iterations);
   fmt::print(" the whole {:.1f}\n", 1e3 * composite.milliseconds_per_iteration.back());
   return 0;
 }

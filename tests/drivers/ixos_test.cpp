@@ -121,9 +121,10 @@ TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
           "the cell has an enriched side already");
   refused({"Mesh/Sets/contact/From=botom"}, "Mesh/Sets/contact: side set \"botom\" does not exist");
   refused({"Mesh/Sets/contact/Upper={-1, 1}"}, "Mesh/Sets/contact: no side of \"bottom\" lies in the region");
-  expect_refused(2, {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
-                     "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
-                     "Interactions/Wall/Contact Element=Q1C2"},
+  expect_refused(2,
+                 {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
+                  "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
+                  "Interactions/Wall/Contact Element=Q1C2"},
                  "hexahedra have no enriched contact elements; Q1C1 only");
 }
 

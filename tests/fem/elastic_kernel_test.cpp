@@ -45,9 +45,12 @@ struct Body {
     Nodal<double> x{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d) {
-        if (a < corner.size()) x[a][d] = 0.5 * corner[a][d];
-        else if (std::is_same_v<Element, Quad4CH>) x[a][d] = d == 0 ? 0.5 : 0.0;
-        else x[a][d] = d == 0 ? -0.5 + static_cast<double>(a - 3) / static_cast<double>(N - 3) : -0.5;
+        if (a < corner.size())
+          x[a][d] = 0.5 * corner[a][d];
+        else if (std::is_same_v<Element, Quad4CH>)
+          x[a][d] = d == 0 ? 0.5 : 0.0;
+        else
+          x[a][d] = d == 0 ? -0.5 + static_cast<double>(a - 3) / static_cast<double>(N - 3) : -0.5;
       }
     return x;
   }

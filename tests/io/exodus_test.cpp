@@ -193,8 +193,8 @@ TEST(OutputMeshTest, EnrichedCellsBecomeRowsThatFillTheSameArea) {
 
 TEST(OutputMeshTest, TheCurvedSideIsTheElementsOwn) {
   // One cell of length 2, its bottom displaced by (x - 1)^2 - 1: a parabola, which every contact element holds.
-  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4,
-                                 ContactElement::Q1CH}) {
+  for (ContactElement element :
+       {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH}) {
     BoxShape shape;
     shape.lengths = {2, 1, 0};
     Mesh mesh = box(shape);
@@ -207,8 +207,7 @@ TEST(OutputMeshTest, TheCurvedSideIsTheElementsOwn) {
       if (y == 0) field[n] = (x - 1) * (x - 1) - 1;
     }
     if (element == ContactElement::Q1CH)  // d/dxi at the ends, x = 1 + xi
-      for (std::size_t k : {0U, 1U})
-        field[static_cast<std::size_t>(local.blocks[0].nodes[4 + k])] = k == 0 ? -2 : 2;
+      for (std::size_t k : {0U, 1U}) field[static_cast<std::size_t>(local.blocks[0].nodes[4 + k])] = k == 0 ? -2 : 2;
     const std::vector<double> shown = output.nodal(field);
     for (std::size_t n = 0; n < shown.size(); ++n) {
       const double x = output.mesh.coordinates[2 * n], y = output.mesh.coordinates[2 * n + 1];

@@ -24,8 +24,8 @@ std::string block(const std::string& law, const std::string& damping = "") {
   return list("Mesh", word("Type", "Box") +
                           list("Box", numbers("Lengths", {3, 2}) + test::counts("Divisions", {3, 2})) +
                           list("Sets", list("all", word("Kind", "Nodes")))) +
-         list("Materials", list("Rubber", word("Model", law) + number("Poisson's Ratio", 0.3) + number("Density", 1) +
-                                              damping));
+         list("Materials",
+              list("Rubber", word("Model", law) + number("Poisson's Ratio", 0.3) + number("Density", 1) + damping));
 }
 
 std::string expression(const std::string& name, const std::string& value, const std::string& rate,
@@ -36,8 +36,8 @@ std::string expression(const std::string& name, const std::string& value, const 
 
 std::string driven(const std::string& name, const std::string& set, const std::string& components,
                    const std::string& history) {
-  return list(name, word("Node Set", set) + word("Components", components) +
-                        (history.empty() ? "" : word("History", history)));
+  return list(
+      name, word("Node Set", set) + word("Components", components) + (history.empty() ? "" : word("History", history)));
 }
 
 double total_energy(Simulation& s) {
@@ -62,13 +62,13 @@ TEST(DrivenTest, ReactionOfARigidMotionIsMassTimesAccelerationAndDamping) {
   const auto v = [](double t) { return 0.6 * std::cos(2 * t) + 0.2 * t; };
   const auto a = [](double t) { return -1.2 * std::sin(2 * t) + 0.2; };
   for (const char* scheme : all_schemes) {
-    Simulation s(test::scene(block("Neo-Hooke", number("Mass Damping", alpha)) +
-                             list("Histories", expression("Shake", "0.3*sin(2*t)+0.1*t^2", "0.6*cos(2*t)+0.2*t",
-                                                          "-1.2*sin(2*t)+0.2")) +
-                             list("Boundary Conditions", driven("Hold", "all", "y", "") +
-                                                             driven("Shake", "all", "x", "Shake")) +
-                             test::time_integrator(scheme, dt, 2)),
-                 world());
+    Simulation s(
+        test::scene(
+            block("Neo-Hooke", number("Mass Damping", alpha)) +
+            list("Histories", expression("Shake", "0.3*sin(2*t)+0.1*t^2", "0.6*cos(2*t)+0.2*t", "-1.2*sin(2*t)+0.2")) +
+            list("Boundary Conditions", driven("Hold", "all", "y", "") + driven("Shake", "all", "x", "Shake")) +
+            test::time_integrator(scheme, dt, 2)),
+        world());
     const bool collocates = std::string(scheme) == "Newmark" || std::string(scheme) == "Bathe Composite";
     double before = v(0);
     EXPECT_NEAR(reaction(s, 0), m * a(0) + alpha * m * v(0), 1e-12) << scheme;
@@ -95,10 +95,9 @@ TEST(DrivenTest, TheEnergyBalanceCloses) {
         block("Neo-Hooke", damping) + wall +
         list("Histories", expression("Shake", "0.2*(1-cos(3*t))", "0.6*sin(3*t)", "1.8*cos(3*t)") +
                               expression("Push", "0.05*sin(5*t)", "", "")) +
-        list("Boundary Conditions",
-             driven("Guide", "bottom", "y", "") + driven("Table", "bottom", "x", "Shake") +
-                 list("Wind", word("Type", "Traction") + word("Side Set", "left") + numbers("Vector", {1, 0.3}) +
-                                  word("History", "Push"))) +
+        list("Boundary Conditions", driven("Guide", "bottom", "y", "") + driven("Table", "bottom", "x", "Shake") +
+                                        list("Wind", word("Type", "Traction") + word("Side Set", "left") +
+                                                         numbers("Vector", {1, 0.3}) + word("History", "Push"))) +
         test::time_integrator("Average Vector Field", 0.05, 3);
     Simulation s(test::scene(scene), world());
     const double start = total_energy(s);
@@ -174,8 +173,8 @@ TEST(DrivenTest, PointForcesAndTractionsAddUp) {
       test::scene(block("Neo-Hooke") +
                   list("Boundary Conditions",
                        list("Wind", word("Type", "Traction") + word("Side Set", "left") + numbers("Vector", {0.3, 0})) +
-                           list("Hands", word("Type", "Point Force") + word("Node Set", "left") +
-                                             numbers("Vector", {0, 0.1}))) +
+                           list("Hands",
+                                word("Type", "Point Force") + word("Node Set", "left") + numbers("Vector", {0, 0.1}))) +
                   test::time_integrator("Gautam-Sauer Composite", 0.1, 1)),
       world());
   for (int n = 0; n < 10; ++n) ASSERT_TRUE(s.integrator().step(0.1).converged);
@@ -189,10 +188,10 @@ TEST(DrivenTest, StaticReactionIsTheSlopeOfTheEnergy) {
   // A block glued to a wall by its bottom's interaction, its top pulled up.
   const std::string scene =
       block("Neo-Hooke") +
-      list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.3}) +
-                                            number("Gamma W", 2.0))) +
-      list("Histories", list("Pull", word("Type", "Rate Ramp") +
-                                         list("Rate Ramp", number("Rate", 0.1) + number("Length", 1.0)))) +
+      list("Interactions",
+           list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.3}) + number("Gamma W", 2.0))) +
+      list("Histories",
+           list("Pull", word("Type", "Rate Ramp") + list("Rate Ramp", number("Rate", 0.1) + number("Length", 1.0)))) +
       list("Boundary Conditions", driven("Guide", "top", "x", "") + driven("Pull", "top", "y", "Pull")) +
       test::time_integrator("Static", 0.05, 3) + list("Nonlinear Solver", number("Tolerance", 1e-13));
   Simulation s(test::scene(scene), world());

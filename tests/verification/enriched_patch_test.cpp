@@ -1,4 +1,5 @@
-// Constant stress through enriched elements with a free contact side under traction: equilibrium finds the affine state.
+// Constant stress through enriched elements with a free contact side under traction: equilibrium finds the affine
+// state.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -63,8 +64,8 @@ void run(ContactElement element) {
 }
 
 TEST(EnrichedPatchTest, ConstantStressThroughAFreeContactSide) {
-  for (ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                 ContactElement::Q1C4, ContactElement::Q1CH})
+  for (ContactElement element :
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
     run(element);
 }
 
