@@ -136,11 +136,13 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
-  if (comm->getRank() == 0 && result.status != ixos::RunStatus::Completed)
+  const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
+  if (comm->getRank() == 0 && !done)
     fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
                result.end_time, result.steps, result.reason, options.folder);
   else if (speaks)
-    fmt::print("Reached t = {:.6g} T0 in {} steps. Results are in {}\n", result.end_time, result.steps, options.folder);
+    fmt::print("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
+               result.reason.empty() ? "" : ", ", result.reason, options.folder);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }

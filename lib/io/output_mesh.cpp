@@ -62,10 +62,11 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
     }
     cell_offset += block.global_cells * parts;
     description.global_block_cells.push_back(block.global_cells * parts);
-    description.global_nodes += static_cast<long long>(block.global_cells) * 2 * (parts - 1);
     mesh.blocks.push_back(std::move(here));
   }
   description.global_cells = cell_offset;
+  // Room for the numbers of the nodes that cutting cells adds: see add_cell.
+  if (local.plain_nodes >= 0) description.global_nodes += 2 * static_cast<long long>(cell_offset) + 2;
   add_sets(local);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
@@ -46,6 +47,7 @@ class Enrichment {
 
   void apply() {
     check();
+    if (mesh_.plain_nodes < 0) mesh_.plain_nodes = mesh_.nodes();
     if (mesh_.derivative_of.empty() && kind_.type == CellType::Quad4CH)
       mesh_.derivative_of.assign(static_cast<std::size_t>(mesh_.nodes()), -1);
     for (const Side& side : set_.sides) {
@@ -208,9 +210,7 @@ class Enrichment {
 
 void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points) {
   if (element == ContactElement::Q1C1) return;
-  for (const SideSet& set : mesh.side_sets)
-    if (set.name == side_set) return Enrichment(mesh, set, kind(element), points).apply();
-  throw InputError("side set \"" + side_set + "\" does not exist");
+  Enrichment(mesh, side_set_named(mesh, side_set), kind(element), points).apply();
 }
 
 }  // namespace ixos

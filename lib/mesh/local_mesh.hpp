@@ -46,11 +46,14 @@ struct LocalMesh {
   std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
   std::vector<std::string> node_set_names;
   std::vector<std::vector<int>> node_sets;  ///< local node numbers, ghosts included
+  int plain_nodes = -1;                     ///< see Mesh
   long long global_nodes = 0;
   long long global_cells = 0;
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
   bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
+  /// Was the node added by enrich()?
+  bool is_added(std::size_t node) const { return plain_nodes >= 0 && original_ids[node] >= plain_nodes; }
   /// Index of the set of that name; throws InputError that names the nearest one.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;

@@ -70,6 +70,8 @@ struct Mesh {
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
 
+  int plain_nodes = -1;  ///< number of nodes before enrich() added some behind them; -1: none were added
+
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int cells() const;
   bool is_derivative(int node) const {

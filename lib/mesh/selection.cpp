@@ -1,5 +1,8 @@
 #include "mesh/selection.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -47,6 +50,17 @@ class Inside {
     return true;
   }
 
+  /// The mesh's bounding box, for a message.
+  std::string span() const {
+    const auto d = static_cast<std::size_t>(mesh_.dimension);
+    std::vector<double> low(mesh_.coordinates.begin(), mesh_.coordinates.begin() + mesh_.dimension), high(low);
+    for (std::size_t k = 0; k < mesh_.coordinates.size(); ++k) {
+      low[k % d] = std::min(low[k % d], mesh_.coordinates[k]);
+      high[k % d] = std::max(high[k % d], mesh_.coordinates[k]);
+    }
+    return fmt::format("({}) to ({})", fmt::join(low, ", "), fmt::join(high, ", "));
+  }
+
  private:
   const Mesh& mesh_;
   const Region& region_;
@@ -55,11 +69,15 @@ class Inside {
 
 }  // namespace
 
+const SideSet& side_set_named(const Mesh& mesh, const std::string& name) {
+  return set_named(mesh.side_sets, name, "side set");
+}
+
 void add_side_set(Mesh& mesh, const std::string& name, const std::string& from, const Region& region) {
   refuse_known(mesh.side_sets, name, "side set");
   const Inside inside(mesh, region);
   SideSet chosen{name, {}};
-  for (const Side& side : set_named(mesh.side_sets, from, "side set").sides) {
+  for (const Side& side : side_set_named(mesh, from).sides) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const int n = nodes_per_cell(block.type);
     const auto& numbers = side_nodes(block.type, side.side);
@@ -67,7 +85,8 @@ void add_side_set(Mesh& mesh, const std::string& name, const std::string& from, 
                     [&](int a) { return inside(block.nodes[cell_entry(side.cell, n, a)]); }))
       chosen.sides.push_back(side);
   }
-  if (chosen.sides.empty()) throw InputError("no side of \"" + from + "\" lies in the region");
+  if (chosen.sides.empty())
+    throw InputError("no side of \"" + from + "\" lies in the region; the mesh spans " + inside.span());
   mesh.side_sets.push_back(std::move(chosen));
 }
 
@@ -79,7 +98,7 @@ void add_node_set(Mesh& mesh, const std::string& name, const std::string& from, 
   const Inside inside(mesh, region);
   NodeSet chosen{name, {}};
   std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(chosen.nodes), inside);
-  if (chosen.nodes.empty()) throw InputError("no node lies in the region");
+  if (chosen.nodes.empty()) throw InputError("no node lies in the region; the mesh spans " + inside.span());
   mesh.node_sets.push_back(std::move(chosen));
 }
 

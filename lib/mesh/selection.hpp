@@ -7,6 +7,9 @@
 
 namespace ixos {
 
+/// The side set of that name. Throws InputError that names the nearest one.
+const SideSet& side_set_named(const Mesh& mesh, const std::string& name);
+
 /// An axis-parallel box; an empty bound is none. Points on its boundary count as inside, to 1e-9 of the mesh's size.
 struct Region {
   std::vector<double> lower;  ///< D coordinates [L0], or empty

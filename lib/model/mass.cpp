@@ -14,10 +14,7 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
          std::vector<double>& pairs) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
-  // One point more along an enriched side than for the stiffness: the square of the shape functions.
-  std::array<int, D> counts = Element::default_points;
-  if (N != 1 << D) ++counts[0];
-  const ShapeTable<Element> table(counts);
+  const ShapeTable<Element> table;
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
     std::array<double, N> scale;

@@ -70,6 +70,23 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   return true;
 }
 
+/// The body's bounding box, for a message. Collective.
+std::string span(const LocalMesh& mesh, const DofSpace& space) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const double none = std::numeric_limits<double>::infinity();
+  std::vector<double> low(d, none), high(d, -none);
+  for (std::size_t k = 0; k < mesh.coordinates.size(); ++k) {
+    if (mesh.is_derivative(k / d)) continue;
+    low[k % d] = std::min(low[k % d], mesh.coordinates[k]);
+    high[k % d] = std::max(high[k % d], mesh.coordinates[k]);
+  }
+  for (std::size_t i = 0; i < d; ++i) {
+    low[i] = space.minimum(low[i]);
+    high[i] = space.maximum(high[i]);
+  }
+  return fmt::format("({}) to ({})", fmt::join(low, ", "), fmt::join(high, ", "));
+}
+
 bool find(const LocalMesh& mesh, const std::vector<double>& x, MaterialPoint& point) {
   for (const LocalBlock& block : mesh.blocks) {
     const bool found = with_element(block.type, [&](auto element) {
@@ -101,8 +118,8 @@ MaterialPoint locate(const LocalMesh& mesh, const DofSpace& space, const std::ve
   const double none = std::numeric_limits<double>::infinity();
   const double owner = space.minimum(find(mesh, x, point) ? rank : none);
   if (owner == none)
-    throw InputError(
-        fmt::format("the point ({}) lies outside the body in its reference configuration", fmt::join(x, ", ")));
+    throw InputError(fmt::format("the point ({}) lies outside the body, which in its reference configuration spans {}",
+                                 fmt::join(x, ", "), span(mesh, space)));
   if (owner != rank) point = {};
   return point;
 }

@@ -194,7 +194,7 @@ std::vector<double> Model::interaction_traction(const double* u) const {
   std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
   for (const auto& term : interactions_) term->add_nodal_measure(measure.data());
   for (std::size_t i = 0; i < traction.size(); ++i)
-    traction[i] = measure[i / d] > 0 ? -traction[i] / measure[i / d] : 0.0;
+    traction[i] = measure[i / d] > 0 && !mesh_.is_derivative(i / d) ? -traction[i] / measure[i / d] : 0.0;
   return traction;
 }
 

@@ -84,7 +84,7 @@ class Model {
   /// By block, local cells. Not collective.
   std::vector<CellFields> cell_fields(const double* u) const;
   /// Traction of all interactions on the bodies, their nodal force over int N_a dA: local array, valid for owned nodes,
-  /// zero away from interacting surfaces [E0]. Not collective.
+  /// zero away from interacting surfaces and at derivative nodes [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
 
   /// result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in the

@@ -62,13 +62,15 @@ std::vector<double> distribution(const List& list, const std::string& path, cons
     add_side_measure(mesh, mesh.side_sets[set], measure);
   } else if (type == "Point Force") {
     const auto set = at(path + "/Node Set", [&] { return mesh.node_set(list.get<std::string>("Node Set")); });
-    for (int node : mesh.node_sets[set]) measure[static_cast<std::size_t>(node)] = 1;
+    // Not those that a contact element adds: the force would depend on it.
+    for (int node : mesh.node_sets[set])
+      if (!mesh.is_added(static_cast<std::size_t>(node))) measure[static_cast<std::size_t>(node)] = 1;
   } else {
     const auto name = list.get<std::string>("Block");
     std::vector<std::string> names;
     bool found = false;
     for (const LocalBlock& block : mesh.blocks) {
-      names.push_back(block.name);
+      if (std::find(names.begin(), names.end(), block.name) == names.end()) names.push_back(block.name);
       if (!name.empty() && block.name != name) continue;
       found = true;
       add_block_measure(mesh, block, measure);

@@ -15,7 +15,8 @@ FieldNames field_names(const Model& model) {
   for (const std::string& vector : vectors)
     for (int i = 0; i < model.mesh().dimension; ++i) names.nodal.push_back(vector + "_" + "xyz"[i]);
   names.cell = {"first_stress_invariant", "jacobian", "energy_density"};
-  names.global = {"kinetic_energy", "elastic_energy", "contact_energy", "dissipated_energy", "total_energy"};
+  names.global = {"kinetic_energy", "elastic_energy",    "contact_energy",
+                  "external_work",  "dissipated_energy", "total_energy"};
   return names;
 }
 
@@ -74,7 +75,8 @@ void FieldRecorder::record() {
   const double contact = model.interaction_energy(state.u.data());
   together(model.space().comm(), [&] {
     file_->write(integrator.time(), nodal, cell,
-                 {kinetic, elastic, contact, integrator.dissipated_energy(), kinetic + elastic + contact});
+                 {kinetic, elastic, contact, integrator.external_work(), integrator.dissipated_energy(),
+                  kinetic + elastic + contact});
   });
 }
 

@@ -43,7 +43,7 @@ std::shared_ptr<const TimeFunction> make(const List& list) {
 }  // namespace
 
 Histories::Histories(const List& list, double initial_time, double final_time)
-    : initial_time_(initial_time), final_time_(final_time) {
+    : list_(list), initial_time_(initial_time), final_time_(final_time) {
   for (const std::string& name : sublists(list)) {
     const List& own = list.sublist(name);
     functions_[name] = at("Histories/" + name + "/" + own.get<std::string>("Type"), [&own] { return make(own); });
@@ -59,6 +59,11 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
     throw InputError("history \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
                      "\"? There are " + quoted_list(names));
   }
+  const List& own = list_.sublist(name);
+  if (use == HistoryUse::Motion && own.get<std::string>("Type") == "Expression")
+    for (const char* derivative : {"Velocity", "Acceleration"})
+      if (own.sublist("Expression").get<std::string>(derivative).empty())
+        throw InputError(fmt::format("Histories/{}/Expression/{} is missing: a motion needs it", name, derivative));
   const TimeFunction& function = *found->second;
   at("Histories/" + name, [&] {
     const double slack = 1e-9 * (function.last_time() - function.first_time());
@@ -66,8 +71,8 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
       throw InputError(fmt::format("the table goes from {} to {}, but the run from {} to {}", function.first_time(),
                                    function.last_time(), initial_time_, final_time_));
     if (function.ramp_end() > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      throw InputError(
-          fmt::format("the ramp ends at {}, after the run's Final Time, {}", function.ramp_end(), final_time_));
+      throw InputError(fmt::format("the ramp ends at {}, Start + Length, after the run's Final Time, {}",
+                                   function.ramp_end(), final_time_));
     check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
   });
   return found->second;

@@ -24,6 +24,7 @@ class Histories {
 
  private:
   std::map<std::string, std::shared_ptr<const TimeFunction>> functions_;
+  Teuchos::ParameterList list_;
   double initial_time_, final_time_;
 };
 

@@ -58,7 +58,8 @@ History::History(Simulation& simulation, const HistoryOptions& options, const st
   });
 }
 
-void History::add_reactions(std::vector<double>& row) {
+std::vector<double> History::reactions() {
+  if (reaction_sets_.empty()) return {};
   const Model& model = simulation_.model();
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   const std::vector<double>& reaction = simulation_.integrator().state().reaction;
@@ -74,8 +75,10 @@ void History::add_reactions(std::vector<double>& row) {
   model.space().sum(sums.data(), static_cast<int>(sums.size()));
   for (std::size_t k = 0; k < sums.size(); ++k)
     if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];
-  row.insert(row.end(), sums.begin(), sums.end());
+  return sums;
 }
+
+void History::pass() { reactions(); }
 
 void History::record(const RowCounts& counts) {
   const TimedScope timed(Phase::Output);
@@ -93,8 +96,9 @@ void History::record(const RowCounts& counts) {
     const double contact = model.has_interactions() ? model.interaction_energy(state.u.data()) : 0.0;
     const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
-    if (first_) initial_energy_ = total;
-    const double error = total - initial_energy_ - external_work + integrator.dissipated_energy();
+    const double balance = total - external_work + integrator.dissipated_energy();
+    if (first_) initial_energy_ = balance;
+    const double error = balance - initial_energy_;
     // Not std::max: a NaN is to be seen.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
     row.insert(row.end(),
@@ -117,7 +121,8 @@ void History::record(const RowCounts& counts) {
   }
   row.insert(row.end(), {static_cast<double>(counts.newton_iterations), static_cast<double>(counts.linear_iterations),
                          counts.wall_seconds});
-  add_reactions(row);
+  const std::vector<double> forces = reactions();
+  row.insert(row.end(), forces.begin(), forces.end());
   for (const Probe& probe : simulation_.probes())
     for (const std::vector<double>* field : {&state.u, &state.v}) {
       const std::vector<double> value = probe.point.value(model.space(), *field);

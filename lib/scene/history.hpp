@@ -32,20 +32,22 @@ class History {
   History(Simulation& simulation, const HistoryOptions& options, const std::string& path);
 
   void record(const RowCounts& counts);
+  /// Of a step that gets no row: its reactions count for max_forces().
+  void pass();
   /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
   double max_energy_error() const { return max_energy_error_; }
-  /// By reaction column, the recorded value of largest magnitude.
+  /// By reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   void flush();
 
  private:
-  void add_reactions(std::vector<double>& row);
+  std::vector<double> reactions();
 
   Simulation& simulation_;
   HistoryOptions options_;
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   bool first_ = true;
-  double initial_energy_ = 0;
+  double initial_energy_ = 0;  ///< at the first row, less external work, plus dissipation
   double max_energy_error_ = 0;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;

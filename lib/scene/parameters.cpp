@@ -90,9 +90,10 @@ Teuchos::RCP<Teuchos::StringValidator> ramp_shapes() { return one_of({"Linear", 
 void add_history(List& list) {
   list.set("Type", "Constant", "the kind of function",
            one_of({"Constant", "Ramp", "Rate Ramp", "Sine", "Table", "Expression"}));
-  list.sublist("Constant", false, "one value at all times").set("Value", 1.0, "", any_number());
+  list.sublist("Constant", false, "one value at all times")
+      .set("Value", 1.0, "a motion's in L0, a load's a factor of its Vector", any_number());
   List& ramp = list.sublist("Ramp", false, "from 0 to Value, then constant");
-  require(ramp, "Value", "reached at Start + Length", any_number());
+  require(ramp, "Value", "reached at Start + Length; a motion's in L0, a load's a factor of its Vector", any_number());
   ramp.set("Start", 0.0, "[T0]", any_number());
   require(ramp, "Length", "[T0]; a motion needs more than 0", at_least(0));
   ramp.set("Shape", "Quintic", "Cosine has a continuous rate, Quintic a continuous acceleration too", ramp_shapes());
@@ -103,15 +104,15 @@ void add_history(List& list) {
   require(rate, "Length", "[T0]; a motion needs more than 0", at_least(0));
   rate.set("Shape", "Cosine", "of the rate", ramp_shapes());
   List& sine = list.sublist("Sine", false, "Offset + Amplitude sin(2 pi Frequency t + Phase)");
-  sine.set("Offset", 0.0, "", any_number());
-  sine.set("Amplitude", 1.0, "", any_number());
+  sine.set("Offset", 0.0, "as Amplitude", any_number());
+  sine.set("Amplitude", 1.0, "a motion's in L0, a load's a factor of its Vector", any_number());
   require(sine, "Frequency", "cycles per T0", greater_than(0));
   sine.set("Phase", 0.0, "[rad]", any_number());
   List& table = list.sublist("Table", false, "quintic interpolation, twice continuously differentiable");
   table.set("Times", Numbers(), "strictly increasing, over the whole run [T0]", any_number());
-  table.set("Values", Numbers(), "as many as Times", any_number());
+  table.set("Values", Numbers(), "as many as Times; a motion's in L0, a load's a factor of its Vector", any_number());
   List& formula = list.sublist("Expression", false, "muParser expressions in the time t");
-  formula.set("Value", required, "");
+  formula.set("Value", required, "a motion's in L0, a load's a factor of its Vector");
   formula.set("Velocity", "", "derivative of Value; a motion needs it, and it is checked by quadrature");
   formula.set("Acceleration", "", "derivative of Velocity; a motion needs it");
 }
@@ -154,7 +155,8 @@ void add_time_integrator(List& list) {
   control.set("Initial Time", 0.0, "[T0]", any_number());
   require(control, "Final Time", "[T0]; later than Initial Time", any_number());
   require(control, "Time Step", "[T0]; the last one is shortened to end at Final Time", greater_than(0));
-  control.set("Maximum Cuts", 0, "how often a step that fails may be halved; 0 ends the run", between(0, 60));
+  control.set("Maximum Cuts", 0, "how often Time Step may be halved where a step fails; 0 ends the run",
+              between(0, 60));
   control.set("Minimum Time Step", 0.0, "no cut goes below [T0]", at_least(0));
   List& stop =
       list.sublist("Stop", false, "ends of the run before Final Time; the first that holds counts").sublist(any_name);
@@ -168,9 +170,13 @@ void add_time_integrator(List& list) {
 }
 
 void add_nonlinear_solver(List& list) {
-  list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c| [-]", greater_and_less_than(0, 1));
+  list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c|, |f_ext| [-]",
+           greater_and_less_than(0, 1));
   list.set("Maximum Iterations", 100, "more is a failed step", between(1, 10000));
-  List& nox = list.sublist("NOX", false, "overrides of NOX's own lists: Printing, Direction, Line Search, ...");
+  List& nox = list.sublist(
+      "NOX", false,
+      "overrides of NOX's own lists: Printing, Direction, Line Search, ...; another Line Search loses the admissible "
+      "step, another Direction the relaxed tangents");
   mark_free_form(nox);
 }
 

@@ -119,6 +119,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
       history.record(counts);
       counts.newton_iterations = 0;
       counts.linear_iterations = 0;
+    } else {
+      history.pass();
     }
     framed = frames.due(result.steps, before, integrator.time());
     if (fields && framed) fields->record();

@@ -43,8 +43,8 @@ struct RunResult {
 };
 
 /// Runs from the simulation's present state to its final time; writes effective.xml, history.csv and summary.json. A
-/// step that fails ends the run with RunStatus::Diverged; the rows up to there are on disk. Throws FileError, before
-/// anything is computed, where the folder cannot be written. Collective.
+/// step that fails, and may not be cut, ends the run with RunStatus::Diverged; the rows up to there are on disk. Throws
+/// FileError, before anything is computed, where the folder cannot be written. Collective.
 RunResult run(Simulation& simulation, const RunOptions& options);
 
 }  // namespace ixos

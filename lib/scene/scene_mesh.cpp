@@ -124,6 +124,7 @@ void enrich_surfaces(const Teuchos::ParameterList& interactions, Mesh& mesh) {
                                                          {"Q1C3", ContactElement::Q1C3},
                                                          {"Q1C4", ContactElement::Q1C4},
                                                          {"Q1CH", ContactElement::Q1CH}};
+    at("Interactions/" + name + "/Side Set", [&] { return side_set_named(mesh, set); });
     at(path, [&] { enrich(mesh, set, elements.at(element), points); });
   }
   check_cells(mesh);

@@ -155,7 +155,16 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const Histories histories(parameters_.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(parameters_.sublist("Boundary Conditions"), histories, *model_);
   probes_ = find_probes(parameters_.sublist("Output").sublist("Probes"), *model_);
-  for (const std::string& name : reactions()) at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
+  for (const std::string& name : reactions()) {
+    const std::size_t set = at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
+    const int d = model_->mesh().dimension;
+    double held = 0;
+    for (int node : model_->mesh().node_sets[set])
+      for (int i = 0; i < d; ++i) held += model_->constraints().holds(node * d + i) ? 1 : 0;
+    if (model_->space().maximum(held) == 0)
+      throw InputError("Output/Reactions: no displacement of the node set \"" + name +
+                       "\" is prescribed, so it has no reaction");
+  }
 }
 
 void Simulation::build_integrator(Table table) {

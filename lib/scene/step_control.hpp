@@ -7,7 +7,7 @@ struct StepControlOptions {
   double initial_time = 0;
   double final_time = 0;
   double time_step = 0;     ///< nominal
-  int maximum_cuts = 0;     ///< halvings of the nominal step
+  int maximum_cuts = 0;     ///< halvings that a success has not made up for
   double minimum_step = 0;  ///< a cut may not go below
 };
 
@@ -18,7 +18,7 @@ class StepControl {
   explicit StepControl(const StepControlOptions& options) : options_(options), length_(options.time_step) {}
 
   /// Has the final time been reached? A remainder below a thousandth of a step is rounding, not a step.
-  bool done(double time) const { return !(options_.final_time - time > 1e-3 * options_.time_step); }
+  bool done(double time) const;
   /// The length of the step from `time`.
   double next(double time) const;
   void succeeded();
@@ -28,7 +28,7 @@ class StepControl {
  private:
   StepControlOptions options_;
   double length_;
-  int cuts_ = 0;  ///< of the present length
+  int cuts_ = 0;
 };
 
 }  // namespace ixos

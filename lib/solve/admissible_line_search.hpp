@@ -9,9 +9,10 @@ namespace ixos {
 
 /// Takes the full Newton step, shortened to the problem's admissible step and halved where the residual cannot be
 /// evaluated all the same (an inverted element). Where the residual is a gradient, the potential must fall: a step at
-/// whose end the slope along the direction is between -0.9 and 0.2 of the start's is accepted; otherwise the potential
-/// is evaluated, and unless it has fallen (Armijo, with room for rounding), the step is shortened to the minimum of the
-/// cubic through values and slopes of both ends. So a step that Newton's method takes well costs no potential.
+/// whose end the slope along the direction is between -0.9 and 0.2 times the start's magnitude is accepted; otherwise
+/// the potential is evaluated, and unless it has fallen (Armijo, with room for rounding), the step is shortened to the
+/// minimum of the cubic through values and slopes of both ends. So a step that Newton's method takes well costs no
+/// potential.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
   explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}

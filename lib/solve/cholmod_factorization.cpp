@@ -7,6 +7,7 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -60,7 +61,9 @@ class Gather {
     MPI_Allgather(&mine, 1, MPI_INT, result.count.data(), 1, MPI_INT, comm_);
     result.start.assign(result.count.size(), 0);
     std::partial_sum(result.count.begin(), result.count.end() - 1, result.start.begin() + 1);
-    result.total = result.start.back() + result.count.back();
+    const long long total = std::accumulate(result.count.begin(), result.count.end(), 0LL);
+    if (total > std::numeric_limits<int>::max()) throw std::runtime_error("the matrix is too large for CHOLMOD");
+    result.total = static_cast<int>(total);
     return result;
   }
   void collect(const Counts& counts, const void* mine, void* all, MPI_Datatype type) const {
@@ -100,8 +103,9 @@ class Cholmod final : public Factorization {
     collect_pattern();
     int status = CHOLMOD_OK;
     if (gather_->root()) status = analyze_again();
-    if (gather_->agreed(status) != CHOLMOD_OK)
-      throw std::runtime_error(fmt::format("CHOLMOD cannot analyze the matrix (status {})", gather_->agreed(status)));
+    status = gather_->agreed(status);
+    if (status != CHOLMOD_OK)
+      throw std::runtime_error(fmt::format("CHOLMOD cannot analyze the matrix (status {})", status));
   }
 
   void factor() override {
@@ -110,7 +114,7 @@ class Cholmod final : public Factorization {
     if (gather_->root()) {
       cholmod_sparse view = matrix_view();
       cholmod_factorize(&view, factor_, &common_);
-      if (common_.status == CHOLMOD_NOT_POSDEF && common_.supernodal != CHOLMOD_SIMPLICIAL) {
+      if (common_.status == CHOLMOD_NOT_POSDEF && factor_->is_super != 0) {
         common_.supernodal = CHOLMOD_SIMPLICIAL;
         if (analyze_again() == CHOLMOD_OK) cholmod_factorize(&view, factor_, &common_);
       }

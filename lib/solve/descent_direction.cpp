@@ -4,36 +4,44 @@
 
 #include <new>
 
+#include "solve/nox_vector.hpp"
+
 namespace ixos {
 namespace {
 
 constexpr int highest_level = 8;
+
+/// Relaxes a problem's tangent for as long as it lives.
+class Relaxed {
+ public:
+  Relaxed(NonlinearProblem& problem, int level) : problem_(problem) { problem_.relax_tangent(level); }
+  ~Relaxed() { problem_.relax_tangent(0); }
+  Relaxed(const Relaxed&) = delete;
+  Relaxed& operator=(const Relaxed&) = delete;
+
+ private:
+  NonlinearProblem& problem_;
+};
 
 }  // namespace
 
 bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group,
                                const NOX::Solver::Generic& solver) {
   for (int level = 0; level <= highest_level; ++level) {
-    problem_.relax_tangent(level);
-    if (level > 0) {
-      group.setX(group.getX());  // forgets the matrix
-      group.computeF();
-    }
-    bool computed = false;
+    const Relaxed relaxed(problem_, level);
+    if (level > 0) group.setX(group.getX());  // forgets the matrix
     try {
-      computed = newton_.compute(direction, group, solver);
+      if (!newton_.compute(direction, group, solver)) continue;
     } catch (const std::bad_alloc&) {
       throw;
     } catch (...) {
-      problem_.relax_tangent(0);
       if (level == highest_level) throw;
       continue;
     }
-    problem_.relax_tangent(0);
-    if (!computed) continue;
+    problem_.complete_direction(*tpetra(group.getX()), *tpetra(direction));
     if (!problem_.is_gradient() || group.getF().innerProduct(direction) < 0) return true;
   }
-  return true;  // at the bottom of the valley: rounding decides
+  return false;
 }
 
 }  // namespace ixos

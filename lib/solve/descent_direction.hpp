@@ -8,9 +8,10 @@
 
 namespace ixos {
 
-/// NOX's Newton direction, with its forcing terms. Where the residual f is a gradient and f . d >= 0, or the linear
-/// solver fails, the tangent is not positive definite: the direction is computed again with the tangent relaxed step by
-/// step (see NonlinearProblem::relax_tangent).
+/// NOX's Newton direction, with its forcing terms; prescribed values go the whole way, exactly. Where the residual f is
+/// a gradient and f . d >= 0, or the linear solver breaks down, the tangent is not positive definite: the direction is
+/// computed again with the tangent relaxed step by step (see NonlinearProblem::relax_tangent). Fails where the last
+/// step gives no descent either.
 class DescentDirection final : public NOX::Direction::Generic {
  public:
   DescentDirection(NonlinearProblem& problem, const Teuchos::RCP<NOX::GlobalData>& data, Teuchos::ParameterList& list)

@@ -2,18 +2,25 @@
 
 #include <NOX_Abstract_Group.H>
 
+#include <cmath>
+#include <limits>
+
 #include "solve/nox_vector.hpp"
 
 namespace ixos {
 
 double IncrementalPotential::computef(const NOX::Abstract::Group& group) const {
-  if (problem_.is_gradient()) return problem_.potential(*tpetra(group.getX())).value;
-  return 0.5 * group.getNormF() * group.getNormF();
+  if (!group.isF() || !std::isfinite(group.getNormF())) return std::numeric_limits<double>::infinity();
+  const auto x = tpetra(group.getX());
+  const double way = problem_.way_left(*x);
+  return way > 0 ? way_weight * way : problem_.potential(*x).value;
 }
 
 double IncrementalPotential::computeSlope(const NOX::Abstract::Vector& direction,
                                           const NOX::Abstract::Group& group) const {
-  return group.getF().innerProduct(direction);
+  // Newton's step goes all the way.
+  const double way = problem_.way_left(*tpetra(group.getX()));
+  return way > 0 ? -2 * way_weight * way : group.getF().innerProduct(direction);
 }
 
 void IncrementalPotential::computeGradient(const NOX::Abstract::Group& group, NOX::Abstract::Vector& result) const {

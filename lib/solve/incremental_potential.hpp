@@ -6,7 +6,8 @@
 
 namespace ixos {
 
-/// merit = potential, slope = f . d; while prescribed values are on their way |f|^2/2, which has no slope to offer.
+/// merit = potential, slope = f . d. While prescribed values are on their way, what is left of it, times a number so
+/// large that every step on that way is one down; infinity where f cannot be evaluated.
 class IncrementalPotential final : public NOX::MeritFunction::Generic {
  public:
   explicit IncrementalPotential(NonlinearProblem& problem) : problem_(problem) {}
@@ -20,6 +21,7 @@ class IncrementalPotential final : public NOX::MeritFunction::Generic {
   const std::string& name() const override { return name_; }
 
  private:
+  static constexpr double way_weight = 1e100;
   NonlinearProblem& problem_;
   std::string name_ = "Incremental Potential";
 };

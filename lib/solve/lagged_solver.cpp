@@ -19,10 +19,11 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
  public:
   LaggedSolve(Teuchos::RCP<const KrylovFactory> krylov,
               Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, double setup_cost,
-              std::shared_ptr<LinearStatistics> statistics)
+              bool from_scratch, std::shared_ptr<LinearStatistics> statistics)
       : krylov_factory_(std::move(krylov)),
         factory_(std::move(preconditioner)),
         setup_cost_(setup_cost),
+        from_scratch_(from_scratch),
         statistics_(std::move(statistics)),
         krylov_(krylov_factory_->createOp()),
         preconditioner_(factory_->createPrec()) {}
@@ -75,8 +76,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     } catch (const std::exception& error) {
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
-    // From scratch: a renewed multigrid keeps the prolongators of its first matrix.
-    preconditioner_ = factory_->createPrec();
+    if (from_scratch_) preconditioner_ = factory_->createPrec();
     renew();
     try {
       return attempt(b, x, criteria);
@@ -106,6 +106,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   Teuchos::RCP<const KrylovFactory> krylov_factory_;
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory_;
   double setup_cost_;
+  bool from_scratch_;
   std::shared_ptr<LinearStatistics> statistics_;
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
@@ -120,14 +121,16 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
 
 LaggedSolverFactory::LaggedSolverFactory(Teuchos::RCP<const KrylovFactory> krylov,
                                          Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner,
-                                         double setup_cost, std::shared_ptr<LinearStatistics> statistics)
+                                         double setup_cost, bool from_scratch,
+                                         std::shared_ptr<LinearStatistics> statistics)
     : krylov_(std::move(krylov)),
       preconditioner_(std::move(preconditioner)),
       setup_cost_(setup_cost),
+      from_scratch_(from_scratch),
       statistics_(std::move(statistics)) {}
 
 Teuchos::RCP<LaggedSolverFactory::Op> LaggedSolverFactory::createOp() const {
-  return Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, setup_cost_, statistics_));
+  return Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, setup_cost_, from_scratch_, statistics_));
 }
 
 void LaggedSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,

@@ -11,7 +11,8 @@ namespace ixos {
 /// Wraps a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve and renewed when
 /// the iterations spent beyond its best solve add up to `setup_cost`, the price of a new one in iterations:
 /// the rule that spends least when iterations grow steadily. It counts iterations and reads no clock, so runs repeat. A
-/// solve that fails with an old preconditioner is tried once more with a new one; one that breaks down with a new one
+/// solve that fails with an old preconditioner is tried once more with a new one, with `from_scratch` a new object (a
+/// renewed multigrid keeps the prolongators of its first matrix); one that breaks down with a new one
 /// (Belos throws where CG meets negative curvature) throws std::runtime_error.
 class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
   using Op = Thyra::LinearOpWithSolveBase<double>;
@@ -21,7 +22,7 @@ class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
  public:
   LaggedSolverFactory(Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov,
                       Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, double setup_cost,
-                      std::shared_ptr<LinearStatistics> statistics);
+                      bool from_scratch, std::shared_ptr<LinearStatistics> statistics);
 
   bool isCompatible(const Source& source) const override { return krylov_->isCompatible(source); }
   Teuchos::RCP<Op> createOp() const override;
@@ -41,6 +42,7 @@ class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov_;
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner_;
   double setup_cost_;
+  bool from_scratch_;
   std::shared_ptr<LinearStatistics> statistics_;
   List list_;
 };

@@ -77,8 +77,9 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
     self.factory = krylov;
     if (!preconditioned) return;
     configure(self.preconditioner_builder, list);
-    self.factory = Teuchos::rcp(new LaggedSolverFactory(
-        krylov, self.preconditioner_builder.createPreconditioningStrategy(""), setup_cost, self.statistics));
+    self.factory = Teuchos::rcp(
+        new LaggedSolverFactory(krylov, self.preconditioner_builder.createPreconditioningStrategy(""), setup_cost,
+                                list.get<std::string>("Preconditioner Type") != "Direct", self.statistics));
   } catch (const std::exception& error) {
     throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + last_paragraph(error.what()));
   }

@@ -121,14 +121,14 @@ struct NewtonSolver::Implementation {
     result.iterations = solver->getNumIterations();
     result.converged = status == NOX::StatusTest::Converged;
     if (!result.converged) {
-      result.reason =
-          result.iterations >= maximum_iterations
-              ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
-                            force->describe())
-              : fmt::format(
-                    "Newton's iteration broke down after {} iterations: an element inverts, a gap closes or a "
-                    "number overflows at every step length tried",
-                    result.iterations);
+      result.reason = result.iterations >= maximum_iterations
+                          ? fmt::format("Newton's iteration did not converge in {} iterations ({})", result.iterations,
+                                        force->describe())
+                          : fmt::format(
+                                "Newton's iteration broke down after {} iterations: at every step length tried an "
+                                "element inverts, a gap "
+                                "closes, a number overflows or the potential rises",
+                                result.iterations);
     }
     return result;
   }

@@ -32,6 +32,10 @@ class NonlinearProblem {
   /// Is f, at the last x that residual() saw, the gradient of potential()? Not while prescribed values are still on
   /// their way.
   virtual bool is_gradient() const { return false; }
+  /// Squared distance of prescribed values from where they are to be; 0 where f is a gradient.
+  virtual double way_left(const Vector& /*x*/) { return 0; }
+  /// Sets a direction's part for prescribed values to the whole way left, exactly.
+  virtual void complete_direction(const Vector& /*x*/, Vector& /*direction*/) {}
   /// Only where is_gradient() and x is admissible.
   virtual Potential potential(const Vector& /*x*/) { return {}; }
 

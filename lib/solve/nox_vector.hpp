@@ -10,4 +10,8 @@ inline Teuchos::RCP<const Vector> tpetra(const NOX::Abstract::Vector& vector) {
   return Extract::getConstTpetraVector(dynamic_cast<const NOX::Thyra::Vector&>(vector).getThyraRCPVector());
 }
 
+inline Teuchos::RCP<Vector> tpetra(NOX::Abstract::Vector& vector) {
+  return Extract::getTpetraVector(dynamic_cast<NOX::Thyra::Vector&>(vector).getThyraRCPVector());
+}
+
 }  // namespace ixos

@@ -8,8 +8,8 @@
 
 namespace ixos {
 
-/// f(x'', x', x, t) = M x'' + C x' + f_el(x) + f_c(x) as a Thyra model evaluator, x displacements. In: x, x_dot,
-/// x_dot_dot, t, alpha, beta, W_x_dot_dot_coeff. Out: f and W_op = W_x_dot_dot_coeff M + alpha C + beta K, K the
+/// f(x'', x', x, t) = M x'' + C x' + f_el(x) + f_c(x) - f_ext(t) as a Thyra model evaluator, x displacements. In: x,
+/// x_dot, x_dot_dot, t, alpha, beta, W_x_dot_dot_coeff. Out: f and W_op = W_x_dot_dot_coeff M + alpha C + beta K, K the
 /// elastic and interaction tangent at x. On constrained degrees of freedom f = x - u_bar(t), and W has beta
 /// (W_x_dot_dot_coeff where beta is 0) on the diagonal and zeros in their rows and columns: start Newton's method from
 /// an x that meets them. An inadmissible x (a gap <= 0, an inverted element) marks the outputs as failed, upon which

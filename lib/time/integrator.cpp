@@ -4,6 +4,7 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -38,6 +39,10 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
+  if (is_static(table_) != (model.mass() == nullptr))
+    throw std::invalid_argument(
+        "scheme \"" + table_.name +
+        "\": " + (is_static(table_) ? "it has no inertia, but the model has" : "the model has no inertia"));
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   const bool exact_rates = table_.closing == Closing::Kinematic;
   for (const Stage& stage : table_.stages) {
@@ -57,7 +62,11 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   start = {std::move(u), std::move(v), {}, {}, {}};
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
-  if (needs_acceleration_ || table_.closing == Closing::Kinematic || has_external_) acceleration();
+  std::vector<double> sum;
+  if (needs_acceleration_ || table_.closing == Closing::Kinematic || has_external_)
+    acceleration();
+  else if (!balance(start.u, start.v, sum))
+    throw InputError("a gap is not positive, or an element is inverted");
   if (has_external_) record_initial_forces();
 }
 
@@ -164,7 +173,9 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
     return solvers_[stage]->solve(*unknown_);
   };
   NewtonResult result = solve_from(table_.predictor);
-  if (!result.converged && table_.predictor != Predictor::LastDisplacement) {
+  const bool same_guess = table_.predictor == Predictor::LastDisplacement ||
+                          (table_.predictor == Predictor::Extrapolation && previous_dt_ == 0);
+  if (!result.converged && !same_guess) {
     const int spent = result.iterations;
     result = solve_from(Predictor::LastDisplacement);
     result.iterations += spent;

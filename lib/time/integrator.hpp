@@ -24,7 +24,8 @@ struct StepResult {
 /// Advances a model in time. The model must outlive it. Collective.
 class Integrator {
  public:
-  /// Throws std::invalid_argument where the table is inconsistent (see check).
+  /// Throws std::invalid_argument where the table is inconsistent (see check), or has inertia and the model has not, or
+  /// the other way round.
   Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
              const NewtonOptions& newton);
   Integrator(const Integrator&) = delete;

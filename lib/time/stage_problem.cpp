@@ -151,10 +151,8 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
   sums[3] = admissible ? 0 : 1;
   for (int dof : model_.constraints().dofs()) {
-    // What Newton's steps leave behind by rounding is reached.
     const auto i = static_cast<std::size_t>(dof);
-    const double reached = 1e-10 * std::abs(prescribed_[i] - (*from_)[i]) + 1e-15 * std::abs(prescribed_[i]);
-    if (!(std::abs(u_[i] - prescribed_[i]) <= reached)) sums[4] += 1;
+    if (!is_reached(i, u_[i])) sums[4] += 1;
   }
   model_.space().sum(sums, 5);
   moving_ = sums[4] > 0;
@@ -174,6 +172,39 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
   constrain_residual(out);
   return true;
+}
+
+/// Up to what Newton's steps leave behind by rounding.
+bool StageProblem::is_reached(std::size_t dof, double value) const {
+  const double target = prescribed_[dof];
+  return std::abs(value - target) <= 1e-10 * std::abs(target - (*from_)[dof]) + 1e-15 * std::abs(target);
+}
+
+double StageProblem::way_left(const Vector& x) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  double sum = 0;
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned && !is_reached(i, view(i, 0))) sum += (view(i, 0) - prescribed_[i]) * (view(i, 0) - prescribed_[i]);
+  }
+  model_.space().sum(&sum, 1);
+  return sum;
+}
+
+void StageProblem::complete_direction(const Vector& x, Vector& direction) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto to = direction.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) to(i, 0) = prescribed_[i] - from(i, 0);
+  }
+}
+
+void StageProblem::relax_tangent(int level) {
+  if (level != relaxation_) assembled_at_.clear();
+  relaxation_ = level;
 }
 
 void StageProblem::constrain_residual(double* out) {
@@ -218,7 +249,7 @@ void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
   model_.space().import(x, u_.data());
   const auto matrix = w.getLocalMatrixHost();
   double* values = matrix.values.data();
-  if (relaxation_ == 0 && u_ == assembled_at_) {
+  if (u_ == assembled_at_) {
     std::copy(assembled_values_.begin(), assembled_values_.end(), values);
   } else {
     std::fill_n(values, matrix.values.extent(0), 0.0);
@@ -280,7 +311,8 @@ Potential StageProblem::potential(const Vector& x) {
     model_.damping()->multiply_add(1 / dt_, bracket.data(), product.data());
     add(dot(bracket, product, owned) / (2 * stage_.damping.unknown));
   }
-  add(dot(kept_, u, owned));
+  for (std::size_t i = 0; i < owned; ++i) bracket[i] = u[i] - (*from_)[i];
+  add(dot(kept_, bracket, owned));
   double sums[2] = {sum.value, sum.magnitude};
   model_.space().sum(sums, 2);
   return {sums[0], sums[1]};

@@ -43,14 +43,17 @@ class StageProblem final : public NonlinearProblem {
   /// changes.
   double convergence_bound(double relative_tolerance) const override;
   bool is_gradient() const override { return !moving_; }
+  double way_left(const Vector& x) override;
+  void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
-  void relax_tangent(int level) override { relaxation_ = level; }
+  void relax_tangent(int level) override;
 
  private:
   Segment segment(const Rule& rule) const;
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   void damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   void assemble(double* values) const;
+  bool is_reached(std::size_t dof, double value) const;
   void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
   Potential rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const;

@@ -33,6 +33,9 @@ bool is_static(const Table& table) {
 }
 
 void check(const Table& table) {
+  if (table.work.form == WorkSum::Form::Stages && table.work.weights.size() != table.stages.size() + 1)
+    throw std::invalid_argument(fmt::format("scheme \"{}\": {} weights for the work of {} stages", table.name,
+                                            table.work.weights.size(), table.stages.size()));
   const bool no_inertia = is_static(table);
   std::vector<double> times{0.0};
   for (std::size_t s = 0; s < table.stages.size(); ++s) {

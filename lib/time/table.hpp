@@ -45,8 +45,8 @@ struct WorkSum {
 };
 
 /// Where Newton's iteration starts: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
-/// known state k, h to the stage's end; Newmark's predictor with h^2/4 a_k; or the straight line through the starts of
-/// this step and the one before. Always clipped to admissible gaps.
+/// known state k, h to the stage's end; Newmark's predictor for beta = 1/4, with h^2/4 a_k; or the straight line
+/// through the starts of this step and the one before. Always clipped to admissible gaps.
 enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration, Newmark, Extrapolation };
 
 struct Table {

@@ -106,6 +106,83 @@ TEST(IntegratorTest, AStepThatInvertsAnElementIsShortened) {
   EXPECT_TRUE(step.converged) << step.reason;
 }
 
+/// A damped block on a shaking table below a wall that attracts it.
+std::string shaken_block() {
+  std::string body = block_2d(0.0);
+  body.insert(body.find(test::number("Density", 1)),
+              test::number("Mass Damping", 0.1) + test::number("Stiffness Damping", 0.02));
+  return body +
+         test::list("Interactions",
+                    test::list("Wall", test::word("Side Set", "top") + test::numbers("Normal", {0, -1}) +
+                                           test::numbers("Point", {0, 2.6}) + test::number("Gamma W", 2.0) +
+                                           test::word("Contact Element", "Q1C2"))) +
+         test::list("Histories", test::list("Shake", test::word("Type", "Sine") +
+                                                         test::list("Sine", test::number("Amplitude", 0.1) +
+                                                                                test::number("Frequency", 0.4)))) +
+         test::list("Boundary Conditions",
+                    test::list("Table", test::word("Node Set", "bottom") + test::word("History", "Shake")) +
+                        test::list("Weight", test::word("Type", "Body Force") + test::numbers("Vector", {0, 0.01})));
+}
+
+TEST(IntegratorTest, AFailedStepChangesNoForceAndNoWorkEither) {
+  // Four iterations do for a small step and not for a large one.
+  for (const char* scheme : all_schemes)
+    for (double large : {20.0, 300.0}) {
+      const auto scene = test::scene(shaken_block() + time_integrator(scheme, 0.01, 10) +
+                                     test::list("Nonlinear Solver", test::count("Maximum Iterations", 4)));
+      Simulation disturbed(scene, world());
+      Simulation smooth(scene, world());
+      for (int step = 0; step < 4; ++step) {
+        ASSERT_FALSE(disturbed.integrator().step(large).converged) << scheme;
+        ASSERT_TRUE(disturbed.integrator().step(0.01).converged) << scheme;
+        ASSERT_TRUE(smooth.integrator().step(0.01).converged) << scheme;
+      }
+      const State& one = disturbed.integrator().state();
+      const State& two = smooth.integrator().state();
+      EXPECT_EQ(one.u, two.u) << scheme;
+      EXPECT_EQ(one.reaction, two.reaction) << scheme;
+      EXPECT_EQ(one.load, two.load) << scheme;
+      EXPECT_EQ(disturbed.integrator().external_work(), smooth.integrator().external_work()) << scheme;
+      EXPECT_EQ(disturbed.integrator().dissipated_energy(), smooth.integrator().dissipated_energy()) << scheme;
+    }
+}
+
+TEST(IntegratorTest, AllPredictorsLeadToOneMotion) {
+  for (const char* scheme : all_schemes) {
+    std::vector<double> first;
+    for (const char* predictor :
+         {"Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark", "Extrapolation"}) {
+      const std::string integrator = time_integrator(scheme, 0.05, 10);
+      const std::string name = "<ParameterList name=\"Time Integrator\">";
+      Simulation s(
+          test::scene(shaken_block() + name + test::word("Predictor", predictor) + integrator.substr(name.size())),
+          world());
+      // The step changes on the way: an extrapolation has to know.
+      for (double dt : {0.05, 0.05, 0.02, 0.08, 0.05}) ASSERT_TRUE(s.integrator().step(dt).converged) << predictor;
+      const auto u = test::gathered(s.model(), s.integrator().state().u);
+      if (first.empty()) first = u;
+      EXPECT_LT(test::distance(u, first), 1e-9) << scheme << ", " << predictor;
+    }
+  }
+}
+
+TEST(IntegratorTest, NoxOwnLineSearchesDescendThePotential) {
+  // A driven block, the step so large that prescribed values take a step of their own.
+  for (const char* method : {"Backtrack"}) {
+    const auto scene = test::scene(
+        shaken_block() + time_integrator("Newmark", 0.2, 10) +
+        test::list("Nonlinear Solver", test::list("NOX", test::list("Line Search", test::word("Method", method)))));
+    const auto plain = test::scene(shaken_block() + time_integrator("Newmark", 0.2, 10));
+    Simulation s(scene, world()), reference(plain, world());
+    for (int n = 0; n < 5; ++n) {
+      const StepResult result = s.integrator().step(0.2);
+      ASSERT_TRUE(result.converged) << method << ": " << result.reason;
+      ASSERT_TRUE(reference.integrator().step(0.2).converged);
+    }
+    EXPECT_LT(test::distance(s.integrator().state().u, reference.integrator().state().u), 1e-9) << method;
+  }
+}
+
 TEST(IntegratorTest, TwoRanksMoveAsOne) {
   for (const std::string& body : {test::block_2d(1.0), test::block_3d(0.7)})
     for (const char* scheme : all_schemes) {

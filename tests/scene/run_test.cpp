@@ -1,0 +1,153 @@
+// What a run records, and when it ends.
+#include "scene/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+using test::world;
+
+/// Columns of history.csv by name; empty cells are NaN.
+std::map<std::string, std::vector<double>> read_history(const std::string& path) {
+  std::ifstream file(path);
+  std::string line, cell;
+  std::getline(file, line);
+  std::vector<std::string> names;
+  for (std::istringstream header(line); std::getline(header, cell, ',');) names.push_back(cell);
+  std::map<std::string, std::vector<double>> columns;
+  while (std::getline(file, line)) {
+    std::istringstream row(line);
+    for (const std::string& name : names) {
+      std::getline(row, cell, ',');
+      columns[name].push_back(cell.empty() ? std::nan("") : std::stod(cell));
+    }
+  }
+  return columns;
+}
+
+class RunTest : public testing::Test {
+ protected:
+  /// Runs the scene; results in folder_.
+  RunResult run_scene(const std::string& scene) {
+    Simulation simulation(test::scene(scene), world());
+    RunOptions options;
+    options.folder = folder_;
+    return run(simulation, options);
+  }
+  std::string folder_ = testing::TempDir() + "ixos_run_" + std::to_string(world()->getSize());
+};
+
+/// A block whose left side follows a table of places, its right side pulled by a known force.
+std::string pulled(const std::string& output, const std::string& control) {
+  return test::block_2d(0) +
+         list("Histories",
+              list("Path", word("Type", "Table") +
+                               list("Table", numbers("Times", {1, 2, 3, 4}) + numbers("Values", {0, 0.1, 0.4, 0.9})))) +
+         list("Boundary Conditions",
+              list("Guide", word("Node Set", "left") + word("Components", "y")) +
+                  list("Path", word("Node Set", "left") + word("Components", "x") + word("History", "Path")) +
+                  list("Pull", word("Type", "Traction") + word("Side Set", "right") + numbers("Vector", {0.01, 0}))) +
+         list("Output", output + "<Parameter name=\"Reactions\" type=\"Array(string)\" value=\"{left}\"/>" +
+                            list("Probes", list("Edge", numbers("Point", {0, 1})))) +
+         list("Time Integrator",
+              word("Type", "Static") + list("Time Step Control", number("Initial Time", 1) + number("Final Time", 4) +
+                                                                     number("Time Step", 0.1) + control));
+}
+
+TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
+  const RunResult result = run_scene(pulled("", ""));
+  EXPECT_EQ(result.status, RunStatus::Completed);
+  const auto history = read_history(folder_ + "/history.csv");
+  ASSERT_EQ(history.at("time").size(), 31U);
+  for (std::size_t k = 0; k < 31; ++k) {
+    // The table's values lie on a parabola, 0.1 (t - 1)^2, which quintic interpolation reproduces.
+    const double t = history.at("time")[k];
+    EXPECT_NEAR(history.at("Edge_ux")[k], 0.1 * (t - 1) * (t - 1), 1e-13);
+    EXPECT_NEAR(history.at("Edge_vx")[k], 0.2 * (t - 1), 1e-12);
+    EXPECT_NEAR(history.at("Edge_uy")[k], 0, 1e-15);
+    if (k == 0) continue;  // not yet in equilibrium
+    EXPECT_NEAR(history.at("reaction_left_x")[k], -0.02, 1e-11);
+    EXPECT_NEAR(history.at("reaction_left_y")[k], 0, 1e-11);
+  }
+  ASSERT_EQ(result.max_forces.size(), 2U);
+  EXPECT_EQ(result.max_forces[0].first, "reaction_left_x");
+  EXPECT_NEAR(result.max_forces[0].second, -0.02, 1e-11);
+}
+
+TEST_F(RunTest, RowsPassMultiplesOfTheTimeInterval) {
+  run_scene(pulled(number("History Time Interval", 0.25), ""));
+  const auto times = read_history(folder_ + "/history.csv").at("time");
+  // The first step at or past 1.25, 1.5, ...: 1.3, 1.5, 1.8, 2.0, ...
+  const std::vector<double> expected{1, 1.3, 1.5, 1.8, 2, 2.3, 2.5, 2.8, 3, 3.3, 3.5, 3.8, 4};
+  ASSERT_EQ(times.size(), expected.size());
+  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], 1e-9);
+}
+
+/// A block that a wall has caught at its equilibrium gap, or one far from it, thrown upwards.
+std::string thrown(double gap, const std::string& type) {
+  return list("Mesh",
+              word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {2, 1}))) +
+         list("Materials", list("Rubber", number("Density", 1))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -gap}))) +
+         list("Initial Conditions", numbers("Velocity", {0, 0.5})) +
+         list("Output", list("Probes", list("Top", numbers("Point", {1, 1})))) +
+         list("Time Integrator",
+              list("Time Step Control", number("Time Step", 0.02) + number("Final Time", 2)) +
+                  list("Stop",
+                       list("End",
+                            word("Type", type) +
+                                (type == "Probe" ? list("Probe", word("Name", "Top") + number("Limit", 1.3)) : ""))));
+}
+
+TEST_F(RunTest, DetachedEndsARunThatWasAttached) {
+  const RunResult caught = run_scene(thrown(0.2547, "Detached"));
+  EXPECT_EQ(caught.status, RunStatus::Stopped);
+  EXPECT_EQ(caught.reason, "End: detached");
+  const auto history = read_history(folder_ + "/history.csv");
+  EXPECT_EQ(history.at("contact_measure").back(), 0);
+  EXPECT_GT(history.at("contact_measure")[history.at("contact_measure").size() - 2], 0);
+  const RunResult free = run_scene(thrown(1.0, "Detached"));
+  EXPECT_EQ(free.status, RunStatus::Completed);
+}
+
+TEST_F(RunTest, AProbeEndsARun) {
+  const RunResult result = run_scene(thrown(1.0, "Probe"));
+  EXPECT_EQ(result.status, RunStatus::Stopped);
+  // The top starts at 1 and rises at 0.5, the wall pulls a little.
+  EXPECT_NEAR(result.end_time, 0.62, 0.03);
+  EXPECT_EQ(result.reason.rfind("End: y of probe Top is 1.3", 0), 0U) << result.reason;
+}
+
+TEST_F(RunTest, ACutRunHitsTheGridOfTimes) {
+  // Few iterations, and ten times the way: the later steps are too large for them, and are halved.
+  std::string scene = pulled("", test::count("Maximum Cuts", 10));
+  const std::string path = test::numbers("Values", {0, 0.1, 0.4, 0.9});
+  scene.replace(scene.find(path), path.size(), test::numbers("Values", {0, 1, 4, 9}));
+  scene += list("Nonlinear Solver", test::count("Maximum Iterations", 3));
+  const RunResult result = run_scene(scene);
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_GT(result.rejected_steps, 0);
+  EXPECT_GT(result.steps, 30);
+  const auto times = read_history(folder_ + "/history.csv").at("time");
+  for (int k = 0; k <= 30; ++k) {
+    const double wanted = 1 + 0.1 * k;
+    EXPECT_TRUE(std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - wanted) < 1e-9; })) << k;
+  }
+}
+
+}  // namespace
+}  // namespace ixos

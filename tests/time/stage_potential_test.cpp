@@ -1,0 +1,106 @@
+// The incremental potential of every stage: its slope is the residual, and what relaxes the tangent makes it steeper.
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "scene/simulation.hpp"
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+#include "time/schemes.hpp"
+#include "time/stage_problem.hpp"
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+using test::world;
+
+/// Damped, loaded, held at one side, its enriched bottom at a wall.
+std::string body() {
+  std::string block = test::block_2d(0.5);
+  block.insert(block.find(number("Density", 1)), number("Mass Damping", 0.3) + number("Stiffness Damping", 0.05));
+  return block +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.4}) +
+                                               number("Gamma W", 0.1) + word("Contact Element", "Q1C3"))) +
+         list("Boundary Conditions",
+              list("Held", word("Node Set", "left")) +
+                  list("Wind", word("Type", "Traction") + word("Side Set", "right") + numbers("Vector", {0.1, 0.2})));
+}
+
+/// Smooth fields of the coordinates, so that ghosts agree with their owners; zero on the held side x = 0.
+std::vector<double> wave(const LocalMesh& mesh, double phase) {
+  std::vector<double> field(mesh.coordinates.size());
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const double x = mesh.coordinates[i - i % 2];
+    field[i] = mesh.is_derivative(i / 2) ? 0.0 : 0.03 * x * std::sin(1.7 * mesh.coordinates[i] + phase);
+  }
+  return field;
+}
+
+TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
+  Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
+  const Model& model = s.model();
+  for (const Table& table :
+       {newmark(0.3, 0.6), bathe_composite(0.3, 0.45), gautam_sauer_composite(0.25, 0.5, 5, Path::Linear),
+        gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8)})
+    for (std::size_t k = 0; k < table.stages.size(); ++k) {
+      std::vector<State> known(k + 1);
+      for (std::size_t j = 0; j <= k; ++j) {
+        const double phase = 0.9 * static_cast<double>(j);
+        known[j] = {wave(model.mesh(), phase), wave(model.mesh(), phase + 1), wave(model.mesh(), phase + 2)};
+      }
+      StageProblem problem(model, table.stages[k], table.closing == Closing::Kinematic);
+      problem.arm(known, 0.0, 0.1);
+      const auto map = problem.map();
+      Vector x(map), direction(map), f(map), moved(map);
+      const auto u = wave(model.mesh(), 0.4), d = wave(model.mesh(), 2.5);
+      for (int i = 0; i < model.space().owned(); ++i) {
+        x.replaceLocalValue(i, u[static_cast<std::size_t>(i)]);
+        direction.replaceLocalValue(i, d[static_cast<std::size_t>(i)]);
+      }
+      ASSERT_TRUE(problem.residual(x, f)) << table.name;
+      ASSERT_TRUE(problem.is_gradient());
+      EXPECT_EQ(problem.way_left(x), 0);
+      const double slope = f.dot(direction), h = 1e-4;
+      moved.update(1.0, x, h, direction, 0.0);
+      const Potential ahead = problem.potential(moved);
+      moved.update(1.0, x, -h, direction, 0.0);
+      const Potential behind = problem.potential(moved);
+      EXPECT_NEAR((ahead.value - behind.value) / (2 * h), slope, 1e-6 * std::abs(slope) + 1e-10 * ahead.magnitude)
+          << table.name << ", stage " << k + 1;
+      EXPECT_GT(std::abs(slope), 1e-3);
+    }
+}
+
+TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
+  // d . K d grows from the exact tangent to the one without negative interaction stiffness, and with each shift.
+  Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
+  const Model& model = s.model();
+  const Table table = newmark(0.25, 0.5);
+  StageProblem problem(model, table.stages[0], true);
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  problem.arm({{rest, rest, rest}}, 0.0, 0.1);
+  const auto map = problem.map();
+  Vector x(map), direction(map), product(map);
+  x.putScalar(0.0);
+  const auto d = wave(model.mesh(), 2.5);
+  for (int i = 0; i < model.space().owned(); ++i) direction.replaceLocalValue(i, d[static_cast<std::size_t>(i)]);
+  const auto w = problem.create_matrix();
+  double before = -1e300;
+  for (int level = 0; level <= 4; ++level) {
+    problem.relax_tangent(level);
+    problem.tangent(x, *w);
+    w->apply(direction, product);
+    const double curvature = direction.dot(product);
+    EXPECT_GT(curvature, before) << level;
+    before = curvature;
+  }
+}
+
+}  // namespace
+}  // namespace ixos
