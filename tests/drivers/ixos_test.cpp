@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -144,6 +145,13 @@ TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
   EXPECT_EQ(summary.find("\"rejected_steps\": 0"), std::string::npos) << summary;
   EXPECT_NE(summary.find("reaction_right_y"), std::string::npos) << summary;
   const std::string history = contents(folder_ + "/out/history.csv");
+  // The grid of nominal times, 4, 8, ..., is hit whatever was cut.
+  std::vector<double> times;
+  std::istringstream rows(history);
+  for (std::string row; std::getline(rows, row);)
+    if (row.front() != 's') times.push_back(std::stod(row.substr(row.find(',') + 1)));
+  for (double grid = 4; grid < times.back(); grid += 4)
+    EXPECT_TRUE(std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - grid) < 1e-9; })) << grid;
   const std::string header = history.substr(0, history.find('\n'));
   EXPECT_NE(header.find(",reaction_right_x,reaction_right_y,P_ux,P_uy,P_vx,P_vy,edge_ux,"), std::string::npos)
       << header;

@@ -132,22 +132,5 @@ TEST_F(RunTest, AProbeEndsARun) {
   EXPECT_EQ(result.reason.rfind("End: y of probe Top is 1.3", 0), 0U) << result.reason;
 }
 
-TEST_F(RunTest, ACutRunHitsTheGridOfTimes) {
-  // Few iterations, and ten times the way: the later steps are too large for them, and are halved.
-  std::string scene = pulled("", test::count("Maximum Cuts", 10));
-  const std::string path = test::numbers("Values", {0, 0.1, 0.4, 0.9});
-  scene.replace(scene.find(path), path.size(), test::numbers("Values", {0, 1, 4, 9}));
-  scene += list("Nonlinear Solver", test::count("Maximum Iterations", 3));
-  const RunResult result = run_scene(scene);
-  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
-  EXPECT_GT(result.rejected_steps, 0);
-  EXPECT_GT(result.steps, 30);
-  const auto times = read_history(folder_ + "/history.csv").at("time");
-  for (int k = 0; k <= 30; ++k) {
-    const double wanted = 1 + 0.1 * k;
-    EXPECT_TRUE(std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - wanted) < 1e-9; })) << k;
-  }
-}
-
 }  // namespace
 }  // namespace ixos
