@@ -89,6 +89,40 @@ Scheme average_vector_field_scheme() {
   return s;
 }
 
+Scheme generalized_alpha_scheme() {
+  Scheme s{"Generalized-Alpha",
+           "2",
+           "linear: unconditional, spectral radius as given at infinite frequency",
+           "linear momentum; energy of linear problems for Spectral Radius 1",
+           "Chung and Hulbert 1993",
+           {},
+           [](const List& p) { return generalized_alpha(p.get<double>("Spectral Radius")); }};
+  s.parameters.set("Spectral Radius", 0.5, "spectral radius at infinite frequency [-]", between(0, 1));
+  return s;
+}
+
+Scheme hht_scheme() {
+  Scheme s{"HHT-Alpha",
+           "2",
+           "linear: unconditional, damps high frequencies",
+           "linear momentum; energy of linear problems for Alpha = 0",
+           "Hilber, Hughes and Taylor 1977",
+           {},
+           [](const List& p) { return hht_alpha(p.get<double>("Alpha")); }};
+  s.parameters.set("Alpha", -0.05, "alpha [-]; more negative damps more", between(-1.0 / 3, 0));
+  return s;
+}
+
+Scheme midpoint_scheme() {
+  return {"Midpoint",
+          "2",
+          "linear: unconditional; nonlinear: energy may grow",
+          "linear and angular momentum; energy of linear problems",
+          "Simo, Tarnow and Wong 1992",
+          {},
+          [](const List&) { return midpoint(); }};
+}
+
 Scheme static_scheme() {
   return {"Static",
           "exact where each step's equilibrium is",
@@ -102,8 +136,9 @@ Scheme static_scheme() {
 }  // namespace
 
 const std::vector<Scheme>& schemes() {
-  static const std::vector<Scheme> all{newmark_scheme(), bathe_scheme(), composite_scheme(),
-                                       average_vector_field_scheme(), static_scheme()};
+  static const std::vector<Scheme> all{
+      newmark_scheme(),           bathe_scheme(), composite_scheme(), average_vector_field_scheme(),
+      generalized_alpha_scheme(), hht_scheme(),   midpoint_scheme(),  static_scheme()};
   return all;
 }
 

@@ -44,9 +44,9 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
         "scheme \"" + table_.name +
         "\": " + (is_static(table_) ? "it has no inertia, but the model has" : "the model has no inertia"));
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
-  const bool exact_rates = table_.closing == Closing::Kinematic;
+  exact_rates_ = table_.closing == Closing::Kinematic && table_.driven_rates == DrivenRates::Exact;
   for (const Stage& stage : table_.stages) {
-    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates));
+    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_));
     solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
   }
 }
@@ -197,7 +197,7 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   derive(row.velocity, dt, end.v);
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
-    model_.constraints().set(problems_[stage]->time(), nullptr, end.v.data(), end.a.data());
+    if (exact_rates_) model_.constraints().set(problems_[stage]->time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
   problems_[stage]->record_forces(end);

@@ -61,6 +61,7 @@ class Integrator {
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
+  bool exact_rates_ = false;         ///< of driven degrees of freedom
   bool has_external_ = false;        ///< the model has loads or constraints on some rank
   std::vector<std::unique_ptr<StageProblem>> problems_;
   std::vector<std::unique_ptr<NewtonSolver>> solvers_;

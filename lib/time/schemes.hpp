@@ -28,6 +28,18 @@ Table gautam_sauer_composite(double beta, double gamma, int interaction_points, 
 /// angular momentum only to second order.
 Table average_vector_field(int elastic_points, int interaction_points);
 
+/// Chung and Hulbert (1993): M [(1 - a_m) a + a_m a_n] + (1 - a_f) f + a_f f_n = f_ext weighted likewise, Newmark's
+/// kinematics. Order 2, unconditionally stable for linear problems, spectral radius rho at infinite frequency (rho in
+/// [0, 1]); rho = 1 keeps the energy of linear problems. Keeps linear momentum.
+Table generalized_alpha(double spectral_radius);
+
+/// Hilber, Hughes and Taylor (1977): the same with a_m = 0, a_f = -alpha, alpha in [-1/3, 0]; 0 is the trapezoid.
+Table hht_alpha(double alpha);
+
+/// The implicit midpoint rule (Simo, Tarnow and Wong 1992), in momentum form: forces at (u_n + u)/2. Order 2. Keeps
+/// linear and angular momentum; energy of linear problems.
+Table midpoint();
+
 /// No inertia and no damping: equilibrium at the end of each step, time a parameter of the loads and motions.
 Table static_equilibrium();
 

@@ -36,7 +36,7 @@ enum class Closing {
 /// How the work of external forces g (loads and reactions) and of damping forces C v is summed over a step.
 struct WorkSum {
   enum class Form {
-    Increment,  ///< du . g of the step mean; du . C du/dt
+    Increment,  ///< du . g of the step mean; du . C v, v the damping row over dt
     EndMean,    ///< du . (g_n + g)/2; du . C (v_n + v)/2
     Stages      ///< dt sum_i weights_i v_i . g_i over the known states and the end; dt sum_i weights_i v_i . C v_i
   };
@@ -49,12 +49,17 @@ struct WorkSum {
 /// through the starts of this step and the one before. Always clipped to admissible gaps.
 enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration, Newmark, Extrapolation };
 
+/// Velocity and acceleration of driven degrees of freedom: of their motion, or the scheme's own. Schemes in momentum
+/// form take their own in any case.
+enum class DrivenRates { Exact, Own };
+
 struct Table {
   std::string name;
   std::vector<Stage> stages;
   Closing closing = Closing::Kinematic;
   WorkSum work;
   Predictor predictor = Predictor::LastDisplacement;  ///< the one that takes the fewest iterations at an impact
+  DrivenRates driven_rates = DrivenRates::Exact;
 };
 
 /// n Gauss points over the step.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "time/row_on_states.hpp"
+
 namespace ixos {
 namespace {
 
@@ -73,7 +75,11 @@ double work_of_damping(const Model& model, const Table& table, const std::vector
   const Array du = difference(end.u, start.u);
   double sum = 0;
   if (table.work.form == WorkSum::Form::Increment) {
-    sum = work(du, du) / dt;
+    const Row& row = table.stages.back().damping;
+    Array known(du.size()), bracket(du.size());
+    evaluate_known(row, states, dt, known);
+    evaluate(row, end.u, start.u, known, bracket);
+    sum = work(du, bracket) / dt;
   } else if (table.work.form == WorkSum::Form::EndMean) {
     sum = (work(du, start.v) + work(du, end.v)) / 2;
   } else {

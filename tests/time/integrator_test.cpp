@@ -15,7 +15,9 @@ using test::block_2d;
 using test::time_integrator;
 using test::world;
 
-const char* const all_schemes[] = {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field"};
+const char* const all_schemes[] = {
+    "Newmark",   "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Generalized-Alpha",
+    "HHT-Alpha", "Midpoint"};
 
 TEST(IntegratorTest, AFailedStepChangesNothing) {
   for (const char* scheme : all_schemes) {

@@ -64,6 +64,37 @@ TEST(SchemesTest, CompositeFollowsBetaGammaPointsAndPath) {
   EXPECT_DOUBLE_EQ(kinematic.stages[0].interaction.points[1].velocity, xi * (1 - xi));
 }
 
+TEST(SchemesTest, GeneralizedAlphaAndHhtFollowTheirParameter) {
+  for (double rho : {0.0, 0.5, 0.8, 1.0}) {
+    const Table table = from_xml("Generalized-Alpha", test::number("Spectral Radius", rho));
+    const double a_m = (2 * rho - 1) / (rho + 1), a_f = rho / (rho + 1);
+    const double gamma = 0.5 - a_m + a_f, beta = (1 - a_m + a_f) * (1 - a_m + a_f) / 4;
+    const Stage& stage = table.stages.at(0);
+    expect_row(stage.inertia, (1 - a_m) / beta, -(1 - a_m) / beta, -(1 - a_m) / beta,
+               -(1 - a_m) * (1 / (2 * beta) - 1) + a_m, "inertia");
+    expect_row(stage.damping, (1 - a_f) * gamma / beta, -(1 - a_f) * gamma / beta, (1 - a_f) * (1 - gamma / beta) + a_f,
+               (1 - a_f) * (1 - gamma / (2 * beta)), "damping");
+    EXPECT_DOUBLE_EQ(stage.elastic.kept_weight, a_f);
+    EXPECT_DOUBLE_EQ(stage.elastic.points.at(0).weight, 1 - a_f);
+  }
+  for (double alpha : {-1.0 / 3, -0.1, 0.0}) {
+    const Stage stage = from_xml("HHT-Alpha", test::number("Alpha", alpha)).stages.at(0);
+    const double beta = (1 - alpha) * (1 - alpha) / 4, gamma = 0.5 - alpha;
+    expect_row(stage.inertia, 1 / beta, -1 / beta, -1 / beta, -(1 / (2 * beta) - 1), "inertia");
+    expect_row(stage.velocity, gamma / beta, -gamma / beta, 1 - gamma / beta, 1 - gamma / (2 * beta), "velocity");
+    EXPECT_DOUBLE_EQ(stage.elastic.kept_weight, -alpha);
+    EXPECT_DOUBLE_EQ(stage.load.at(1).weight, 1 + alpha);
+  }
+}
+
+TEST(SchemesTest, MidpointTakesForcesInTheMiddle) {
+  const Stage stage = from_xml("Midpoint", "").stages.at(0);
+  expect_row(stage.inertia, 2, -2, -2, 0, "inertia");
+  ASSERT_EQ(stage.elastic.points.size(), 1U);
+  EXPECT_EQ(stage.elastic.points[0].to, 0.5);
+  EXPECT_EQ(stage.elastic.points[0].from, 0.5);
+}
+
 TEST(SchemesTest, AverageVectorFieldFollowsItsPoints) {
   const Table table =
       from_xml("Average Vector Field", test::count("Elastic Points", 3) + test::count("Interaction Points", 6));

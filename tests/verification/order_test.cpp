@@ -50,6 +50,9 @@ TEST(OrderTest, SchemesAreOfSecondOrder) {
     expect_order(body, "Bathe Composite", test::number("Spectral Radius", 0.5) + test::number("Split", 0), 2);
     expect_order(body, "Gautam-Sauer Composite", "", 2);
     expect_order(body, "Average Vector Field", "", 2);
+    expect_order(body, "Generalized-Alpha", "", 2);
+    expect_order(body, "HHT-Alpha", test::number("Alpha", -0.2), 2);
+    expect_order(body, "Midpoint", "", 2);
   }
 }
 
@@ -70,7 +73,8 @@ std::string shaken_block() {
 }
 
 TEST(OrderTest, DrivenAndLoadedToo) {
-  for (const char* scheme : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field"})
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field",
+                             "Generalized-Alpha", "HHT-Alpha", "Midpoint"})
     expect_order(shaken_block(), scheme, "", 2);
 }
 

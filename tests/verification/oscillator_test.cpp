@@ -45,7 +45,12 @@ TEST(OscillatorTest, PeriodErrorAndDecayAtATenthOfThePeriod) {
                   {"Gautam-Sauer Composite", "", 3.207, 0},
                   {"Average Vector Field", "", 3.207, 0},
                   {"Bathe Composite", "", 1.618, 0.513},
-                  {"Bathe Composite", rho, 1.149, 0.288}};
+                  {"Bathe Composite", rho, 1.149, 0.288},
+                  {"Generalized-Alpha", "", 4.672, 2.347},
+                  {"Generalized-Alpha", test::number("Spectral Radius", 1), 3.207, 0},
+                  {"HHT-Alpha", "", 3.611, 0.741},
+                  {"HHT-Alpha", test::number("Alpha", 0), 3.207, 0},
+                  {"Midpoint", "", 3.207, 0}};
   for (const auto& e : expected) {
     const Response r = response(e.scheme, e.parameters, 0.1);
     EXPECT_NEAR(r.period_error, e.period_error, 6e-4) << e.scheme;
