@@ -21,10 +21,16 @@ struct RulePoint {
 
 /// F = sum_i weight_i f(u(xi_i)) + kept_weight f(u_from). Points at xi = 0 depend on nothing unknown: they are gathered
 /// in `kept_weight`.
+///
+/// `exact` stands for the mean over the straight path, F = int_0^1 f(u(xi)) dxi, in closed form: of interactions whose
+/// law has one. It has neither points nor a kept part.
 struct Rule {
   std::vector<RulePoint> points;
   double kept_weight = 0;
+  bool exact = false;
 
+  /// True where the force depends on the displacement at the start of the segment.
+  bool uses_start() const;
   /// True where some point uses the velocity of the known state.
   bool uses_velocity() const;
   /// Sum of all weights: 1 for a consistent rule.
@@ -36,6 +42,9 @@ Rule end_rule();
 
 /// Points xi in [0, 1] with weights.
 Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weights, Path path = Path::Linear);
+
+/// The exact mean over the straight path.
+Rule exact_rule();
 
 /// n Gauss-Legendre points. Throws InputError unless 1 <= n <= 64.
 Rule gauss_rule(int n, Path path = Path::Linear);

@@ -57,6 +57,7 @@ struct SurfaceKernel {
         least_gap = smaller(least_gap, r);
         mean += point.weight * law.traction(r);
       }
+      if (rule.exact) mean += law.mean_traction(ends.from, ends.to);
       least_gap = smaller(least_gap, ends.to);
       for (std::size_t a = 0; a < N; ++a) f[a] -= shape[a] * (measure[q] * mean);
     }
@@ -74,6 +75,10 @@ struct SurfaceKernel {
       for (const RulePoint& point : rule.points) {
         const T stiffness = law.stiffness(ends.at(point));
         mean += (point.weight * point.to) * (convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness);
+      }
+      if (rule.exact) {
+        const T stiffness = law.mean_stiffness(ends.from, ends.to);
+        mean += convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness;
       }
       mean *= measure[q];
       for (std::size_t a = 0; a < N; ++a)

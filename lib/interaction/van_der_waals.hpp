@@ -37,6 +37,25 @@ class VanDerWaals {
     return s * s * ((9 * c1_) * (s * s * s) - 3 * c2_);
   }
 
+  /// Mean traction over gaps from r0 to r1, their integral over [0, 1] along the straight path, without cancellation:
+  /// of r^-m it is sum_{k=1..m-1} r1^-k r0^-(m-k)/(m - 1).
+  template <class T>
+  T mean_traction(const T& r0, const T& r1) const {
+    return c1_ * mean_power<9>(r0, r1) - c2_ * mean_power<3>(r0, r1);
+  }
+
+  /// -d(mean traction)/dr1.
+  template <class T>
+  T mean_stiffness(const T& r0, const T& r1) const {
+    return c1_ * mean_power_slope<9>(r0, r1) - c2_ * mean_power_slope<3>(r0, r1);
+  }
+
+  /// The potential whose derivative in r1 is minus the mean traction, zero at r1 = r0.
+  template <class T>
+  T mean_potential(const T& r0, const T& r1) const {
+    return -c1_ * mean_power_integral<9>(r0, r1) + c2_ * mean_power_integral<3>(r0, r1);
+  }
+
   /// What the traction's rounding error is measured by: both parts without their signs, and |dT/dr| r.
   template <class T>
   T magnitude(const T& r) const {
@@ -53,6 +72,41 @@ class VanDerWaals {
   double adhesion_gap() const { return std::pow(5.0, -1.0 / 6) * r0_; }
 
  private:
+  template <int M, class T>
+  static T mean_power(const T& r0, const T& r1) {
+    const T s0 = 1.0 / r0, s1 = 1.0 / r1;
+    // Horner's scheme in s1, with powers of s0 as coefficients.
+    T sum(0.0), power = s0;
+    for (int k = M - 1; k >= 1; --k, power = power * s0) sum = (sum + power) * s1;
+    return sum * (1.0 / (M - 1));
+  }
+
+  /// Minus its derivative in r1: sum_k k r1^-(k+1) r0^-(M-k)/(M - 1).
+  template <int M, class T>
+  static T mean_power_slope(const T& r0, const T& r1) {
+    const T s0 = 1.0 / r0, s1 = 1.0 / r1;
+    T sum(0.0), power = s0;
+    for (int k = M - 1; k >= 1; --k, power = power * s0) sum = (sum + k * power) * s1;
+    return sum * s1 * (1.0 / (M - 1));
+  }
+
+  /// Its integral from r1 = r0: (r0^-(M-1) ln(r1/r0) + sum_{k=2..M-1} r0^-(M-k) (r0^-(k-1) - r1^-(k-1))/(k-1))/(M - 1).
+  template <int M, class T>
+  static T mean_power_integral(const T& r0, const T& r1) {
+    using std::log;
+    const T s0 = 1.0 / r0, s1 = 1.0 / r1;
+    T far(1.0);  // s0^(M-1)
+    for (int k = 1; k < M; ++k) far = far * s0;
+    T sum = far * log(r1 * s0);
+    const T ratio = r0 * s1;
+    T power(1.0);  // (r0/r1)^(k-1)
+    for (int k = 2; k < M; ++k) {
+      power = power * ratio;
+      sum = sum + far * (1.0 - power) * (1.0 / (k - 1));
+    }
+    return sum * (1.0 / (M - 1));
+  }
+
   double c1_;  ///< [E0 L0^9]
   double c2_;  ///< [E0 L0^3]
   double r0_;  ///< [L0]

@@ -88,6 +88,18 @@ class HalfSpaceTerm final : public Term {
     return least(step);
   }
 
+  double mean_potential(const Segment& segment) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Nodal from = gaps_of(b, segment.from), to = gaps_of(b, segment.to);
+      for (std::size_t q = 0; q < quadrature_.size(); ++q)
+        sum += owned_[b] * measure(b)[q] *
+               law_.mean_potential(Kernel::interpolate(quadrature_.value[q], from),
+                                   Kernel::interpolate(quadrature_.value[q], to));
+    }
+    return total(sum);
+  }
+
   double rounding(const double* u) const override {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {

@@ -120,6 +120,12 @@ double Model::local_interaction_energy(const double* u) const {
   return sum;
 }
 
+double Model::local_mean_potential(const Segment& segment) const {
+  double sum = 0;
+  for (const auto& term : interactions_) sum += term->mean_potential(segment);
+  return sum;
+}
+
 double Model::local_rounding(const double* u) const {
   double sum = 0;
   for (const auto& term : interactions_) sum += term->rounding(u);

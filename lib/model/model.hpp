@@ -73,6 +73,8 @@ class Model {
   /// This rank's share of the potential energy of the elastic (interaction) terms [E0 L0^D].
   double local_elastic_energy(const double* u) const;
   double local_interaction_energy(const double* u) const;
+  /// This rank's sum of Term::mean_potential over the interactions.
+  double local_mean_potential(const Segment& segment) const;
   /// This rank's sum of Term::rounding over the interactions.
   double local_rounding(const double* u) const;
   /// Collective sums over all ranks [E0 L0^D].

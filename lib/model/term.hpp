@@ -53,6 +53,9 @@ class Term {
   /// The largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
   virtual double admissible_step(const Segment&, const Rule&, const double* /*direction*/) const { return 1.0; }
 
+  /// This rank's share of the potential whose derivative in u_to is the force of the exact rule; interactions only.
+  virtual double mean_potential(const Segment& /*segment*/) const { return 0; }
+
   /// Sum of squares of the forces at quadrature points that cancel in add_force, and of what rounding the gap costs,
   /// both over the machine's epsilon: near the equilibrium gap they are all that is left of the force. 0 of other
   /// terms.

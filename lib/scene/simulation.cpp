@@ -125,14 +125,14 @@ StopCriteria Simulation::stop_criteria() const {
 Table Simulation::chosen_table() const {
   const List& list = parameters_.sublist("Time Integrator");
   const Scheme& chosen = scheme(list.get<std::string>("Type"));
-  Table table = chosen.table(list.sublist(chosen.name));
-  set_predictor(list.get<std::string>("Predictor"), table);
   try {
+    Table table = chosen.table(list.sublist(chosen.name));
+    set_predictor(list.get<std::string>("Predictor"), table);
     check(table);
+    return table;
   } catch (const std::invalid_argument& error) {
     throw InputError("Time Integrator/" + chosen.name + ": " + error.what());
   }
-  return table;
 }
 
 void Simulation::build_model(const Comm& comm, const std::string& folder, Inertia inertia) {

@@ -10,7 +10,7 @@ Table average_vector_field(int elastic_points, int interaction_points) {
   stage.inertia = stage.velocity - velocity(0);
   stage.damping = du;
   stage.elastic = gauss_rule(elastic_points);
-  stage.interaction = gauss_rule(interaction_points);
+  stage.interaction = mean_rule(interaction_points);
   stage.load = gauss_times(interaction_points);
   return {
       "Average Vector Field", {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::LastDisplacement};

@@ -17,8 +17,8 @@ void add_beta_gamma(List& list) {
   list.set("Gamma", 0.5, "Newmark's gamma [-]; 1/2 is second order without numerical damping", at_least(0.5));
 }
 
-void add_points(List& list, const char* name, int value, const char* documentation) {
-  list.set(name, value, documentation, between(1, 64));
+void add_points(List& list, const char* name, int value, const char* documentation, int least = 1) {
+  list.set(name, value, documentation, between(least, 64));
 }
 
 Scheme newmark_scheme() {
@@ -65,7 +65,8 @@ Scheme composite_scheme() {
                                            p.get<int>("Interaction Points"), path);
            }};
   add_beta_gamma(s.parameters);
-  add_points(s.parameters, "Interaction Points", 5, "Gauss points in time for the interaction");
+  add_points(s.parameters, "Interaction Points", 5,
+             "Gauss points in time for the interaction; 0: the exact mean, in closed form (linear path)", 0);
   s.parameters.set(
       "Path", "Linear",
       "path of the displacement within a step; \"Kinematic\" is quadratic and consistent with Newmark, and "
@@ -85,7 +86,8 @@ Scheme average_vector_field_scheme() {
              return average_vector_field(p.get<int>("Elastic Points"), p.get<int>("Interaction Points"));
            }};
   add_points(s.parameters, "Elastic Points", 4, "Gauss points in time for the elastic force");
-  add_points(s.parameters, "Interaction Points", 8, "Gauss points in time for the interaction");
+  add_points(s.parameters, "Interaction Points", 8,
+             "Gauss points in time for the interaction; 0: the exact mean, in closed form (linear path)", 0);
   return s;
 }
 

@@ -19,13 +19,13 @@ Table bathe_composite(double spectral_radius, double split);
 double bathe_default_split(double spectral_radius);
 
 /// Gautam and Sauer (2014): the balance of momentum over the step, elastic forces by the trapezoid, interaction by n
-/// Gauss points on a path, v from Newmark. Order 2 for gamma = 2 beta. Keeps linear momentum; on the linear path the
-/// work of the interaction is exact to time quadrature. Needs beta > 0.
+/// Gauss points on a path (0: the exact mean on the linear path), v from Newmark. Order 2 for gamma = 2 beta. Keeps
+/// linear momentum; on the linear path the work of the interaction is exact to time quadrature. Needs beta > 0.
 Table gautam_sauer_composite(double beta, double gamma, int interaction_points, Path path);
 
 /// Average vector field (Quispel and McLaren 2008): the mean force along the straight line from u_n to u, by Gauss
-/// points. Order 2. Keeps linear momentum and, to time quadrature, energy of any hyperelastic law and interaction;
-/// angular momentum only to second order.
+/// points (interaction: in closed form for 0 points). Order 2. Keeps linear momentum and, to time quadrature, energy of
+/// any hyperelastic law and interaction; angular momentum only to second order.
 Table average_vector_field(int elastic_points, int interaction_points);
 
 /// Chung and Hulbert (1993): M [(1 - a_m) a + a_m a_n] + (1 - a_f) f + a_f f_n = f_ext weighted likewise, Newmark's

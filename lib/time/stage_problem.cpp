@@ -7,26 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
+#include "base/dot.hpp"
 #include "base/phase_timer.hpp"
 #include "time/row_on_states.hpp"
 
 namespace ixos {
-namespace {
-
-double square_sum(const std::vector<double>& x, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += x[i] * x[i];
-  return sum;
-}
-
-double dot(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
-  return sum;
-}
-
-}  // namespace
-
 StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates)
     : model_(model), stage_(stage), exact_rates_(exact_rates), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());
@@ -46,8 +31,8 @@ StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_ra
 }
 
 Segment StageProblem::segment(const Rule& rule) const {
-  const bool from = std::any_of(rule.points.begin(), rule.points.end(), [](const RulePoint& p) { return p.from != 0; });
-  return {from ? from_->data() : nullptr, rule.uses_velocity() ? path_velocity_.data() : nullptr, u_.data()};
+  return {rule.uses_start() ? from_->data() : nullptr, rule.uses_velocity() ? path_velocity_.data() : nullptr,
+          u_.data()};
 }
 
 void StageProblem::arm(const std::vector<State>& known, double time, double dt) {
@@ -77,7 +62,7 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
     std::fill(load_.begin(), load_.end(), 0.0);
     model_.loads().add_mean(stage_.load, time, dt, load_.data());
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] -= load_[i];
-    double square = square_sum(load_, static_cast<std::size_t>(model_.space().owned()));
+    double square = dot(load_, load_, static_cast<std::size_t>(model_.space().owned()));
     model_.space().sum(&square, 1);
     load_norm_ = std::sqrt(square);
   }
@@ -89,12 +74,12 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
 
 double StageProblem::rounding_force(const State& start, double coefficient) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  double squares[4] = {0, 0, square_sum(start.u, owned), model_.local_rounding(start.u.data())};
+  double squares[4] = {0, 0, dot(start.u, start.u, owned), model_.local_rounding(start.u.data())};
   if (has_mass_) {
     model_.mass()->multiply(start.u.data(), inertia_.data());
-    squares[0] = square_sum(inertia_, owned);
+    squares[0] = dot(inertia_, inertia_, owned);
     model_.mass()->multiply(start.v.data(), inertia_.data());
-    squares[1] = square_sum(inertia_, owned);
+    squares[1] = dot(inertia_, inertia_, owned);
   }
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
@@ -143,11 +128,11 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
 
   bool admissible = model_.elastic_force(segment(stage_.elastic), stage_.elastic, elastic_.data());
   // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way.
-  double sums[5] = {has_mass_ ? square_sum(inertia_, owned) : 0.0, square_sum(elastic_, owned), 0, 0, 0};
+  double sums[5] = {has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0};
   if (model_.has_interactions()) {
     admissible =
         model_.interaction_force(segment(stage_.interaction), stage_.interaction, interaction_.data()) && admissible;
-    sums[2] = square_sum(interaction_, owned);
+    sums[2] = dot(interaction_, interaction_, owned);
   }
   sums[3] = admissible ? 0 : 1;
   for (int dof : model_.constraints().dofs()) {
@@ -271,6 +256,10 @@ double StageProblem::convergence_bound(double relative_tolerance) const {
 
 Potential StageProblem::rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const {
   Potential sum;
+  if (rule.exact) {
+    sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data()});
+    sum.magnitude = std::abs(sum.value);
+  }
   std::vector<double> at(u.size());
   for (const RulePoint& point : rule.points) {
     for (std::size_t i = 0; i < u.size(); ++i) at[i] = point.to * u[i];

@@ -20,8 +20,14 @@ void expect(const Table& table, std::size_t stage, const char* what, int degree,
 
 }  // namespace
 
+Rule mean_rule(int n, Path path) {
+  if (n > 0) return gauss_rule(n, path);
+  if (path != Path::Linear) throw std::invalid_argument("the exact mean needs the linear path");
+  return exact_rule();
+}
+
 std::vector<TimePoint> gauss_times(int n) {
-  const Quadrature gauss = gauss_legendre_unit(n);
+  const Quadrature gauss = gauss_legendre_unit(n > 0 ? n : 8);
   std::vector<TimePoint> times;
   for (std::size_t i = 0; i < gauss.points.size(); ++i) times.push_back({gauss.points[i], gauss.weights[i]});
   return times;
@@ -44,6 +50,9 @@ void check(const Table& table) {
       if (std::abs(rule->total_weight() - 1) > 1e-12)
         throw std::invalid_argument(fmt::format("scheme \"{}\", stage {}: a rule's weights sum to {}, not 1",
                                                 table.name, s + 1, rule->total_weight()));
+    if (stage.elastic.exact)
+      throw std::invalid_argument(
+          fmt::format("scheme \"{}\", stage {}: elasticity has no exact mean", table.name, s + 1));
     double load_weight = 0;
     for (const TimePoint& point : stage.load) load_weight += point.weight;
     if (std::abs(load_weight - 1) > 1e-12)

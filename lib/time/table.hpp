@@ -62,7 +62,11 @@ struct Table {
   DrivenRates driven_rates = DrivenRates::Exact;
 };
 
-/// n Gauss points over the step.
+/// The mean over the path of an interaction: n Gauss points, or in closed form where n is 0 (linear path only; throws
+/// std::invalid_argument).
+Rule mean_rule(int n, Path path = Path::Linear);
+
+/// n Gauss points over the step, 8 where n is 0.
 std::vector<TimePoint> gauss_times(int n);
 
 /// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping

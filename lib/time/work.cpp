@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/dot.hpp"
 #include "time/row_on_states.hpp"
 
 namespace ixos {
@@ -14,12 +15,6 @@ Array difference(const Array& a, const Array& b) {
   Array result(a);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] -= b[i];
   return result;
-}
-
-double dot(const Array& x, const Array& y, std::size_t count) {
-  double sum = 0;
-  for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
-  return sum;
 }
 
 /// Of owned entries: with the state's load and reaction, where there are any.

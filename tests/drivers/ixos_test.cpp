@@ -75,7 +75,7 @@ TEST_F(DriverTest, BadValuesAreRefused) {
 TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
   const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
   const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {
-    std::vector<std::string> arguments{strip, "--output", "out"};
+    std::vector<std::string> arguments{strip, "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}"};
     for (const std::string& assignment : assignments) arguments.insert(arguments.end(), {"--set", assignment});
     expect_refused(2, arguments, message);
   };
@@ -94,7 +94,8 @@ TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
           "Histories/Pull/Table: ");
   refused({table, "Histories/Pull/Table/Times={0, 2, 5}", "Histories/Pull/Table/Values={0, 1, 2}"},
           "the table goes from 0 to 5, but the run from 0 to 160");
-  refused({"Histories/Pull/Rate Ramp/Length=200"}, "the ramp ends at 200, Start + Length, after the run's Final Time, 160");
+  refused({"Histories/Pull/Rate Ramp/Length=200"},
+          "the ramp ends at 200, Start + Length, after the run's Final Time, 160");
   refused({"Histories/Pull/Rate Ramp/Length=-1"}, "must be at least 0");
   refused({"Boundary Conditions/Pull/History=Pul"}, "history \"Pul\" does not exist; did you mean \"Pull\"?");
   refused({"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Guide/Components=xy",

@@ -113,7 +113,7 @@ TYPED_TEST(SurfaceKernelTest, ForceIsTheGradientOfTheEnergy) {
 TYPED_TEST(SurfaceKernelTest, TangentIsTheDerivativeOfTheForce) {
   const TypeParam surface(3);
   const auto m = TypeParam::motion();
-  for (const Rule& rule : {end_rule(), gauss_rule(3), gauss_rule(3, Path::Kinematic),
+  for (const Rule& rule : {end_rule(), exact_rule(), gauss_rule(3), gauss_rule(3, Path::Kinematic),
                            point_rule({0.0, 0.5, 1.0}, {0.25, 0.5, 0.25}, Path::Kinematic)}) {
     const auto force = surface.force(TypeParam::seeded(m), rule);
     const auto tangent = surface.tangent(m, rule);
@@ -167,6 +167,7 @@ TYPED_TEST(SurfaceKernelTest, WorkOnTheLinearPathIsTheChangeOfTheEnergy) {
     return std::abs(work - (surface.energy(m.to) - surface.energy(m.from)));
   };
   EXPECT_LT(gap_error(gauss_rule(16)), 1e-12);
+  EXPECT_LT(gap_error(exact_rule()), 1e-14);
   // It is the quadrature in time that does it, not the smallness of the step.
   EXPECT_GT(gap_error(gauss_rule(1)), 1e-9);
   EXPECT_GT(gap_error(end_rule()), 1e-6);

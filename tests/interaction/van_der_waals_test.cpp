@@ -1,5 +1,7 @@
 #include "interaction/van_der_waals.hpp"
 
+#include "fem/quadrature.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,6 +93,29 @@ TEST(VanDerWaalsTest, PacksEqualDoubles) {
       EXPECT_NEAR(lane(stiffness, i), law.stiffness(one), 1e-13 * scale(one, 2));
     }
   }
+}
+
+TEST(VanDerWaalsTest, MeansAreThoseOfFineQuadrature) {
+  const Quadrature gauss = gauss_legendre_unit(64);
+  for (const auto& [r0, r1] : {std::pair{0.25, 0.26}, std::pair{0.3, 0.2}, std::pair{0.2, 1.1}, std::pair{5.0, 0.25}}) {
+    double traction = 0, stiffness = 0;
+    for (std::size_t i = 0; i < gauss.points.size(); ++i) {
+      const double xi = gauss.points[i], r = r0 + xi * (r1 - r0);
+      traction += gauss.weights[i] * law.traction(r);
+      stiffness += gauss.weights[i] * xi * law.stiffness(r);
+    }
+    EXPECT_NEAR(law.mean_traction(r0, r1), traction, 1e-10 * law.magnitude(std::min(r0, r1)));
+    EXPECT_NEAR(law.mean_stiffness(r0, r1), stiffness, 1e-9 * law.magnitude(std::min(r0, r1)) / std::min(r0, r1));
+    // The work of the mean traction is the change of the energy, to the last digits.
+    EXPECT_NEAR(law.mean_traction(r0, r1) * (r1 - r0), law.energy(r0) - law.energy(r1),
+                1e-14 * law.magnitude(std::min(r0, r1)));
+    const double h = 1e-4 * r1;
+    EXPECT_NEAR((law.mean_potential(r0, r1 + h) - law.mean_potential(r0, r1 - h)) / (2 * h), -law.mean_traction(r0, r1),
+                1e-6 * law.magnitude(std::min(r0, r1)));
+  }
+  EXPECT_NEAR(law.mean_traction(0.28, 0.28), law.traction(0.28), 1e-15);
+  EXPECT_NEAR(law.mean_stiffness(0.28, 0.28), law.stiffness(0.28) / 2, 1e-13);
+  EXPECT_NEAR(law.mean_potential(0.28, 0.28), 0, 1e-17);
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
   const Model& model = s.model();
   for (const Table& table :
        {newmark(0.3, 0.6), bathe_composite(0.3, 0.45), gautam_sauer_composite(0.25, 0.5, 5, Path::Linear),
-        gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8)})
+        gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8), average_vector_field(4, 0),
+        gautam_sauer_composite(0.25, 0.5, 0, Path::Linear)})
     for (std::size_t k = 0; k < table.stages.size(); ++k) {
       std::vector<State> known(k + 1);
       for (std::size_t j = 0; j <= k; ++j) {

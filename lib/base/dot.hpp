@@ -1,0 +1,15 @@
+/// The inner product of two arrays.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace ixos {
+
+/// Of their first `count` entries: a rank's owned ones come first.
+inline double dot(const std::vector<double>& x, const std::vector<double>& y, std::size_t count) {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += x[i] * y[i];
+  return sum;
+}
+
+}  // namespace ixos
