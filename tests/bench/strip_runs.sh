@@ -30,6 +30,11 @@ for step in 1 0.1 0.05; do
     done
   done
 done
+for element in Q1C3 Q1CH; do
+  for scheme in newmark bathe composite avf; do
+    run "$scheme-$element-1" "${schemes[$scheme]}" $element 1
+  done
+done
 run static-Q1C4-0.5 Static Q1C4 0.5
 for scheme in composite newmark bathe; do
   run "$scheme-Q1C4-0.01" "${schemes[$scheme]}" Q1C4 0.01
