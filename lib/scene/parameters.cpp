@@ -141,11 +141,13 @@ void add_initial_conditions(List& list) {
 
 void add_time_integrator(List& list) {
   std::vector<std::string> names;
-  for (const Scheme& scheme : schemes()) {
+  const auto add = [&](const Scheme& scheme) {
     names.push_back(scheme.name);
     list.sublist(scheme.name, false, scheme.citation) = scheme.parameters;
     list.sublist(scheme.name).setName(scheme.name);
-  }
+  };
+  for (const Scheme& scheme : schemes()) add(scheme);
+  add(custom_scheme());
   list.set("Type", default_scheme(), "the scheme; the driver lists what each is good for", one_of(names));
   list.set("Predictor", "Automatic", "where Newton's iteration starts; \"Automatic\" is the scheme's own choice",
            one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",

@@ -12,7 +12,6 @@
 
 namespace ixos {
 
-const char* const any_name = "<any name>";
 const char* const required = "<required>";
 
 namespace {

@@ -3,6 +3,8 @@
 #include <Teuchos_ParameterList.hpp>
 #include <string>
 
+#include "base/parameter_entries.hpp"
+
 namespace ixos {
 
 /// Conventions of a list of valid parameters, beside names, default values, validators and documentation:
@@ -11,7 +13,6 @@ namespace ixos {
 /// - where a list has a string "Type" and sublists of the names that "Type" may take, only the chosen one is filled in
 ///   with defaults;
 /// - a string whose default is `required`, and a double whose default is NaN, must be given.
-extern const char* const any_name;
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);
 bool is_free_form(const Teuchos::ParameterList& valid);

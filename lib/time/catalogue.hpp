@@ -23,10 +23,13 @@ struct Scheme {
 
 const std::vector<Scheme>& schemes();
 
+/// "Custom": the table that a scene writes down itself (see custom_table). Not one of schemes().
+const Scheme& custom_scheme();
+
 /// The scheme of a scene that names none.
 const char* default_scheme();
 
-/// The scheme of that name. Throws InputError with the nearest name.
+/// The scheme of that name, or the custom one. Throws InputError with the nearest name.
 const Scheme& scheme(const std::string& name);
 
 }  // namespace ixos

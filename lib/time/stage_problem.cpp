@@ -49,9 +49,17 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
+  // Where the last residual was at this start, a rule with equal weights at both ends has its kept part there already,
+  // to the last bit: the weights are 1/2.
+  const bool have_end = at_residual_ && u_ == known[0].u;
   const auto keep = [&](const Rule& rule, std::vector<double>& force, const auto& evaluate_force) {
     if (rule.kept_weight == 0) return;
+    if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
+      for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += force[i];
+      return;
+    }
     admissible = evaluate_force(Segment{nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
+    at_residual_ = false;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
   keep(stage_.elastic, elastic_, [&](auto&&... args) { return model_.elastic_force(args...); });
@@ -119,6 +127,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
+  at_residual_ = true;
   const double inverse = 1 / dt_;
   if (has_mass_) {
     inertia_bracket(u_, bracket_);
@@ -232,6 +241,7 @@ void StageProblem::assemble(double* values) const {
 void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
   const TimedScope timed(Phase::Tangent);
   model_.space().import(x, u_.data());
+  at_residual_ = false;
   const auto matrix = w.getLocalMatrixHost();
   double* values = matrix.values.data();
   if (u_ == assembled_at_) {
@@ -246,6 +256,7 @@ void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   model_.space().import(x, u_.data());
+  at_residual_ = false;
   model_.space().import(direction, direction_.data());
   return model_.admissible_step(segment(stage_.interaction), stage_.interaction, direction_.data());
 }

@@ -78,7 +78,8 @@ class StageProblem final : public NonlinearProblem {
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
   int relaxation_ = 0;
 
-  std::vector<double> u_;  ///< local, at the last residual
+  std::vector<double> u_;     ///< local, where forces or tangents were last evaluated
+  bool at_residual_ = false;  ///< by residual(): elastic_ and interaction_ belong to u_
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
   std::vector<double> assembled_values_, assembled_at_;  ///< tangent that residual() needed on the way, and its u
   mutable std::vector<double> direction_;

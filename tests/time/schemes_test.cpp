@@ -8,7 +8,9 @@
 
 #include "base/error.hpp"
 #include "fem/quadrature.hpp"
+#include "scene/simulation.hpp"
 #include "scene/validation.hpp"
+#include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 #include "time/catalogue.hpp"
 
@@ -166,6 +168,51 @@ TEST(SchemesTest, UnknownSchemeNamesTheNearest) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("did you mean \"Newmark\""), std::string::npos);
   }
+}
+
+/// Newmark (1/4, 1/2) as a user would write it.
+std::string trapezoid(const std::string& more = "", const std::vector<double>& velocity = {2, -2, -1, 0}) {
+  return more + test::word("Work", "End Mean") +
+         test::list("Stages", test::list("One", test::numbers("Velocity", velocity) +
+                                                    test::numbers("Acceleration", {4, -4, -4, -1})));
+}
+
+TEST(CustomTableTest, NewmarkWrittenDownIsNewmark) {
+  const auto end = [](const std::string& scheme, const std::string& parameters) {
+    Simulation s(test::scene(test::block_2d(1.0) + test::time_integrator(scheme, 0.05, 1, parameters)), test::world());
+    for (int n = 0; n < 10; ++n) EXPECT_TRUE(s.integrator().step(0.05).converged);
+    return s.integrator().state().u;
+  };
+  EXPECT_EQ(end("Custom", trapezoid()), end("Newmark", ""));
+}
+
+TEST(CustomTableTest, TablesOfNoUseAreRefused) {
+  const auto refusal = [](const std::string& parameters) -> std::string {
+    try {
+      Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Custom", 0.05, 1, parameters)),
+                   test::world());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal(trapezoid()), "accepted");
+  const auto contains = [](const std::string& text, const std::string& part) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  };
+  contains(refusal(""), "Time Integrator/Custom: Stages has none");
+  contains(refusal(trapezoid("", {2, -2, -1.1, 0})), "the velocity row gives");
+  contains(refusal(trapezoid("", {2, -2, -1})), "3 numbers; a row has one for the unknown");
+  contains(refusal(trapezoid("", {2, -2, -1, 0, 0, 0, 0})), "at most 4");
+  contains(refusal(trapezoid(test::numbers("Work Weights", {1.0}) + test::word("Closing", "Collocat"))),
+           "did you mean \"Collocate\"?");
+  const std::string stage = test::numbers("Velocity", {2, -2, -1, 0}) + test::numbers("Acceleration", {4, -4, -4, -1});
+  contains(refusal(test::list("Stages", test::list("One", stage + test::numbers("Elastic Weights", {0.9})))),
+           "weights sum to 0.9, not 1");
+  contains(refusal(test::list("Stages", test::list("One", stage + test::numbers("Elastic Points", {0.5, 1})))),
+           "1 weights for 2 points");
+  contains(refusal(test::word("Work", "Stages") + test::list("Stages", test::list("One", stage))),
+           "0 weights for the work of 1 stages");
 }
 
 }  // namespace

@@ -1,0 +1,132 @@
+#include "time/custom_table.hpp"
+
+#include <fmt/format.h>
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+#include <stdexcept>
+
+#include "base/parameter_entries.hpp"
+#include "base/range_validator.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+using Numbers = Teuchos::Array<double>;
+
+Teuchos::RCP<Teuchos::StringValidator> one_of(const Teuchos::Array<std::string>& words) {
+  return Teuchos::rcp(new Teuchos::StringValidator(words));
+}
+
+/// One stage's entries, with its name for messages.
+class StageReader {
+ public:
+  StageReader(const List& list, std::size_t known_states) : list_(list), known_(known_states) {}
+
+  Stage read() const {
+    Stage stage;
+    stage.end = list_.get<double>("End");
+    stage.velocity = row("Velocity");
+    stage.acceleration = row("Acceleration");
+    stage.inertia = given("Inertia") ? row("Inertia") : stage.acceleration;
+    stage.damping = given("Damping") ? row("Damping") : stage.velocity;
+    const Path path = list_.get<std::string>("Path") == "Linear" ? Path::Linear : Path::Kinematic;
+    stage.elastic = rule("Elastic Points", "Elastic Weights", Path::Linear);
+    stage.interaction = rule("Interaction Points", "Interaction Weights", path);
+    stage.load = load(stage.end);
+    if (!(stage.inertia.unknown > 0) || stage.elastic.points.empty())
+      fail("Inertia", "a stage is implicit: its inertia and its elastic force depend on the unknown");
+    return stage;
+  }
+
+ private:
+  [[noreturn]] void fail(const char* entry, const std::string& what) const {
+    throw std::invalid_argument(fmt::format("stage \"{}\", {}: {}", list_.name(), entry, what));
+  }
+  const Numbers& numbers(const char* name) const { return list_.get<Numbers>(name); }
+  bool given(const char* name) const { return !numbers(name).empty(); }
+
+  Row row(const char* name) const {
+    const Numbers& values = numbers(name);
+    const auto size = static_cast<std::size_t>(values.size());
+    if (size % 3 != 1 || size > 1 + 3 * known_)
+      fail(name, fmt::format("{} numbers; a row has one for the unknown and three for each known state, at most {}",
+                             size, 1 + 3 * known_));
+    Row result;
+    result.unknown = values[0];
+    for (int k = 1; k < values.size(); k += 3) result.known.push_back({values[k], values[k + 1], values[k + 2]});
+    return result;
+  }
+
+  Rule rule(const char* points, const char* weights, Path path) const {
+    const Numbers& xi = numbers(points);
+    const Numbers& w = numbers(weights);
+    if (xi.size() != w.size() || xi.empty())
+      fail(weights, fmt::format("{} weights for {} points", w.size(), xi.size()));
+    return point_rule({xi.begin(), xi.end()}, {w.begin(), w.end()}, path);
+  }
+
+  std::vector<TimePoint> load(double end) const {
+    if (!given("Load Times")) return {{end, 1.0}};
+    const Numbers& times = numbers("Load Times");
+    const Numbers& weights = numbers("Load Weights");
+    if (times.size() != weights.size())
+      fail("Load Weights", fmt::format("{} weights for {} times", weights.size(), times.size()));
+    std::vector<TimePoint> result;
+    for (int k = 0; k < times.size(); ++k) result.push_back({times[k], weights[k]});
+    return result;
+  }
+
+  const List& list_;
+  std::size_t known_;
+};
+
+}  // namespace
+
+List custom_parameters() {
+  List list;
+  list.set("Closing", "Kinematic", "the end's acceleration: the last row's, or solved for from the balance there",
+           one_of(Teuchos::tuple<std::string>("Kinematic", "Collocate")));
+  list.set("Driven Rates", "Exact",
+           "velocity and acceleration of driven degrees of freedom, where Closing is Kinematic",
+           one_of(Teuchos::tuple<std::string>("Exact", "Own")));
+  list.set("Work", "Increment", "how the work of external and damping forces is summed (docs/theory.md)",
+           one_of(Teuchos::tuple<std::string>("Increment", "End Mean", "Stages")));
+  list.set("Work Weights", Numbers(), "of the step's start and each stage's end, for Stages", any_number());
+  List& stage = list.sublist("Stages", false, "the stages in order").sublist(any_name);
+  stage.set("End", 1.0, "time of the stage's unknown in steps", greater_than(0));
+  stage.set("Velocity", Numbers(), "dt v: {s, p0, q0, r0, p1, ...} of u_s, u_0, dt v_0, dt^2 a_0, u_1, ...",
+            any_number());
+  stage.set("Acceleration", Numbers(), "dt^2 a", any_number());
+  stage.set("Inertia", Numbers(), "dt^2 times what M multiplies; Acceleration when empty", any_number());
+  stage.set("Damping", Numbers(), "dt times what C multiplies; Velocity when empty", any_number());
+  stage.set("Elastic Points", Numbers(1, 1.0), "times on the path from the step's start to u_s", between(0, 1));
+  stage.set("Elastic Weights", Numbers(1, 1.0), "sum to 1", any_number());
+  stage.set("Interaction Points", Numbers(1, 1.0), "as Elastic Points", between(0, 1));
+  stage.set("Interaction Weights", Numbers(1, 1.0), "sum to 1", any_number());
+  stage.set("Path", "Linear", "of the interaction", one_of(Teuchos::tuple<std::string>("Linear", "Kinematic")));
+  stage.set("Load Times", Numbers(), "of external forces, in steps; End when empty", any_number());
+  stage.set("Load Weights", Numbers(), "sum to 1", any_number());
+  return list;
+}
+
+Table custom_table(const List& list) {
+  Table table;
+  table.name = "Custom";
+  const List& stages = list.sublist("Stages");
+  for (const auto& [name, entry] : entries(stages))
+    table.stages.push_back(StageReader(stages.sublist(name), table.stages.size() + 1).read());
+  if (table.stages.empty()) throw std::invalid_argument("Stages has none");
+  table.closing = list.get<std::string>("Closing") == "Kinematic" ? Closing::Kinematic : Closing::Collocate;
+  table.driven_rates = list.get<std::string>("Driven Rates") == "Exact" ? DrivenRates::Exact : DrivenRates::Own;
+  const auto work = list.get<std::string>("Work");
+  table.work.form = work == "Increment"  ? WorkSum::Form::Increment
+                    : work == "End Mean" ? WorkSum::Form::EndMean
+                                         : WorkSum::Form::Stages;
+  const Numbers& weights = list.get<Numbers>("Work Weights");
+  table.work.weights.assign(weights.begin(), weights.end());
+  return table;
+}
+
+}  // namespace ixos
