@@ -74,6 +74,7 @@ class StageReader {
     if (times.size() != weights.size())
       fail("Load Weights", fmt::format("{} weights for {} times", weights.size(), times.size()));
     std::vector<TimePoint> result;
+    result.reserve(static_cast<std::size_t>(times.size()));
     for (int k = 0; k < times.size(); ++k) result.push_back({times[k], weights[k]});
     return result;
   }
