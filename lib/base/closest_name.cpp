@@ -41,6 +41,12 @@ std::string closest_name(const std::string& name, const std::vector<std::string>
   return best;
 }
 
+std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& names,
+                    const std::string& there) {
+  return what + " \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) + "\"? " + there + " " +
+         quoted_list(names);
+}
+
 std::string quoted_list(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "\"" : ", \"") + name + "\"";

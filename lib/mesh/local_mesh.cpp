@@ -14,8 +14,7 @@ std::size_t index_of(const std::string& name, const std::vector<std::string>& na
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
     if (names.empty()) throw InputError(fmt::format("{} \"{}\" does not exist; the mesh has none", what, name));
-    throw InputError(fmt::format("{} \"{}\" does not exist; did you mean \"{}\"? The mesh has {}", what, name,
-                                 closest_name(name, names), quoted_list(names)));
+    throw InputError(no_such(what, name, names, "The mesh has"));
   }
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -50,6 +49,17 @@ std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector
 std::size_t LocalMesh::side_set(const std::string& name) const { return index_of(name, side_set_names, "side set"); }
 
 std::size_t LocalMesh::node_set(const std::string& name) const { return index_of(name, node_set_names, "node set"); }
+
+std::vector<std::size_t> LocalMesh::blocks_named(const std::string& name) const {
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (blocks[b].name == name) found.push_back(b);
+    if (std::find(names.begin(), names.end(), blocks[b].name) == names.end()) names.push_back(blocks[b].name);
+  }
+  if (found.empty()) throw InputError(no_such("block", name, names, "The mesh has"));
+  return found;
+}
 
 LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks) {
   const auto number = number_by_rank(node_owner, ranks);

@@ -57,6 +57,8 @@ struct LocalMesh {
   /// Index of the set of that name; throws InputError that names the nearest one.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;
+  /// Indices of the blocks of that name, several where some cells are enriched; throws InputError likewise.
+  std::vector<std::size_t> blocks_named(const std::string& name) const;
 };
 
 /// Cuts rank `rank`'s part out of the mesh.

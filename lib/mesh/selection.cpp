@@ -19,8 +19,7 @@ const Set& set_named(const std::vector<Set>& sets, const std::string& name, cons
     if (set.name == name) return set;
     names.push_back(set.name);
   }
-  throw InputError(std::string(what) + " \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                   "\"? The mesh has " + quoted_list(names));
+  throw InputError(no_such(what, name, names, "The mesh has"));
 }
 
 template <class Set>

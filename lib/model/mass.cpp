@@ -4,6 +4,7 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
+#include "fem/jacobian.hpp"
 #include "fem/shape_table.hpp"
 
 namespace ixos {
@@ -17,17 +18,11 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
   const ShapeTable<Element> table;
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
-    std::array<double, N> scale;
-    for (std::size_t a = 0; a < N; ++a) scale[a] = node_scale(block, cell, static_cast<int>(a));
+    const auto scale = cell_scales<Element>(block, cell);
     Small<double, N> element{};
     for (std::size_t q = 0; q < table.size(); ++q) {
-      Small<double, D> jacobian{};
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t d = 0; d < D; ++d)
-            jacobian[i][d] +=
-                scale[a] * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i] * table.gradient[q][a][d];
-      const double weight = density * table.weight[q] * determinant(jacobian);
+      const double weight =
+          density * table.weight[q] * determinant(jacobian<D>(mesh.coordinates, nodes, scale, table.gradient[q]));
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b < N; ++b)
           element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
+#include "fem/jacobian.hpp"
 
 namespace ixos {
 namespace {
@@ -37,26 +38,22 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
     if (x[i] < low[i] - slack || x[i] > high[i] + slack) return false;
   }
 
+  const auto scale = cell_scales<Element>(block, cell);
   std::array<double, D> xi{};
   std::array<double, N> value;
   std::array<std::array<double, D>, N> gradient;
   for (int iteration = 0; iteration < 30; ++iteration) {
     Element::evaluate(xi, value, gradient);
-    std::array<double, D> residual{};
-    Small<double, D> jacobian{};
-    for (std::size_t a = 0; a < N; ++a) {
-      const double scale = node_scale(block, cell, static_cast<int>(a));
-      for (std::size_t i = 0; i < D; ++i) {
-        const double coordinate = scale * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i];
-        residual[i] += coordinate * value[a];
-        for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += coordinate * gradient[a][d];
-      }
-    }
-    const auto back = inverse(jacobian, determinant(jacobian));
+    const auto tangents = jacobian<D>(mesh.coordinates, nodes, scale, gradient);
+    const auto back = inverse(tangents, determinant(tangents));
+    std::array<double, D> place{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i)
+        place[i] += scale[a] * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i] * value[a];
     double change = 0;
     for (std::size_t d = 0; d < D; ++d) {
       double step = 0;
-      for (std::size_t i = 0; i < D; ++i) step += back[d][i] * (x[i] - residual[i]);
+      for (std::size_t i = 0; i < D; ++i) step += back[d][i] * (x[i] - place[i]);
       xi[d] += step;
       change = std::max(change, std::abs(step));
     }
@@ -66,7 +63,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
     if (!(std::abs(coordinate) <= 1 + 1e-9)) return false;
   Element::evaluate(xi, value, gradient);
   point.nodes.assign(nodes, nodes + N);
-  for (std::size_t a = 0; a < N; ++a) point.weights.push_back(node_scale(block, cell, static_cast<int>(a)) * value[a]);
+  for (std::size_t a = 0; a < N; ++a) point.weights.push_back(scale[a] * value[a]);
   return true;
 }
 

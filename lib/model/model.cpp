@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/closest_name.hpp"
 #include "base/error.hpp"
 
 namespace ixos {
@@ -17,20 +16,6 @@ bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, do
   return admissible;
 }
 
-/// The blocks of one name: enriched cells are a block of their own.
-std::vector<std::size_t> blocks_named(const LocalMesh& mesh, const std::string& name) {
-  std::vector<std::size_t> found;
-  std::vector<std::string> names;
-  for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
-    if (mesh.blocks[b].name == name) found.push_back(b);
-    if (std::find(names.begin(), names.end(), mesh.blocks[b].name) == names.end()) names.push_back(mesh.blocks[b].name);
-  }
-  if (found.empty())
-    throw InputError("block \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                     "\"? The mesh has " + quoted_list(names));
-  return found;
-}
-
 }  // namespace
 
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
@@ -40,7 +25,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
     const auto same = [&](const Material& other) { return other.block == material.block; };
     if (std::count_if(materials.begin(), materials.end(), same) > 1)
       throw InputError("block \"" + material.block + "\" has two materials; give each list its own Block");
-    for (std::size_t b : blocks_named(mesh_, material.block)) add_block(b, material);
+    for (std::size_t b : mesh_.blocks_named(material.block)) add_block(b, material);
   }
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))

@@ -4,6 +4,7 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
+#include "fem/jacobian.hpp"
 #include "fem/shape_table.hpp"
 
 namespace ixos {
@@ -11,27 +12,22 @@ namespace {
 
 /// Of an element of dimension `Element::dimension` in a space of S dimensions.
 template <class Element, std::size_t S>
-void add(const LocalMesh& mesh, const std::vector<int>& nodes, const std::array<double, Element::nodes>& scale,
+void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Element::nodes>& scale,
          const ShapeTable<Element>& table, std::vector<double>& measure) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   for (std::size_t q = 0; q < table.size(); ++q) {
-    Small<double, S, D> jacobian{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < S; ++i)
-        for (std::size_t d = 0; d < D; ++d)
-          jacobian[i][d] +=
-              scale[a] * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * S + i] * table.gradient[q][a][d];
+    const auto tangents = jacobian<S>(mesh.coordinates, nodes, scale, table.gradient[q]);
     double volume;
     if constexpr (D == S) {
-      volume = determinant(jacobian);
+      volume = determinant(tangents);
     } else if constexpr (D == 1) {
-      volume = std::hypot(jacobian[0][0], jacobian[1][0]);
+      volume = std::hypot(tangents[0][0], tangents[1][0]);
     } else {
       std::array<double, 3> normal;
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[i] = jacobian[j][0] * jacobian[k][1] - jacobian[k][0] * jacobian[j][1];
+        normal[i] = tangents[j][0] * tangents[k][1] - tangents[k][0] * tangents[j][1];
       }
       volume = std::hypot(normal[0], normal[1], normal[2]);
     }
@@ -46,12 +42,9 @@ void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vect
   with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
     const ShapeTable<Element> table;
-    std::array<double, Element::nodes> scale;
-    for (int cell = 0; cell < block.cells(); ++cell) {
-      const auto first = block.nodes.begin() + static_cast<std::ptrdiff_t>(cell_entry(cell, Element::nodes));
-      for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = node_scale(block, cell, static_cast<int>(a));
-      add<Element, Element::dimension>(mesh, {first, first + Element::nodes}, scale, table, measure);
-    }
+    for (int cell = 0; cell < block.cells(); ++cell)
+      add<Element, Element::dimension>(mesh, &block.nodes[cell_entry(cell, Element::nodes)],
+                                       cell_scales<Element>(block, cell), table, measure);
   });
 }
 
@@ -64,7 +57,7 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
       const std::vector<int>& numbers = side_nodes(block.type, side.side);
       std::array<double, Element::nodes> scale;
       for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = node_scale(block, side.cell, numbers[a]);
-      add<Element, Element::dimension + 1>(mesh, side.nodes, scale, table, measure);
+      add<Element, Element::dimension + 1>(mesh, side.nodes.data(), scale, table, measure);
     });
   }
 }

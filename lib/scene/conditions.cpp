@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <Teuchos_Array.hpp>
-#include <algorithm>
 
 #include "base/agreement.hpp"
-#include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "model/nodal_measure.hpp"
 #include "scene/list_access.hpp"
@@ -67,17 +65,11 @@ std::vector<double> distribution(const List& list, const std::string& path, cons
       if (!mesh.is_added(static_cast<std::size_t>(node))) measure[static_cast<std::size_t>(node)] = 1;
   } else {
     const auto name = list.get<std::string>("Block");
-    std::vector<std::string> names;
-    bool found = false;
-    for (const LocalBlock& block : mesh.blocks) {
-      if (std::find(names.begin(), names.end(), block.name) == names.end()) names.push_back(block.name);
-      if (!name.empty() && block.name != name) continue;
-      found = true;
-      add_block_measure(mesh, block, measure);
-    }
-    if (!found)
-      throw InputError(path + "/Block: block \"" + name + "\" does not exist; did you mean \"" +
-                       closest_name(name, names) + "\"? The mesh has " + quoted_list(names));
+    if (name.empty())
+      for (const LocalBlock& block : mesh.blocks) add_block_measure(mesh, block, measure);
+    else
+      for (std::size_t b : at(path + "/Block", [&] { return mesh.blocks_named(name); }))
+        add_block_measure(mesh, mesh.blocks[b], measure);
   }
   return measure;
 }

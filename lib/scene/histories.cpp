@@ -56,8 +56,7 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
     std::vector<std::string> names;
     for (const auto& [key, function] : functions_) names.push_back(key);
     if (names.empty()) throw InputError("history \"" + name + "\" does not exist; the list Histories has none");
-    throw InputError("history \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                     "\"? There are " + quoted_list(names));
+    throw InputError(no_such("history", name, names, "There are"));
   }
   const List& own = list_.sublist(name);
   if (use == HistoryUse::Motion && own.get<std::string>("Type") == "Expression")

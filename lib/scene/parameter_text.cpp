@@ -78,8 +78,7 @@ void set_from_text(Teuchos::ParameterList& list, const std::string& name, const 
   } else if (type == "Array(string)") {
     list.set(name, Teuchos::Array<std::string>(elements(text, type)));
   } else {
-    throw InputError("type \"" + type + "\" does not exist; did you mean \"" + closest_name(type, type_names) +
-                     "\"? There are " + quoted_list(type_names));
+    throw InputError(no_such("type", type, type_names, "There are"));
   }
 }
 

@@ -63,7 +63,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
   const Comm& comm = simulation.model().space().comm();
   Integrator& integrator = simulation.integrator();
   const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
-  StepControl control(simulation.step_control());
+  const StepControlOptions times = simulation.step_control();
+  StepControl control(times);
   StopCriteria stop = simulation.stop_criteria();
   open_folder(simulation, options.folder);
   History history(simulation,
@@ -125,8 +126,7 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     framed = frames.due(result.steps, before, integrator.time());
     if (fields && framed) fields->record();
     if (options.watch && comm->getRank() == 0)
-      options.watch({integrator.time(), simulation.step_control().final_time, result.steps, result.newton_iterations,
-                     counts.wall_seconds});
+      options.watch({integrator.time(), times.final_time, result.steps, result.newton_iterations, counts.wall_seconds});
   }
   if (!recorded) history.record(counts);  // the last state always
   if (fields && !framed) fields->record();

@@ -17,8 +17,7 @@ const Probe& probe_named(const std::vector<Probe>& probes, const std::string& na
     names.push_back(probe.name);
   }
   if (names.empty()) throw InputError("probe \"" + name + "\" does not exist; Output/Probes has none");
-  throw InputError("probe \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                   "\"? Output/Probes has " + quoted_list(names));
+  throw InputError(no_such("probe", name, names, "Output/Probes has"));
 }
 
 }  // namespace

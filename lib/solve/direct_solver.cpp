@@ -2,10 +2,8 @@
 
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Tpetra_CrsMatrix.hpp>
-#include <utility>
 
 #include "base/phase_timer.hpp"
-#include "solve/factorization.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
@@ -18,8 +16,7 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
 
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source;
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
-  Teuchos::RCP<const CrsMatrix> matrix;
-  std::unique_ptr<Factorization> factorization;
+  KeptFactorization factorization;
 
  private:
   bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return op->opSupported(transpose); }
@@ -36,8 +33,8 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
                                        const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                                        const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const override {
     const TimedScope timed(Phase::LinearSolve);
-    factorization->solve(*Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
-                         *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)));
+    factorization.solve(*Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
+                        *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)));
     Thyra::SolveStatus<double> status;
     status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
     status.achievedTol = Thyra::SolveStatus<double>::unknownTolerance();
@@ -57,15 +54,7 @@ void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source,
   auto& direct = dynamic_cast<DirectSolve&>(*op);
   direct.source = source;
   direct.op = source->getOp();
-  const auto matrix = matrix_of(*source);
-  if (!direct.factorization || matrix.get() != direct.matrix.get()) {
-    auto factorization =
-        make_factorization(list_.is_null() ? "CHOLMOD" : list_->get<std::string>("Solver Type", "CHOLMOD"));
-    factorization->analyze(matrix);
-    direct.matrix = matrix;
-    direct.factorization = std::move(factorization);
-  }
-  direct.factorization->factor();
+  renew(matrix_of(*source), direct.factorization);
 }
 
 void DirectSolverFactory::uninitializeOp(Op* op, Teuchos::RCP<const Source>* source,
@@ -74,15 +63,6 @@ void DirectSolverFactory::uninitializeOp(Op* op, Teuchos::RCP<const Source>* sou
   auto& direct = dynamic_cast<DirectSolve&>(*op);
   if (source != nullptr) *source = direct.source;
   direct.source = Teuchos::null;
-}
-
-void DirectSolverFactory::setParameterList(const List& list) {
-  list->validateParametersAndSetDefaults(*getValidParameters());
-  list_ = list;
-}
-
-Teuchos::RCP<const Teuchos::ParameterList> DirectSolverFactory::getValidParameters() const {
-  return factorization_parameters();
 }
 
 }  // namespace ixos

@@ -31,6 +31,20 @@ std::unique_ptr<Factorization> make_klu2();
 /// The factorisation of that name: "CHOLMOD" or "KLU2".
 std::unique_ptr<Factorization> make_factorization(const std::string& type);
 
+/// A factorisation and the matrix that it belongs to.
+class KeptFactorization {
+ public:
+  /// Numeric phase for the matrix's present values; symbolic phase, with a factorisation of that type, where it is
+  /// another matrix object than last time. Throws std::runtime_error.
+  void renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type);
+  /// x = A^-1 b for each column.
+  void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }
+
+ private:
+  Teuchos::RCP<const CrsMatrix> matrix_;
+  std::unique_ptr<Factorization> factorization_;
+};
+
 /// The list that chooses one: "Solver Type".
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters();
 

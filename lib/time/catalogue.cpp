@@ -165,8 +165,7 @@ const Scheme& scheme(const std::string& name) {
     if (candidate.name == name) return candidate;
     names.push_back(candidate.name);
   }
-  throw InputError("scheme \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) +
-                   "\"? There are " + quoted_list(names));
+  throw InputError(no_such("scheme", name, names, "There are"));
 }
 
 }  // namespace ixos

@@ -15,12 +15,6 @@ namespace {
 
 using test::world;
 
-double energy(Simulation& s) {
-  const State& state = s.integrator().state();
-  return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy + s.model().elastic_energy(state.u.data()) +
-         s.model().interaction_energy(state.u.data());
-}
-
 struct Fate {
   double end_time;
   double initial_energy;
@@ -30,10 +24,10 @@ struct Fate {
 
 Fate run_ball(const std::string& scheme) {
   Simulation s(test::scene_file("ball.xml", {"Time Integrator/Type=" + scheme}), test::self());
-  Fate fate{0, energy(s), 0, 0};
+  Fate fate{0, test::total_energy(s), 0, 0};
   for (int step = 0; step < 10000; ++step) {
     if (!s.integrator().step(0.001).converged) break;
-    fate.last_energy = energy(s);
+    fate.last_energy = test::total_energy(s);
     fate.largest_error = std::max(fate.largest_error, std::abs(fate.last_energy - fate.initial_energy));
   }
   fate.end_time = s.integrator().time();
@@ -115,10 +109,10 @@ TEST(BallTest, RanksSolversAndMeshFilesMoveAsOneToTheFirstImpact) {
 
 TEST(BallTest, TwoRanksConserveAsOneDoesAfterTheFirstImpact) {
   Simulation s(test::scene_file("ball.xml", {"Time Integrator/Type=Average Vector Field"}), world());
-  const double before = energy(s);
+  const double before = test::total_energy(s);
   const State& state = s.integrator().state();
   for (int step = 0; step < 1500; ++step) ASSERT_TRUE(s.integrator().step(0.001).converged);
-  EXPECT_NEAR(energy(s), before, 1e-8 * std::abs(before));
+  EXPECT_NEAR(test::total_energy(s), before, 1e-8 * std::abs(before));
   // The wall pushes along y only, and the ball is symmetric: no momentum along x.
   EXPECT_NEAR(s.model().momenta(state.u.data(), state.v.data()).linear[0], 0, 1e-12);
 }

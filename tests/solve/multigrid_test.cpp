@@ -28,6 +28,11 @@ Teuchos::RCP<CrsMatrix> tangent(const Model& model, double mass) {
   return w;
 }
 
+void copy_values(const CrsMatrix& from, CrsMatrix& to) {
+  const auto source = from.getLocalMatrixHost();
+  std::copy_n(source.values.data(), source.nnz(), to.getLocalMatrixHost().values.data());
+}
+
 Teuchos::ParameterList multigrid(const Model& model) {
   Teuchos::ParameterList list;
   list.set("Linear Solver Type", "Belos");
@@ -117,8 +122,7 @@ TEST(LaggedSolverTest, APreconditionerThatCostsTooManyIterationsIsRenewed) {
   EXPECT_TRUE(system.solve(b, x));
   // Another matrix altogether: the old preconditioner is far off, until the excess has paid for a new one.
   const auto other = tangent(s.model(), 0.3);
-  std::copy_n(other->getLocalMatrixHost().values.data(), other->getLocalMatrixHost().nnz(),
-              w->getLocalMatrixHost().values.data());
+  copy_values(*other, *w);
   for (int k = 0; k < 20; ++k) {
     system.refresh();
     EXPECT_TRUE(system.solve(b, x));
@@ -171,8 +175,7 @@ TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
   EXPECT_LE(factory.statistics().iterations, 2);
   // A matrix 2 per cent off takes a few; its solution is as exact.
   const auto other = tangent(s.model(), 10.2);
-  std::copy_n(other->getLocalMatrixHost().values.data(), other->getLocalMatrixHost().nnz(),
-              w->getLocalMatrixHost().values.data());
+  copy_values(*other, *w);
   system.refresh();
   EXPECT_TRUE(system.solve(b, x));
   w->apply(x, r);

@@ -16,6 +16,13 @@ std::vector<double> gathered(const Model& model, const std::vector<double>& loca
   return all;
 }
 
+double total_energy(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const State& state = simulation.integrator().state();
+  return model.momenta(state.u.data(), state.v.data()).kinetic_energy + model.elastic_energy(state.u.data()) +
+         model.interaction_energy(state.u.data());
+}
+
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));

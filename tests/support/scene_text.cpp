@@ -52,6 +52,12 @@ std::string counts(const std::string& name, const std::vector<int>& values) {
   return parameter(name, "Array(int)", braces(values));
 }
 
+std::string expression(const std::string& name, const std::string& value, const std::string& rate,
+                       const std::string& acceleration) {
+  return list(name, word("Type", "Expression") + list("Expression", word("Value", value) + word("Velocity", rate) +
+                                                                        word("Acceleration", acceleration)));
+}
+
 std::string time_integrator(const std::string& scheme, double step, double final_time,
                             const std::string& scheme_parameters) {
   return list("Time Integrator",

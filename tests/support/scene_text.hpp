@@ -26,6 +26,10 @@ std::string word(const std::string& name, const std::string& value);
 std::string numbers(const std::string& name, const std::vector<double>& values);
 std::string counts(const std::string& name, const std::vector<int>& values);
 
+/// A list of "Histories" with an Expression in t; a load needs the value only.
+std::string expression(const std::string& name, const std::string& value, const std::string& rate = "",
+                       const std::string& acceleration = "");
+
 /// "Time Integrator" with this scheme, its parameters, and fixed steps.
 std::string time_integrator(const std::string& scheme, double step, double final_time,
                             const std::string& scheme_parameters = "");

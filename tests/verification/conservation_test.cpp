@@ -6,6 +6,7 @@
 #include "fem/quadrature.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
+#include "support/comparison.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -22,10 +23,6 @@ const char* const all_schemes[] = {
 
 Momenta momenta(Simulation& s) {
   return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-}
-
-double total_energy(Simulation& s) {
-  return momenta(s).kinetic_energy + s.model().elastic_energy(s.integrator().state().u.data());
 }
 
 /// Sum over owned nodes of (X + u) x f in the plane, over all ranks.
@@ -133,11 +130,11 @@ TEST(ConservationTest, AngularMomentumErrorIsOfSecondOrderOrBetter) {
 /// Largest |E_n - E_0| over 200 steps.
 double energy_error(const std::string& body, const std::string& scheme, const std::string& parameters) {
   Simulation s(test::scene(body + time_integrator(scheme, 0.1, 20, parameters)), world());
-  const double before = total_energy(s);
+  const double before = test::total_energy(s);
   double largest = 0;
   for (int step = 0; step < 200; ++step) {
     EXPECT_TRUE(s.integrator().step(0.1).converged) << scheme;
-    largest = std::max(largest, std::abs(total_energy(s) - before));
+    largest = std::max(largest, std::abs(test::total_energy(s) - before));
   }
   return largest;
 }
@@ -154,9 +151,9 @@ TEST(ConservationTest, AverageVectorFieldKeepsEnergyToTimeQuadrature) {
 
 TEST(ConservationTest, BatheLosesEnergyAndNewmarkKeepsThatOfLinearProblems) {
   Simulation s(test::scene(block_2d(1.0) + time_integrator("Bathe Composite", 0.3, 30)), world());
-  const double before = total_energy(s);
+  const double before = test::total_energy(s);
   for (int step = 0; step < 100; ++step) ASSERT_TRUE(s.integrator().step(0.3).converged);
-  EXPECT_LT(total_energy(s), 0.999 * before);
+  EXPECT_LT(test::total_energy(s), 0.999 * before);
   // Newmark's energy of a linear elastic body: conserved to solver tolerance.
   EXPECT_LT(energy_error(block_2d(0.0, "Linear Elastic"), "Newmark", ""), 1e-10);
   EXPECT_GT(energy_error(block_2d(1.0), "Newmark", ""), 1e-4);
@@ -172,10 +169,10 @@ TEST(ConservationTest, DampingWorkClosesTheEnergyBalance) {
   }();
   for (const char* scheme : {"Newmark", "Gautam-Sauer Composite", "Average Vector Field"}) {
     Simulation s(test::scene(damped + time_integrator(scheme, 0.1, 1)), world());
-    const double before = total_energy(s);
+    const double before = test::total_energy(s);
     for (int step = 0; step < 50; ++step) ASSERT_TRUE(s.integrator().step(0.1).converged);
     EXPECT_GT(s.integrator().dissipated_energy(), 0.05 * before) << scheme;
-    EXPECT_NEAR(total_energy(s) + s.integrator().dissipated_energy(), before, 1e-11) << scheme;
+    EXPECT_NEAR(test::total_energy(s) + s.integrator().dissipated_energy(), before, 1e-11) << scheme;
   }
 }
 

@@ -28,22 +28,10 @@ std::string block(const std::string& law, const std::string& damping = "") {
               list("Rubber", word("Model", law) + number("Poisson's Ratio", 0.3) + number("Density", 1) + damping));
 }
 
-std::string expression(const std::string& name, const std::string& value, const std::string& rate,
-                       const std::string& acceleration) {
-  return list(name, word("Type", "Expression") + list("Expression", word("Value", value) + word("Velocity", rate) +
-                                                                        word("Acceleration", acceleration)));
-}
-
 std::string driven(const std::string& name, const std::string& set, const std::string& components,
                    const std::string& history) {
   return list(
       name, word("Node Set", set) + word("Components", components) + (history.empty() ? "" : word("History", history)));
-}
-
-double total_energy(Simulation& s) {
-  const State& state = s.integrator().state();
-  return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy + s.model().elastic_energy(state.u.data()) +
-         (s.model().has_interactions() ? s.model().interaction_energy(state.u.data()) : 0.0);
 }
 
 /// Sum of the reactions in direction i over all constrained degrees of freedom.
@@ -63,11 +51,11 @@ TEST(DrivenTest, ReactionOfARigidMotionIsMassTimesAccelerationAndDamping) {
   const auto a = [](double t) { return -1.2 * std::sin(2 * t) + 0.2; };
   for (const char* scheme : all_schemes) {
     Simulation s(
-        test::scene(
-            block("Neo-Hooke", number("Mass Damping", alpha)) +
-            list("Histories", expression("Shake", "0.3*sin(2*t)+0.1*t^2", "0.6*cos(2*t)+0.2*t", "-1.2*sin(2*t)+0.2")) +
-            list("Boundary Conditions", driven("Hold", "all", "y", "") + driven("Shake", "all", "x", "Shake")) +
-            test::time_integrator(scheme, dt, 2)),
+        test::scene(block("Neo-Hooke", number("Mass Damping", alpha)) +
+                    list("Histories",
+                         test::expression("Shake", "0.3*sin(2*t)+0.1*t^2", "0.6*cos(2*t)+0.2*t", "-1.2*sin(2*t)+0.2")) +
+                    list("Boundary Conditions", driven("Hold", "all", "y", "") + driven("Shake", "all", "x", "Shake")) +
+                    test::time_integrator(scheme, dt, 2)),
         world());
     const bool collocates = std::string(scheme) == "Newmark" || std::string(scheme) == "Bathe Composite";
     double before = v(0);
@@ -93,18 +81,18 @@ TEST(DrivenTest, TheEnergyBalanceCloses) {
   for (const std::string& damping : {std::string(), number("Mass Damping", 0.3) + number("Stiffness Damping", 0.05)}) {
     const std::string scene =
         block("Neo-Hooke", damping) + wall +
-        list("Histories", expression("Shake", "0.2*(1-cos(3*t))", "0.6*sin(3*t)", "1.8*cos(3*t)") +
-                              expression("Push", "0.05*sin(5*t)", "", "")) +
+        list("Histories", test::expression("Shake", "0.2*(1-cos(3*t))", "0.6*sin(3*t)", "1.8*cos(3*t)") +
+                              test::expression("Push", "0.05*sin(5*t)", "", "")) +
         list("Boundary Conditions", driven("Guide", "bottom", "y", "") + driven("Table", "bottom", "x", "Shake") +
                                         list("Wind", word("Type", "Traction") + word("Side Set", "left") +
                                                          numbers("Vector", {1, 0.3}) + word("History", "Push"))) +
         test::time_integrator("Average Vector Field", 0.05, 3);
     Simulation s(test::scene(scene), world());
-    const double start = total_energy(s);
+    const double start = test::total_energy(s);
     double swing = 0;
     for (int n = 0; n < 60; ++n) {
       ASSERT_TRUE(s.integrator().step(0.05).converged);
-      const double change = total_energy(s) - start;
+      const double change = test::total_energy(s) - start;
       swing = std::max(swing, std::abs(change));
       EXPECT_NEAR(change, s.integrator().external_work() - s.integrator().dissipated_energy(), 1e-11);
     }
@@ -120,17 +108,19 @@ TEST(DrivenTest, OfLinearMaterialsNewmarkAndTheCompositeSchemeCloseTheBalanceToo
     // Of generalized-alpha, the member without numerical damping.
     const std::string parameters =
         std::string(scheme) == "Generalized-Alpha" ? number("Spectral Radius", 1) : std::string();
-    Simulation s(test::scene(block("Linear Elastic", number("Mass Damping", 0.1) + number("Stiffness Damping", 0.03)) +
-                             list("Histories", expression("Shake", "0.2*sin(3*t)", "0.6*cos(3*t)", "-1.8*sin(3*t)")) +
-                             list("Boundary Conditions",
-                                  driven("Guide", "bottom", "y", "") + driven("Table", "bottom", "x", "Shake") +
-                                      list("Weight", word("Type", "Body Force") + numbers("Vector", {0, -0.02}))) +
-                             test::time_integrator(scheme, 0.07, 5, parameters)),
-                 world());
-    const double start = total_energy(s);
+    Simulation s(
+        test::scene(block("Linear Elastic", number("Mass Damping", 0.1) + number("Stiffness Damping", 0.03)) +
+                    list("Histories", test::expression("Shake", "0.2*sin(3*t)", "0.6*cos(3*t)", "-1.8*sin(3*t)")) +
+                    list("Boundary Conditions",
+                         driven("Guide", "bottom", "y", "") + driven("Table", "bottom", "x", "Shake") +
+                             list("Weight", word("Type", "Body Force") + numbers("Vector", {0, -0.02}))) +
+                    test::time_integrator(scheme, 0.07, 5, parameters)),
+        world());
+    const double start = test::total_energy(s);
     for (int n = 0; n < 70; ++n) {
       ASSERT_TRUE(s.integrator().step(0.07).converged);
-      EXPECT_NEAR(total_energy(s) - start, s.integrator().external_work() - s.integrator().dissipated_energy(), 2e-12)
+      EXPECT_NEAR(test::total_energy(s) - start, s.integrator().external_work() - s.integrator().dissipated_energy(),
+                  2e-12)
           << scheme << ", step " << n;
     }
     EXPECT_GT(std::abs(s.integrator().external_work()), 0.05);
@@ -139,14 +129,15 @@ TEST(DrivenTest, OfLinearMaterialsNewmarkAndTheCompositeSchemeCloseTheBalanceToo
 
 TEST(DrivenTest, BathesBalanceClosesToSecondOrder) {
   const auto error = [](double dt) {
-    Simulation s(test::scene(block("Neo-Hooke") +
-                             list("Histories", expression("Shake", "0.2*(1-cos(t))", "0.2*sin(t)", "0.2*cos(t)")) +
-                             list("Boundary Conditions", driven("Table", "bottom", "xy", "Shake")) +
-                             test::time_integrator("Bathe Composite", dt, 2)),
-                 world());
-    const double start = total_energy(s);
+    Simulation s(
+        test::scene(block("Neo-Hooke") +
+                    list("Histories", test::expression("Shake", "0.2*(1-cos(t))", "0.2*sin(t)", "0.2*cos(t)")) +
+                    list("Boundary Conditions", driven("Table", "bottom", "xy", "Shake")) +
+                    test::time_integrator("Bathe Composite", dt, 2)),
+        world());
+    const double start = test::total_energy(s);
     for (int n = 0; n < static_cast<int>(std::lround(2 / dt)); ++n) EXPECT_TRUE(s.integrator().step(dt).converged);
-    return std::abs(total_energy(s) - start - s.integrator().external_work());
+    return std::abs(test::total_energy(s) - start - s.integrator().external_work());
   };
   const double coarse = error(0.1), fine = error(0.05);
   EXPECT_GT(coarse / fine, 3.0) << coarse << " " << fine;
@@ -204,7 +195,7 @@ TEST(DrivenTest, StaticReactionIsTheSlopeOfTheEnergy) {
   for (int n = 0; n < 40; ++n) {
     const StepResult result = s.integrator().step(0.05);
     ASSERT_TRUE(result.converged) << result.reason;
-    energy.push_back(total_energy(s));
+    energy.push_back(test::total_energy(s));
     force.push_back(reaction(s, 1));
   }
   // At a constant rate of 0.1 the displacement grows by 0.005 a step.

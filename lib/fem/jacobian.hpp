@@ -1,0 +1,35 @@
+/// The derivative of the geometry map of a cell or a side.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/small_matrix.hpp"
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// What each node's shape function counts with in its cell, see node_scale(). `Block` is an ElementBlock or a
+/// LocalBlock.
+template <class Element, class Block>
+std::array<double, Element::nodes> cell_scales(const Block& block, int cell) {
+  std::array<double, Element::nodes> scales;
+  for (std::size_t a = 0; a < scales.size(); ++a) scales[a] = node_scale(block, cell, static_cast<int>(a));
+  return scales;
+}
+
+/// dX_i/dxi_d at a point with shape gradients dN_a/dxi_d, in a space of S dimensions [L0]. `coordinates`: nodes x S;
+/// `nodes` and `scales`: the element's.
+template <std::size_t S, std::size_t N, std::size_t D>
+Small<double, S, D> jacobian(const std::vector<double>& coordinates, const int* nodes,
+                             const std::array<double, N>& scales,
+                             const std::array<std::array<double, D>, N>& gradient) {
+  Small<double, S, D> result{};
+  for (std::size_t a = 0; a < N; ++a)
+    for (std::size_t i = 0; i < S; ++i)
+      for (std::size_t d = 0; d < D; ++d)
+        result[i][d] += scales[a] * coordinates[static_cast<std::size_t>(nodes[a]) * S + i] * gradient[a][d];
+  return result;
+}
+
+}  // namespace ixos

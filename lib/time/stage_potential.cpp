@@ -1,0 +1,64 @@
+// The incremental potential of a stage.
+#include <algorithm>
+#include <cmath>
+
+#include "base/dot.hpp"
+#include "base/phase_timer.hpp"
+#include "time/stage_problem.hpp"
+
+namespace ixos {
+
+Potential StageProblem::rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const {
+  Potential sum;
+  if (rule.exact) {
+    sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data()});
+    sum.magnitude = std::abs(sum.value);
+  }
+  std::vector<double> at(u.size());
+  for (const RulePoint& point : rule.points) {
+    for (std::size_t i = 0; i < u.size(); ++i) at[i] = point.to * u[i];
+    if (point.from != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.from * (*from_)[i];
+    if (point.velocity != 0)
+      for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.velocity * path_velocity_[i];
+    const double energy = elastic ? model_.local_elastic_energy(at.data()) : model_.local_interaction_energy(at.data());
+    sum.value += point.weight / point.to * energy;
+    sum.magnitude += point.weight / point.to * std::abs(energy);
+  }
+  return sum;
+}
+
+Potential StageProblem::potential(const Vector& x) {
+  const TimedScope timed(Phase::Residual);
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::vector<double> u(u_.size()), bracket(u_.size()), product(u_.size());
+  model_.space().import(x, u.data());
+  Potential sum = rule_potential(stage_.elastic, u, true);
+  const auto add = [&sum](double value) {
+    sum.value += value;
+    sum.magnitude += std::abs(value);
+  };
+  if (model_.has_interactions()) {
+    const Potential interaction = rule_potential(stage_.interaction, u, false);
+    sum.value += interaction.value;
+    sum.magnitude += interaction.magnitude;
+  }
+  if (has_mass_) {
+    inertia_bracket(u, bracket);
+    model_.mass()->multiply(bracket.data(), product.data());
+    add(dot(bracket, product, owned) / (2 * stage_.inertia.unknown * dt_ * dt_));
+  }
+  if (model_.damping() != nullptr) {
+    damping_bracket(u, bracket);
+    std::fill(product.begin(), product.end(), 0.0);
+    model_.damping()->multiply_add(1 / dt_, bracket.data(), product.data());
+    add(dot(bracket, product, owned) / (2 * stage_.damping.unknown));
+  }
+  for (std::size_t i = 0; i < owned; ++i) bracket[i] = u[i] - (*from_)[i];
+  add(dot(kept_, bracket, owned));
+  double sums[2] = {sum.value, sum.magnitude};
+  model_.space().sum(sums, 2);
+  return {sums[0], sums[1]};
+}
+
+}  // namespace ixos
