@@ -12,6 +12,7 @@ find_library(IXOS_MUPARSER muparser REQUIRED)
 find_library(IXOS_EXODUS exoIIv2c REQUIRED)
 find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_CHOLMOD cholmod REQUIRED)
+find_library(IXOS_KLU klu REQUIRED)
 find_path(IXOS_CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 
 add_library(ixos_trilinos INTERFACE)

@@ -117,6 +117,7 @@ struct ElasticKernel {
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
       }
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
       if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
@@ -143,9 +144,13 @@ struct ElasticKernel {
         for (std::size_t r = 0; r < D * D; ++r)
           for (std::size_t c = 0; c < D * D; ++c) mean[r][c] += weight * moduli[r][c];
       }
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient_moduli(ends.from, ends.to, mean);
       for (std::size_t r = 0; r < D * D; ++r)
         for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry.points[q].weight;
-      add_contraction(dn, mean, k);
+      if (rule.is_gradient())
+        add_contraction<true>(dn, mean, k);
+      else
+        add_contraction<false>(dn, mean, k);
     }
   }
 
@@ -204,21 +209,21 @@ struct ElasticKernel {
     return h;
   }
 
-  /// k_ai,bk += dN_a,J A_iJkL dN_b,L; the upper triangle of node pairs is computed and mirrored.
-  template <class T>
+  /// k_ai,bk += dN_a,J A_iJkL dN_b,L; of symmetric moduli the upper triangle of node pairs is computed and mirrored.
+  template <bool symmetric, class T>
   static void add_contraction(const Nodal<T>& dn, const Small<T, D * D>& moduli, Tangent<T>& k) {
     for (std::size_t b = 0; b < N; ++b) {
       Small<T, D * D, D> right{};  // A_iJkL dN_b,L
       for (std::size_t r = 0; r < D * D; ++r)
         for (std::size_t c = 0; c < D; ++c)
           for (std::size_t l = 0; l < D; ++l) right[r][c] += moduli[r][c * D + l] * dn[b][l];
-      for (std::size_t a = 0; a <= b; ++a)
+      for (std::size_t a = 0; a < (symmetric ? b + 1 : N); ++a)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t c = 0; c < D; ++c) {
             T sum = dn[a][0] * right[i * D][c];
             for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * right[i * D + j][c];
             k[a * D + i][b * D + c] += sum;
-            if (a != b) k[b * D + c][a * D + i] += sum;
+            if (symmetric && a != b) k[b * D + c][a * D + i] += sum;
           }
     }
   }

@@ -12,18 +12,21 @@ bool Rule::uses_velocity() const {
 }
 
 bool Rule::uses_start() const {
-  return exact || std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.from != 0; });
+  return mean != Mean::Points ||
+         std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.from != 0; });
 }
 
 double Rule::total_weight() const {
-  double sum = kept_weight + (exact ? 1 : 0);
+  double sum = kept_weight + (mean == Mean::Points ? 0 : 1);
   for (const RulePoint& point : points) sum += point.weight;
   return sum;
 }
 
 Rule end_rule() { return {{{1.0, 0.0, 0.0, 1.0}}, 0.0}; }
 
-Rule exact_rule() { return {{}, 0.0, true}; }
+Rule exact_rule() { return {{}, 0.0, Mean::Exact}; }
+
+Rule discrete_gradient_rule() { return {{}, 0.0, Mean::DiscreteGradient}; }
 
 Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weights, Path path) {
   Rule rule;

@@ -22,17 +22,23 @@ struct RulePoint {
 /// F = sum_i weight_i f(u(xi_i)) + kept_weight f(u_from). Points at xi = 0 depend on nothing unknown: they are gathered
 /// in `kept_weight`.
 ///
-/// `exact` stands for the mean over the straight path, F = int_0^1 f(u(xi)) dxi, in closed form: of interactions whose
-/// law has one. It has neither points nor a kept part.
+/// The other means have neither points nor a kept part:
+/// - Exact, F = int_0^1 f(u(xi)) dxi over the straight path in closed form: of interactions whose law has one;
+/// - DiscreteGradient, a force with F . (u_s - u_from) = Pi(u_s) - Pi(u_from) exactly, objective, F = f(u) where both
+///   ends are u. Its tangent is unsymmetric. Of interactions with a flat wall it is the exact mean.
+enum class Mean { Points, Exact, DiscreteGradient };
+
 struct Rule {
   std::vector<RulePoint> points;
   double kept_weight = 0;
-  bool exact = false;
+  Mean mean = Mean::Points;
 
   /// True where the force depends on the displacement at the start of the segment.
   bool uses_start() const;
   /// True where some point uses the velocity of the known state.
   bool uses_velocity() const;
+  /// Is the force a gradient in u_s, and so its tangent symmetric?
+  bool is_gradient() const { return mean != Mean::DiscreteGradient; }
   /// Sum of all weights: 1 for a consistent rule.
   double total_weight() const;
 };
@@ -45,6 +51,9 @@ Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weight
 
 /// The exact mean over the straight path.
 Rule exact_rule();
+
+/// The discrete gradient of the energy.
+Rule discrete_gradient_rule();
 
 /// n Gauss-Legendre points. Throws InputError unless 1 <= n <= 64.
 Rule gauss_rule(int n, Path path = Path::Linear);

@@ -57,7 +57,7 @@ struct SurfaceKernel {
         least_gap = smaller(least_gap, r);
         mean += point.weight * law.traction(r);
       }
-      if (rule.exact) mean += law.mean_traction(ends.from, ends.to);
+      if (rule.mean != Mean::Points) mean += law.mean_traction(ends.from, ends.to);
       least_gap = smaller(least_gap, ends.to);
       for (std::size_t a = 0; a < N; ++a) f[a] -= shape[a] * (measure[q] * mean);
     }
@@ -76,7 +76,7 @@ struct SurfaceKernel {
         const T stiffness = law.stiffness(ends.at(point));
         mean += (point.weight * point.to) * (convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness);
       }
-      if (rule.exact) {
+      if (rule.mean != Mean::Points) {
         const T stiffness = law.mean_stiffness(ends.from, ends.to);
         mean += convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness;
       }

@@ -35,6 +35,22 @@ struct LinearElastic {
     return T(1.0);
   }
 
+  /// The stress whose work from H0 to H1 is the change of the energy, that in the middle, and its derivative in H1.
+  template <std::size_t D, class T>
+  void discrete_gradient(const Small<T, D>& h0, const Small<T, D>& h1, Small<T, D>& p) const {
+    Small<T, D> mean;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) mean[i][j] = 0.5 * (h0[i][j] + h1[i][j]);
+    stress(mean, p);
+  }
+  template <std::size_t D, class T>
+  void discrete_gradient_moduli(const Small<T, D>& /*h0*/, const Small<T, D>& h1, Small<T, D * D>& moduli) const {
+    Small<T, D> p;
+    stress_and_moduli(h1, p, moduli);
+    for (auto& row : moduli)
+      for (T& value : row) value *= 0.5;
+  }
+
   /// The stress out of the plane in plane strain, lambda tr eps [E0].
   template <class T>
   T out_of_plane_stress(const Small<T, 2>& h) const {

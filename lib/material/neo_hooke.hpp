@@ -2,8 +2,9 @@
 #pragma once
 #include <cmath>
 
-#include "base/pack.hpp"
+#include "material/discrete_neo_hooke.hpp"
 #include "material/lame.hpp"
+#include "material/log_series.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {
@@ -36,6 +37,17 @@ struct NeoHooke {
     State<D, T> s(h);
     stress_from(s, p);
     return s.jacobian;
+  }
+
+  /// The stress whose work from H0 to H1 is the change of the energy, P:(H1 - H0) = W1 - W0, and its derivative in H1
+  /// (unsymmetric). J > 0 at both ends.
+  template <std::size_t D, class T>
+  void discrete_gradient(const Small<T, D>& h0, const Small<T, D>& h1, Small<T, D>& p) const {
+    p = DiscreteNeoHooke<D, T>(lame, h0, h1).stress();
+  }
+  template <std::size_t D, class T>
+  void discrete_gradient_moduli(const Small<T, D>& h0, const Small<T, D>& h1, Small<T, D * D>& moduli) const {
+    DiscreteNeoHooke<D, T>(lame, h0, h1).moduli(moduli);
   }
 
   /// The stress out of the plane in plane strain, sigma_33 = lambda ln J/J [E0].
@@ -89,16 +101,6 @@ struct NeoHooke {
         for (std::size_t k = 0; k < D; ++k) sum += lame.mu * (s.g[k][i] * s.a[k][jj]);
         p[i][jj] = sum;
       }
-  }
-
-  /// j - log1p(j), by its series where the difference would cancel.
-  template <class T>
-  static T minus_log1p(const T& j, const T& log1p_j) {
-    // sum_{k>=2} (-1)^k j^k/k; nine terms leave 0.02^11/11 = 2e-20 at the switch.
-    T sum = T(-1.0 / 11) * j + T(1.0 / 10);
-    for (int k = 9; k >= 2; --k) sum = sum * j + (k % 2 == 0 ? 1.0 : -1.0) / k;
-    using std::abs;
-    return select(abs(j) < 0.02, T(sum * j * j), T(j - log1p_j));
   }
 };
 

@@ -171,7 +171,8 @@ void Simulation::build_integrator(Table table) {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX")};
-  const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize()};
+  const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
+                         is_symmetric(table)};
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
   integrator_ = std::make_unique<Integrator>(*model_, std::move(table),

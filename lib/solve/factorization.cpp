@@ -7,7 +7,7 @@
 namespace ixos {
 
 std::unique_ptr<Factorization> make_factorization(const std::string& type) {
-  return type == "KLU2" ? make_klu2() : make_cholmod();
+  return type == "KLU" ? make_klu() : make_cholmod();
 }
 
 void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type) {
@@ -22,8 +22,8 @@ void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const
 
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
-  valid->set("Solver Type", "CHOLMOD", "\"CHOLMOD\" (symmetric matrices) or \"KLU2\" (any), both on the first rank",
-             Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("CHOLMOD", "KLU2"))));
+  valid->set("Solver Type", "CHOLMOD", "\"CHOLMOD\" (symmetric matrices) or \"KLU\" (any), both on the first rank",
+             Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("CHOLMOD", "KLU"))));
   return valid;
 }
 

@@ -23,12 +23,14 @@ class Factorization {
 /// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, on the first rank, which gathers them from
 /// all; the row map's ranges must follow each other in rank order, as a DofSpace's do. Supernodal Cholesky where the
 /// matrix is large; simplicial L D L^T where it is small, and from the first matrix on that is not positive definite.
+/// Of an unsymmetric matrix it takes the lower triangle for both: a preconditioner, not a solver.
 std::unique_ptr<Factorization> make_cholmod();
 
-/// KLU2 of Amesos2 (Davis and Palamadai Natarajan 2010): any matrix, gathered on the first of any number of ranks.
-std::unique_ptr<Factorization> make_klu2();
+/// KLU (Davis and Palamadai Natarajan 2010): any matrix, on the first rank likewise. The pivots of one matrix serve for
+/// the next as long as they can.
+std::unique_ptr<Factorization> make_klu();
 
-/// The factorisation of that name: "CHOLMOD" or "KLU2".
+/// The factorisation of that name: "CHOLMOD" or "KLU".
 std::unique_ptr<Factorization> make_factorization(const std::string& type);
 
 /// A factorisation and the matrix that it belongs to.

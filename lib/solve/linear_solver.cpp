@@ -11,6 +11,7 @@
 #include "base/parameter_entries.hpp"
 #include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"
+#include "solve/klu2_repair.hpp"
 #include "solve/lagged_solver.hpp"
 #include "solve/rigid_body_modes.hpp"
 #include "solve/thyra.hpp"
@@ -60,6 +61,7 @@ struct LinearSolverFactory::Implementation {
 LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, const Model* model)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& self = *implementation_;
+  anchor_klu2_repair();  // MueLu's coarsest level is solved with KLU2
   Teuchos::ParameterList list(user);
   const double setup_cost = take_setup_cost(list);
   const bool preconditioned = list.get("Preconditioner Type", std::string("None")) != "None";

@@ -19,9 +19,25 @@ bool factorize(const ProblemSize& size) {
 /// Where a factorisation costs many Krylov iterations it pays to keep it.
 bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
-void complete_belos(ParameterList& list) {
+void refuse_symmetric(const std::string& place, const std::string& solver, const std::string& instead) {
+  throw InputError("Linear Solver/Linear Solver Types/" + place + "/Solver Type: \"" + solver +
+                   "\" needs a symmetric matrix, and this scheme's tangent is not symmetric; use " + instead);
+}
+
+void complete_direct(ParameterList& list, const ProblemSize& size) {
+  ParameterList& direct = list.sublist("Linear Solver Types").sublist("Direct");
+  const std::string type = direct.get("Solver Type", std::string(size.symmetric ? "CHOLMOD" : "KLU"));
+  if (!size.symmetric && type == "CHOLMOD") refuse_symmetric("Direct", type, "\"KLU\"");
+}
+
+void complete_belos(ParameterList& list, const ProblemSize& size) {
   ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
-  const std::string type = belos.get("Solver Type", std::string("Pseudo Block CG"));
+  const std::string type =
+      belos.get("Solver Type", std::string(size.symmetric ? "Pseudo Block CG" : "Pseudo Block GMRES"));
+  const std::vector<std::string> conjugate{"Block CG", "Pseudo Block CG", "Pseudo Block Stochastic CG", "CG", "RCG",
+                                           "PCPG",     "MINRES"};
+  if (!size.symmetric && std::find(conjugate.begin(), conjugate.end(), type) != conjugate.end())
+    refuse_symmetric("Belos", type, "\"Pseudo Block GMRES\"");
   ParameterList& solver = belos.sublist("Solver Types").sublist(type);
   solver.get("Maximum Iterations", 300);
   solver.get("Verbosity", 0);
@@ -72,11 +88,12 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
     throw InputError("Linear Solver/Preconditioner Type: " + type + " takes no preconditioner; Belos does");
   list.set("Linear Solver Type", type);
   list.set("Preconditioner Type", preconditioner);
-  if (type == "Belos") complete_belos(list);
-  if (type == "Direct")
-    list.sublist("Linear Solver Types").sublist("Direct").get("Solver Type", std::string("CHOLMOD"));
+  if (type == "Belos") complete_belos(list, size);
+  if (type == "Direct") complete_direct(list, size);
   if (preconditioner == "Direct")
-    list.sublist("Preconditioner Types").sublist("Direct").get("Solver Type", std::string("CHOLMOD"));
+    list.sublist("Preconditioner Types")
+        .sublist("Direct")
+        .get("Solver Type", std::string(size.symmetric ? "CHOLMOD" : "KLU"));
   if (preconditioner == "MueLu") complete_muelu(list, size);
   if (preconditioner != "None") list.sublist("Reuse").get("Setup Cost", 20.0);
   return list;

@@ -126,6 +126,16 @@ Scheme midpoint_scheme() {
           [](const List&) { return midpoint(); }};
 }
 
+Scheme energy_momentum_scheme() {
+  return {"Energy-Momentum",
+          "2",
+          "energy is bounded by its conservation",
+          "energy, linear and angular momentum, to the solver's tolerance; the tangent is unsymmetric",
+          "Simo and Tarnow 1992; Gonzalez 2000; Gautam and Sauer 2013",
+          {},
+          [](const List&) { return energy_momentum(); }};
+}
+
 Scheme static_scheme() {
   return {"Static",
           "exact where each step's equilibrium is",
@@ -140,8 +150,9 @@ Scheme static_scheme() {
 
 const std::vector<Scheme>& schemes() {
   static const std::vector<Scheme> all{
-      newmark_scheme(),           bathe_scheme(), composite_scheme(), average_vector_field_scheme(),
-      generalized_alpha_scheme(), hht_scheme(),   midpoint_scheme(),  static_scheme()};
+      newmark_scheme(),         bathe_scheme(),    composite_scheme(),         average_vector_field_scheme(),
+      energy_momentum_scheme(), midpoint_scheme(), generalized_alpha_scheme(), hht_scheme(),
+      static_scheme()};
   return all;
 }
 

@@ -36,6 +36,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
       linear_solver_(std::move(linear_solver)),
       needs_acceleration_(uses_acceleration(table_) || table_.predictor == Predictor::ConstantAcceleration ||
                           table_.predictor == Predictor::Newmark),
+      newton_(newton),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
@@ -180,7 +181,29 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
     result = solve_from(Predictor::LastDisplacement);
     result.iterations += spent;
   }
+  if (!result.converged && !table_.stages[stage].nearby.empty()) {
+    const int spent = result.iterations;
+    result = solve_from_nearby(stage, dt, u);
+    result.iterations += spent;
+  }
   if (result.converged) model_.space().import(*unknown_, u.data());
+  return result;
+}
+
+NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u) {
+  // Rare: the problem and its matrix live no longer than this.
+  Stage other = table_.stages[stage];
+  other.elastic = other.nearby[0];
+  other.interaction = other.nearby[1];
+  StageProblem problem(model_, other, exact_rates_);
+  problem.arm(states_, time_, dt);
+  predict(Predictor::LastDisplacement, stage, dt, u);
+  copy_owned(u, *unknown_);
+  NewtonResult result = NewtonSolver(problem, *linear_solver_, newton_).solve(*unknown_);
+  if (!result.converged) return result;
+  const int spent = result.iterations;
+  result = solvers_[stage]->solve(*unknown_);
+  result.iterations += spent;
   return result;
 }
 

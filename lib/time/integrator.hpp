@@ -52,6 +52,7 @@ class Integrator {
   StepResult advance(double dt);
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
+  NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
   bool solve_acceleration(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
   bool balance(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& sum) const;
@@ -65,6 +66,7 @@ class Integrator {
   bool has_external_ = false;        ///< the model has loads or constraints on some rank
   std::vector<std::unique_ptr<StageProblem>> problems_;
   std::vector<std::unique_ptr<NewtonSolver>> solvers_;
+  NewtonOptions newton_;
   std::unique_ptr<LinearSystem> mass_system_;
 
   std::vector<State> states_;  ///< the present state, then the ends of the stages

@@ -40,6 +40,11 @@ Table hht_alpha(double alpha);
 /// linear and angular momentum; energy of linear problems.
 Table midpoint();
 
+/// Energy-momentum (Simo and Tarnow 1992; Gonzalez 2000; contact: Gautam and Sauer 2013), in momentum form: the
+/// discrete gradient of the stored energy and of the interaction. Order 2. Keeps energy, linear and angular momentum,
+/// all to the tolerance of the solver. Its tangent is unsymmetric.
+Table energy_momentum();
+
 /// No inertia and no damping: equilibrium at the end of each step, time a parameter of the loads and motions.
 Table static_equilibrium();
 

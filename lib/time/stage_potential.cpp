@@ -10,7 +10,7 @@ namespace ixos {
 
 Potential StageProblem::rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const {
   Potential sum;
-  if (rule.exact) {
+  if (rule.mean == Mean::Exact) {
     sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data()});
     sum.magnitude = std::abs(sum.value);
   }

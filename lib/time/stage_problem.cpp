@@ -14,7 +14,11 @@
 namespace ixos {
 
 StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates)
-    : model_(model), stage_(stage), exact_rates_(exact_rates), has_mass_(model.mass() != nullptr) {
+    : model_(model),
+      stage_(stage),
+      exact_rates_(exact_rates),
+      has_mass_(model.mass() != nullptr),
+      gradient_(stage.elastic.is_gradient() && stage.interaction.is_gradient()) {
   const auto local = static_cast<std::size_t>(model.space().local());
   const bool path_velocity = stage.elastic.uses_velocity() || stage.interaction.uses_velocity();
   path_velocity_.resize(path_velocity ? local : 0);

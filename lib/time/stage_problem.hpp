@@ -42,7 +42,7 @@ class StageProblem final : public NonlinearProblem {
   /// tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but no less than what rounding u_s alone
   /// changes.
   double convergence_bound(double relative_tolerance) const override;
-  bool is_gradient() const override { return !moving_; }
+  bool is_gradient() const override { return gradient_ && !moving_; }
   double way_left(const Vector& x) override;
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
@@ -62,6 +62,7 @@ class StageProblem final : public NonlinearProblem {
   const Stage& stage_;
   bool exact_rates_;
   bool has_mass_;
+  bool gradient_;  ///< both rules have a potential
   double dt_ = 0;
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start

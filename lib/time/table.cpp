@@ -38,6 +38,11 @@ bool is_static(const Table& table) {
                      [](const Stage& stage) { return stage.inertia.unknown == 0 && stage.inertia.known.empty(); });
 }
 
+bool is_symmetric(const Table& table) {
+  return std::all_of(table.stages.begin(), table.stages.end(),
+                     [](const Stage& stage) { return stage.elastic.is_gradient() && stage.interaction.is_gradient(); });
+}
+
 void check(const Table& table) {
   if (table.work.form == WorkSum::Form::Stages && table.work.weights.size() != table.stages.size() + 1)
     throw std::invalid_argument(fmt::format("scheme \"{}\": {} weights for the work of {} stages", table.name,
@@ -50,7 +55,7 @@ void check(const Table& table) {
       if (std::abs(rule->total_weight() - 1) > 1e-12)
         throw std::invalid_argument(fmt::format("scheme \"{}\", stage {}: a rule's weights sum to {}, not 1",
                                                 table.name, s + 1, rule->total_weight()));
-    if (stage.elastic.exact)
+    if (stage.elastic.mean == Mean::Exact)
       throw std::invalid_argument(
           fmt::format("scheme \"{}\", stage {}: elasticity has no exact mean", table.name, s + 1));
     double load_weight = 0;

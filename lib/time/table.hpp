@@ -13,7 +13,7 @@ namespace ixos {
 ///   (1/dt^2) M inertia(u_s) + (1/dt) C damping(u_s) + elastic rule + interaction rule = sum_i w_i f_ext(t_i),
 /// the rules on the segment from the step's start to u_s. Then dt v_s = velocity(u_s), dt^2 a_s = acceleration(u_s).
 /// The left side is the gradient of an incremental potential, sum_i (w_i/to_i) Pi(u(xi_i)) and quadratic forms in the
-/// inertia and damping rows.
+/// inertia and damping rows, unless a rule is a discrete gradient.
 struct Stage {
   double end = 1;  ///< time of u_s in steps from the step's start
   Row velocity;
@@ -23,6 +23,9 @@ struct Stage {
   Rule elastic;
   Rule interaction;
   std::vector<TimePoint> load;  ///< times t_i in steps from the step's start, and weights w_i
+  /// Where the rules have no potential: rules for elasticity and interaction that have, with a solution nearby. Where
+  /// Newton's iteration fails it starts again from there.
+  std::vector<Rule> nearby{};
 };
 
 /// How the acceleration at the end of a step is found.
@@ -72,6 +75,9 @@ std::vector<TimePoint> gauss_times(int n);
 /// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping
 /// zero.
 bool is_static(const Table& table);
+
+/// Are the tangents of all stages symmetric?
+bool is_symmetric(const Table& table);
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,
 /// acceleration, inertia and damping rows reproduce u = 1, t and t^2 (inertia and damping rows: the mean of u'' and u'

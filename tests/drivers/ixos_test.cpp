@@ -72,6 +72,18 @@ TEST_F(DriverTest, BadValuesAreRefused) {
                          "Linear Solver: Stratimikos refuses the list");
 }
 
+TEST_F(DriverTest, SolversForSymmetricMatricesAreRefusedForUnsymmetricTangents) {
+  const auto refused = [&](const std::string& solver, const std::string& message) {
+    expect_refused(2,
+                   {ball, "--output", "out", "--set", "Time Integrator/Type=Energy-Momentum", "--set",
+                    "Linear Solver/Linear Solver Type=" + solver.substr(0, solver.find('/')), "--set",
+                    "Linear Solver/Linear Solver Types/" + solver},
+                   message);
+  };
+  refused("Direct/Solver Type=CHOLMOD", "Direct/Solver Type: \"CHOLMOD\" needs a symmetric matrix");
+  refused("Belos/Solver Type=Pseudo Block CG", "tangent is not symmetric; use \"Pseudo Block GMRES\"");
+}
+
 TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
   const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
   const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {

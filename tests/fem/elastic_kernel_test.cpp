@@ -186,35 +186,54 @@ TYPED_TEST(ElasticKernelTest, TangentIsTheSymmetricDerivativeOfTheForce) {
   }
 }
 
-TYPED_TEST(ElasticKernelTest, PacksEqualDoublesLaneByLane) {
-  auto m = TypeParam::motion(0.0);
-  const auto put = [](auto& target, const auto& values, std::size_t i) {
-    for (std::size_t a = 0; a < values.size(); ++a)
-      for (std::size_t d = 0; d < values[a].size(); ++d) target[a][d][i] = values[a][d];
-  };
-  typename TypeParam::template Motion<Pack> packed{};
-  const auto phase = [](std::size_t i) { return static_cast<double>(i); };
-  for (std::size_t i = 0; i < Pack::size(); ++i) {
-    m = TypeParam::motion(phase(i));
-    put(packed.x, m.x, i);
-    put(packed.from, m.from, i);
-    put(packed.velocity, m.velocity, i);
-    put(packed.to, m.to, i);
-  }
+TYPED_TEST(ElasticKernelTest, DiscreteGradientDoesTheWorkOfTheEnergyAndHasItsTangent) {
   const TypeParam body{};
-  const Rule rule = gauss_rule(3, Path::Kinematic);
-  const Pack energy = body.energy(packed);
-  const auto force = body.force(packed, rule);
-  const auto tangent = body.tangent(packed, rule);
-  for (std::size_t i = 0; i < Pack::size(); ++i) {
-    m = TypeParam::motion(phase(i));
-    EXPECT_NEAR(lane(energy, i), body.energy(m), 1e-13);
-    const auto one_force = body.force(m, rule);
-    const auto one_tangent = body.tangent(m, rule);
-    for (std::size_t a = 0; a < TypeParam::N; ++a)
-      for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(lane(force[a][d], i), one_force[a][d], 1e-13);
-    for (std::size_t r = 0; r < tangent.size(); ++r)
-      for (std::size_t c = 0; c < tangent.size(); ++c) EXPECT_NEAR(lane(tangent[r][c], i), one_tangent[r][c], 1e-13);
+  const auto m = TypeParam::motion(0.0);
+  const Rule rule = discrete_gradient_rule();
+  const auto force = body.force(m, rule);
+  double work = 0;
+  for (std::size_t a = 0; a < TypeParam::N; ++a)
+    for (std::size_t d = 0; d < TypeParam::D; ++d) work += force[a][d] * (m.to[a][d] - m.from[a][d]);
+  auto start = m;
+  start.to = m.from;
+  EXPECT_NEAR(work, body.energy(m) - body.energy(start), 1e-13);
+  const auto derivative = body.force(TypeParam::seeded(m), rule);
+  const auto tangent = body.tangent(m, rule);
+  for (std::size_t r = 0; r < tangent.size(); ++r)
+    for (std::size_t c = 0; c < tangent.size(); ++c)
+      EXPECT_NEAR(tangent[r][c], derivative[r / TypeParam::D][r % TypeParam::D].dx(static_cast<int>(c)), 1e-13);
+}
+
+TYPED_TEST(ElasticKernelTest, PacksEqualDoublesLaneByLane) {
+  for (const Rule& rule : {gauss_rule(3, Path::Kinematic), discrete_gradient_rule()}) {
+    auto m = TypeParam::motion(0.0);
+    const auto put = [](auto& target, const auto& values, std::size_t i) {
+      for (std::size_t a = 0; a < values.size(); ++a)
+        for (std::size_t d = 0; d < values[a].size(); ++d) target[a][d][i] = values[a][d];
+    };
+    typename TypeParam::template Motion<Pack> packed{};
+    const auto phase = [](std::size_t i) { return static_cast<double>(i); };
+    for (std::size_t i = 0; i < Pack::size(); ++i) {
+      m = TypeParam::motion(phase(i));
+      put(packed.x, m.x, i);
+      put(packed.from, m.from, i);
+      put(packed.velocity, m.velocity, i);
+      put(packed.to, m.to, i);
+    }
+    const TypeParam body{};
+    const Pack energy = body.energy(packed);
+    const auto force = body.force(packed, rule);
+    const auto tangent = body.tangent(packed, rule);
+    for (std::size_t i = 0; i < Pack::size(); ++i) {
+      m = TypeParam::motion(phase(i));
+      EXPECT_NEAR(lane(energy, i), body.energy(m), 1e-13);
+      const auto one_force = body.force(m, rule);
+      const auto one_tangent = body.tangent(m, rule);
+      for (std::size_t a = 0; a < TypeParam::N; ++a)
+        for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(lane(force[a][d], i), one_force[a][d], 1e-13);
+      for (std::size_t r = 0; r < tangent.size(); ++r)
+        for (std::size_t c = 0; c < tangent.size(); ++c) EXPECT_NEAR(lane(tangent[r][c], i), one_tangent[r][c], 1e-13);
+    }
   }
 }
 

@@ -55,6 +55,24 @@ TYPED_TEST(LinearElasticDimensionsTest, UniaxialStrain) {
   EXPECT_NEAR(material.energy(h), (lame.lambda + 2 * lame.mu) * 0.1 * 0.1 / 2, 1e-15);
 }
 
+TYPED_TEST(LinearElasticDimensionsTest, DiscreteGradientDoesTheWorkOfTheEnergy) {
+  constexpr std::size_t D = TypeParam::value;
+  const Small<double, D> from = sample<D>();
+  Small<double, D> to = from, p{};
+  for (std::size_t i = 0; i < D; ++i) to[i][0] -= 0.7 * from[0][i];
+  material.discrete_gradient(from, to, p);
+  double work = 0;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) work += p[i][j] * (to[i][j] - from[i][j]);
+  EXPECT_NEAR(work, material.energy(to) - material.energy(from), 1e-14);
+  // Linear in the end: half the moduli.
+  Small<double, D * D> moduli{}, half{};
+  material.stress_and_moduli(from, p, moduli);
+  material.discrete_gradient_moduli(from, to, half);
+  for (std::size_t r = 0; r < D * D; ++r)
+    for (std::size_t c = 0; c < D * D; ++c) EXPECT_EQ(half[r][c], moduli[r][c] / 2);
+}
+
 TYPED_TEST(LinearElasticDimensionsTest, SimpleShear) {
   constexpr std::size_t D = TypeParam::value;
   Small<double, D> h{}, p{};

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "support/automatic_differentiation.hpp"
 
@@ -149,6 +151,96 @@ TYPED_TEST(NeoHookeTest, SmallStrainIsLinearElasticityToTheLastDigits) {
         EXPECT_NEAR(p[i][j] / size, sigma / size, 10 * size) << size;
       }
   }
+}
+
+/// Pairs of ends: small and large steps from small and large strains, and none at all.
+template <std::size_t D>
+std::vector<std::pair<Small<double, D>, Small<double, D>>> steps() {
+  std::vector<std::pair<Small<double, D>, Small<double, D>>> result;
+  for (double size : {0.0, 1e-9, 1e-3, 0.3})
+    for (double step : {0.0, 1e-12, 1e-6, 0.01, 0.03, 0.4}) {
+      Small<double, D> from = sample<D>(size), to = from;
+      double phase = 0.2;
+      for (auto& row : to)
+        for (double& value : row) value += step * std::cos(phase += 0.9);
+      result.emplace_back(from, to);
+    }
+  return result;
+}
+
+TYPED_TEST(NeoHookeTest, WorkOfTheDiscreteGradientIsTheChangeOfTheEnergy) {
+  constexpr std::size_t D = TypeParam::value;
+  for (const auto& [from, to] : steps<D>()) {
+    Small<double, D> p;
+    material.discrete_gradient(from, to, p);
+    double work = 0, scale = 0;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        work += p[i][j] * (to[i][j] - from[i][j]);
+        scale += std::abs(p[i][j] * (to[i][j] - from[i][j]));
+      }
+    // What rounding the ends costs: epsilon in F, times the stress.
+    const double energies = std::abs(material.energy(to)) + std::abs(material.energy(from));
+    EXPECT_NEAR(work, material.energy(to) - material.energy(from), 1e-14 * (energies + scale) + 1e-30);
+  }
+}
+
+TYPED_TEST(NeoHookeTest, DiscreteGradientTendsToTheStressWithSecondOrder) {
+  constexpr std::size_t D = TypeParam::value;
+  const auto error = [](double step) {
+    Small<double, D> from = sample<D>(0.3), to = from, middle = from, p, q;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        const double change = std::cos(static_cast<double>(i + 2 * j));
+        to[i][j] += step * change;
+        middle[i][j] += step / 2 * change;
+      }
+    material.discrete_gradient(from, to, p);
+    material.stress(middle, q);
+    double largest = 0;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) largest = std::max(largest, std::abs(p[i][j] - q[i][j]));
+    return largest;
+  };
+  EXPECT_NEAR(error(0.02) / error(0.01), 4, 0.2);
+  EXPECT_LT(error(0), 1e-15);
+}
+
+TYPED_TEST(NeoHookeTest, DiscreteGradientTurnsWithTheBody) {
+  constexpr std::size_t D = TypeParam::value;
+  const auto turned = [](Small<double, D> h) {
+    for (std::size_t i = 0; i < D; ++i) h[i][i] += 1;
+    Small<double, D> f = turn<D>(h);
+    for (std::size_t i = 0; i < D; ++i) f[i][i] -= 1;
+    return f;
+  };
+  for (const auto& [from, to] : steps<D>()) {
+    Small<double, D> p, q;
+    material.discrete_gradient(from, to, p);
+    material.discrete_gradient(turned(from), turned(to), q);
+    const Small<double, D> expected = turn<D>(p);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) EXPECT_NEAR(q[i][j], expected[i][j], 3e-15);
+  }
+}
+
+TYPED_TEST(NeoHookeTest, DiscreteModuliAreTheDerivativeInTheEnd) {
+  constexpr std::size_t D = TypeParam::value;
+  double skew = 0;
+  for (const auto& [from, to] : steps<D>()) {
+    Small<Variable<D>, D> start, p;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) start[i][j] = Variable<D>(from[i][j]);
+    material.discrete_gradient(start, seeded<D>(to), p);
+    Small<double, D * D> moduli;
+    material.discrete_gradient_moduli(from, to, moduli);
+    for (std::size_t r = 0; r < D * D; ++r)
+      for (std::size_t c = 0; c < D * D; ++c) {
+        EXPECT_NEAR(moduli[r][c], p[r / D][r % D].dx(static_cast<int>(c)), 2e-12) << r << ' ' << c;
+        skew = std::max(skew, std::abs(moduli[r][c] - moduli[c][r]));
+      }
+  }
+  EXPECT_GT(skew, 0.001) << "it is not symmetric";
 }
 
 TEST(NeoHookePlaneStrainTest, IsThreeDimensionalWithoutDisplacementAcross) {

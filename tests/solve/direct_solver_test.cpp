@@ -32,8 +32,9 @@ Teuchos::RCP<CrsMatrix> tridiagonal(int n, double diagonal, double skew, const C
 
 double relative_residual(const CrsMatrix& a, const std::string& type) {
   Teuchos::ParameterList list;
-  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  list.sublist("Linear Solver Types").sublist("Direct").set("Solver Type", type);
+  const std::string solver = type == "KLU2" ? "Amesos2" : "Direct";
+  list.set("Linear Solver Type", solver).set("Preconditioner Type", "None");
+  list.sublist("Linear Solver Types").sublist(solver).set("Solver Type", type);
   const LinearSolverFactory factory(list);
   LinearSystem system(factory, Teuchos::rcpFromRef(a));
   Vector b(a.getRowMap()), x(a.getRowMap()), r(a.getRowMap());
@@ -48,6 +49,33 @@ double relative_residual(const CrsMatrix& a, const std::string& type) {
 TEST(DirectSolverTest, Klu2SolvesOnAnyNumberOfRanks) {
   EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0.4, world()), "KLU2"), 1e-13);
   EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "KLU2"), 1e-13);
+}
+
+TEST(DirectSolverTest, KluSolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0.4, world()), "KLU"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "KLU"), 1e-13);
+}
+
+TEST(DirectSolverTest, KluChoosesNewPivotsWhereTheOldOnesVanish) {
+  const auto a = tridiagonal(50, 2.5, 0, world());
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  list.sublist("Linear Solver Types").sublist("Direct").set("Solver Type", "KLU");
+  const LinearSolverFactory factory(list);
+  LinearSystem system(factory, a);
+  Vector b(a->getRowMap()), x(a->getRowMap()), r(a->getRowMap());
+  b.randomize();
+  ASSERT_TRUE(system.solve(b, x));
+  a->resumeFill();
+  for (GlobalId row = 0; row < 50; ++row)
+    if (a->getRowMap()->isNodeGlobalElement(row))
+      a->replaceGlobalValues(row, Teuchos::tuple<GlobalId>(row), Teuchos::tuple<double>(0.0));
+  a->fillComplete();
+  system.refresh();
+  ASSERT_TRUE(system.solve(b, x));
+  a->apply(x, r);
+  r.update(1.0, b, -1.0);
+  EXPECT_LT(r.norm2(), 1e-11 * b.norm2());
 }
 
 TEST(DirectSolverTest, TheRepairedKlu2IsTheOneInUse) {

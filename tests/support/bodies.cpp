@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "support/scene_text.hpp"
+#include "time/catalogue.hpp"
 
 namespace ixos::test {
 namespace {
@@ -42,5 +43,12 @@ std::string oscillator() {
 
 // The top edge moves as one: u = U(t) y, energy E U^2/2 (nu = 0), kinetic energy rho U'^2/6.
 double oscillator_frequency() { return std::sqrt(3.0); }
+
+std::vector<std::string> moving_schemes() {
+  std::vector<std::string> names;
+  for (const Scheme& scheme : schemes())
+    if (scheme.name != "Static") names.push_back(scheme.name);
+  return names;
+}
 
 }  // namespace ixos::test

@@ -2,6 +2,7 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
+#include <vector>
 
 namespace ixos::test {
 
@@ -16,5 +17,8 @@ std::string block_3d(double spin);
 /// oscillator_frequency().
 std::string oscillator();
 double oscillator_frequency();
+
+/// The names of all schemes that move a body: the whole catalogue but "Static".
+std::vector<std::string> moving_schemes();
 
 }  // namespace ixos::test

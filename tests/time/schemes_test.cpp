@@ -97,6 +97,15 @@ TEST(SchemesTest, MidpointTakesForcesInTheMiddle) {
   EXPECT_EQ(stage.elastic.points[0].from, 0.5);
 }
 
+TEST(SchemesTest, EnergyMomentumTakesDiscreteGradients) {
+  const Table table = from_xml("Energy-Momentum", "");
+  expect_row(table.stages.at(0).inertia, 2, -2, -2, 0, "inertia");
+  EXPECT_EQ(table.stages[0].elastic.mean, Mean::DiscreteGradient);
+  EXPECT_EQ(table.stages[0].interaction.mean, Mean::DiscreteGradient);
+  EXPECT_FALSE(is_symmetric(table));
+  EXPECT_TRUE(is_symmetric(from_xml("Average Vector Field", "")));
+}
+
 TEST(SchemesTest, AverageVectorFieldFollowsItsPoints) {
   const Table table =
       from_xml("Average Vector Field", test::count("Elastic Points", 3) + test::count("Interaction Points", 6));

@@ -54,6 +54,7 @@ TEST(OrderTest, SchemesAreOfSecondOrder) {
     expect_order(body, "Generalized-Alpha", "", 2);
     expect_order(body, "HHT-Alpha", test::number("Alpha", -0.2), 2);
     expect_order(body, "Midpoint", "", 2);
+    expect_order(body, "Energy-Momentum", "", 2);
   }
 }
 
@@ -70,7 +71,7 @@ std::string shaken_block() {
 
 TEST(OrderTest, DrivenAndLoadedToo) {
   for (const char* scheme : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field",
-                             "Generalized-Alpha", "HHT-Alpha", "Midpoint"})
+                             "Generalized-Alpha", "HHT-Alpha", "Midpoint", "Energy-Momentum"})
     expect_order(shaken_block(), scheme, "", 2, 80);
 }
 

@@ -1,0 +1,62 @@
+/// A distributed matrix collected on the first rank, for the sequential factorisations.
+#pragma once
+#include <mpi.h>
+
+#include <functional>
+#include <vector>
+
+#include "base/tpetra.hpp"
+
+namespace ixos {
+
+/// Rows of all ranks, one after the other, on the first; the row map's ranges must follow each other in rank order, as
+/// a DofSpace's do. On a single rank nothing is copied. All functions are collective unless they say otherwise.
+class CollectedMatrix {
+ public:
+  /// The matrix must be fill-complete and keep its sparsity. Throws std::runtime_error where it has more than 2^31 - 1
+  /// entries.
+  explicit CollectedMatrix(const Teuchos::RCP<const CrsMatrix>& matrix);
+
+  /// Collects the present values.
+  void refresh();
+  bool root() const { return rank_ == 0; }  ///< Not collective.
+
+  // On the first rank, none of them collective: compressed rows, columns sorted. The arrays belong to this object or to
+  // the matrix; sequential libraries take them without const.
+  int size() const { return static_cast<int>(starts_.size()) - 1; }
+  int entries() const { return starts_.back(); }
+  int* starts() { return starts_.data(); }
+  int* columns() { return single() ? local_columns_ : columns_.data(); }
+  double* values() { return single() ? local_values_ : values_.data(); }
+
+  /// The first rank's status on all ranks.
+  int agreed(int status) const;
+  /// For each column of b: `solve` gets the whole right-hand side on the first rank and returns the whole solution
+  /// there; x its parts on all.
+  void solve(const MultiVector& b, MultiVector& x, const std::function<const double*(const double*)>& solve);
+
+ private:
+  struct Counts {
+    int mine = 0;
+    std::vector<int> count, start;
+  };
+  bool single() const { return size_ == 1; }
+  Counts counts(int mine) const;
+  void collect(const Counts& counts, const void* mine, void* all, MPI_Datatype type) const;
+  void collect_pattern();
+
+  Teuchos::RCP<const CrsMatrix> matrix_;
+  MPI_Comm comm_;
+  int rank_ = 0;
+  int size_ = 1;
+  Counts row_counts_, entry_counts_;
+  std::vector<int> starts_{0};
+  int* local_columns_ = nullptr;  ///< on a single rank
+  double* local_values_ = nullptr;
+  // On the first of several ranks: right-hand side, columns and values of the whole matrix; values as they come in; of
+  // each entry, where it comes in.
+  std::vector<double> rhs_, values_, incoming_;
+  std::vector<int> columns_, place_;
+};
+
+}  // namespace ixos

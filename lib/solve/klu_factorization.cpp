@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+#include <klu.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "solve/collected_matrix.hpp"
+#include "solve/factorization.hpp"
+
+namespace ixos {
+namespace {
+
+class Klu final : public Factorization {
+ public:
+  Klu() {
+    klu_defaults(&common_);
+    common_.btf = 0;     // a tangent is irreducible
+    common_.scale = -1;  // and its diagonal dominates enough: nothing to scale, and no pass over it to check
+  }
+  ~Klu() override {
+    klu_free_numeric(&numeric_, &common_);
+    klu_free_symbolic(&symbolic_, &common_);
+  }
+  Klu(const Klu&) = delete;
+  Klu& operator=(const Klu&) = delete;
+
+  void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) override {
+    matrix_ = std::make_unique<CollectedMatrix>(matrix);
+    bool done = true;
+    if (matrix_->root()) {
+      klu_free_numeric(&numeric_, &common_);
+      klu_free_symbolic(&symbolic_, &common_);
+      symbolic_ = klu_analyze(matrix_->size(), matrix_->starts(), matrix_->columns(), &common_);
+      done = symbolic_ != nullptr;
+      solution_.resize(static_cast<std::size_t>(matrix_->size()));
+    }
+    if (matrix_->agreed(done ? 0 : 1) != 0) throw std::runtime_error("KLU cannot analyze the matrix");
+  }
+
+  void factor() override {
+    matrix_->refresh();
+    bool done = true;
+    if (matrix_->root()) done = refactor() || factor_anew();
+    if (matrix_->agreed(done ? 0 : 1) != 0)
+      throw std::runtime_error(fmt::format("KLU cannot factor the matrix (status {})", common_.status));
+  }
+
+  /// KLU wants columns and has our rows: it factors the transpose, and solves with the transpose of that.
+  void solve(const MultiVector& b, MultiVector& x) override {
+    matrix_->solve(b, x, [this](const double* rhs) {
+      std::copy_n(rhs, solution_.size(), solution_.begin());
+      klu_tsolve(symbolic_, numeric_, matrix_->size(), 1, solution_.data(), &common_);
+      return static_cast<const double*>(solution_.data());
+    });
+  }
+
+ private:
+  /// New values with the pivots of last time, as long as these do not shrink.
+  bool refactor() {
+    if (numeric_ == nullptr) return false;
+    if (klu_refactor(matrix_->starts(), matrix_->columns(), matrix_->values(), symbolic_, numeric_, &common_) == 0 ||
+        common_.status != KLU_OK)
+      return false;
+    return klu_rcond(symbolic_, numeric_, &common_) != 0 && common_.rcond > 1e-12;
+  }
+  bool factor_anew() {
+    klu_free_numeric(&numeric_, &common_);
+    numeric_ = klu_factor(matrix_->starts(), matrix_->columns(), matrix_->values(), symbolic_, &common_);
+    return numeric_ != nullptr && common_.status == KLU_OK;
+  }
+
+  klu_common common_{};
+  klu_symbolic* symbolic_ = nullptr;
+  klu_numeric* numeric_ = nullptr;
+  std::unique_ptr<CollectedMatrix> matrix_;
+  std::vector<double> solution_;
+};
+
+}  // namespace
+
+std::unique_ptr<Factorization> make_klu() { return std::make_unique<Klu>(); }
+
+}  // namespace ixos

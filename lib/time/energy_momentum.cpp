@@ -1,0 +1,15 @@
+#include "time/momentum_form.hpp"
+#include "time/schemes.hpp"
+
+namespace ixos {
+
+Table energy_momentum() {
+  Stage stage = momentum_form_stage();
+  stage.elastic = discrete_gradient_rule();
+  stage.interaction = discrete_gradient_rule();
+  stage.load = gauss_times(0);
+  stage.nearby = {gauss_rule(4), exact_rule()};  // the average vector field
+  return momentum_form_table("Energy-Momentum", stage);
+}
+
+}  // namespace ixos
