@@ -68,6 +68,9 @@ Teuchos::RCP<const RangeValidator> at_least(double lower) {
 Teuchos::RCP<const RangeValidator> at_least_and_less_than(double lower, double upper) {
   return make(lower, End::Closed, upper, End::Open);
 }
+Teuchos::RCP<const RangeValidator> greater_than_and_at_most(double lower, double upper) {
+  return make(lower, End::Open, upper, End::Closed);
+}
 Teuchos::RCP<const RangeValidator> greater_and_less_than(double lower, double upper) {
   return make(lower, End::Open, upper, End::Open);
 }

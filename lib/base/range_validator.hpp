@@ -35,6 +35,7 @@ Teuchos::RCP<const RangeValidator> any_number();
 Teuchos::RCP<const RangeValidator> greater_than(double lower);
 Teuchos::RCP<const RangeValidator> at_least(double lower);
 Teuchos::RCP<const RangeValidator> at_least_and_less_than(double lower, double upper);
+Teuchos::RCP<const RangeValidator> greater_than_and_at_most(double lower, double upper);
 Teuchos::RCP<const RangeValidator> greater_and_less_than(double lower, double upper);
 Teuchos::RCP<const RangeValidator> between(double lower, double upper);  ///< ends included
 

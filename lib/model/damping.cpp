@@ -1,5 +1,7 @@
 #include "model/damping.hpp"
 
+#include <cmath>
+
 namespace ixos {
 
 Damping::Damping(const Pattern& pattern, int dimension)
@@ -19,6 +21,18 @@ void Damping::multiply_add(double factor, const double* x, double* y) const {
         for (std::size_t j = 0; j < d; ++j) sum += *value++ * x[node * d + j];
       }
       y[row * d + i] += factor * sum;
+    }
+}
+
+void Damping::row_sums(double* sums) const {
+  const auto d = static_cast<std::size_t>(dimension_);
+  const std::vector<int>& start = pattern_.row_start();
+  const double* value = values_.data();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row)
+    for (std::size_t i = 0; i < d; ++i) {
+      sums[row * d + i] = 0;
+      for (std::size_t k = 0; k < d * static_cast<std::size_t>(start[row + 1] - start[row]); ++k)
+        sums[row * d + i] += std::abs(*value++);
     }
 }
 

@@ -16,6 +16,8 @@ class Damping {
   double* values() { return values_.data(); }  ///< C, to be filled in
   /// y += factor C x: x local, y the rows of owned nodes.
   void multiply_add(double factor, const double* x, double* y) const;
+  /// sums_r = sum over columns of |C_rc|, rows of owned nodes.
+  void row_sums(double* sums) const;
   /// values += factor C.
   void add_to(double factor, double* values) const;
 

@@ -58,6 +58,20 @@ class ElasticTerm final : public Term {
     }
   }
 
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    const Rule rule = end_rule();
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      typename Kernel::template Tangent<Pack> tangent{};
+      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+      Nodal rows{};
+      for (std::size_t r = 0; r < N * D; ++r)
+        for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
+      batches_.scatter_force(b, rows, sums);
+    }
+    return true;
+  }
+
   double energy(const double* u) const override {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {

@@ -71,6 +71,31 @@ class HalfSpaceTerm final : public Term {
     }
   }
 
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    double least_gap = 1;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Nodal gap = gaps_of(b, segment.to);
+      Nodal rows{};
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) {
+        const auto& shape = quadrature_.value[q];
+        const Pack r = Kernel::interpolate(shape, gap);
+        least_gap = std::min(least_gap, least(r));
+        double total_shape = 0;
+        for (double value : shape) total_shape += std::abs(value);
+        const Pack stiffness = total_shape * measure(b)[q] * std::experimental::abs(law_.stiffness(r));
+        for (std::size_t a = 0; a < N; ++a) rows[a] += std::abs(shape[a]) * stiffness;
+      }
+      // |n_i n_j| summed over j.
+      double normal_sum = 0;
+      for (std::size_t d = 0; d < D; ++d) normal_sum += std::abs(wall_.normal[d]);
+      Small<Pack, N, D> along;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) along[a][d] = rows[a] * (std::abs(wall_.normal[d]) * normal_sum);
+      batches_.scatter_force(b, along, sums);
+    }
+    return least_gap > 0;
+  }
+
   double energy(const double* u) const override {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < batches_.size(); ++b)
@@ -98,6 +123,22 @@ class HalfSpaceTerm final : public Term {
                                    Kernel::interpolate(quadrature_.value[q], to));
     }
     return total(sum);
+  }
+
+  double gap_ratio(const double* from, const double* to) const override {
+    const double near = 10 * law_.equilibrium_gap();
+    double largest = 1;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Nodal start = gaps_of(b, from), end = gaps_of(b, to);
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) {
+        const Pack r0 = Kernel::interpolate(quadrature_.value[q], start);
+        const Pack r1 = Kernel::interpolate(quadrature_.value[q], end);
+        const Pack lesser = smaller(r0, r1);
+        const Pack ratio = select(lesser < near, Pack((r0 + r1 - lesser) / lesser), Pack(1.0));
+        largest = std::max(largest, -least(Pack(-ratio)));
+      }
+    }
+    return largest;
   }
 
   double rounding(const double* u) const override {

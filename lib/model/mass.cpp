@@ -1,7 +1,9 @@
 #include "model/mass.hpp"
 
+#include <algorithm>
 #include <array>
 
+#include "base/error.hpp"
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
 #include "fem/jacobian.hpp"
@@ -11,7 +13,7 @@ namespace ixos {
 namespace {
 
 template <class Element>
-void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern,
+void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern, bool lumped,
          std::vector<double>& pairs) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
@@ -30,7 +32,7 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
     for (std::size_t a = 0; a < N; ++a) {
       if (nodes[a] >= pattern.rows()) continue;
       for (std::size_t b = 0; b < N; ++b)
-        pairs[static_cast<std::size_t>(pattern.pair(nodes[a], nodes[b]))] += element[a][b];
+        pairs[static_cast<std::size_t>(lumped ? nodes[a] : pattern.pair(nodes[a], nodes[b]))] += element[a][b];
     }
   }
 }
@@ -52,16 +54,38 @@ void multiply_rows(const Pattern& pattern, const std::vector<double>& pairs, con
 
 }  // namespace
 
-Mass::Mass(const LocalMesh& mesh, const Pattern& pattern)
-    : mesh_(mesh), pattern_(pattern), pairs_(static_cast<std::size_t>(pattern.pairs()), 0.0) {}
+Mass::Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped)
+    : mesh_(mesh),
+      pattern_(pattern),
+      lumped_(lumped),
+      pairs_(static_cast<std::size_t>(lumped ? pattern.rows() : pattern.pairs()), 0.0) {}
 
 void Mass::add_block(const LocalBlock& block, double density) {
-  with_element(block.type,
-               [&](auto element) { add<typename decltype(element)::type>(mesh_, block, density, pattern_, pairs_); });
+  if (lumped_ && block.type == CellType::Quad4CH)
+    throw InputError("block \"" + block.name +
+                     "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
+  with_element(block.type, [&](auto element) {
+    add<typename decltype(element)::type>(mesh_, block, density, pattern_, lumped_, pairs_);
+  });
+}
+
+void Mass::divide(const double* y, double* x) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  for (std::size_t i = 0; i < pairs_.size() * d; ++i) x[i] = y[i] / pairs_[i / d];
+}
+
+double Mass::largest_quotient(const double* y) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  double largest = 0;
+  for (std::size_t i = 0; i < pairs_.size() * d; ++i) largest = std::max(largest, y[i] / pairs_[i / d]);
+  return largest;
 }
 
 void Mass::multiply(const double* x, double* y) const {
-  if (mesh_.dimension == 2)
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  if (lumped_)
+    for (std::size_t i = 0; i < pairs_.size() * d; ++i) y[i] = pairs_[i / d] * x[i];
+  else if (mesh_.dimension == 2)
     multiply_rows<2>(pattern_, pairs_, x, y);
   else
     multiply_rows<3>(pattern_, pairs_, x, y);
@@ -74,6 +98,12 @@ void Mass::add_to(double factor, double* values) const {
     const auto first = static_cast<std::size_t>(start[row]);
     const std::size_t length = static_cast<std::size_t>(start[row + 1]) - first;
     double* block = values + d * d * first;
+    if (lumped_) {
+      const auto node = static_cast<int>(row);
+      for (int i = 0; i < mesh_.dimension; ++i)
+        values[pattern_.offset(node, node) + pattern_.stride(node) * i + i] += factor * pairs_[row];
+      continue;
+    }
     for (std::size_t p = 0; p < length; ++p) {
       const double m = factor * pairs_[first + p];
       for (std::size_t i = 0; i < d; ++i) block[d * length * i + d * p + i] += m;
@@ -83,6 +113,10 @@ void Mass::add_to(double factor, double* values) const {
 
 double Mass::trace() const {
   double sum = 0;
+  if (lumped_) {
+    for (double m : pairs_) sum += m;
+    return sum;
+  }
   for (int row = 0; row < pattern_.rows(); ++row) sum += pairs_[static_cast<std::size_t>(pattern_.pair(row, row))];
   return sum;
 }

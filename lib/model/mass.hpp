@@ -1,4 +1,4 @@
-/// Consistent mass.
+/// Mass, consistent or lumped.
 #pragma once
 #include <array>
 #include <vector>
@@ -8,27 +8,36 @@
 
 namespace ixos {
 
+/// How a model resists acceleration. A static model has no mass and no damping: neither is allocated.
+enum class Inertia { Consistent, Lumped, None };
+
 /// M_ab I with M_ab = int rho N_a N_b dV: one number for each node pair of the Pattern, rows of owned nodes only.
-/// Units E0 T0^2 L0^(D-2).
+/// Lumped: its row sums on the diagonal, which keep the body's mass and its first moments. Units E0 T0^2 L0^(D-2).
 class Mass {
  public:
-  Mass(const LocalMesh& mesh, const Pattern& pattern);
+  Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped = false);
+
+  bool is_lumped() const { return lumped_; }
 
   /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals with straight sides and for
-  /// parallelepipeds.
+  /// parallelepipeds. Throws InputError where the mass of Hermite elements is to be lumped.
   void add_block(const LocalBlock& block, double density);
 
   /// y = M x: x local (with ghosts), y the rows of owned nodes.
   void multiply(const double* x, double* y) const;
   /// values += factor M, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
+  /// Lumped masses only, rows of owned nodes: x = M^-1 y, and the largest y_i/M_i.
+  void divide(const double* y, double* x) const;
+  double largest_quotient(const double* y) const;
   /// Sum of M_aa over this rank's owned nodes.
   double trace() const;
 
  private:
   const LocalMesh& mesh_;
   const Pattern& pattern_;
-  std::vector<double> pairs_;
+  bool lumped_;
+  std::vector<double> pairs_;  ///< by node pair; lumped: by owned node
 };
 
 }  // namespace ixos

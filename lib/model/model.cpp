@@ -20,7 +20,7 @@ bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, do
 
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
     : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_) {
-  if (inertia == Inertia::Consistent) mass_ = std::make_unique<Mass>(mesh_, pattern_);
+  if (inertia != Inertia::None) mass_ = std::make_unique<Mass>(mesh_, pattern_, inertia == Inertia::Lumped);
   for (const Material& material : materials) {
     const auto same = [&](const Material& other) { return other.block == material.block; };
     if (std::count_if(materials.begin(), materials.end(), same) > 1)
@@ -45,7 +45,7 @@ void Model::add_block(std::size_t number, const Material& material) {
   if (material.mass_damping == 0 && material.stiffness_damping == 0) return;
   if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension);
   if (material.mass_damping != 0) {
-    Mass block_mass(mesh_, pattern_);
+    Mass block_mass(mesh_, pattern_, mass_->is_lumped());
     block_mass.add_block(block, material.density);
     block_mass.add_to(material.mass_damping, damping_->values());
   }
@@ -86,6 +86,16 @@ void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, Ta
   for (const auto& term : interactions_) term->add_tangent(segment, rule, kind, values);
 }
 
+void Model::add_elastic_row_sums(const Segment& segment, double* sums) const {
+  for (const auto& term : elastic_) term->add_row_sums(segment, sums);
+}
+
+bool Model::add_interaction_row_sums(const Segment& segment, double* sums) const {
+  bool admissible = true;
+  for (const auto& term : interactions_) admissible = term->add_row_sums(segment, sums) && admissible;
+  return admissible;
+}
+
 double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
   if (interactions_.empty()) return 1.0;
   double step = 1.0;
@@ -109,6 +119,12 @@ double Model::local_mean_potential(const Segment& segment) const {
   double sum = 0;
   for (const auto& term : interactions_) sum += term->mean_potential(segment);
   return sum;
+}
+
+double Model::gap_ratio(const double* from, const double* to) const {
+  double largest = 1;
+  for (const auto& term : interactions_) largest = std::max(largest, term->gap_ratio(from, to));
+  return space_.maximum(largest);
 }
 
 double Model::local_rounding(const double* u) const {

@@ -25,9 +25,6 @@ struct Material {
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
 };
 
-/// A static model has no mass and no damping: neither is allocated.
-enum class Inertia { Consistent, None };
-
 /// A sum over all ranks of what the model stores and moves.
 struct Momenta {
   double kinetic_energy = 0;
@@ -67,6 +64,9 @@ class Model {
   bool interaction_force(const Segment& segment, const Rule& rule, double* f) const;
   void add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const;
   void add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
+  /// See Term::add_row_sums.
+  void add_elastic_row_sums(const Segment& segment, double* sums) const;
+  bool add_interaction_row_sums(const Segment& segment, double* sums) const;
   /// Largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
 
@@ -75,6 +75,8 @@ class Model {
   double local_interaction_energy(const double* u) const;
   /// This rank's sum of Term::mean_potential over the interactions.
   double local_mean_potential(const Segment& segment) const;
+  /// The largest Term::gap_ratio. Collective.
+  double gap_ratio(const double* from, const double* to) const;
   /// This rank's sum of Term::rounding over the interactions.
   double local_rounding(const double* u) const;
   /// Collective sums over all ranks [E0 L0^D].

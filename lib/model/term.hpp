@@ -47,6 +47,10 @@ class Term {
   /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
   virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
 
+  /// Adds to a local array, for each degree of freedom, the sum of |k_rc| over its rows of the cells' tangents at
+  /// segment.to: at least the row sum of the assembled one. False where segment.to is inadmissible.
+  virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
+
   /// This rank's share of the potential energy [E0 L0^D].
   virtual double energy(const double* u) const = 0;
 
@@ -55,6 +59,10 @@ class Term {
 
   /// This rank's share of the potential whose derivative in u_to is the force of the exact rule; interactions only.
   virtual double mean_potential(const Segment& /*segment*/) const { return 0; }
+
+  /// An interaction: the largest ratio that the gap at a quadrature point has in a step, where the lesser gap is below
+  /// ten times that of equilibrium. 1 of other terms.
+  virtual double gap_ratio(const double* /*from*/, const double* /*to*/) const { return 1; }
 
   /// Sum of squares of the forces at quadrature points that cancel in add_force, and of what rounding the gap costs,
   /// both over the machine's epsilon: near the equilibrium gap they are all that is left of the force. 0 of other

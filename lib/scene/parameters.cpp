@@ -153,13 +153,25 @@ void add_time_integrator(List& list) {
            one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",
                    "Extrapolation"}));
   List& control = list.sublist("Time Step Control", false, "times and steps");
-  control.set("Type", "Fixed", "how the step is chosen", one_of({"Fixed"}));
+  control.set("Type", "Fixed", "how the step is chosen; Adaptive judges every step", one_of({"Fixed", "Adaptive"}));
   control.set("Initial Time", 0.0, "[T0]", any_number());
   require(control, "Final Time", "[T0]; later than Initial Time", any_number());
-  require(control, "Time Step", "[T0]; the last one is shortened to end at Final Time", greater_than(0));
+  require(control, "Time Step",
+          "[T0]; Adaptive: the first; steps are shortened to end at Final Time and at the time intervals of Output",
+          greater_than(0));
   control.set("Maximum Cuts", 0, "how often Time Step may be halved where a step fails; 0 ends the run",
               between(0, 60));
   control.set("Minimum Time Step", 0.0, "no cut goes below [T0]", at_least(0));
+  List& adaptive = control.sublist("Adaptive", false, "a step that exceeds what is asked is done again, shorter");
+  adaptive.set("Tolerance", 0.0, "largest local error of a displacement in a step [L0]; 0: not judged", at_least(0));
+  adaptive.set("Maximum Gap Ratio", 0.0,
+               "largest ratio of the gaps of a point of the surface at both ends of a step [-]; 0: not judged",
+               at_least(0));
+  adaptive.set("Choose Time Points", false,
+               "take 5, 8 or 16 points in time for the interaction as the gap ratio of the step demands");
+  adaptive.set("Safety", 0.9, "share of the length that the judgement allows [-]", greater_and_less_than(0, 1));
+  adaptive.set("Largest Growth", 2.0, "of the length from step to step [-]", greater_than(1));
+  adaptive.set("Maximum Time Step", 0.0, "[T0]; 0: none", at_least(0));
   List& stop =
       list.sublist("Stop", false, "ends of the run before Final Time; the first that holds counts").sublist(any_name);
   stop.set("Type", "Probe", "a probe's value, or no contact after there was some", one_of({"Probe", "Detached"}));

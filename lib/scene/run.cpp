@@ -57,6 +57,18 @@ class Recording {
   double start_;
 };
 
+/// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
+bool good_enough(Integrator& integrator, const AdaptiveOptions& asked, double dt, StepControl& control) {
+  StepJudgement judgement;
+  if (asked.tolerance > 0) judgement.error = integrator.error();
+  if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator.gap_ratio();
+  const int used = integrator.table().interaction_points;
+  if (!asked.time_points || used == 0) return control.accepts(dt, judgement);
+  const int needed = time_points(judgement.gap_ratio);
+  integrator.set_interaction_points(needed);
+  return control.accepts(dt, judgement) && needed <= used;
+}
+
 }  // namespace
 
 RunResult run(Simulation& simulation, const RunOptions& options) {
@@ -82,6 +94,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     fields->record();
   }
 
+  std::function<double(double)> stable;
+  if (is_explicit(integrator.table())) stable = [&](double wanted) { return integrator.stable_step(wanted); };
   RunResult result;
   RowCounts counts;
   history.record(counts);
@@ -95,8 +109,8 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
       break;
     }
     const double before = integrator.time();
-    const double dt = control.next(before);
-    const StepResult step = integrator.step(dt);
+    const double dt = control.next(before, stable);
+    const StepResult step = integrator.attempt(dt);
     counts.newton_iterations += step.newton_iterations;
     counts.linear_iterations += step.linear_iterations;
     result.linear_iterations += step.linear_iterations;
@@ -109,6 +123,13 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
       result.reason = step.reason;
       break;
     }
+    if (times.adaptive.on && !good_enough(integrator, times.adaptive, dt, control)) {
+      ++result.rejected_steps;
+      if (!control.exhausted(result.reason)) continue;
+      result.status = RunStatus::Diverged;
+      break;
+    }
+    integrator.accept();
     control.succeeded();
     ++result.steps;
     counts.step = result.steps;

@@ -101,7 +101,8 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
                     "to {}",
                     control.time_step, control.initial_time, control.final_time));
   Table table = chosen_table();
-  build_model(comm, folder, is_static(table) ? Inertia::None : Inertia::Consistent);
+  check_adaptive(table);
+  build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
   setup_seconds_ = timer.stop();
@@ -109,8 +110,42 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
 
 StepControlOptions Simulation::step_control() const {
   const List& list = parameters_.sublist("Time Integrator").sublist("Time Step Control");
-  return {list.get<double>("Initial Time"), list.get<double>("Final Time"), list.get<double>("Time Step"),
-          list.get<int>("Maximum Cuts"), list.get<double>("Minimum Time Step")};
+  StepControlOptions options;
+  options.initial_time = list.get<double>("Initial Time");
+  options.final_time = list.get<double>("Final Time");
+  options.time_step = list.get<double>("Time Step");
+  options.maximum_cuts = list.get<int>("Maximum Cuts");
+  options.minimum_step = list.get<double>("Minimum Time Step");
+  for (const char* name : {"History Time Interval", "Fields Time Interval"})
+    if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
+      options.output_intervals.push_back(interval);
+  if (list.get<std::string>("Type") == "Fixed") return options;
+  const List& adaptive = list.sublist("Adaptive");
+  options.adaptive = {true,
+                      adaptive.get<double>("Tolerance"),
+                      adaptive.get<double>("Maximum Gap Ratio"),
+                      adaptive.get<bool>("Choose Time Points"),
+                      adaptive.get<double>("Safety"),
+                      adaptive.get<double>("Largest Growth")};
+  if (const double longest = adaptive.get<double>("Maximum Time Step"); longest > 0) options.maximum_step = longest;
+  return options;
+}
+
+void Simulation::check_adaptive(const Table& table) const {
+  const AdaptiveOptions asked = step_control().adaptive;
+  const std::string path = "Time Integrator/Time Step Control/Adaptive";
+  if (!asked.on) return;
+  if (asked.tolerance == 0 && asked.gap_ratio == 0)
+    throw InputError(path + ": neither Tolerance nor Maximum Gap Ratio is given; one must be greater than 0");
+  if (asked.gap_ratio > 0 && !(asked.gap_ratio > 1))
+    throw InputError(path + "/Maximum Gap Ratio: must be greater than 1");
+  if (asked.tolerance > 0 && table.error_constant == 0)
+    throw InputError(path + "/Tolerance: the scheme \"" + table.name + "\" has no estimate of its local error; use 0");
+  if (asked.gap_ratio > 0 && sublists(parameters_.sublist("Interactions")).empty())
+    throw InputError(path + "/Maximum Gap Ratio: the scene has no interaction; use 0");
+  if (asked.time_points && table.interaction_points == 0)
+    throw InputError(path + "/Choose Time Points: the scheme \"" + table.name +
+                     "\", as it is set, has no points in time of the interaction that could be chosen");
 }
 
 std::vector<std::string> Simulation::reactions() const {

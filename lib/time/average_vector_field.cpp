@@ -8,7 +8,9 @@ Table average_vector_field(int elastic_points, int interaction_points) {
   stage.elastic = gauss_rule(elastic_points);
   stage.interaction = mean_rule(interaction_points);
   stage.load = gauss_times(interaction_points);
-  return momentum_form_table("Average Vector Field", stage);
+  Table table = momentum_form_table("Average Vector Field", stage);
+  table.interaction_points = interaction_points;
+  return table;
 }
 
 }  // namespace ixos

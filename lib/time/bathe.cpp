@@ -29,11 +29,13 @@ Table bathe_composite(double rho, double split) {
     stage->interaction = end_rule();
     stage->load = {{stage->end, 1.0}};
   }
-  return {"Bathe Composite",
-          {trapezoid, backward},
-          Closing::Kinematic,
-          {WorkSum::Form::Stages, {q0, q1, q2}},
-          Predictor::ConstantAcceleration};
+  Table table{"Bathe Composite",
+              {trapezoid, backward},
+              Closing::Kinematic,
+              {WorkSum::Form::Stages, {q0, q1, q2}},
+              Predictor::ConstantAcceleration};
+  table.error_constant = (q1 * g * g + q2) / 2 - 1.0 / 6;
+  return table;
 }
 
 }  // namespace ixos

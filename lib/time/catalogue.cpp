@@ -136,6 +136,19 @@ Scheme energy_momentum_scheme() {
           [](const List&) { return energy_momentum(); }};
 }
 
+Scheme central_difference_scheme() {
+  Scheme s{"Central Difference",
+           "2",
+           "conditional: steps are cut to the stable one, found from stiffness and smallest gap at every step",
+           "linear and angular momentum; energy oscillates about its value",
+           "Newmark 1959 with beta = 0; Belytschko, Liu, Moran and Elkhodary 2014",
+           {},
+           [](const List& p) { return central_difference(p.get<double>("Safety")); }};
+  s.parameters.set("Safety", 0.9, "share of the stable step that is used [-]; explicit, with a lumped mass",
+                   greater_than_and_at_most(0, 1));
+  return s;
+}
+
 Scheme static_scheme() {
   return {"Static",
           "exact where each step's equilibrium is",
@@ -149,10 +162,16 @@ Scheme static_scheme() {
 }  // namespace
 
 const std::vector<Scheme>& schemes() {
-  static const std::vector<Scheme> all{
-      newmark_scheme(),         bathe_scheme(),    composite_scheme(),         average_vector_field_scheme(),
-      energy_momentum_scheme(), midpoint_scheme(), generalized_alpha_scheme(), hht_scheme(),
-      static_scheme()};
+  static const std::vector<Scheme> all{newmark_scheme(),
+                                       bathe_scheme(),
+                                       composite_scheme(),
+                                       average_vector_field_scheme(),
+                                       energy_momentum_scheme(),
+                                       midpoint_scheme(),
+                                       generalized_alpha_scheme(),
+                                       hht_scheme(),
+                                       central_difference_scheme(),
+                                       static_scheme()};
   return all;
 }
 

@@ -95,6 +95,7 @@ List custom_parameters() {
   list.set("Work", "Increment", "how the work of external and damping forces is summed (docs/theory.md)",
            one_of(Teuchos::tuple<std::string>("Increment", "End Mean", "Stages")));
   list.set("Work Weights", Numbers(), "of the step's start and each stage's end, for Stages", any_number());
+  list.set("Error Constant", 1.0 / 12, "of the local error of displacements, times dt^3 u'''", any_number());
   List& stage = list.sublist("Stages", false, "the stages in order").sublist(any_name);
   stage.set("End", 1.0, "time of the stage's unknown in steps", greater_than(0));
   stage.set("Velocity", Numbers(), "dt v: {s, p0, q0, r0, p1, ...} of u_s, u_0, dt v_0, dt^2 a_0, u_1, ...",
@@ -121,6 +122,7 @@ Table custom_table(const List& list) {
   if (table.stages.empty()) throw std::invalid_argument("Stages has none");
   table.closing = list.get<std::string>("Closing") == "Kinematic" ? Closing::Kinematic : Closing::Collocate;
   table.driven_rates = list.get<std::string>("Driven Rates") == "Exact" ? DrivenRates::Exact : DrivenRates::Own;
+  table.error_constant = list.get<double>("Error Constant");
   const auto work = list.get<std::string>("Work");
   table.work.form = work == "Increment"  ? WorkSum::Form::Increment
                     : work == "End Mean" ? WorkSum::Form::EndMean

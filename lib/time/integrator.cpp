@@ -1,6 +1,5 @@
 #include "time/integrator.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
@@ -37,6 +36,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
       needs_acceleration_(uses_acceleration(table_) || table_.predictor == Predictor::ConstantAcceleration ||
                           table_.predictor == Predictor::Newmark),
       newton_(newton),
+      balance_(model, linear_solver_),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
@@ -44,8 +44,14 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     throw std::invalid_argument(
         "scheme \"" + table_.name +
         "\": " + (is_static(table_) ? "it has no inertia, but the model has" : "the model has no inertia"));
+  if (model.mass() != nullptr && model.mass()->is_lumped() != (table_.mass == Inertia::Lumped))
+    throw std::invalid_argument("scheme \"" + table_.name + "\": the model's mass is of the other kind");
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
-  exact_rates_ = table_.closing == Closing::Kinematic && table_.driven_rates == DrivenRates::Exact;
+  exact_rates_ = table_.closing != Closing::Collocate && table_.driven_rates == DrivenRates::Exact;
+  if (is_explicit(table_)) {
+    stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
+    return;
+  }
   for (const Stage& stage : table_.stages) {
     problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_));
     solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
@@ -57,93 +63,28 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   time_carry_ = 0;
   dissipated_ = 0;
   external_work_ = 0;
-  previous_dt_ = 0;
+  previous_ = {};
+  attempted_dt_ = 0;
   acceleration_known_ = false;
   State& start = states_.front();
   start = {std::move(u), std::move(v), {}, {}, {}};
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
-  std::vector<double> sum;
-  if (needs_acceleration_ || table_.closing == Closing::Kinematic || has_external_)
+  if (needs_acceleration_ || table_.closing != Closing::Collocate || has_external_)
     acceleration();
-  else if (!balance(start.u, start.v, sum))
+  else if (!balance_.balance(time, start.u, start.v))
     throw InputError("a gap is not positive, or an element is inverted");
-  if (has_external_) record_initial_forces();
+  if (has_external_) balance_.record_forces(time, start);
 }
 
 const std::vector<double>& Integrator::acceleration() {
   State& state = states_.front();
-  if (!acceleration_known_ && !solve_acceleration(state.u, state.v, state.a))
+  if (!acceleration_known_ && !balance_.solve(time_, state.u, state.v, state.a))
     throw InputError(
         "the acceleration cannot be solved for: a gap is not positive, an element is inverted, the mass "
         "matrix is singular, or the linear solver cannot solve with it");
   acceleration_known_ = true;
   return state.a;
-}
-
-bool Integrator::balance(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& sum) const {
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  const Segment here{nullptr, nullptr, u.data()};
-  std::vector<double> force(u.size());
-  sum.assign(u.size(), 0.0);
-  model_.loads().add_force(time_, 1.0, sum.data());
-  bool admissible = model_.elastic_force(here, end_rule(), force.data());
-  for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
-  if (model_.has_interactions()) {
-    admissible = model_.interaction_force(here, end_rule(), force.data()) && admissible;
-    for (std::size_t i = 0; i < owned; ++i) sum[i] -= force[i];
-  }
-  if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), sum.data());
-  return model_.space().minimum(admissible ? 1 : 0) > 0;
-}
-
-bool Integrator::solve_acceleration(const std::vector<double>& u, const std::vector<double>& v,
-                                    std::vector<double>& a) {
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  std::vector<double> sum;
-  const bool admissible = balance(u, v, sum);
-  a.assign(u.size(), 0.0);
-  if (!admissible || model_.mass() == nullptr) return admissible;
-  if (!model_.constraints().empty()) {
-    // M_ff a_f = ... - M_fp a_p, a_p the motion's.
-    std::vector<double> product(owned);
-    model_.constraints().set(time_, nullptr, nullptr, a.data());
-    model_.mass()->multiply(a.data(), product.data());
-    for (std::size_t i = 0; i < owned; ++i) sum[i] -= product[i];
-    for (int dof : model_.constraints().dofs()) sum[static_cast<std::size_t>(dof)] = a[static_cast<std::size_t>(dof)];
-  }
-  if (!mass_system_) {
-    const auto matrix = model_.pattern().create_matrix(model_.space());
-    double* values = matrix->getLocalMatrixHost().values.data();
-    model_.mass()->add_to(1.0, values);
-    model_.constrain_matrix(1.0, values);
-    mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
-  }
-  Vector rhs(model_.space().owned_map());
-  Vector solution(model_.space().owned_map());
-  copy_owned(sum, rhs);
-  if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
-  model_.space().import(solution, a.data());
-  return true;
-}
-
-void Integrator::record_initial_forces() {
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  State& start = states_.front();
-  if (!model_.loads().empty()) {
-    start.load.assign(start.u.size(), 0.0);
-    model_.loads().add_force(time_, 1.0, start.load.data());
-    start.load.resize(owned);
-  }
-  std::vector<double> sum, inertia(owned, 0.0);
-  balance(start.u, start.v, sum);  // collective
-  if (model_.constraints().empty()) return;
-  if (model_.mass() != nullptr) model_.mass()->multiply(start.a.data(), inertia.data());
-  start.reaction.assign(owned, 0.0);
-  for (int dof : model_.constraints().dofs()) {
-    const auto i = static_cast<std::size_t>(dof);
-    if (i < owned) start.reaction[i] = inertia[i] - sum[i];
-  }
 }
 
 void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
@@ -153,9 +94,9 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
   guess = last.u;
   if (predictor == Predictor::LastDisplacement) return;
   if (predictor == Predictor::Extrapolation) {
-    if (previous_dt_ == 0) return;
+    if (previous_.dt == 0) return;
     const State& first = states_.front();
-    const double ratio = h / previous_dt_;
+    const double ratio = h / previous_.dt;
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * (first.u[i] - previous_u_[i]);
   } else {
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
@@ -175,7 +116,7 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
   };
   NewtonResult result = solve_from(table_.predictor);
   const bool same_guess = table_.predictor == Predictor::LastDisplacement ||
-                          (table_.predictor == Predictor::Extrapolation && previous_dt_ == 0);
+                          (table_.predictor == Predictor::Extrapolation && previous_.dt == 0);
   if (!result.converged && !same_guess) {
     const int spent = result.iterations;
     result = solve_from(Predictor::LastDisplacement);
@@ -226,9 +167,44 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   problems_[stage]->record_forces(end);
 }
 
+bool Integrator::take_explicit_step(double dt, std::string& reason) {
+  const Stage& row = table_.stages.front();
+  const State& start = states_.front();
+  State& end = states_.back();
+  const std::size_t size = start.u.size();
+  for (std::vector<double>* array : {&known_, &end.u, &end.v}) array->resize(size);
+  evaluate_known(row.inertia, states_, dt, known_);
+  for (std::size_t i = 0; i < size; ++i)
+    end.u[i] = start.u[i] + (dt * dt * start.a[i] - known_[i]) / row.inertia.unknown;
+  evaluate_known(row.velocity, states_, dt, known_);
+  for (std::size_t i = 0; i < size; ++i) end.v[i] = known_[i] / dt;
+  const double time = time_ + dt;
+  model_.constraints().set(time, end.u.data(), end.v.data(), nullptr);
+  if (!balance_.solve(time, end.u, end.v, end.a)) {
+    reason = "in an explicit step a gap closes, an element inverts or a number overflows";
+    return false;
+  }
+  for (std::size_t i = 0; i < size; ++i) end.v[i] = start.v[i] + dt / 2 * (start.a[i] + end.a[i]);
+  model_.constraints().set(time, nullptr, end.v.data(), nullptr);
+  if (has_external_) balance_.record_forces(time, end);
+  return true;
+}
+
+double Integrator::stable_step(double wanted) {
+  return stable_step_ ? (*stable_step_)(states_.front(), wanted) : wanted;
+}
+
 StepResult Integrator::step(double dt) {
+  const StepResult result = attempt(dt);
+  if (result.converged) accept();
+  return result;
+}
+
+StepResult Integrator::attempt(double dt) {
   const long linear_before = linear_solver_->statistics().iterations;
+  attempted_dt_ = 0;
   StepResult result = advance(dt);
+  if (result.converged) attempted_dt_ = dt;
   result.linear_iterations = linear_solver_->statistics().iterations - linear_before;
   return result;
 }
@@ -237,12 +213,13 @@ StepResult Integrator::advance(double dt) {
   StepResult result;
   if (needs_acceleration_ && !acceleration_known_) {
     State& start = states_.front();
-    if (!solve_acceleration(start.u, start.v, start.a)) {
+    if (!balance_.solve(time_, start.u, start.v, start.a)) {
       result.reason = "the acceleration cannot be solved for";
       return result;
     }
     acceleration_known_ = true;
   }
+  if (is_explicit(table_) && !take_explicit_step(dt, result.reason)) return result;
   for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
     problems_[stage]->arm(states_, time_, dt);
     std::vector<double> u = std::move(states_[stage + 1].u);
@@ -255,21 +232,40 @@ StepResult Integrator::advance(double dt) {
     }
     close_stage(stage, dt, std::move(u));
   }
+  result.converged = true;
+  return result;
+}
+
+void Integrator::accept() {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
+  const double dt = std::exchange(attempted_dt_, 0.0);
   if (model_.damping() != nullptr) dissipated_ += work_of_damping(model_, table_, states_, dt);
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
-  if (table_.predictor == Predictor::Extrapolation) {
-    previous_u_ = states_.front().u;
-    previous_dt_ = dt;
-  }
+  if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
+  if (judged_) previous_.v = states_.front().v;
+  previous_.dt = dt;
   std::swap(states_.front(), states_.back());
   // Compensated (Kahan), so that a million steps end where they should.
   const double increment = dt - time_carry_;
   const double next = time_ + increment;
   time_carry_ = (next - time_) - increment;
   time_ = next;
-  acceleration_known_ = table_.closing == Closing::Kinematic;
-  result.converged = true;
-  return result;
+  acceleration_known_ = table_.closing != Closing::Collocate;
+}
+
+double Integrator::error() {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  judged_ = true;
+  if (previous_.v.empty() && states_.size() == 2) acceleration();
+  return local_error(model_, table_, states_, attempted_dt_, previous_);
+}
+
+double Integrator::gap_ratio() const { return model_.gap_ratio(states_.front().u.data(), states_.back().u.data()); }
+
+void Integrator::set_interaction_points(int points) {
+  if (table_.interaction_points == 0 || points == table_.interaction_points) return;
+  table_.interaction_points = points;
+  table_.stages.front().interaction = gauss_rule(points);
 }
 
 }  // namespace ixos

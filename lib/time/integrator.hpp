@@ -7,8 +7,11 @@
 #include "model/model.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/newton.hpp"
+#include "time/acceleration.hpp"
+#include "time/stable_step.hpp"
 #include "time/stage_problem.hpp"
 #include "time/state.hpp"
+#include "time/step_error.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -37,6 +40,18 @@ class Integrator {
 
   /// One step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
   StepResult step(double dt);
+  /// The same in two parts: what an attempt found may be judged, and accepted or attempted anew with another length.
+  StepResult attempt(double dt);
+  void accept();
+  /// Of the attempted step: see local_error() and Model::gap_ratio(). From the first call on a velocity is kept.
+  double error();
+  double gap_ratio() const;
+  /// Changes the number of points in time of the interaction, where the table allows it (Table::interaction_points).
+  void set_interaction_points(int points);
+
+  /// The longest step from here that is stable and no longer than `wanted`: `wanted` itself of implicit schemes. step()
+  /// does not ask. Collective.
+  double stable_step(double wanted);
 
   const Model& model() const { return model_; }
   const Table& table() const { return table_; }
@@ -54,9 +69,7 @@ class Integrator {
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
-  bool solve_acceleration(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
-  bool balance(const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& sum) const;
-  void record_initial_forces();
+  bool take_explicit_step(double dt, std::string& reason);
 
   const Model& model_;
   Table table_;
@@ -67,7 +80,8 @@ class Integrator {
   std::vector<std::unique_ptr<StageProblem>> problems_;
   std::vector<std::unique_ptr<NewtonSolver>> solvers_;
   NewtonOptions newton_;
-  std::unique_ptr<LinearSystem> mass_system_;
+  Acceleration balance_;
+  std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes
 
   std::vector<State> states_;  ///< the present state, then the ends of the stages
   std::vector<double> known_;  ///< scratch
@@ -76,7 +90,9 @@ class Integrator {
   double dissipated_ = 0;
   double external_work_ = 0;
   std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
-  double previous_dt_ = 0;          ///< 0 where there was none
+  PreviousVelocity previous_;       ///< v only where steps are judged
+  bool judged_ = false;
+  double attempted_dt_ = 0;  ///< 0 where no attempt waits to be accepted
   bool acceleration_known_ = false;
   Teuchos::RCP<Vector> unknown_;
 };

@@ -38,6 +38,11 @@ bool is_static(const Table& table) {
                      [](const Stage& stage) { return stage.inertia.unknown == 0 && stage.inertia.known.empty(); });
 }
 
+bool is_explicit(const Table& table) {
+  const auto known = [](const Rule& rule) { return rule.points.empty() && rule.mean == Mean::Points; };
+  return table.stages.size() == 1 && known(table.stages[0].elastic) && known(table.stages[0].interaction);
+}
+
 bool is_symmetric(const Table& table) {
   return std::all_of(table.stages.begin(), table.stages.end(),
                      [](const Stage& stage) { return stage.elastic.is_gradient() && stage.interaction.is_gradient(); });
@@ -47,6 +52,10 @@ void check(const Table& table) {
   if (table.work.form == WorkSum::Form::Stages && table.work.weights.size() != table.stages.size() + 1)
     throw std::invalid_argument(fmt::format("scheme \"{}\": {} weights for the work of {} stages", table.name,
                                             table.work.weights.size(), table.stages.size()));
+  if (is_explicit(table) != (table.closing == Closing::Explicit) ||
+      (is_explicit(table) && table.mass != Inertia::Lumped))
+    throw std::invalid_argument(
+        fmt::format("scheme \"{}\": an explicit table closes explicitly and has a lumped mass", table.name));
   const bool no_inertia = is_static(table);
   std::vector<double> times{0.0};
   for (std::size_t s = 0; s < table.stages.size(); ++s) {

@@ -5,6 +5,7 @@
 
 #include "fem/rule.hpp"
 #include "model/loads.hpp"
+#include "model/mass.hpp"
 #include "time/row.hpp"
 
 namespace ixos {
@@ -32,8 +33,10 @@ struct Stage {
 enum class Closing {
   Kinematic,  ///< from the last stage's row, which satisfies the balance at the end of the step; driven degrees of
               ///< freedom take the exact velocity and acceleration of their motion
-  Collocate   ///< from M a = f_ext - C v - f at the end of the step, where it is asked for; momentum-form schemes,
+  Collocate,  ///< from M a = f_ext - C v - f at the end of the step, where it is asked for; momentum-form schemes,
               ///< whose recursion rings; driven degrees of freedom take the scheme's own velocity
+  Explicit    ///< the same with the velocity row for v, whereupon v = v_n + dt (a_n + a)/2; driven degrees of freedom
+              ///< take the exact velocity and acceleration of their motion
 };
 
 /// How the work of external forces g (loads and reactions) and of damping forces C v is summed over a step.
@@ -63,7 +66,18 @@ struct Table {
   WorkSum work;
   Predictor predictor = Predictor::LastDisplacement;  ///< the one that takes the fewest iterations at an impact
   DrivenRates driven_rates = DrivenRates::Exact;
+  Inertia mass = Inertia::Consistent;  ///< None where the table has no inertia
+  /// Of the local error of displacements, error_constant dt^3 u''', in the limit of short steps; 0 where it has none.
+  double error_constant = 1.0 / 12;
+  /// Gauss points of the interaction's mean along the straight path, where their number may change from step to step;
+  /// else 0.
+  int interaction_points = 0;
+  double safety = 1;  ///< explicit schemes: share of the stable step that a run uses
 };
+
+/// Has the table one stage, without an unknown in its forces? Then its step is a division by a lumped mass; Newton's
+/// method, NOX and matrices do not come up.
+bool is_explicit(const Table& table);
 
 /// The mean over the path of an interaction: n Gauss points, or in closed form where n is 0 (linear path only; throws
 /// std::invalid_argument).

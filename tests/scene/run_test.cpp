@@ -88,13 +88,57 @@ TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
   EXPECT_NEAR(result.max_forces[0].second, -0.02, 1e-11);
 }
 
-TEST_F(RunTest, RowsPassMultiplesOfTheTimeInterval) {
+TEST_F(RunTest, StepsEndAtTheTimesOfOutput) {
   run_scene(pulled(number("History Time Interval", 0.25), ""));
   const auto times = read_history(folder_ + "/history.csv").at("time");
-  // The first step at or past 1.25, 1.5, ...: 1.3, 1.5, 1.8, 2.0, ...
-  const std::vector<double> expected{1, 1.3, 1.5, 1.8, 2, 2.3, 2.5, 2.8, 3, 3.3, 3.5, 3.8, 4};
-  ASSERT_EQ(times.size(), expected.size());
-  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], 1e-9);
+  // Steps of 0.1 that are shortened to end at 1.25, 1.5, 1.75, ...
+  ASSERT_EQ(times.size(), 13U);
+  for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], 1 + 0.25 * static_cast<double>(k), 1e-12);
+}
+
+/// A free, smooth motion, judged.
+std::string judged(const std::string& scheme, double tolerance, const std::string& more = "") {
+  return test::block_2d(1.0) + list("Output", number("History Time Interval", 0.7)) +
+         list("Time Integrator",
+              word("Type", scheme) +
+                  list("Time Step Control", word("Type", "Adaptive") + number("Time Step", 0.001) +
+                                                number("Final Time", 3) +
+                                                list("Adaptive", number("Tolerance", tolerance) + more)));
+}
+
+TEST_F(RunTest, AdaptiveStepsFollowTheTolerance) {
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Average Vector Field"}) {
+    const RunResult coarse = run_scene(judged(scheme, 1e-4));
+    EXPECT_EQ(coarse.status, RunStatus::Completed) << coarse.reason;
+    const auto times = read_history(folder_ + "/history.csv").at("time");
+    const std::vector<double> expected{0, 0.7, 1.4, 2.1, 2.8, 3};
+    ASSERT_EQ(times.size(), expected.size());
+    for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], 1e-12);
+    // The local error is of third order: a thousandth of the tolerance needs ten times as many steps.
+    const RunResult fine = run_scene(judged(scheme, 1e-7));
+    EXPECT_NEAR(static_cast<double>(fine.steps) / static_cast<double>(coarse.steps), 10, 3.5) << scheme;
+    EXPECT_LT(fine.rejected_steps, fine.steps / 5);
+    EXPECT_LT(coarse.steps, 150) << scheme;
+  }
+}
+
+TEST_F(RunTest, AnAdaptiveRunThatNeedsTooShortAStepEnds) {
+  std::string scene = judged("Newmark", 1e-12);
+  scene.replace(scene.find("\"Time Step\""), 0,
+                "\"Minimum Time Step\" type=\"double\" value=\"0.0009\"/><Parameter name=");
+  const RunResult result = run_scene(scene);
+  EXPECT_EQ(result.status, RunStatus::Diverged);
+  EXPECT_NE(result.reason.find("0.0009 is the least allowed"), std::string::npos) << result.reason;
+}
+
+TEST_F(RunTest, ExplicitStepsAreStableOnes) {
+  const RunResult result =
+      run_scene(test::block_2d(1.0) + test::time_integrator("Central Difference", 2.0, 20, number("Safety", 0.5)));
+  EXPECT_EQ(result.status, RunStatus::Completed);
+  EXPECT_GT(result.steps, 20);
+  const auto history = read_history(folder_ + "/history.csv");
+  for (double energy : history.at("total_energy"))
+    EXPECT_NEAR(energy, history.at("total_energy")[0], 0.1 * history.at("total_energy")[0]);
 }
 
 /// A block that a wall has caught at its equilibrium gap, or one far from it, thrown upwards.

@@ -1,0 +1,320 @@
+"""What a study found: its files, read and checked, and report.html, one file that needs no other."""
+import base64
+import collections
+import csv
+import html
+import io
+import itertools
+import json
+import math
+import re
+import shlex
+
+from results import ResultsError, existing
+
+COSTS = {"wall_seconds": "wall-clock time [s]", "cpu_seconds": "processor time [s]",
+         "newton_iterations": "Newton iterations"}
+ERRORS = {f"error_{name}": name for name in ("energy", "momentum", "force", "position")}
+COUNTS = ["steps", "rejected_steps", "newton_iterations", "linear_iterations"]
+NUMBERS = [*ERRORS, "wall_seconds", "cpu_seconds", *COUNTS, "peak_memory_bytes", "end_time"]
+GOOD, FAILED, OPEN = ("completed", "stopped"), ("diverged", "failed"), ("interrupted",)
+
+OPTIONAL = {"connect", "measure", "tolerance", "reference", "recommendation/run"}  # may be null
+SHAPE = {
+    "name": str, "scene": str, "command": str, "version": str, "axes": [{"name": str, "values": [str]}],
+    "connect": str, "cost": str, "measure": str, "tolerance": (int, float),
+    "reference": {"description": str, "folder": str}, "pareto": dict,
+    "recommendation": {"run": str, "settings": [str], "sentence": str}, "common": [str],
+}
+
+
+class Study:
+    """study.json as `data`; the rows of study.csv by name as `runs`, with NaN for numbers that are not there."""
+
+    def __init__(self, folder):
+        self.folder = existing(folder)
+        self.data = read_json(self.folder / "study.json")
+        self.axes = {axis["name"]: axis["values"] for axis in self.data["axes"]}
+        for name, known in (("connect", self.axes), ("cost", COSTS), ("measure", ERRORS)):
+            if self.data[name] is not None and self.data[name] not in known:
+                raise self.wrong("study.json", f"unknown {name} '{self.data[name]}' (known: {', '.join(known)})")
+        tolerance = self.data["tolerance"]
+        if tolerance is not None and not 0 < tolerance < math.inf:
+            raise self.wrong("study.json", f"the tolerance {tolerance} is no number above zero")
+        self.measures = sorted(ERRORS, key=lambda name: name != self.data["measure"])  # the named one first
+        self.connect = self.data["connect"] if len(self.axes.get(self.data["connect"], [])) > 1 else None
+        self.varying = [name for name, labels in self.axes.items() if len(labels) > 1 and name != self.connect]
+        self.runs = self.read_runs()
+        best, pareto = self.data["recommendation"]["run"], self.data["pareto"]
+        for name in itertools.chain([] if best is None else [best], *pareto.values()):
+            if name not in self.runs:
+                raise self.wrong("study.json", f"there is no run '{name}' in study.csv")
+        self.best = self.runs.get(best)
+        self.pareto = {measure: [self.runs[name] for name in pareto.get(measure, [])] for measure in self.measures}
+        self.lines = {}  # by the labels of the varying axes: the runs, by the connecting axis' label
+        for run in self.runs.values():
+            self.lines.setdefault(tuple(run[axis] for axis in self.varying), {})[self.label(run)] = run
+
+    def wrong(self, file, complaint):
+        """What to raise."""
+        return ResultsError(f"{self.folder / file}: {complaint}")
+
+    def read_runs(self):
+        """The rows of study.csv in the order of the axes' labels."""
+        path, names, runs = self.folder / "study.csv", set(), {}
+        try:
+            header, *rows = [row for row in csv.reader(io.StringIO(read(path)), strict=True) if row] or [[]]
+        except csv.Error as error:
+            raise ResultsError(f"{path}: {error}") from None
+        for name in ("run", *self.axes, "status", "reason", *NUMBERS):
+            if header.count(name) != 1:
+                raise ResultsError(f"{path} has {'two columns' if name in header else 'no column'} '{name}'")
+        if not rows:
+            raise ResultsError(f"{path} has no rows")
+        for cells in rows:
+            run = dict(zip(header, cells))
+            if len(cells) != len(header):
+                raise self.wrong("study.csv", f"run '{cells[0]}' has {len(cells)} cells, the header {len(header)}")
+            for column, known in (*self.axes.items(), ("status", GOOD + FAILED + OPEN)):
+                if run[column] not in known:
+                    raise self.wrong("study.csv", f"run '{run['run']}' has the unknown {column} '{run[column]}'")
+            place = tuple(labels.index(run[axis]) for axis, labels in self.axes.items())
+            if run["run"] in names or place in runs:
+                raise self.wrong("study.csv", f"run '{run['run']}' has the name or the settings of one before")
+            try:
+                run.update((column, float(run[column] or "nan")) for column in NUMBERS)
+            except ValueError as error:
+                raise self.wrong("study.csv", f"run '{run['run']}': {error}") from None
+            names.add(run["run"])
+            runs[place] = run
+        return {runs[place]["run"]: runs[place] for place in sorted(runs)}
+
+    def label(self, run):
+        """A run's label on the connecting axis, where there is one of several labels."""
+        return run[self.connect] if self.connect else ""
+
+    def labels(self):
+        """The connecting axis' labels."""
+        return self.axes[self.connect] if self.connect else [""]
+
+    def failed(self, line):
+        """The runs of a line that failed."""
+        return [run for run in self.lines[line].values() if run["status"] in FAILED]
+
+    def cost(self, run):
+        """What a run cost; 0 where that is not known."""
+        cost = run[self.data["cost"]]
+        return cost if 0 <= cost < math.inf else 0.0
+
+    @staticmethod
+    def error(run, measure):
+        """An error of a run that reached its end, else NaN."""
+        return run[measure] if run["status"] in GOOD and 0 <= run[measure] < math.inf else math.nan
+
+
+def read(path):
+    """The text of a file."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise ResultsError(f"there is no file {path}") from None
+    except (OSError, ValueError) as error:
+        raise ResultsError(f"{path}: {error}") from None
+
+
+def read_json(path):
+    """study.json, refused where an entry is missing or of another kind."""
+    def check(value, shape, place):
+        if value is None and place in OPTIONAL:
+            return
+        if not isinstance(value, type(shape) if isinstance(shape, (dict, list)) else shape):
+            raise ResultsError(f"{path}: {f'the entry {place!r}' if place else 'what it holds'} is of the wrong kind")
+        for name, inner in shape.items() if isinstance(shape, dict) else ():
+            below = f"{place}/{name}".strip("/")
+            if name not in value:
+                raise ResultsError(f"{path} has no entry '{below}'")
+            check(value[name], inner, below)
+        for inner in value if isinstance(shape, list) else ():
+            check(inner, shape[0], place)
+    try:
+        data = json.loads(read(path))
+    except ValueError as error:
+        raise ResultsError(f"{path}: {error}") from None
+    check(data, SHAPE, "")
+    check(list(data["pareto"].values()), [[str]], "pareto")
+    return data
+
+
+STYLE = """
+:root { color-scheme: light dark; --ink: #222; --soft: #666; --line: #ddd; --back: #fff; --card: #f5f6f8;
+  --good: #00704f; --bad: #b3261e; --accent: #0072b2; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e4e4e4; --soft: #a5a5a5; --line: #3c3c3c; --back: #181818;
+  --card: #242424; --good: #5bd1a5; --bad: #ff9088; --accent: #6cbcf0; } }
+body { margin: 0 auto; padding: 1.5rem 1.25rem 4rem; max-width: 68rem; background: var(--back); color: var(--ink);
+  font: 16px/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.7rem; margin: 0; overflow-wrap: anywhere; } h2 { font-size: 1.2rem; margin: 2.5rem 0 0.5rem; }
+h3 { font-size: 1rem; margin: 1.5rem 0 0.4rem; } p { margin: 0.4rem 0; max-width: 48rem; overflow-wrap: anywhere; }
+.soft, figcaption, small { color: var(--soft); } figcaption { font-size: 0.875rem; }
+.advice { background: var(--card); border-left: 4px solid var(--accent); padding: 0.8rem 1.1rem; margin: 1.2rem 0; }
+.advice h2 { margin: 0; } .advice p { font-size: 1.05rem; } .advice .soft { font-size: 0.875rem; }
+pre { background: var(--card); padding: 0.7rem 0.9rem; margin: 0.5rem 0; overflow-x: auto;
+  font: 0.85rem/1.45 ui-monospace, monospace; } .advice pre { background: var(--back); }
+figure { margin: 1rem 0 2rem; }
+figure img { display: block; width: 100%; max-width: 60rem; height: auto; background: #fff;
+  padding: 0.6rem; box-sizing: border-box; border: 1px solid var(--line); border-radius: 4px; }
+.scroll { overflow-x: auto; } table { border-collapse: collapse; font-size: 0.85rem; }
+th, td { padding: 0.25rem 0.7rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+th { border-bottom: 2px solid var(--soft); white-space: nowrap; } td { white-space: nowrap; }
+td.number, th.number { text-align: right; font-variant-numeric: tabular-nums; }
+td.reason { min-width: 18rem; white-space: normal; }
+.good { color: var(--good); } .bad { color: var(--bad); } tr.best td { background: var(--card); font-weight: 600; }
+"""
+
+
+def text(content, kind=""):
+    """A cell of text."""
+    return f'<td class="{kind}">{html.escape(content)}</td>' if kind else f"<td>{html.escape(content)}</td>"
+
+
+def number(value, form=".3g"):
+    """A cell of a number."""
+    return text("–" if math.isnan(value) else format(value, form), "number")
+
+
+def status(run, more=""):
+    """A cell that tells how a run ended, and below it something more."""
+    sign, kind = ("✓", "good") if run["status"] in GOOD else ("✗", "bad") if run["status"] in FAILED else ("…", "soft")
+    return f'<td class="{kind}">{sign} {run["status"]}{more and f"<br><small>{html.escape(more)}</small>"}</td>'
+
+
+def table(words, numbers, rows):
+    """A table: headings of its columns of text and, after those, of numbers; rows: (whether that is the recommended
+    run, cells)."""
+    head = "".join([f"<th>{html.escape(word)}</th>" for word in words] +
+                   [f'<th class="number">{html.escape(word)}</th>' for word in numbers])
+    body = "\n".join(f"<tr{best * ' class=best'}>{''.join(cells)}</tr>" for best, cells in rows)
+    return f'<div class="scroll" tabindex="0"><table>\n<tr>{head}</tr>\n{body}\n</table></div>'
+
+
+def paragraph(content, kind=""):
+    """A paragraph of text."""
+    return f'<p class="{kind}">{html.escape(content)}</p>' if kind else f"<p>{html.escape(content)}</p>"
+
+
+def command(scene, settings):
+    """The command line that runs a scene with settings."""
+    quoted = ['"' + re.sub(r'([\\"$`])', r"\\\1", setting) + '"' for setting in settings]
+    return " \\\n    ".join([f"ixos {shlex.quote(scene)}"] + [f"--set {setting}" for setting in quoted])
+
+
+def advice(study):
+    """The recommendation: the sentence, and the command that follows it."""
+    told, best = study.data["recommendation"], study.best
+    parts = ["<h2>Recommendation</h2>", paragraph(told["sentence"])]
+    if best:
+        parts.append(f"<pre>{html.escape(command(study.data['scene'], told['settings']))}</pre>")
+        told = [f"{word.replace(' [s]', '')} {best[name]:.6g}{' s' * word.endswith('[s]')}"
+                for name, word in COSTS.items() if not math.isnan(best[name])]
+        told += [f"error of the {word} {best[name]:.3g}" for name, word in ERRORS.items() if not math.isnan(best[name])]
+        parts.append(paragraph(f"Run {best['run']}: {', '.join(told)}.", "soft"))
+    return f'<section class="advice">{"".join(parts)}</section>'
+
+
+def plots(study, pictures):
+    """The pictures, as data."""
+    parts = ["<h2>Error over cost</h2>"]
+    if not pictures:
+        return parts + [paragraph("There is no plot: no run reached its end with an error that is known and not zero.")]
+    parts.append(paragraph(
+        "Further left is cheaper, further down more exact. " +
+        (f"A line joins the runs that differ in {study.connect} only, and breaks where one did not reach its end. "
+         if study.connect else "") +
+        "Crosses above a plot: runs that failed, at what they had cost by then. Points on the bottom edge: errors "
+        "below 1e-17. Rings: the Pareto set, the runs that no other beats in both cost and error."))
+    for measure, svg in pictures.items():
+        file = f"work-precision-{ERRORS[measure]}"
+        parts.append(f'<figure><img alt="relative error of the {ERRORS[measure]} over {COSTS[study.data["cost"]]}" '
+                     f'src="data:image/svg+xml;base64,{base64.b64encode(svg).decode()}">'
+                     f"<figcaption>Error of the {ERRORS[measure]} ({file}.png, {file}.svg)</figcaption></figure>")
+    return parts
+
+
+def pareto(study, axes):
+    """The Pareto set of each measure."""
+    parts = ["<h2>Pareto sets</h2>", paragraph("Runs that no other beats in both cost and error, the cheapest first.")]
+    for measure, runs in study.pareto.items():
+        if runs:
+            parts.append(f"<h3>Error of the {ERRORS[measure]}</h3>")
+            parts.append(table(["run", *axes], [COSTS[study.data["cost"]], "relative error", "steps"],
+                               [(run is study.best, [text(run["run"]), *(text(run[axis]) for axis in axes),
+                                                     number(run[study.data["cost"]], ".4g"), number(run[measure]),
+                                                     number(run["steps"], ".0f")]) for run in runs]))
+    return parts if len(parts) > 2 else parts[:1] + [paragraph("None: no run reached its end with a known error.")]
+
+
+def usability(study):
+    """Where each line stops being usable: a row a line, a column a label of the connecting axis."""
+    measure, tolerance = study.data["measure"], study.data["tolerance"]
+
+    def cell(run):
+        if run is None:
+            return text("– no run")
+        error = study.error(run, measure) if measure else math.nan
+        more = f"at time {run['end_time']:.4g}" if run["status"] not in GOOD and not math.isnan(run["end_time"]) else ""
+        if not math.isnan(error):
+            more = f"error {error:.2g}{', within' if tolerance and error <= tolerance else ''}"
+        return status(run, more)
+
+    told = "Completed: to the final time; stopped: before it, by a criterion of the scene."
+    told = f"A column a {study.connect}. {told}" if study.connect else told
+    told += f" The error is that of the {ERRORS[measure]}" if measure else ""
+    told += f"; within: no more than the tolerance, {tolerance:g}." if measure and tolerance else "." if measure else ""
+    return ["<h2>Where each stops being usable</h2>", paragraph(told),
+            table([*study.varying, *(study.labels() if study.connect else ["status"])], [],
+                  [(False, [*map(text, name), *(cell(runs.get(label)) for label in study.labels())])
+                   for name, runs in study.lines.items()])]
+
+
+def all_runs(study, axes):
+    """The table of all runs."""
+    errors = [name for name in ERRORS if any(not math.isnan(run[name]) for run in study.runs.values())]
+    numbers = [*(f"{ERRORS[name]} error" for name in errors), "wall-clock s", "processor s",
+               *(name.replace("_", " ") for name in COUNTS), "memory MB", "end time"]
+    rows = [(run is study.best, [
+        text(run["run"]), *(text(run[axis]) for axis in axes), status(run), text(run["reason"], "reason"),
+        *(number(run[name]) for name in errors), number(run["wall_seconds"], ".4g"), number(run["cpu_seconds"], ".4g"),
+        *(number(run[name], ".0f") for name in COUNTS), number(run["peak_memory_bytes"] / 1e6, ".0f"),
+        number(run["end_time"], ".6g")]) for run in study.runs.values()]
+    return ["<h2>All runs</h2>", table(["run", *axes, "status", "reason"], numbers, rows)]
+
+
+def origin(study):
+    """The reference, what all runs share, and how to repeat the study."""
+    data = study.data
+    shared = [f"{name}: {labels[0]}" for name, labels in study.axes.items() if len(labels) == 1] + data["common"]
+    reference = data["reference"] or {"description": "None.", "folder": ""}
+    return ["<h2>Reference</h2>", paragraph(reference["description"]), paragraph(reference["folder"], "soft"),
+            "<h2>Settings that all runs share</h2>",
+            "<pre>" + html.escape("\n".join(shared)) + "</pre>" if shared else paragraph("None but the scene's."),
+            "<h2>To repeat this study</h2>", f"<pre>{html.escape(data['command'])}</pre>",
+            paragraph(f"Version {data['version']}. All numbers: study.csv.", "soft")]
+
+
+def write_report(study, pictures):
+    """Writes report.html; pictures: SVG as bytes by measure."""
+    counts = collections.Counter(run["status"] for run in study.runs.values())
+    told = ", ".join(f"{counts[name]} {name}" for name in GOOD + FAILED + OPEN if counts[name])
+    axes = [name for name, labels in study.axes.items() if len(labels) > 1]
+    name = html.escape(study.data["name"])
+    parts = [f"<h1>{name}</h1>", paragraph(f"{study.data['scene']} · {len(study.runs)} runs: {told}", "soft"),
+             advice(study), *plots(study, pictures), *usability(study), *pareto(study, axes), *all_runs(study, axes),
+             *origin(study)]
+    head = ('<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+            '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+            f"<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n")
+    path = study.folder / "report.html"
+    try:
+        path.write_text(head + "\n".join(parts) + "\n</body>\n</html>\n", encoding="utf-8")
+    except OSError as error:
+        raise ResultsError(f"{path} cannot be written: {error.strerror}") from None
+    print(path)

@@ -1,0 +1,94 @@
+#include "time/acceleration.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace ixos {
+
+Acceleration::Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver)
+    : model_(model), linear_solver_(std::move(linear_solver)) {}
+
+bool Acceleration::balance(double time, const std::vector<double>& u, const std::vector<double>& v) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const Segment here{nullptr, nullptr, u.data()};
+  force_.resize(u.size());
+  balance_.assign(u.size(), 0.0);
+  model_.loads().add_force(time, 1.0, balance_.data());
+  bool admissible = model_.elastic_force(here, end_rule(), force_.data());
+  for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
+  if (model_.has_interactions()) {
+    admissible = model_.interaction_force(here, end_rule(), force_.data()) && admissible;
+    for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
+  }
+  if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), balance_.data());
+  return model_.space().minimum(admissible ? 1 : 0) > 0;
+}
+
+bool Acceleration::solve(double time, const std::vector<double>& u, const std::vector<double>& v,
+                         std::vector<double>& a) {
+  const bool admissible = balance(time, u, v);
+  a.assign(u.size(), 0.0);
+  const Mass* mass = model_.mass();
+  if (!admissible || mass == nullptr) return admissible;
+  if (!mass->is_lumped()) return solve_consistent(time, a);
+  mass->divide(balance_.data(), a.data());
+  double worst = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model_.space().owned()); ++i)
+    if (!std::isfinite(a[i])) worst = 1;
+  model_.space().update_ghosts(a.data());
+  model_.constraints().set(time, nullptr, nullptr, a.data());
+  return model_.space().maximum(worst) == 0;
+}
+
+bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::vector<double> rhs_values(balance_.begin(), balance_.begin() + static_cast<std::ptrdiff_t>(owned));
+  if (!model_.constraints().empty()) {
+    // M_ff a_f = ... - M_fp a_p, a_p the motion's.
+    std::vector<double> product(owned);
+    model_.constraints().set(time, nullptr, nullptr, a.data());
+    model_.mass()->multiply(a.data(), product.data());
+    for (std::size_t i = 0; i < owned; ++i) rhs_values[i] -= product[i];
+    for (int dof : model_.constraints().dofs()) {
+      const auto i = static_cast<std::size_t>(dof);
+      if (i < owned) rhs_values[i] = a[i];
+    }
+  }
+  if (!mass_system_) {
+    const auto matrix = model_.pattern().create_matrix(model_.space());
+    double* values = matrix->getLocalMatrixHost().values.data();
+    model_.mass()->add_to(1.0, values);
+    model_.constrain_matrix(1.0, values);
+    mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
+  }
+  Vector rhs(model_.space().owned_map());
+  Vector solution(model_.space().owned_map());
+  {
+    const auto view = rhs.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    std::copy_n(rhs_values.data(), view.extent(0), view.data());
+  }
+  if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
+  model_.space().import(solution, a.data());
+  return true;
+}
+
+void Acceleration::record_forces(double time, State& state) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  if (!model_.loads().empty()) {
+    state.load.assign(state.u.size(), 0.0);
+    model_.loads().add_force(time, 1.0, state.load.data());
+    state.load.resize(owned);
+  }
+  if (model_.constraints().empty()) return;
+  std::vector<double> inertia(owned, 0.0);
+  if (model_.mass() != nullptr) model_.mass()->multiply(state.a.data(), inertia.data());
+  state.reaction.assign(owned, 0.0);
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) state.reaction[i] = inertia[i] - balance_[i];
+  }
+}
+
+}  // namespace ixos

@@ -1,0 +1,36 @@
+/// The acceleration that a state's balance of forces gives.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "model/model.hpp"
+#include "solve/linear_solver.hpp"
+#include "time/state.hpp"
+
+namespace ixos {
+
+/// M a = f_ext(t) - C v - f(u), constrained degrees of freedom taking the acceleration of their motion. A lumped mass
+/// divides; of a consistent one the matrix is made at the first request. The model must outlive it. Collective.
+class Acceleration {
+ public:
+  Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);
+
+  /// Evaluates the right-hand side of local arrays u and v. False where u is inadmissible.
+  bool balance(double time, const std::vector<double>& u, const std::vector<double>& v);
+  /// balance(), then a, a local array. False where u is inadmissible or the mass matrix cannot be solved with. Without
+  /// inertia a is 0.
+  bool solve(double time, const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
+  /// Puts load and reactions, M a less the last balance, into the state of that balance.
+  void record_forces(double time, State& state) const;
+
+ private:
+  bool solve_consistent(double time, std::vector<double>& a);
+
+  const Model& model_;
+  std::shared_ptr<const LinearSolverFactory> linear_solver_;
+  std::unique_ptr<LinearSystem> mass_system_;
+  std::vector<double> balance_;  ///< local, valid for owned entries
+  std::vector<double> force_;    ///< scratch
+};
+
+}  // namespace ixos

@@ -1,0 +1,53 @@
+#include "time/stable_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ixos {
+namespace {
+
+constexpr int elastic_interval = 10;
+
+}  // namespace
+
+StableStep::StableStep(const Model& model, double safety) : model_(model), safety_(safety) {
+  const auto local = static_cast<std::size_t>(model.space().local());
+  elastic_.resize(local);
+  sums_.resize(local);
+  ahead_.resize(local);
+  if (model.damping() == nullptr) return;
+  std::vector<double> rows(static_cast<std::size_t>(model.space().owned()));
+  model.damping()->row_sums(rows.data());
+  damping_ = model.space().maximum(model.mass()->largest_quotient(rows.data()));
+}
+
+/// [T0]; 0 where a gap is not positive.
+double StableStep::limit(const std::vector<double>& u) const {
+  sums_ = elastic_;
+  const Segment here{nullptr, nullptr, u.data()};
+  if (!model_.add_interaction_row_sums(here, sums_.data())) return 0;
+  const double w2 = model_.mass()->largest_quotient(sums_.data());
+  return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
+}
+
+double StableStep::operator()(const State& state, double wanted) {
+  if (age_ == 0) {
+    std::fill(elastic_.begin(), elastic_.end(), 0.0);
+    model_.add_elastic_row_sums({nullptr, nullptr, state.u.data()}, elastic_.data());
+  }
+  age_ = (age_ + 1) % elastic_interval;
+  double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u)));
+  if (!model_.has_interactions()) return step;
+  // Where the step leads: a shorter one leads less far, so the bound there holds for it too.
+  for (int halving = 0; halving < 60; ++halving) {
+    for (std::size_t i = 0; i < ahead_.size(); ++i)
+      ahead_[i] = state.u[i] + step * (state.v[i] + step / 2 * state.a[i]);
+    const double there = safety_ * model_.space().minimum(limit(ahead_));
+    if (there >= step) return step;
+    step = std::max(there, step / 2);
+  }
+  return step;
+}
+
+}  // namespace ixos

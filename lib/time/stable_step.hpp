@@ -1,0 +1,35 @@
+/// The longest step of an explicit scheme.
+#pragma once
+#include <vector>
+
+#include "model/model.hpp"
+#include "time/state.hpp"
+
+namespace ixos {
+
+/// The central difference scheme is stable for dt <= 2/(sqrt(w^2 + c^2) + c), w the highest frequency and c = 2 zeta w
+/// its damping, where C acts on the extrapolated velocity (c = 0: 2/w). w^2 is bounded by the largest row sum of
+/// |M^-1 K| (Gershgorin), cell by cell, so that nothing is assembled: of the elastic stiffness every tenth step, of the
+/// interactions at both ends of each step, for their stiffness grows tenfold within one. The model must outlive it and
+/// have a lumped mass. Collective.
+class StableStep {
+ public:
+  /// `safety`, below 1, is the share of the bound that is used.
+  StableStep(const Model& model, double safety);
+
+  /// The longest step from this state that is no longer than `wanted`. Its accelerations are used.
+  double operator()(const State& state, double wanted);
+
+ private:
+  double limit(const std::vector<double>& u) const;
+
+  const Model& model_;
+  double safety_;
+  double damping_ = 0;           ///< c [1/T0]
+  int age_ = 0;                  ///< steps since the elastic row sums
+  std::vector<double> elastic_;  ///< row sums, local
+  mutable std::vector<double> sums_;
+  std::vector<double> ahead_;
+};
+
+}  // namespace ixos
