@@ -1,10 +1,12 @@
 # Installs the library, its headers, the driver and a package that find_package(Ixos) finds.
 include(CMakePackageConfigHelpers)
 install(TARGETS ixos ixos_trilinos EXPORT IxosTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(TARGETS ixos_driver RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS ixos_driver ixos_study RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHING PATTERN "*.hpp"
         # Its layout follows the instruction set that the library was built for.
         PATTERN "element_batches.hpp" EXCLUDE)
+install(DIRECTORY drivers/plot DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos USE_SOURCE_PERMISSIONS
+        PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY xml DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos)
 install(EXPORT IxosTargets NAMESPACE Ixos:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
 configure_package_config_file(cmake/IxosConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake

@@ -178,7 +178,8 @@ int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (comm->getRank() != 0) return 0;
   if (arguments.version) print_version();
   if (arguments.list_schemes) print_schemes();
-  if (arguments.parameters) fmt::print("{}", ixos::parameter_documentation());
+  if (arguments.parameters)
+    fmt::print("{}", ixos::parameter_documentation(ixos::scene_parameters(), "Parameters", "ixos --parameters"));
   if (!arguments.template_name.empty()) {
     try {
       fmt::print("{}", ixos::scene_template(arguments.template_name));

@@ -131,12 +131,12 @@ std::string allowed(const Teuchos::ParameterEntry& valid) {
   return quoted_list({words.begin(), words.end()});
 }
 
-std::string parameter_documentation() {
-  std::string text =
-      "# Parameters\n\nMade from the validators by `ixos --parameters`; do not edit. Lengths in L0, stresses in E0, "
-      "times in "
-      "T0. `<any name>` stands for lists that the scene names itself.\n\n";
-  document(scene_parameters(), "", text);
+std::string parameter_documentation(const List& valid, const std::string& title, const std::string& command) {
+  std::string text = fmt::format(
+      "# {}\n\nMade from the validators by `{}`; do not edit. Lengths in L0, stresses in E0, times in T0. `<any name>` "
+      "stands for lists that the file names itself.\n\n",
+      title, command);
+  document(valid, "", text);
   return text.substr(0, text.size() - 1);
 }
 

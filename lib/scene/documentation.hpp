@@ -5,9 +5,10 @@
 
 namespace ixos {
 
-/// Every list and parameter of a scene as Markdown: type, default, what is allowed, meaning. docs/parameters.md is this
-/// text.
-std::string parameter_documentation();
+/// Every list and parameter of `valid` as Markdown: type, default, what is allowed, meaning. docs/parameters.md is that
+/// of scene_parameters(), docs/study-parameters.md that of study_parameters(). `command` prints it.
+std::string parameter_documentation(const Teuchos::ParameterList& valid, const std::string& title,
+                                    const std::string& command);
 
 /// A complete, commented scene that runs as it is: "ball" (two dimensions) or "block" (three). Throws InputError with
 /// the nearest name.

@@ -1,0 +1,163 @@
+// ixos-study: runs a scene with many settings and says what accuracy costs. Exit status: 0 done; 1 a defect of ours;
+// 2 bad input; 3 the reference failed; 4 input or output failed; 5 interrupted.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "base/error.hpp"
+#include "scene/documentation.hpp"
+#include "study/child_process.hpp"
+#include "study/study.hpp"
+#include "study/study_result.hpp"
+#include "study/study_runner.hpp"
+
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+void on_signal(int) { signalled = 1; }
+
+struct Arguments {
+  std::string study;
+  std::string output;
+  bool list = false;
+  bool parameters = false;
+  bool version = false;
+  bool quiet = false;
+};
+
+const char* const how_to_begin =
+    "ixos-study measures what accuracy costs. Give it a study:\n"
+    "  ixos-study xml/ball-study.xml              run it; results go to ball-study.results\n"
+    "  ixos-study xml/ball-study.xml --list       what would be run?\n"
+    "  ixos-study --parameters                    what a study may say\n"
+    "A study that was interrupted goes on when it is called again; runs that are done are not repeated.\n";
+
+std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+
+/// The script that draws the plots and writes the report: beside an installed program, else in the source tree.
+std::string report_script() {
+  const std::filesystem::path installed = own_folder() / "../share/ixos/plot/study.py";
+  return std::filesystem::exists(installed) ? installed.string() : std::string(IXOS_PLOT_DIRECTORY "/study.py");
+}
+
+void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t total, const std::string& measure,
+               bool reused) {
+  std::string what = result.status;
+  if (!result.reason.empty() && !result.reached_its_end()) what += ": " + result.reason;
+  if (!result.run.labels.empty() && std::isfinite(result.error(measure)))
+    what += fmt::format(", {} {:.3g}", measure, result.error(measure));
+  fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, what, result.wall_seconds,
+             reused ? " (was done)" : "");
+  std::fflush(stdout);
+}
+
+int make_report(const std::string& folder, bool quiet) {
+  const std::string log = folder + "/report.log";
+  ixos::ChildProcess script({report_script(), folder}, log);
+  ixos::ChildOutcome outcome;
+  while (!script.ended(outcome)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (outcome.exit_status == 0) {
+    std::filesystem::remove(log);
+    if (!quiet) fmt::print("Plots and report: {}/report.html\n", folder);
+    return 0;
+  }
+  fmt::print(stderr,
+             "ixos-study: study.csv is complete, but plots and report could not be made; {} tells why (python3 with "
+             "matplotlib is needed). Again: {} {}\n",
+             log, report_script(), folder);
+  return 4;
+}
+
+int run(const Arguments& arguments) {
+  const ixos::Study study = ixos::read_study(arguments.study);
+  if (arguments.list) {
+    for (const ixos::StudyRun& run : study.runs) fmt::print("{}: {}\n", run.name, fmt::join(run.settings, "; "));
+    return 0;
+  }
+  ixos::RunnerOptions options;
+  options.folder =
+      arguments.output.empty() ? std::filesystem::path(arguments.study).stem().string() + ".results" : arguments.output;
+  options.driver = (own_folder() / "ixos").string();
+  options.version = IXOS_VERSION;
+  options.interrupted = [] { return signalled != 0; };
+  if (!arguments.quiet)
+    options.watch = [&](const ixos::StudyResult& result, std::size_t done, bool reused) {
+      print_run(result, done, result.run.labels.empty() ? 1 : study.runs.size(), study.question.measure, reused);
+    };
+  std::error_code code;
+  std::filesystem::create_directories(options.folder, code);
+  if (code) throw ixos::FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::vector<ixos::StudyResult> results;
+  const ixos::StudyStatus status = ixos::run_study(study, options, results);
+  if (status == ixos::StudyStatus::ReferenceFailed) {
+    fmt::print(stderr, "ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
+               results.front().reason);
+    return 3;
+  }
+  if (status == ixos::StudyStatus::Interrupted) {
+    fmt::print(stderr, "ixos-study: interrupted; called again, it goes on\n");
+    return 5;
+  }
+  const std::string command =
+      "ixos-study " + arguments.study + (arguments.output.empty() ? "" : " --output " + arguments.output);
+  ixos::write_study(study, results, options.folder, command, options.version);
+  if (!arguments.quiet) fmt::print("{}\n", ixos::recommend(study, results).sentence);
+  return make_report(options.folder, arguments.quiet);
+}
+
+int guarded(const Arguments& arguments) {
+  try {
+    return run(arguments);
+  } catch (const ixos::InputError& error) {
+    const std::string what = error.what();
+    fmt::print(stderr, "ixos-study: {}\n", what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what);
+    return 2;
+  } catch (const ixos::FileError& error) {
+    fmt::print(stderr, "ixos-study: {}\n", error.what());
+    return 4;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ixos-study: a defect of ours, please report it: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Ixos: speed against accuracy.", "ixos-study");
+  app.footer(how_to_begin);
+  app.add_option("STUDY", arguments.study, "study file (XML)");
+  app.add_option("--output", arguments.output, "folder for the results (default: STUDY without its ending, .results)");
+  app.add_flag("--list", arguments.list, "print the runs and their settings, but do not run them");
+  app.add_flag("--parameters", arguments.parameters, "every parameter of a study, as Markdown");
+  app.add_flag("--version", arguments.version, "version");
+  app.add_flag("--quiet", arguments.quiet, "say nothing but errors");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "ixos-study: {} (ixos-study --help lists the options)\n", error.what());
+    return 2;
+  }
+  if (!arguments.study.empty()) return guarded(arguments);
+  if (arguments.version)
+    fmt::print("ixos-study {}\n", IXOS_VERSION);
+  else if (arguments.parameters)
+    fmt::print("{}", ixos::parameter_documentation(ixos::study_parameters(), "Parameters of a study",
+                                                   "ixos-study --parameters"));
+  else
+    fmt::print("{}", how_to_begin);
+  return 0;
+}

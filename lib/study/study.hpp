@@ -1,0 +1,72 @@
+/// Studies: one scene, run with many settings, to see what accuracy costs.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace ixos {
+
+/// Changes of a scene, "List/Sublist/Name=value" as on the command line.
+using Assignments = std::vector<std::string>;
+
+struct AxisValue {
+  std::string label;
+  Assignments settings;
+};
+
+/// What is varied: its values exclude each other.
+struct Axis {
+  std::string name;
+  std::vector<AxisValue> values;
+};
+
+/// One run of a study: a value of each axis.
+struct StudyRun {
+  std::string name;                 ///< its folder's: the labels, spelt so that any file system takes them
+  std::vector<std::string> labels;  ///< by axis
+  Assignments settings;             ///< common ones first
+};
+
+/// How errors against the reference are taken.
+struct ErrorOptions {
+  std::vector<std::string> force;     ///< columns of history.csv; empty: the contact force
+  std::vector<std::string> position;  ///< empty: the displacements of all probes
+  double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();  ///< [T0]
+  double energy_scale = 0;  ///< [E0 L0^D]; 0: the reference's largest kinetic energy
+};
+
+/// What the study is to answer.
+struct Question {
+  std::string connect;   ///< the axis along which points of a plot are joined
+  std::string cost;      ///< a column of study.csv
+  std::string measure;   ///< an error column of study.csv
+  double tolerance = 0;  ///< of that error; 0: none
+  double budget = 0;     ///< of that cost; 0: none
+};
+
+struct Study {
+  std::string name;
+  std::string scene;  ///< path of the scene's file
+  Assignments common;
+  std::vector<Axis> axes;
+  Assignments reference;         ///< beyond the common ones; of a reference that is computed
+  std::string reference_folder;  ///< results that serve as the reference, in place of a computed one
+  ErrorOptions errors;
+  Question question;
+  int jobs = 1;           ///< runs at a time
+  double time_limit = 0;  ///< wall clock of one run [s]; 0: none
+  std::vector<StudyRun> runs;
+};
+
+/// Every list and parameter of a study file, with defaults, ranges and documentation.
+const Teuchos::ParameterList& study_parameters();
+
+/// Reads a study file and its scene, and checks the settings of every run against what a scene may say. Throws
+/// InputError that names the file, the list path, the value, and what is allowed.
+Study read_study(const std::string& path);
+
+/// The scene of a run as it will be read, complete: what a result is recognised by. Throws InputError.
+std::string scene_text(const Study& study, const Assignments& settings);
+
+}  // namespace ixos

@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_XMLParameterListHelpers.hpp>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+#include "base/parameter_entries.hpp"
+#include "scene/list_access.hpp"
+#include "scene/parameter_text.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/validation.hpp"
+#include "study/study.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+using Words = Teuchos::Array<std::string>;
+
+/// A study of more runs than this is a slip of the pen.
+constexpr std::size_t most_runs = 10000;
+
+Assignments assignments(const List& list, const std::string& path) {
+  Assignments result;
+  for (const auto& [name, entry] : entries(list)) {
+    if (entry.isList()) throw InputError(path + "/" + name + " is a list; here are parameters only, each by its path");
+    result.push_back(name + "=" + value_text(entry));
+  }
+  return result;
+}
+
+Axis read_axis(const List& list, const std::string& name) {
+  const std::string path = "Axes/" + name;
+  Axis axis{name, {}};
+  const auto parameter = list.get<std::string>("Parameter");
+  const Words& values = list.get<Words>("Values");
+  const std::vector<std::string> settings = sublists(list.sublist("Settings"));
+  if (parameter.empty() != values.empty() || parameter.empty() == settings.empty())
+    throw InputError(path + ": give either Parameter and Values, or Settings with a list for each value");
+  for (const std::string& value : values) axis.values.push_back({value, {parameter + "=" + value}});
+  for (const std::string& label : settings)
+    axis.values.push_back({label, assignments(list.sublist("Settings").sublist(label), path + "/Settings/" + label)});
+  std::set<std::string> labels;
+  for (const AxisValue& value : axis.values)
+    if (!labels.insert(value.label).second) throw InputError(path + ": \"" + value.label + "\" is there twice");
+  return axis;
+}
+
+/// Letters, digits and + . - as they are, anything else as one dash.
+std::string file_name(const std::string& label) {
+  std::string result;
+  for (char c : label) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+';
+    if (plain)
+      result += c;
+    else if (!result.empty() && result.back() != '-')
+      result += '-';
+  }
+  while (!result.empty() && result.back() == '-') result.pop_back();
+  return result.empty() ? "-" : result;
+}
+
+/// Every combination of the axes' values, the last axis running fastest.
+std::vector<StudyRun> combinations(const Study& study) {
+  std::vector<StudyRun> runs{{"", {}, study.common}};
+  for (const Axis& axis : study.axes) {
+    if (runs.size() * axis.values.size() > most_runs)
+      throw InputError(fmt::format("Axes: more than {} runs", most_runs));
+    std::vector<StudyRun> longer;
+    for (const StudyRun& run : runs)
+      for (const AxisValue& value : axis.values) {
+        StudyRun next = run;
+        next.name += (run.name.empty() ? "" : "_") + file_name(value.label);
+        next.labels.push_back(value.label);
+        next.settings.insert(next.settings.end(), value.settings.begin(), value.settings.end());
+        longer.push_back(std::move(next));
+      }
+    runs = std::move(longer);
+  }
+  std::set<std::string> names;
+  for (const StudyRun& run : runs)
+    if (!names.insert(run.name).second || run.name == "reference" || run.name.size() > 200)
+      throw InputError("Axes: the labels \"" + fmt::format("{}", fmt::join(run.labels, "\", \"")) +
+                       "\" make no folder name of their own, \"" + run.name + "\"; choose other labels");
+  return runs;
+}
+
+Question read_question(const List& list, const std::vector<Axis>& axes) {
+  Question question{list.get<std::string>("Connect"), list.get<std::string>("Cost"), list.get<std::string>("Measure"),
+                    list.get<double>("Tolerance"), list.get<double>("Budget")};
+  if (question.connect.empty()) question.connect = axes.back().name;
+  std::vector<std::string> names;
+  for (const Axis& axis : axes) names.push_back(axis.name);
+  if (std::find(names.begin(), names.end(), question.connect) == names.end())
+    throw InputError("Question/Connect: " + no_such("axis", question.connect, names, "There are"));
+  return question;
+}
+
+ErrorOptions read_errors(const List& list) {
+  ErrorOptions options;
+  const Words &force = list.get<Words>("Force"), &position = list.get<Words>("Position");
+  options.force.assign(force.begin(), force.end());
+  options.position.assign(position.begin(), position.end());
+  options.energy_scale = list.get<double>("Energy Scale");
+  if (list.get<Teuchos::Array<double>>("Interval").empty()) return options;
+  const auto interval = numbers(list, "Errors", "Interval", 2, {});
+  if (!(interval[0] < interval[1]))
+    throw InputError(fmt::format("Errors/Interval: {} is not before {}", interval[0], interval[1]));
+  options.from = interval[0];
+  options.to = interval[1];
+  return options;
+}
+
+std::string beside(const std::string& study, const std::string& path) {
+  const std::filesystem::path given(path);
+  return given.is_absolute() ? path : (std::filesystem::path(study).parent_path() / given).string();
+}
+
+Study read(const std::string& path) {
+  const List list = validated(read_scene_file(path), study_parameters());
+  Study study;
+  study.name = list.name().empty() || list.name() == "ANONYMOUS" ? "Study" : list.name();
+  study.scene = beside(path, list.get<std::string>("Scene"));
+  study.jobs = list.get<int>("Jobs");
+  study.time_limit = list.get<double>("Time Limit");
+  study.common = assignments(list.sublist("Common"), "Common");
+  const std::set<std::string> taken{"run",
+                                    "status",
+                                    "reason",
+                                    "error_energy",
+                                    "error_force",
+                                    "error_momentum",
+                                    "error_position",
+                                    "wall_seconds",
+                                    "cpu_seconds",
+                                    "steps",
+                                    "rejected_steps",
+                                    "newton_iterations",
+                                    "end_time",
+                                    "linear_iterations",
+                                    "peak_memory_bytes"};
+  for (const std::string& name : sublists(list.sublist("Axes"))) {
+    if (taken.count(name) > 0) throw InputError("Axes/" + name + ": this is the name of a column; choose another");
+    study.axes.push_back(read_axis(list.sublist("Axes").sublist(name), name));
+  }
+  if (study.axes.empty()) throw InputError("Axes: there is none; a study varies something");
+  const List& reference = list.sublist("Reference");
+  study.reference = assignments(reference.sublist("Settings"), "Reference/Settings");
+  study.reference_folder = reference.get<std::string>("Folder");
+  if (study.reference.empty() == study.reference_folder.empty())
+    throw InputError("Reference: give either Folder or Settings");
+  if (!study.reference_folder.empty()) study.reference_folder = beside(path, study.reference_folder);
+  study.errors = read_errors(list.sublist("Errors"));
+  study.question = read_question(list.sublist("Question"), study.axes);
+  study.runs = combinations(study);
+  return study;
+}
+
+}  // namespace
+
+std::string scene_text(const Study& study, const Assignments& settings) {
+  List scene = read_scene_file(study.scene);
+  for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
+  std::ostringstream text;
+  Teuchos::writeParameterListToXmlOStream(validated(scene, scene_parameters()), text);
+  return text.str();
+}
+
+Study read_study(const std::string& path) {
+  Study study;
+  try {
+    study = read(path);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.rfind(path, 0) == 0 ? what : path + ": " + what);
+  }
+  const auto check = [&](const std::string& run, const Assignments& settings) {
+    try {
+      scene_text(study, settings);
+    } catch (const InputError& error) {
+      throw InputError(path + ": run " + run + ": " + error.what());
+    }
+  };
+  if (study.reference_folder.empty()) {
+    Assignments all = study.common;
+    all.insert(all.end(), study.reference.begin(), study.reference.end());
+    check("reference", all);
+  }
+  for (const StudyRun& run : study.runs) check(run.name, run.settings);
+  return study;
+}
+
+}  // namespace ixos

@@ -1,0 +1,44 @@
+/// What became of the runs of a study, and what follows from it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/study.hpp"
+#include "study/study_errors.hpp"
+
+namespace ixos {
+
+struct StudyResult {
+  StudyRun run;
+  std::string status;  ///< completed, stopped, diverged, interrupted or failed
+  std::string reason;
+  StudyErrors errors;
+  double wall_seconds = 0;  ///< of the time loop
+  double cpu_seconds = 0;   ///< of the process
+  long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0;
+  double peak_memory_bytes = 0;
+  double end_time = 0;
+
+  bool reached_its_end() const { return status == "completed" || status == "stopped"; }
+  /// By column name. Throws std::invalid_argument for any other.
+  double error(const std::string& measure) const;
+  double cost(const std::string& name) const;
+};
+
+/// The runs that no other beats in both cost and error, the cheapest first.
+std::vector<const StudyResult*> pareto(const std::vector<StudyResult>& results, const std::string& cost,
+                                       const std::string& measure);
+
+struct Recommendation {
+  const StudyResult* run = nullptr;  ///< null where no run is good enough
+  std::string sentence;
+};
+
+/// The cheapest run within the tolerance; the most accurate within the budget where there is no tolerance.
+Recommendation recommend(const Study& study, const std::vector<StudyResult>& results);
+
+/// Writes study.csv and study.json. `command` repeats the study. Throws FileError.
+void write_study(const Study& study, const std::vector<StudyResult>& results, const std::string& folder,
+                 const std::string& command, const std::string& version);
+
+}  // namespace ixos

@@ -1,0 +1,187 @@
+// ixos-study as a process of its own: runs, resumption after kills, refusals.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <sstream>
+
+#include "drivers/process.hpp"
+
+namespace ixos {
+namespace {
+
+using test::Outcome;
+using test::shell;
+
+const char* const scene = R"x(<ParameterList name="Block">
+  <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/>
+    <ParameterList name="Box"><Parameter name="Lengths" type="Array(double)" value="{3, 2}"/>
+      <Parameter name="Divisions" type="Array(int)" value="{3, 2}"/></ParameterList></ParameterList>
+  <ParameterList name="Materials"><ParameterList name="Rubber">
+    <Parameter name="Density" type="double" value="1"/></ParameterList></ParameterList>
+  <ParameterList name="Initial Conditions">
+    <Parameter name="Velocity Gradient" type="Array(double)" value="{0.3, -1, 1, -0.2}"/></ParameterList>
+  <ParameterList name="Time Integrator"><ParameterList name="Time Step Control">
+    <Parameter name="Final Time" type="double" value="2"/>
+    <Parameter name="Time Step" type="double" value="0.1"/></ParameterList></ParameterList>
+  <ParameterList name="Output"><ParameterList name="Probes"><ParameterList name="P">
+    <Parameter name="Point" type="Array(double)" value="{3, 2}"/></ParameterList></ParameterList></ParameterList>
+</ParameterList>)x";
+
+const char* const study = R"x(<ParameterList name="Test">
+  <Parameter name="Scene" type="string" value="block.xml"/>
+  <Parameter name="Jobs" type="int" value="2"/>
+  <ParameterList name="Axes">
+    <ParameterList name="Scheme"><Parameter name="Parameter" type="string" value="Time Integrator/Type"/>
+      <Parameter name="Values" type="Array(string)" value="{Newmark, Energy-Momentum, Central Difference}"/></ParameterList>
+    <ParameterList name="Time Step">
+      <Parameter name="Parameter" type="string" value="Time Integrator/Time Step Control/Time Step"/>
+      <Parameter name="Values" type="Array(string)" value="{0.2, 0.1, 0.05}"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="Reference"><ParameterList name="Settings">
+    <Parameter name="Time Integrator/Time Step Control/Time Step" type="double" value="0.002"/></ParameterList></ParameterList>
+  <ParameterList name="Question"><Parameter name="Measure" type="string" value="error_position"/></ParameterList>
+</ParameterList>)x";
+
+std::string contents(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class StudyDriverTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ + "/block.xml") << scene;
+    std::ofstream(folder_ + "/study.xml") << study;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  Outcome run(const std::string& arguments) const { return shell("'" IXOS_STUDY_DRIVER "' " + arguments, folder_); }
+  /// study.csv without the columns that clocks and memory make.
+  std::string timeless(const std::string& results) const {
+    std::istringstream csv(contents(folder_ + "/" + results + "/study.csv"));
+    std::string text;
+    for (std::string line; std::getline(csv, line);) {
+      std::istringstream row(line);
+      std::string cell;
+      for (int c = 0; std::getline(row, cell, ','); ++c)
+        if (c != 9 && c != 10 && c != 15) text += cell + ",";
+      text += '\n';
+    }
+    return text;
+  }
+  std::string folder_ = test::scratch_folder();
+};
+
+TEST_F(StudyDriverTest, RunsEverythingOnceAndReports) {
+  const Outcome first = run("study.xml --output out");
+  ASSERT_EQ(first.status, 0) << first.output;
+  EXPECT_NE(first.output.find("The nearest: ") == std::string::npos,
+            first.output.find("The cheapest within") == std::string::npos);
+  for (const char* file : {"study.csv", "study.json", "report.html", "work-precision-position.png"})
+    EXPECT_GT(std::filesystem::file_size(folder_ + "/out/" + file), 100U) << file;
+  const std::string csv = contents(folder_ + "/out/study.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 10);
+  // Halving the step quarters the error of a scheme of second order.
+  std::map<std::string, double> error;
+  std::istringstream rows(csv);
+  for (std::string line; std::getline(rows, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    if (cells[0] != "run") error[cells[0]] = std::stod(cells[8]);
+  }
+  for (const char* scheme : {"Newmark", "Energy-Momentum"})
+    EXPECT_NEAR(error.at(std::string(scheme) + "_0.1") / error.at(std::string(scheme) + "_0.05"), 4, 0.8) << scheme;
+  // Nothing is repeated: the records stay as they are.
+  const auto written = std::filesystem::last_write_time(folder_ + "/out/runs/Newmark_0.1/run.json");
+  const Outcome second = run("study.xml --output out");
+  EXPECT_EQ(second.status, 0) << second.output;
+  EXPECT_EQ(std::filesystem::last_write_time(folder_ + "/out/runs/Newmark_0.1/run.json"), written);
+  EXPECT_EQ(contents(folder_ + "/out/study.csv"), csv);
+  std::size_t reused = 0;
+  for (auto at = second.output.find("(was done)"); at != std::string::npos;
+       at = second.output.find("(was done)", at + 1))
+    ++reused;
+  EXPECT_EQ(reused, 10U) << second.output;
+  // A changed scene is another one.
+  std::string changed = scene;
+  changed.replace(changed.find("value=\"2\""), 9, "value=\"1.8\"");
+  std::ofstream(folder_ + "/block.xml") << changed;
+  EXPECT_EQ(run("study.xml --output out").output.find("(was done)"), std::string::npos);
+}
+
+TEST_F(StudyDriverTest, AKilledStudyGoesOnAndEndsAlike) {
+  ASSERT_EQ(run("study.xml --output whole --quiet").status, 0);
+  // Killed again and again, at other moments of its work each time.
+  for (int kill = 0; kill < 12; ++kill) {
+    const std::string seconds = std::to_string(0.1 + 0.07 * kill);
+    run("study.xml --output pieces --quiet & pid=$!; sleep " + seconds + "; kill -9 $pid; wait $pid");
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/pieces/report.html")) << "killed too late: " << kill;
+  }
+  ASSERT_EQ(run("study.xml --output pieces --quiet").status, 0);
+  EXPECT_EQ(timeless("pieces"), timeless("whole"));
+  // Told to end, it says how to go on.
+  const Outcome told = run("study.xml --output other & pid=$!; sleep 0.4; kill -TERM $pid; wait $pid");
+  EXPECT_EQ(told.status, 5) << told.output;
+  EXPECT_NE(told.output.find("called again, it goes on"), std::string::npos);
+  ASSERT_EQ(run("study.xml --output other --quiet").status, 0);
+  EXPECT_EQ(timeless("other"), timeless("whole"));
+}
+
+TEST_F(StudyDriverTest, FailuresAreResults) {
+  std::string text = study;
+  text.replace(text.find("<Parameter name=\"Jobs\""), 0,
+               "<Parameter name=\"Time Limit\" type=\"double\" value=\"30\"/>");
+  text.replace(text.find("{Newmark, "), 10, "{");
+  text.replace(text.find("Energy-Momentum"), 15, "Static");  // needs no inertia, and a free body cannot be held
+  std::ofstream(folder_ + "/study.xml") << text;
+  const Outcome outcome = run("study.xml --output out");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(contents(folder_ + "/out/study.csv").find("Static_0.2,Static,0.2,"), std::string::npos);
+}
+
+TEST_F(StudyDriverTest, BadStudiesAreRefused) {
+  const auto refused = [&](const std::string& arguments, int status, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, status) << outcome.output;
+    EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/out"));
+  };
+  refused("none.xml --output out", 2, "none.xml: the scene file cannot be read");
+  refused("study.xml --output out --jobs", 2, "--help lists the options");
+  std::string text = study;
+  text.replace(text.find("Newmark"), 7, "Newmrak");
+  std::ofstream(folder_ + "/bad.xml") << text;
+  refused("bad.xml --output out", 2, "run Newmrak_0.2: Time Integrator/Type: \"Newmrak\" does not exist");
+  std::ofstream(folder_ + "/file") << "";
+  refused("study.xml --output file/out", 4, "the results folder cannot be used");
+  refused("", 0, "ixos-study xml/ball-study.xml");
+  refused("study.xml --list", 0, "Newmark_0.2: Time Integrator/Type=Newmark");
+}
+
+TEST_F(StudyDriverTest, AReferenceThatFailsEndsTheStudy) {
+  std::string text = study;
+  text.replace(text.find("value=\"0.002\""), 13, "value=\"5\"");
+  text.replace(text.find("<ParameterList name=\"Axes\">"), 0,
+               "<ParameterList name=\"Common\"><Parameter name=\"Nonlinear Solver/Maximum Iterations\" type=\"int\" "
+               "value=\"1\"/></ParameterList>");
+  std::ofstream(folder_ + "/study.xml") << text;
+  const Outcome outcome = run("study.xml --output out");
+  EXPECT_EQ(outcome.status, 3) << outcome.output;
+  EXPECT_NE(outcome.output.find("the reference did not reach its end: diverged"), std::string::npos) << outcome.output;
+}
+
+TEST_F(StudyDriverTest, TheDocumentationIsThatOfTheValidators) {
+  EXPECT_EQ(run("--parameters").output, contents(IXOS_DOCS_DIRECTORY "/study-parameters.md"));
+}
+
+TEST_F(StudyDriverTest, StudiesInXmlAreSound) {
+  for (const char* name : {"ball-study", "ball-adaptive-study", "strip-study"})
+    EXPECT_EQ(run(std::string("'" IXOS_XML_DIRECTORY "/") + name + ".xml' --list").status, 0) << name;
+}
+
+}  // namespace
+}  // namespace ixos
