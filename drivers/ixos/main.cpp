@@ -59,8 +59,8 @@ const char* const how_to_begin =
 
 void print_schemes() {
   for (const ixos::Scheme& scheme : ixos::schemes()) {
-    fmt::print("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  from:      {}\n", scheme.name, scheme.order,
-               scheme.stability, scheme.conserves, scheme.citation);
+    fmt::print("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  cost:      {}\n  from:      {}\n", scheme.name,
+               scheme.order, scheme.stability, scheme.conserves, scheme.cost, scheme.citation);
     for (const auto& [name, entry] : ixos::entries(scheme.parameters)) {
       std::ostringstream value;
       value << entry.getAny(false);

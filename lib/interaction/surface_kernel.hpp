@@ -51,6 +51,7 @@ struct SurfaceKernel {
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
       const auto& shape = quadrature.value[q];
       const Ends<T> ends(segment, shape);
+      if (out_of_range(law, ends)) continue;
       T mean(0.0);
       for (const RulePoint& point : rule.points) {
         const T r = ends.at(point);
@@ -71,6 +72,7 @@ struct SurfaceKernel {
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
       const auto& shape = quadrature.value[q];
       const Ends<T> ends(segment, shape);
+      if (out_of_range(law, ends)) continue;
       T mean(0.0);
       for (const RulePoint& point : rule.points) {
         const T stiffness = law.stiffness(ends.at(point));
@@ -129,6 +131,18 @@ struct SurfaceKernel {
     T to, from, velocity;
     bool has_from, has_velocity;
   };
+
+  /// Nothing acts at this point in any lane: on a straight path no time point is nearer than the ends.
+  template <class T>
+  static bool out_of_range(const Law& law, const Ends<T>& ends) {
+    if constexpr (Law::has_range) {
+      if (ends.has_velocity) return false;
+      const T nearest = ends.has_from ? T(smaller(ends.from, ends.to)) : ends.to;
+      return least(nearest) >= law.range();
+    } else {
+      return false;
+    }
+  }
 };
 
 }  // namespace ixos

@@ -9,6 +9,8 @@ namespace ixos {
 /// 38, 39, whose r-bar is r/L0). Only reciprocals and products: no power function, any scalar type.
 class VanDerWaals {
  public:
+  static constexpr bool has_range = false;
+
   /// gamma_L = L0/r0 > 0, gamma_W = E0/W0 > 0 with W0 = A_H/(2 pi^2 r0^3).
   VanDerWaals(double gamma_length, double gamma_energy)
       : c1_(M_PI / (45 * gamma_energy * std::pow(gamma_length, 9))),

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "fem/cell_types.hpp"
+#include "interaction/cut_off.hpp"
 #include "interaction/surface_kernel.hpp"
 #include "model/element_batches.hpp"
 
@@ -271,11 +272,10 @@ class HalfSpaceTerm final : public Term {
   std::vector<Pack> owned_;    ///< 1 for sides that count here
 };
 
-}  // namespace
-
-std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
-                                                         const Pattern& pattern, const VanDerWaals& law,
-                                                         const HalfSpace& wall, const SurfaceOptions& options) {
+template <class Law>
+std::vector<std::unique_ptr<Term>> make_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                              const Pattern& pattern, const Law& law, const HalfSpace& wall,
+                                              const SurfaceOptions& options) {
   // A set may hold enriched sides beside plain ones.
   std::map<std::pair<std::size_t, bool>, std::vector<LocalSide>> groups;
   for (const LocalSide& side : sides) {
@@ -285,20 +285,27 @@ std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, 
   std::vector<std::unique_ptr<Term>> terms;
   // A rank without sides has a term too: what follows from there being one is collective.
   if (groups.empty() && mesh.dimension == 2)
-    terms.push_back(std::make_unique<HalfSpaceTerm<Line2, VanDerWaals>>(mesh, sides, pattern, law, wall, options));
+    terms.push_back(std::make_unique<HalfSpaceTerm<Line2, Law>>(mesh, sides, pattern, law, wall, options));
   if (groups.empty() && mesh.dimension == 3)
-    terms.push_back(
-        std::make_unique<HalfSpaceTerm<Multilinear<2>, VanDerWaals>>(mesh, sides, pattern, law, wall, options));
+    terms.push_back(std::make_unique<HalfSpaceTerm<Multilinear<2>, Law>>(mesh, sides, pattern, law, wall, options));
   for (const auto& entry : groups) {
     const std::vector<LocalSide>& group = entry.second;
     const CellType type = mesh.blocks[static_cast<std::size_t>(group.front().block)].type;
     with_side_element(type, group.front().side, [&](auto side) {
       using SideElement = typename decltype(side)::type;
-      terms.push_back(
-          std::make_unique<HalfSpaceTerm<SideElement, VanDerWaals>>(mesh, group, pattern, law, wall, options));
+      terms.push_back(std::make_unique<HalfSpaceTerm<SideElement, Law>>(mesh, group, pattern, law, wall, options));
     });
   }
   return terms;
+}
+
+}  // namespace
+
+std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                                         const Pattern& pattern, const VanDerWaals& law,
+                                                         const HalfSpace& wall, const SurfaceOptions& options) {
+  if (options.cutoff > 0) return make_terms(mesh, sides, pattern, CutOff(law, options.cutoff), wall, options);
+  return make_terms(mesh, sides, pattern, law, wall, options);
 }
 
 }  // namespace ixos

@@ -13,6 +13,7 @@ namespace ixos {
 
 struct SurfaceOptions {
   int points = 0;       ///< Gauss points a direction on each side; 0: 5, but 8 on sides of order 3 or more
+  double cutoff = 0;    ///< range of the interaction [L0]; 0: none (see CutOff)
   double margin = 0.8;  ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
 };
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
+#include "interaction/van_der_waals.hpp"
 #include "time/catalogue.hpp"
 
 namespace ixos {
@@ -45,6 +47,12 @@ std::string surroundings(const Simulation& simulation) {
                         list.get<std::string>("Obstacle"), list.get<std::string>("Contact Element"),
                         list.get<int>("Surface Points") > 0 ? std::to_string(list.get<int>("Surface Points"))
                                                             : "the element's own number of");
+    if (const auto cutoff = list.get<double>("Cutoff"); cutoff > 0) {
+      const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
+      text += fmt::format(
+          "  cut off at a gap of {} L0: tractions are off by at most {:.3g} E0, {:.2g} of the largest\n", cutoff,
+          std::abs(law.traction(cutoff)), std::abs(law.traction(cutoff) / law.traction(law.adhesion_gap())));
+    }
   }
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions)) {

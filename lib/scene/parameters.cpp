@@ -81,6 +81,9 @@ void add_interaction(List& list) {
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
   list.set("Point", Numbers(), "a point of the wall [L0]; the origin when empty", any_number());
   list.set("Normal", Numbers(), "out of the wall; the last axis when empty", any_number());
+  list.set("Cutoff", 0.0,
+           "gap beyond which the interaction is left out [L0]; the traction is off by at most its value there; 0: none",
+           at_least(0));
   list.set("Step Margin", 0.8, "kappa: a Newton step keeps every gap r at least kappa min(r, equilibrium gap) [-]",
            greater_and_less_than(0, 1));
 }

@@ -70,9 +70,15 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
   if (!std::isfinite(law.c1()) || !(law.c1() > 0) || !std::isfinite(law.c2()) || !(law.c2() > 0))
     throw InputError(
         fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {}, c2 = {}", path, law.c1(), law.c2()));
+  const auto cutoff = list.get<double>("Cutoff");
+  if (cutoff > 0 && !(cutoff > law.adhesion_gap()))
+    throw InputError(
+        fmt::format("{}/Cutoff: {} cuts the attraction off; it must be greater than the gap of largest "
+                    "attraction, {:.6g}, or 0",
+                    path, cutoff, law.adhesion_gap()));
   const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
   auto terms = make_half_space_terms(mesh, mesh.side_sets[set], model.pattern(), law, wall,
-                                     {list.get<int>("Surface Points"), list.get<double>("Step Margin")});
+                                     {list.get<int>("Surface Points"), cutoff, list.get<double>("Step Margin")});
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   InteractionReport report;
   for (const auto& term : terms) term->report(rest.data(), report);
@@ -102,6 +108,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
                     control.time_step, control.initial_time, control.final_time));
   Table table = chosen_table();
   check_adaptive(table);
+  check_cutoff(table);
   build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
@@ -146,6 +153,16 @@ void Simulation::check_adaptive(const Table& table) const {
   if (asked.time_points && table.interaction_points == 0)
     throw InputError(path + "/Choose Time Points: the scheme \"" + table.name +
                      "\", as it is set, has no points in time of the interaction that could be chosen");
+}
+
+void Simulation::check_cutoff(const Table& table) const {
+  const bool exact = std::any_of(table.stages.begin(), table.stages.end(),
+                                 [](const Stage& stage) { return stage.interaction.mean == Mean::Exact; });
+  for (const std::string& name : sublists(parameters_.sublist("Interactions")))
+    if (exact && parameters_.sublist("Interactions").sublist(name).get<double>("Cutoff") > 0)
+      throw InputError("Interactions/" + name + "/Cutoff: the scheme \"" + table.name +
+                       "\", as it is set, takes the exact mean of the interaction, which needs its whole range; use 0, "
+                       "or Interaction Points of at least 1");
 }
 
 std::vector<std::string> Simulation::reactions() const {

@@ -20,9 +20,9 @@ struct AdaptiveOptions {
 struct StepControlOptions {
   double initial_time = 0;
   double final_time = 0;
-  double time_step = 0;     ///< nominal; adaptive: the first
-  int maximum_cuts = 0;     ///< halvings that a success has not made up for
-  double minimum_step = 0;  ///< a cut may not go below
+  double time_step = 0;                                           ///< nominal; adaptive: the first
+  int maximum_cuts = 0;                                           ///< halvings that a success has not made up for
+  double minimum_step = 0;                                        ///< a cut may not go below
   double maximum_step = std::numeric_limits<double>::infinity();  ///< adaptive
   AdaptiveOptions adaptive{};
   std::vector<double> output_intervals{};  ///< steps end at the multiples of each, counted from the initial time

@@ -27,6 +27,7 @@ Scheme newmark_scheme() {
            "2 (1 where Gamma > 1/2)",
            "linear: unconditional for 2 Beta >= Gamma; nonlinear: energy may grow",
            "linear momentum; energy of linear problems for Beta = 1/4, Gamma = 1/2",
+           "one solve a step: the measure of the others",
            "Newmark 1959",
            {},
            [](const List& p) { return newmark(p.get<double>("Beta"), p.get<double>("Gamma")); }};
@@ -39,6 +40,7 @@ Scheme bathe_scheme() {
            "2",
            "linear: unconditional, spectral radius as given at infinite frequency; loses energy",
            "linear momentum",
+           "two solves a step, which may be longer for the same error",
            "Bathe 2007; Noh and Bathe 2019",
            {},
            [](const List& p) {
@@ -56,8 +58,9 @@ Scheme bathe_scheme() {
 Scheme composite_scheme() {
   Scheme s{"Gautam-Sauer Composite",
            "2 (1 where Gamma is not 2 Beta)",
-           "elastic part as the trapezoid; interaction work exact to time quadrature",
+           "linear: unconditional for 2 Beta >= Gamma; interaction work exact to time quadrature",
            "linear momentum; work of the interaction on the linear path",
+           "one solve a step; the interaction at several times, which hardly shows",
            "Gautam and Sauer 2014",
            {},
            [](const List& p) {
@@ -81,6 +84,7 @@ Scheme average_vector_field_scheme() {
            "2",
            "energy is bounded by its conservation",
            "linear momentum; energy to time quadrature",
+           "one solve a step; elastic forces at several times",
            "Quispel and McLaren 2008",
            {},
            [](const List& p) {
@@ -97,6 +101,7 @@ Scheme generalized_alpha_scheme() {
            "2",
            "linear: unconditional, spectral radius as given at infinite frequency",
            "linear momentum; energy of linear problems for Spectral Radius 1",
+           "one solve a step",
            "Chung and Hulbert 1993",
            {},
            [](const List& p) { return generalized_alpha(p.get<double>("Spectral Radius")); }};
@@ -109,6 +114,7 @@ Scheme hht_scheme() {
            "2",
            "linear: unconditional, damps high frequencies",
            "linear momentum; energy of linear problems for Alpha = 0",
+           "one solve a step",
            "Hilber, Hughes and Taylor 1977",
            {},
            [](const List& p) { return hht_alpha(p.get<double>("Alpha")); }};
@@ -121,6 +127,7 @@ Scheme midpoint_scheme() {
           "2",
           "linear: unconditional; nonlinear: energy may grow",
           "linear and angular momentum; energy of linear problems",
+          "one solve a step",
           "Simo, Tarnow and Wong 1992",
           {},
           [](const List&) { return midpoint(); }};
@@ -131,6 +138,7 @@ Scheme energy_momentum_scheme() {
           "2",
           "energy is bounded by its conservation",
           "energy, linear and angular momentum, to the solver's tolerance; the tangent is unsymmetric",
+          "one solve a step with an unsymmetric matrix: LU or GMRES",
           "Simo and Tarnow 1992; Gonzalez 2000; Gautam and Sauer 2013",
           {},
           [](const List&) { return energy_momentum(); }};
@@ -141,6 +149,7 @@ Scheme central_difference_scheme() {
            "2",
            "conditional: steps are cut to the stable one, found from stiffness and smallest gap at every step",
            "linear and angular momentum; energy oscillates about its value",
+           "no solve; many short steps, a force evaluation each",
            "Newmark 1959 with beta = 0; Belytschko, Liu, Moran and Elkhodary 2014",
            {},
            [](const List& p) { return central_difference(p.get<double>("Safety")); }};
@@ -154,6 +163,7 @@ Scheme static_scheme() {
           "exact where each step's equilibrium is",
           "none: an unstable equilibrium ends in a jump to another, or in a failed step",
           "the balance of forces; no inertia, no damping",
+          "one solve a step, no mass matrix",
           "load stepping, e.g. Wriggers 2008",
           {},
           [](const List&) { return static_equilibrium(); }};
@@ -180,6 +190,7 @@ const Scheme& custom_scheme() {
                              "as its rows say",
                              "as its rows say",
                              "as its rows say",
+                             "a solve for each stage",
                              "a table of the scene's own, stage by stage; refused unless it reproduces u = 1, t, t^2",
                              custom_parameters(),
                              [](const List& p) { return custom_table(p); }};

@@ -84,6 +84,29 @@ TEST_F(DriverTest, SolversForSymmetricMatricesAreRefusedForUnsymmetricTangents) 
   refused("Belos/Solver Type=Pseudo Block CG", "tangent is not symmetric; use \"Pseudo Block GMRES\"");
 }
 
+TEST_F(DriverTest, BadStepControlAndCutoffsAreRefused) {
+  const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {
+    std::vector<std::string> arguments{ball, "--output", "out"};
+    for (const std::string& assignment : assignments) arguments.insert(arguments.end(), {"--set", assignment});
+    expect_refused(2, arguments, message);
+  };
+  const std::string control = "Time Integrator/Time Step Control/", adaptive = control + "Type=Adaptive",
+                    list = control + "Adaptive/";
+  refused({control + "Type=Adaptve"}, "did you mean \"Adaptive\"?");
+  refused({adaptive}, "neither Tolerance nor Maximum Gap Ratio is given");
+  refused({adaptive, list + "Tolerance=-1"}, "-1 is not allowed: it must be at least 0");
+  refused({adaptive, list + "Maximum Gap Ratio=0.5"}, "Maximum Gap Ratio: must be greater than 1");
+  refused({adaptive, list + "Tolerance=1e-3", "Time Integrator/Type=Static"}, "has no estimate of its local error");
+  refused({adaptive, list + "Tolerance=1e-3", list + "Choose Time Points=true", "Time Integrator/Type=Newmark"},
+          "has no points in time of the interaction that could be chosen");
+  refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts the attraction off");
+  refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Gautam-Sauer Composite/Interaction Points=0"},
+          "takes the exact mean of the interaction");
+  refused({"Time Integrator/Type=Central Difference", "Interactions/Wall/Contact Element=Q1CH"}, "has no lumped mass");
+  refused({"Time Integrator/Type=Central Difference", "Time Integrator/Central Difference/Safety=1.5"},
+          "1.5 is not allowed: it must be greater than 0 and at most 1");
+}
+
 TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
   const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
   const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {

@@ -179,7 +179,7 @@ TEST_F(StudyDriverTest, TheDocumentationIsThatOfTheValidators) {
 }
 
 TEST_F(StudyDriverTest, StudiesInXmlAreSound) {
-  for (const char* name : {"ball-study", "ball-adaptive-study", "strip-study"})
+  for (const char* name : {"ball-study", "ball-adaptive-study", "strip-study", "strip-options-study"})
     EXPECT_EQ(run(std::string("'" IXOS_XML_DIRECTORY "/") + name + ".xml' --list").status, 0) << name;
 }
 

@@ -1,0 +1,148 @@
+// What a scene does not ask for is neither allocated nor called.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include "scene/run.hpp"
+#include "support/bodies.hpp"
+#include "support/scene_text.hpp"
+
+namespace {
+
+long long allocated = 0;  ///< bytes asked of operator new so far
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  allocated += static_cast<long long>(size);
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+using test::world;
+
+/// An interaction that does nothing but count who asks it what.
+class CountingTerm final : public Term {
+ public:
+  struct Calls {
+    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0;
+  };
+  explicit CountingTerm(Calls& calls) : calls_(calls) {}
+  bool add_force(const Segment&, const Rule&, double*) const override { return ++calls_.force > 0; }
+  void add_tangent(const Segment&, const Rule&, Tangent, double*) const override { ++calls_.tangent; }
+  bool add_row_sums(const Segment&, double*) const override { return ++calls_.row_sums > 0; }
+  double energy(const double*) const override {
+    ++calls_.energy;
+    return 0;
+  }
+  double gap_ratio(const double*, const double*) const override {
+    ++calls_.gap_ratio;
+    return 1;
+  }
+  void report(const double*, InteractionReport&) const override { ++calls_.report; }
+
+ private:
+  Calls& calls_;
+};
+
+std::string off(const std::string& name) { return R"(<Parameter name=")" + name + R"(" type="bool" value="false"/>)"; }
+
+/// A block that flies past a wall, 20 steps.
+std::string flight(const std::string& integrator, const std::string& output) {
+  return test::block_2d(0.2) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -2}))) +
+         (integrator.empty() ? test::time_integrator("Newmark", 0.05, 1) : integrator) + list("Output", output);
+}
+
+struct Flight {
+  CountingTerm::Calls calls;
+  RunResult result;
+};
+
+Flight fly(const std::string& integrator, const std::string& output) {
+  Flight flight_;
+  Simulation s(test::scene(flight(integrator, output)), world());
+  const_cast<Model&>(s.model()).add_interaction(std::make_unique<CountingTerm>(flight_.calls));
+  RunOptions options;
+  options.folder = testing::TempDir() + "ixos_costs";
+  flight_.result = run(s, options);
+  std::filesystem::remove_all(options.folder);
+  EXPECT_EQ(flight_.result.status, RunStatus::Completed);
+  return flight_;
+}
+
+TEST(CostsTest, ColumnsThatAreOffAreNotEvaluated) {
+  const Flight all = fly("", "");
+  EXPECT_EQ(all.calls.energy, 21);
+  EXPECT_EQ(all.calls.report, 21);
+  const Flight none = fly("", off("Energies") + off("Momenta") + off("Interaction"));
+  EXPECT_EQ(none.calls.energy, 0) << "neither for history.csv nor by the line search of a smooth problem";
+  EXPECT_EQ(none.calls.report, 0);
+  EXPECT_EQ(none.calls.gap_ratio, 0);
+  EXPECT_EQ(none.calls.row_sums, 0);
+  EXPECT_EQ(none.calls.force, all.calls.force);
+  EXPECT_EQ(fly("", test::count("History Interval", 10)).calls.energy, 3);
+}
+
+TEST(CostsTest, ExplicitSchemesMakeNoTangent) {
+  const Flight flight = fly(test::time_integrator("Central Difference", 0.05, 1), "");
+  EXPECT_EQ(flight.calls.tangent, 0);
+  EXPECT_EQ(flight.calls.force, 20) << "one evaluation a step";
+  EXPECT_GT(flight.calls.row_sums, 20);
+  EXPECT_EQ(flight.result.newton_iterations, 0);
+}
+
+TEST(CostsTest, OnlyAdaptiveRunsJudge) {
+  const Flight flight =
+      fly(list("Time Integrator", list("Time Step Control", word("Type", "Adaptive") + number("Time Step", 0.05) +
+                                                                number("Final Time", 1) +
+                                                                list("Adaptive", number("Maximum Gap Ratio", 1.5)))),
+          "");
+  EXPECT_EQ(flight.calls.gap_ratio, flight.result.steps + flight.result.rejected_steps);
+}
+
+/// Bytes that building the scene asks for.
+long long bytes(const std::string& scene) {
+  const auto parsed = test::scene(scene);
+  { Simulation warm(parsed, test::self()); }  // what is made once for the process
+  const long long before = allocated;
+  { Simulation s(parsed, test::self()); }
+  return allocated - before;
+}
+
+std::string large(const std::string& scheme, const std::string& material = "", const std::string& interactions = "") {
+  return list("Mesh",
+              word("Type", "Box") + list("Box", numbers("Lengths", {3, 2}) + test::counts("Divisions", {60, 40}))) +
+         list("Materials", list("Rubber", number("Density", 1) + material)) +
+         (interactions.empty() ? "" : list("Interactions", interactions)) + test::time_integrator(scheme, 0.05, 1);
+}
+
+TEST(CostsTest, WhatIsOffIsNotAllocated) {
+  // 61 x 41 nodes with up to 9 neighbours: 22,000 node pairs.
+  const long long pairs = 61LL * 41 * 9 - 2 * 3 * (61 + 41) - 4, number_size = sizeof(double);
+  const long long newmark = bytes(large("Newmark"));
+  EXPECT_GT(bytes(large("Newmark", number("Mass Damping", 0.1))), newmark + 4 * pairs * number_size * 9 / 10);
+  EXPECT_LT(bytes(large("Static")), newmark - pairs * number_size * 9 / 10) << "no mass";
+  EXPECT_LT(bytes(large("Central Difference")), newmark - 3 * pairs * number_size) << "no mass by pairs, no solver";
+  const std::string wall = list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -2}));
+  EXPECT_GT(bytes(large("Newmark", "", wall)), newmark);
+}
+
+TEST(CostsTest, LinearMaterialsAreNotDearer) {
+  EXPECT_LE(bytes(large("Newmark", word("Model", "Linear Elastic"))), bytes(large("Newmark")) + 100000);
+}
+
+}  // namespace
+}  // namespace ixos
