@@ -130,9 +130,7 @@ int guarded(const Arguments& arguments) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int parse_and_run(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Ixos: speed against accuracy.", "ixos-study");
   app.footer(how_to_begin);
@@ -160,4 +158,17 @@ int main(int argc, char** argv) {
   else
     fmt::print("{}", how_to_begin);
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "ixos-study: cannot start: %s\n", error.what());
+  } catch (...) {
+    std::fprintf(stderr, "ixos-study: a defect of ours, please report it\n");
+  }
+  return 1;
 }

@@ -31,7 +31,7 @@ Assignments assignments(const List& list, const std::string& path) {
   Assignments result;
   for (const auto& [name, entry] : entries(list)) {
     if (entry.isList()) throw InputError(path + "/" + name + " is a list; here are parameters only, each by its path");
-    result.push_back(name + "=" + value_text(entry));
+    result.push_back(fmt::format("{}={}", name, value_text(entry)));
   }
   return result;
 }
@@ -44,9 +44,10 @@ Axis read_axis(const List& list, const std::string& name) {
   const std::vector<std::string> settings = sublists(list.sublist("Settings"));
   if (parameter.empty() != values.empty() || parameter.empty() == settings.empty())
     throw InputError(path + ": give either Parameter and Values, or Settings with a list for each value");
-  for (const std::string& value : values) axis.values.push_back({value, {parameter + "=" + value}});
+  for (const std::string& value : values) axis.values.push_back({value, {fmt::format("{}={}", parameter, value)}});
   for (const std::string& label : settings)
-    axis.values.push_back({label, assignments(list.sublist("Settings").sublist(label), path + "/Settings/" + label)});
+    axis.values.push_back(
+        {label, assignments(list.sublist("Settings").sublist(label), fmt::format("{}/Settings/{}", path, label))});
   std::set<std::string> labels;
   for (const AxisValue& value : axis.values)
     if (!labels.insert(value.label).second) throw InputError(path + ": \"" + value.label + "\" is there twice");
@@ -97,6 +98,7 @@ Question read_question(const List& list, const std::vector<Axis>& axes) {
                     list.get<double>("Tolerance"), list.get<double>("Budget")};
   if (question.connect.empty()) question.connect = axes.back().name;
   std::vector<std::string> names;
+  names.reserve(axes.size());
   for (const Axis& axis : axes) names.push_back(axis.name);
   if (std::find(names.begin(), names.end(), question.connect) == names.end())
     throw InputError("Question/Connect: " + no_such("axis", question.connect, names, "There are"));

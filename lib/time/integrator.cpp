@@ -195,7 +195,7 @@ double Integrator::stable_step(double wanted) {
 }
 
 StepResult Integrator::step(double dt) {
-  const StepResult result = attempt(dt);
+  StepResult result = attempt(dt);
   if (result.converged) accept();
   return result;
 }

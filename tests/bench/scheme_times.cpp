@@ -96,6 +96,11 @@ int main(int argc, char** argv) {
   fmt::print("|---|---|---|---|---|---|\n");
   for (const ixos::Scheme& scheme : schemes) {
     const Samples& s = samples[scheme.name];
+    if (s.iterations == 0) {  // explicit
+      fmt::print("| {} | - | - | 0 | {:.4f} | {:.4f} |\n", scheme.name, median(s.per_increment),
+                 median(s.increment_ratio));
+      continue;
+    }
     fmt::print("| {} | {:.4f} | {:.3f} | {:.2f} | {:.3f} | {:.3f} |\n", scheme.name,
                median(s.milliseconds_per_iteration), median(s.ratio), s.iterations_per_increment,
                median(s.per_increment), median(s.increment_ratio));
