@@ -47,10 +47,20 @@ std::string report_script() {
   return std::filesystem::exists(installed) ? installed.string() : std::string(IXOS_PLOT_DIRECTORY "/study.py");
 }
 
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-") ==
+      std::string::npos)
+    return word;
+  std::string text = "'";
+  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t total, const std::string& measure,
                bool reused) {
   std::string what = result.status;
-  if (!result.reason.empty() && !result.reached_its_end()) what += ": " + result.reason;
+  if (!result.reason.empty()) what += ": " + result.reason;
   if (!result.run.labels.empty() && std::isfinite(result.error(measure)))
     what += fmt::format(", {} {:.3g}", measure, result.error(measure));
   fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, what, result.wall_seconds,
@@ -107,8 +117,8 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "ixos-study: interrupted; called again, it goes on\n");
     return 5;
   }
-  const std::string command =
-      "ixos-study " + arguments.study + (arguments.output.empty() ? "" : " --output " + arguments.output);
+  const std::string command = "ixos-study " + quoted(arguments.study) +
+                              (arguments.output.empty() ? "" : " --output " + quoted(arguments.output));
   ixos::write_study(study, results, options.folder, command, options.version);
   if (!arguments.quiet) fmt::print("{}\n", ixos::recommend(study, results).sentence);
   return make_report(options.folder, arguments.quiet);

@@ -7,6 +7,7 @@
 
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
+#include "interaction/cut_off.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "time/catalogue.hpp"
 
@@ -49,9 +50,12 @@ std::string surroundings(const Simulation& simulation) {
                                                             : "the element's own number of");
     if (const auto cutoff = list.get<double>("Cutoff"); cutoff > 0) {
       const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
+      const double near = law.equilibrium_gap();
       text += fmt::format(
-          "  cut off at a gap of {} L0: tractions are off by at most {:.3g} E0, {:.2g} of the largest\n", cutoff,
-          std::abs(law.traction(cutoff)), std::abs(law.traction(cutoff) / law.traction(law.adhesion_gap())));
+          "  cut off at a gap of {} L0: tractions are off by at most {:.3g} E0, {:.2g} of the largest, the work of "
+          "adhesion by {:.2g} of it\n",
+          cutoff, std::abs(law.traction(cutoff)), std::abs(law.traction(cutoff) / law.traction(law.adhesion_gap())),
+          1 - CutOff(law, cutoff).energy(near) / law.energy(near));
     }
   }
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");

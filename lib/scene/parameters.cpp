@@ -162,9 +162,10 @@ void add_time_integrator(List& list) {
   require(control, "Time Step",
           "[T0]; Adaptive: the first; steps are shortened to end at Final Time and at the time intervals of Output",
           greater_than(0));
-  control.set("Maximum Cuts", 0, "how often Time Step may be halved where a step fails; 0 ends the run",
+  control.set("Maximum Cuts", 0,
+              "how often Time Step may be halved where a step fails; 0 ends the run; Adaptive runs need none",
               between(0, 60));
-  control.set("Minimum Time Step", 0.0, "no cut goes below [T0]", at_least(0));
+  control.set("Minimum Time Step", 0.0, "neither a cut nor an adaptive step goes below [T0]", at_least(0));
   List& adaptive = control.sublist("Adaptive", false, "a step that exceeds what is asked is done again, shorter");
   adaptive.set("Tolerance", 0.0, "largest local error of a displacement in a step [L0]; 0: not judged", at_least(0));
   adaptive.set("Maximum Gap Ratio", 0.0,

@@ -1,5 +1,7 @@
 #include "scene/run.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 #include <cmath>
@@ -63,10 +65,12 @@ bool good_enough(Integrator& integrator, const AdaptiveOptions& asked, double dt
   if (asked.tolerance > 0) judgement.error = integrator.error();
   if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator.gap_ratio();
   const int used = integrator.table().interaction_points;
-  if (!asked.time_points || used == 0) return control.accepts(dt, judgement);
-  const int needed = time_points(judgement.gap_ratio);
-  integrator.set_interaction_points(needed);
-  return control.accepts(dt, judgement) && needed <= used;
+  if (asked.time_points && used > 0) {
+    const int needed = time_points(judgement.gap_ratio);
+    integrator.set_interaction_points(needed);
+    if (needed > used) return false;  // the same step again
+  }
+  return control.accepts(dt, judgement);
 }
 
 }  // namespace
@@ -110,6 +114,12 @@ RunResult run(Simulation& simulation, const RunOptions& options) {
     }
     const double before = integrator.time();
     const double dt = control.next(before, stable);
+    if (!(dt >= control.least()) && control.next(before) >= control.least()) {
+      result.status = RunStatus::Diverged;
+      result.reason =
+          fmt::format("the stable step, {:.3g} T0, is below the least allowed, {:.3g}", dt, control.least());
+      break;
+    }
     const StepResult step = integrator.attempt(dt);
     counts.newton_iterations += step.newton_iterations;
     counts.linear_iterations += step.linear_iterations;

@@ -4,39 +4,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ixos {
 namespace {
 
-/// Multiples of `interval` from `start`: the next one after `time`; one that rounding has just missed counts as
-/// reached.
-double next_multiple(double start, double interval, double time, double slack) {
-  return start + (std::floor((time - start) / interval + slack / interval) + 1) * interval;
+/// What rounding makes of a time: one nearer than that to another is the same.
+double slack(double interval, double time) {
+  return 1e-8 * interval + 8 * std::numeric_limits<double>::epsilon() * std::abs(time);
+}
+
+/// Multiples of `interval` from `start`: the next one after `time`.
+double next_multiple(double start, double interval, double time) {
+  return start + (std::floor((time - start + slack(interval, time)) / interval) + 1) * interval;
 }
 
 }  // namespace
 
+StepControl::StepControl(const StepControlOptions& options)
+    : options_(options), length_(std::min(options.time_step, options.maximum_step)) {}
+
 bool StepControl::done(double time) const {
-  return !(options_.final_time - time > 1e-3 * std::min(length_, options_.time_step));
+  return !(options_.final_time - time > slack(options_.time_step, options_.final_time));
 }
 
 /// To the next time that must be hit.
 double StepControl::room(double time) const {
-  const double slack = 1e-3 * std::min(length_, options_.time_step);
   double end = options_.final_time;
-  if (!options_.adaptive.on) end = std::min(end, next_multiple(options_.initial_time, options_.time_step, time, slack));
+  if (!options_.adaptive.on) end = std::min(end, next_multiple(options_.initial_time, options_.time_step, time));
   for (double interval : options_.output_intervals)
-    end = std::min(end, next_multiple(options_.initial_time, interval, time, slack));
+    end = std::min(end, next_multiple(options_.initial_time, interval, time));
   return end - time;
 }
 
 double StepControl::next(double time, const std::function<double(double)>& stable) const {
   const double left = room(time);
-  double step = length_ > left * (1 - 1e-9) ? left : length_;
+  double step = length_ > left * (1 + 1e-9) ? left : length_;
   if (options_.adaptive.on && step < left && left < 2 * step) step = left / 2;
   if (!stable) return step;
   const double longest = stable(step);
-  return longest < step ? step / std::ceil(step / longest) : step;
+  return longest > 0 && longest < step ? step / std::ceil(step / longest) : std::min(step, longest);
 }
 
 void StepControl::succeeded() {
@@ -46,7 +53,8 @@ void StepControl::succeeded() {
 }
 
 bool StepControl::cut(double failed_step) {
-  if (cuts_ >= options_.maximum_cuts || failed_step / 2 < options_.minimum_step) return false;
+  const bool allowed = options_.adaptive.on ? failed_step / 2 >= least() : cuts_ < options_.maximum_cuts;
+  if (!allowed || failed_step / 2 < options_.minimum_step) return false;
   ++cuts_;
   length_ = failed_step / 2;
   rejected_ = true;
@@ -70,24 +78,27 @@ bool StepControl::accepts(double dt, const StepJudgement& judgement) {
     ratio_factor = asked.safety * std::log(asked.gap_ratio) / std::log(judgement.gap_ratio);
   factor = std::clamp(std::min(factor, ratio_factor), 0.1, good && rejected_ ? 1.0 : asked.growth);
   // A step that was shortened for a time of output says nothing against the length that was wanted.
+  const bool shortened = dt < length_ * (1 - 1e-9);
   const double wanted = std::min(factor * dt, options_.maximum_step);
-  length_ = good && dt < length_ * (1 - 1e-9) && factor >= 1 ? std::max(length_, wanted) : wanted;
+  length_ = good && shortened && factor >= 1 ? std::max(length_, wanted) : wanted;
   if (good) {
-    last_error_ = error;
+    // The error of a step that was shortened, or in which nothing happens, says little of the next.
+    if (!shortened) last_error_ = std::max(error, 1e-4);
     cuts_ = std::max(cuts_ - 1, 0);
   }
   rejected_ = !good;
   return good;
 }
 
+double StepControl::least() const { return std::max(options_.minimum_step, 1e-10 * options_.time_step); }
+
 bool StepControl::exhausted(std::string& why) const {
-  const double least = std::max(options_.minimum_step, 1e-10 * options_.time_step);
-  if (length_ >= least) return false;
-  why = fmt::format(
-      "a step of {:.3g} T0 would be needed, and {:.3g} is the least allowed; the last had a local error of {:.3g} L0 "
-      "and "
-      "a gap ratio of {:.3g}",
-      length_, least, judgement_.error, judgement_.gap_ratio);
+  if (length_ >= least()) return false;
+  why = fmt::format("a step of {:.3g} T0 would be needed, and {:.3g} is the least allowed; the last had", length_,
+                    least());
+  if (options_.adaptive.tolerance > 0) why += fmt::format(" a local error of {:.3g} L0", judgement_.error);
+  if (options_.adaptive.gap_ratio > 0)
+    why += fmt::format("{} a gap ratio of {:.3g}", options_.adaptive.tolerance > 0 ? " and" : "", judgement_.gap_ratio);
   return true;
 }
 

@@ -44,19 +44,21 @@ struct StepJudgement {
 /// Both end steps at the times of output, exactly; adaptive steps close to one share what is left evenly.
 class StepControl {
  public:
-  explicit StepControl(const StepControlOptions& options) : options_(options), length_(options.time_step) {}
+  explicit StepControl(const StepControlOptions& options);
 
-  /// Has the final time been reached? A remainder below a thousandth of a step is rounding, not a step.
+  /// Has the final time been reached, up to rounding?
   bool done(double time) const;
   /// The length of the step from `time`. `stable` says how much of a wanted length is stable, if anything limits it:
   /// the wanted length is then divided evenly.
   double next(double time, const std::function<double(double)>& stable = {}) const;
   void succeeded();
-  /// False where no further cut is allowed.
+  /// False where no further cut is allowed. Adaptive runs cut down to least().
   bool cut(double failed_step);
 
   /// Adaptive runs: is the step of length dt good enough? Sets the next length either way.
   bool accepts(double dt, const StepJudgement& judgement);
+  /// The shortest step that a run takes: the minimum of the options, and no less than rounding allows.
+  double least() const;
   /// Adaptive runs: whether the length that is wanted next is below what is allowed; `why` it was wanted.
   bool exhausted(std::string& why) const;
 

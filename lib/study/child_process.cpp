@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -25,6 +26,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   const int output = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (output < 0) throw FileError(log + ": cannot be written: " + std::strerror(errno));
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
+  std::signal(SIGCHLD, SIG_DFL);  // a parent may have had it ignored, and children would leave no trace
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
@@ -50,7 +52,9 @@ ChildProcess::~ChildProcess() {
 bool ChildProcess::ended(ChildOutcome& outcome) {
   int status = 0;
   rusage usage{};
-  if (wait4(pid_, &status, WNOHANG, &usage) != pid_) return false;
+  const pid_t found = wait4(pid_, &status, WNOHANG, &usage);
+  if (found < 0 && errno != EINTR) throw std::runtime_error("a child process is lost");
+  if (found != pid_) return false;
   pid_ = -1;
   outcome.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   const auto seconds = [](const timeval& time) {

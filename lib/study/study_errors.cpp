@@ -9,19 +9,21 @@
 
 #include "base/error.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/validation.hpp"
 #include "study/history_table.hpp"
 #include "time/catalogue.hpp"
 
 namespace ixos {
-namespace {
 
 /// A results folder, as far as errors need it.
-struct Results {
+struct StudyReference::Results {
   explicit Results(const std::string& folder) : history(folder + "/history.csv") {
-    const Teuchos::ParameterList scene = read_scene_file(folder + "/effective.xml");
-    const Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
+    Teuchos::ParameterList scene = read_scene_file(folder + "/effective.xml");
+    Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
     const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
-    step_means = chosen.table(integrator.sublist(chosen.name)).closing == Closing::Collocate;
+    // What an older version did not know has its default.
+    const Teuchos::ParameterList parameters = validated(integrator.sublist(chosen.name), chosen.parameters);
+    step_means = chosen.table(parameters).closing == Closing::Collocate;
   }
   /// The times that a column's values belong to.
   std::vector<double> times(const std::string& column) const {
@@ -31,42 +33,15 @@ struct Results {
     for (std::size_t i = 1; i < result.size(); ++i) result[i] -= step[i] / 2;
     return result;
   }
+  bool filled(const std::string& name) const {
+    return history.has(name) && history.rows() > 0 && !std::isnan(history.column(name).back());
+  }
 
   HistoryTable history;
   bool step_means;
 };
 
-/// rms in time of the columns' distance from the reference, over the reference's own rms there.
-double relative_distance(const Results& run, const Results& reference, const std::vector<std::string>& columns,
-                         const ErrorOptions& options) {
-  double error = 0, scale = 0;
-  std::size_t rows = 0;
-  for (const std::string& name : columns) {
-    const std::vector<double> times = run.times(name), reference_times = reference.times(name);
-    const std::vector<double>&values = run.history.column(name), &wanted = reference.history.column(name);
-    rows = 0;
-    for (std::size_t i = 0; i < times.size(); ++i) {
-      if (times[i] < options.from || times[i] > options.to) continue;
-      const double expected = interpolated(reference_times, wanted, times[i]);
-      if (std::isnan(expected) && times[i] > reference_times.back()) continue;
-      // Rows stand for the time up to their neighbours.
-      const double width = times[std::min(i + 1, times.size() - 1)] - times[i > 0 ? i - 1 : 0];
-      error += width * (values[i] - expected) * (values[i] - expected);
-      scale += width * expected * expected;
-      ++rows;
-    }
-  }
-  if (columns.empty()) return std::numeric_limits<double>::quiet_NaN();
-  if (rows < 2) throw InputError("Errors/Interval: a run has fewer than two rows there");
-  return std::sqrt(error / scale);
-}
-
-std::vector<std::string> present(const HistoryTable& history, const std::vector<std::string>& names) {
-  std::vector<std::string> result;
-  for (const std::string& name : names)
-    if (history.has(name) && history.rows() > 0 && !std::isnan(history.column(name).back())) result.push_back(name);
-  return result;
-}
+namespace {
 
 std::vector<std::string> probe_displacements(const HistoryTable& history) {
   std::vector<std::string> result;
@@ -90,22 +65,61 @@ double energy_error(const std::string& folder) {
 
 }  // namespace
 
-StudyErrors study_errors(const std::string& folder, const std::string& reference_folder, const ErrorOptions& options) {
-  const Results run(folder), reference(reference_folder);
-  const auto distance = [&](const std::vector<std::string>& columns) {
-    return relative_distance(run, reference, columns, options);
+StudyReference::StudyReference(const std::string& folder, const ErrorOptions& options)
+    : reference_(std::make_unique<Results>(folder)), options_(options) {
+  for (const auto* named : {&options.force, &options.position})
+    for (const std::string& name : *named) reference_->history.column(name);  // throws where there is none
+  if (options_.energy_scale > 0) return;
+  for (double energy : reference_->history.column("kinetic_energy"))
+    if (energy > options_.energy_scale) options_.energy_scale = energy;
+}
+
+StudyReference::~StudyReference() = default;
+
+/// rms in time of the columns' distance from the reference, over the reference's own rms there.
+double StudyReference::relative_distance(const Results& run, const std::vector<std::string>& columns) const {
+  if (columns.empty()) return std::numeric_limits<double>::quiet_NaN();
+  double error = 0, scale = 0;
+  std::size_t rows = 0;
+  for (const std::string& name : columns) {
+    const std::vector<double> times = run.times(name), reference_times = reference_->times(name);
+    const std::vector<double>&values = run.history.column(name), &wanted = reference_->history.column(name);
+    rows = 0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (times[i] < options_.from || times[i] > options_.to) continue;
+      const double expected = interpolated(reference_times, wanted, times[i]);
+      if (std::isnan(expected) && times[i] > reference_times.back()) continue;
+      // Rows stand for the time up to their neighbours.
+      const double width = times[std::min(i + 1, times.size() - 1)] - times[i > 0 ? i - 1 : 0];
+      error += width * (values[i] - expected) * (values[i] - expected);
+      scale += width * expected * expected;
+      ++rows;
+    }
+  }
+  if (rows < 2) throw InputError("fewer than two rows in Errors/Interval");
+  return std::sqrt(error / scale);
+}
+
+StudyErrors StudyReference::errors(const std::string& folder) const {
+  const Results run(folder);
+  // What a run that ended early has missed is not small.
+  const std::vector<double>& times = reference_->history.column("time");
+  const double from = std::max(options_.from, times.front()), to = std::min(options_.to, times.back());
+  const double end = run.history.column("time").back();
+  if (end < to - 0.05 * (to - from))
+    throw InputError(fmt::format("no errors: it ended at {:.6g} T0, the comparison goes to {:.6g}", end, to));
+  const auto either = [&](const std::vector<std::string>& named, const std::vector<std::string>& usual) {
+    if (!named.empty()) return relative_distance(run, named);
+    std::vector<std::string> both;
+    for (const std::string& name : usual)
+      if (run.filled(name) && reference_->filled(name)) both.push_back(name);
+    return relative_distance(run, both);
   };
   StudyErrors errors;
-  double scale = options.energy_scale;
-  if (scale == 0)
-    for (double energy : reference.history.column("kinetic_energy"))
-      if (energy > scale) scale = energy;
-  if (scale > 0) errors.energy = energy_error(folder) / scale;
-  errors.momentum = distance(present(run.history, {"linear_momentum_x", "linear_momentum_y", "linear_momentum_z"}));
-  errors.force =
-      distance(options.force.empty() ? present(run.history, {"contact_force_x", "contact_force_y", "contact_force_z"})
-                                     : options.force);
-  errors.position = distance(options.position.empty() ? probe_displacements(run.history) : options.position);
+  if (options_.energy_scale > 0) errors.energy = energy_error(folder) / options_.energy_scale;
+  errors.momentum = either({}, {"linear_momentum_x", "linear_momentum_y", "linear_momentum_z"});
+  errors.force = either(options_.force, {"contact_force_x", "contact_force_y", "contact_force_z"});
+  errors.position = either(options_.position, probe_displacements(run.history));
   return errors;
 }
 

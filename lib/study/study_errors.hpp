@@ -1,6 +1,7 @@
-/// Errors of a run against a reference.
+/// Errors of runs against a reference.
 #pragma once
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "study/study.hpp"
@@ -9,16 +10,35 @@ namespace ixos {
 
 /// Relative errors; NaN where the columns are not there, or empty.
 struct StudyErrors {
-  double energy = std::numeric_limits<double>::quiet_NaN();    ///< largest |E - E_0 - W + D| over the energy scale
+  /// summary.json's max_energy_error, which is that of the recorded rows, over the energy scale.
+  double energy = std::numeric_limits<double>::quiet_NaN();
   double momentum = std::numeric_limits<double>::quiet_NaN();  ///< of linear momentum, as the force's
   double force = std::numeric_limits<double>::quiet_NaN();     ///< rms in time over the reference's rms
   double position = std::numeric_limits<double>::quiet_NaN();  ///< as the force's
 };
 
-/// Of the results in `folder` against those in `reference`, at the times of the run's own rows in the interval (those
-/// of the reference are interpolated, so it should have more). Reactions of schemes in momentum form are means of the
-/// step and belong to its middle. Throws InputError where a named column is not there, or the interval holds no two
-/// rows, and FileError where results cannot be read.
-StudyErrors study_errors(const std::string& folder, const std::string& reference, const ErrorOptions& options);
+/// The results that others are compared with, read once.
+class StudyReference {
+ public:
+  /// Throws FileError where the results in `folder` cannot be read, and InputError, with the nearest name, where they
+  /// have not a column that `options` name.
+  StudyReference(const std::string& folder, const ErrorOptions& options);
+  ~StudyReference();
+  StudyReference(const StudyReference&) = delete;
+  StudyReference& operator=(const StudyReference&) = delete;
+
+  /// Of the results in `folder`, at the times of their own rows in the interval (those of the reference are
+  /// interpolated, so it should have more). Reactions of schemes in momentum form are means of the step and belong to
+  /// its middle. Throws InputError where a named column is not there, the interval holds fewer than two rows, or the
+  /// run ended before it; FileError where results cannot be read.
+  StudyErrors errors(const std::string& folder) const;
+
+ private:
+  struct Results;
+  double relative_distance(const Results& run, const std::vector<std::string>& columns) const;
+
+  std::unique_ptr<Results> reference_;
+  ErrorOptions options_;
+};
 
 }  // namespace ixos

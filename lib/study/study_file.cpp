@@ -30,7 +30,8 @@ constexpr std::size_t most_runs = 10000;
 Assignments assignments(const List& list, const std::string& path) {
   Assignments result;
   for (const auto& [name, entry] : entries(list)) {
-    if (entry.isList()) throw InputError(path + "/" + name + " is a list; here are parameters only, each by its path");
+    if (entry.isList())
+      throw InputError(fmt::format("{}/{} is a list; here are parameters only, each by its path", path, name));
     result.push_back(fmt::format("{}={}", name, value_text(entry)));
   }
   return result;
@@ -96,6 +97,8 @@ std::vector<StudyRun> combinations(const Study& study) {
 Question read_question(const List& list, const std::vector<Axis>& axes) {
   Question question{list.get<std::string>("Connect"), list.get<std::string>("Cost"), list.get<std::string>("Measure"),
                     list.get<double>("Tolerance"), list.get<double>("Budget")};
+  if (question.tolerance == 0 && question.budget == 0)
+    throw InputError("Question: Tolerance and Budget are both 0; nothing is asked");
   if (question.connect.empty()) question.connect = axes.back().name;
   std::vector<std::string> names;
   names.reserve(axes.size());
@@ -158,7 +161,11 @@ Study read(const std::string& path) {
   study.reference_folder = reference.get<std::string>("Folder");
   if (study.reference.empty() == study.reference_folder.empty())
     throw InputError("Reference: give either Folder or Settings");
-  if (!study.reference_folder.empty()) study.reference_folder = beside(path, study.reference_folder);
+  if (!study.reference_folder.empty()) {
+    study.reference_folder = beside(path, study.reference_folder);
+    if (!std::filesystem::exists(study.reference_folder + "/history.csv"))
+      throw InputError("Reference/Folder: there are no results in " + study.reference_folder);
+  }
   study.errors = read_errors(list.sublist("Errors"));
   study.question = read_question(list.sublist("Question"), study.axes);
   study.runs = combinations(study);

@@ -64,6 +64,9 @@ std::string described(const Study& study, const StudyRun& run) {
   return text;
 }
 
+/// "error_force" as "error of the force".
+std::string error_text(const std::string& measure) { return "error of the " + measure.substr(measure.find('_') + 1); }
+
 std::string cost_text(const std::string& cost, double value) {
   if (cost == "newton_iterations") return fmt::format("{:.0f} Newton iterations", value);
   return fmt::format("{:.3g} s {}", value, cost == "cpu_seconds" ? "of processor time" : "of wall-clock time");
@@ -71,7 +74,7 @@ std::string cost_text(const std::string& cost, double value) {
 
 std::string sentence(const Study& study, const StudyResult& result) {
   const Question& asked = study.question;
-  return fmt::format("{} has {} {:.3g} for {}", described(study, result.run), asked.measure,
+  return fmt::format("{} has a relative {} of {:.3g} for {}", described(study, result.run), error_text(asked.measure),
                      result.error(asked.measure), cost_text(asked.cost, result.cost(asked.cost)));
 }
 
@@ -110,7 +113,7 @@ Recommendation recommend(const Study& study, const std::vector<StudyResult>& res
   const auto best = pareto(results, asked.cost, asked.measure);  // cheaper first, more accurate last
   Recommendation answer;
   if (best.empty()) {
-    answer.sentence = "No run that reached its end has " + asked.measure + ".";
+    answer.sentence = "No run that reached its end has an " + error_text(asked.measure) + ".";
     return answer;
   }
   if (asked.tolerance > 0) {

@@ -1,6 +1,9 @@
 #include "study/study_runner.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -34,9 +37,38 @@ std::string last_line(const std::string& path) {
   return last.substr(0, 400);
 }
 
+/// What changes when a program is built anew.
+std::string file_mark(const std::string& path) {
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  const auto time = std::filesystem::last_write_time(path, code).time_since_epoch().count();
+  if (code) throw FileError(path + ": cannot be read: " + code.message());
+  return fmt::format("{} bytes, {}", size, time);
+}
+
+/// Holds a folder for this process as long as it lives.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& folder)
+      : file_(open((folder + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ < 0) throw FileError(folder + ": cannot be written");
+    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      close(file_);
+      throw FileError(folder + ": another ixos-study works there");
+    }
+  }
+  ~FolderLock() { close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
 class Runner {
  public:
-  Runner(const Study& study, const RunnerOptions& options) : study_(study), options_(options) {}
+  Runner(const Study& study, const RunnerOptions& options)
+      : study_(study), options_(options), driver_(file_mark(options.driver)) {}
 
   StudyStatus run(std::vector<StudyResult>& results) {
     std::string reference = study_.reference_folder;
@@ -44,14 +76,15 @@ class Runner {
       StudyRun run{"reference", {}, study_.common};
       run.settings.insert(run.settings.end(), study_.reference.begin(), study_.reference.end());
       std::vector<StudyResult> found;
-      if (!run_all({run}, 1, "", found)) return StudyStatus::Interrupted;
+      if (!run_all({run}, 1, nullptr, found)) return StudyStatus::Interrupted;
       reference = folder(run);
       if (!found.front().reached_its_end()) {
         results = std::move(found);
         return StudyStatus::ReferenceFailed;
       }
     }
-    return run_all(study_.runs, study_.jobs, reference, results) ? StudyStatus::Done : StudyStatus::Interrupted;
+    const StudyReference compared(reference, study_.errors);
+    return run_all(study_.runs, study_.jobs, &compared, results) ? StudyStatus::Done : StudyStatus::Interrupted;
   }
 
  private:
@@ -65,7 +98,7 @@ class Runner {
   std::string folder(const StudyRun& run) const { return options_.folder + "/runs/" + run.name; }
 
   /// False where interrupted. Results in the order of the runs, without those that did not end.
-  bool run_all(const std::vector<StudyRun>& runs, int jobs, const std::string& reference,
+  bool run_all(const std::vector<StudyRun>& runs, int jobs, const StudyReference* reference,
                std::vector<StudyResult>& results) {
     std::vector<std::optional<StudyResult>> found(runs.size());
     std::list<Active> active;
@@ -126,11 +159,14 @@ class Runner {
       }
       return std::nullopt;
     }
-    // A child that was told to end has no result.
-    if (outcome.exit_status == 5 || (outcome.exit_status > 128 && !child.timed_out)) return child.number;
+    // A child that was told to end has no result. One that crashed has: it would crash again.
+    if (outcome.exit_status == 5 || outcome.exit_status == 128 + SIGTERM || outcome.exit_status == 128 + SIGINT)
+      return child.number;
+    child.timed_out = child.timed_out && outcome.exit_status == 128 + SIGKILL;
     Json record;
     record["scene"] = child.scene;
     record["version"] = options_.version;
+    record["driver"] = driver_;
     record["exit_status"] = outcome.exit_status;
     record["cpu_seconds"] = outcome.cpu_seconds;
     record["time_limit"] = child.timed_out ? study_.time_limit : 0;
@@ -147,14 +183,17 @@ class Runner {
   /// Is there a result of this scene, by this version? One cut off by a time limit counts as long as that is no longer.
   bool is_done(const StudyRun& run, const std::string& scene) const {
     const Json record = read_json(folder(run) + "/run.json");
-    if (record.is_null() || record.value("scene", "") != scene || record.value("version", "") != options_.version)
+    if (record.is_null() || record.value("scene", "") != scene || record.value("version", "") != options_.version ||
+        record.value("driver", "") != driver_)
       return false;
+    for (const char* file : {"/summary.json", "/history.csv", "/effective.xml"})
+      if (record.value("exit_status", -1) == 0 && !std::filesystem::exists(folder(run) + file)) return false;
     const int status = record.value("exit_status", -1);
     const double limit = record.value("time_limit", 0.0);
     return status == 0 || status == 3 || (limit > 0 && study_.time_limit > 0 && study_.time_limit <= limit);
   }
 
-  StudyResult result(const StudyRun& run, const std::string& reference) const {
+  StudyResult result(const StudyRun& run, const StudyReference* reference) const {
     StudyResult result;
     result.run = run;
     const Json record = read_json(folder(run) + "/run.json"), summary = read_json(folder(run) + "/summary.json");
@@ -168,6 +207,7 @@ class Runner {
     if (const double limit = record.value("time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
       result.status = "failed";
       result.reason = limit > 0 ? fmt::format("not done after {} s", limit) : last_line(folder(run) + "/log.txt");
+      if (limit == 0 && status > 128) result.reason = fmt::format("ended by signal {}", status - 128);
       result.wall_seconds = limit;
       return result;
     }
@@ -180,18 +220,24 @@ class Runner {
     result.linear_iterations = summary.value("linear_iterations", 0L);
     result.peak_memory_bytes = summary.value("peak_memory_bytes", 0.0);
     result.end_time = summary.value("end_time", 0.0);
-    if (result.reached_its_end() && !reference.empty())
-      result.errors = study_errors(folder(run), reference, study_.errors);
+    if (!result.reached_its_end() || reference == nullptr) return result;
+    try {
+      result.errors = reference->errors(folder(run));
+    } catch (const InputError& error) {
+      result.reason = error.what();  // a result without errors; the others have theirs
+    }
     return result;
   }
 
   const Study& study_;
   const RunnerOptions& options_;
+  std::string driver_;  ///< results of another build are not reused
 };
 
 }  // namespace
 
 StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results) {
+  const FolderLock lock(options.folder);
   return Runner(study, options).run(results);
 }
 

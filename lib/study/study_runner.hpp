@@ -23,7 +23,8 @@ enum class StudyStatus { Done, ReferenceFailed, Interrupted };
 /// Runs what has not been run with these settings before, each in a process of its own, and compares all results with
 /// the reference. A run is done when its record stands in its folder, runs/<name>/run.json, which is written last; so a
 /// study may be killed at any time and goes on where it was. `results` holds the finished runs in the study's order; of
-/// a failed reference, it alone. Throws FileError and InputError.
+/// a failed reference, it alone. Throws FileError, also where another process works in that
+/// folder, and InputError.
 StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results);
 
 }  // namespace ixos

@@ -123,14 +123,18 @@ Scheme hht_scheme() {
 }
 
 Scheme midpoint_scheme() {
-  return {"Midpoint",
-          "2",
-          "linear: unconditional; nonlinear: energy may grow",
-          "linear and angular momentum; energy of linear problems",
-          "one solve a step",
-          "Simo, Tarnow and Wong 1992",
-          {},
-          [](const List&) { return midpoint(); }};
+  Scheme s{"Midpoint",
+           "2",
+           "linear: unconditional; nonlinear: energy may grow",
+           "linear and angular momentum; energy of linear problems",
+           "one solve a step",
+           "Simo, Tarnow and Wong 1992",
+           {},
+           [](const List& p) { return midpoint(p.get<std::string>("Interaction Mean") == "Exact"); }};
+  s.parameters.set("Interaction Mean", "Points",
+                   "the interaction in the middle, or its exact mean over the linear path, whose work is exact",
+                   Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Points", "Exact"))));
+  return s;
 }
 
 Scheme energy_momentum_scheme() {
@@ -149,12 +153,11 @@ Scheme central_difference_scheme() {
            "2",
            "conditional: steps are cut to the stable one, found from stiffness and smallest gap at every step",
            "linear and angular momentum; energy oscillates about its value",
-           "no solve; many short steps, a force evaluation each",
+           "no solve, a lumped mass; many short steps, a force evaluation each",
            "Newmark 1959 with beta = 0; Belytschko, Liu, Moran and Elkhodary 2014",
            {},
            [](const List& p) { return central_difference(p.get<double>("Safety")); }};
-  s.parameters.set("Safety", 0.9, "share of the stable step that is used [-]; explicit, with a lumped mass",
-                   greater_than_and_at_most(0, 1));
+  s.parameters.set("Safety", 0.9, "share of the stable step that is used [-]", greater_than_and_at_most(0, 1));
   return s;
 }
 

@@ -33,7 +33,9 @@ class StageReader {
     stage.damping = given("Damping") ? row("Damping") : stage.velocity;
     const Path path = list_.get<std::string>("Path") == "Linear" ? Path::Linear : Path::Kinematic;
     stage.elastic = rule("Elastic Points", "Elastic Weights", Path::Linear);
-    stage.interaction = rule("Interaction Points", "Interaction Weights", path);
+    const bool exact = list_.get<std::string>("Interaction Mean") == "Exact";
+    if (exact && path != Path::Linear) fail("Interaction Mean", "the exact mean needs the linear path");
+    stage.interaction = exact ? exact_rule() : rule("Interaction Points", "Interaction Weights", path);
     stage.load = load(stage.end);
     if (!(stage.inertia.unknown > 0) || stage.elastic.points.empty())
       fail("Inertia", "a stage is implicit: its inertia and its elastic force depend on the unknown");
@@ -95,7 +97,8 @@ List custom_parameters() {
   list.set("Work", "Increment", "how the work of external and damping forces is summed (docs/theory.md)",
            one_of(Teuchos::tuple<std::string>("Increment", "End Mean", "Stages")));
   list.set("Work Weights", Numbers(), "of the step's start and each stage's end, for Stages", any_number());
-  list.set("Error Constant", 1.0 / 12, "of the local error of displacements, times dt^3 u'''", any_number());
+  list.set("Error Constant", 0.0,
+           "of the local error of displacements, times dt^3 u''', for adaptive steps; 0: not known", any_number());
   List& stage = list.sublist("Stages", false, "the stages in order").sublist(any_name);
   stage.set("End", 1.0, "time of the stage's unknown in steps", greater_than(0));
   stage.set("Velocity", Numbers(), "dt v: {s, p0, q0, r0, p1, ...} of u_s, u_0, dt v_0, dt^2 a_0, u_1, ...",
@@ -107,6 +110,8 @@ List custom_parameters() {
   stage.set("Elastic Weights", Numbers(1, 1.0), "sum to 1", any_number());
   stage.set("Interaction Points", Numbers(1, 1.0), "as Elastic Points", between(0, 1));
   stage.set("Interaction Weights", Numbers(1, 1.0), "sum to 1", any_number());
+  stage.set("Interaction Mean", "Points", "at these points, or the exact mean over the linear path, in closed form",
+            one_of(Teuchos::tuple<std::string>("Points", "Exact")));
   stage.set("Path", "Linear", "of the interaction", one_of(Teuchos::tuple<std::string>("Linear", "Kinematic")));
   stage.set("Load Times", Numbers(), "of external forces, in steps; End when empty", any_number());
   stage.set("Load Weights", Numbers(), "sum to 1", any_number());

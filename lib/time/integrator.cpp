@@ -242,7 +242,10 @@ void Integrator::accept() {
   if (model_.damping() != nullptr) dissipated_ += work_of_damping(model_, table_, states_, dt);
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
   if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
-  if (judged_) previous_.v = states_.front().v;
+  if (judged_) {
+    previous_.v = states_.front().v;
+    previous_.known = true;
+  }
   previous_.dt = dt;
   std::swap(states_.front(), states_.back());
   // Compensated (Kahan), so that a million steps end where they should.
@@ -256,7 +259,7 @@ void Integrator::accept() {
 double Integrator::error() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
   judged_ = true;
-  if (previous_.v.empty() && states_.size() == 2) acceleration();
+  if (!previous_.known && states_.size() == 2) acceleration();
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 

@@ -46,7 +46,8 @@ class Integrator {
   /// Of the attempted step: see local_error() and Model::gap_ratio(). From the first call on a velocity is kept.
   double error();
   double gap_ratio() const;
-  /// Changes the number of points in time of the interaction, where the table allows it (Table::interaction_points).
+  /// Changes the number of points in time of the interaction, where the table allows it (Table::interaction_points);
+  /// those of the load stay.
   void set_interaction_points(int points);
 
   /// The longest step from here that is stable and no longer than `wanted`: `wanted` itself of implicit schemes. step()

@@ -36,9 +36,9 @@ Table generalized_alpha(double spectral_radius);
 /// Hilber, Hughes and Taylor (1977): the same with a_m = 0, a_f = -alpha, alpha in [-1/3, 0]; 0 is the trapezoid.
 Table hht_alpha(double alpha);
 
-/// The implicit midpoint rule (Simo, Tarnow and Wong 1992), in momentum form: forces at (u_n + u)/2. Order 2. Keeps
-/// linear and angular momentum; energy of linear problems.
-Table midpoint();
+/// The implicit midpoint rule (Simo, Tarnow and Wong 1992), in momentum form: forces at (u_n + u)/2, the interaction
+/// there too or by its exact mean. Order 2. Keeps linear and angular momentum; energy of linear problems.
+Table midpoint(bool exact_interaction = false);
 
 /// Energy-momentum (Simo and Tarnow 1992; Gonzalez 2000; contact: Gautam and Sauer 2013), in momentum form: the
 /// discrete gradient of the stored energy and of the interaction. Order 2. Keeps energy, linear and angular momentum,

@@ -14,7 +14,7 @@ namespace ixos {
 /// have a lumped mass. Collective.
 class StableStep {
  public:
-  /// `safety`, below 1, is the share of the bound that is used.
+  /// `safety`, at most 1, is the share of the bound that is used.
   StableStep(const Model& model, double safety);
 
   /// The longest step from this state that is no longer than `wanted`. Its accelerations are used.

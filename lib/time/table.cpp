@@ -56,6 +56,13 @@ void check(const Table& table) {
       (is_explicit(table) && table.mass != Inertia::Lumped))
     throw std::invalid_argument(
         fmt::format("scheme \"{}\": an explicit table closes explicitly and has a lumped mass", table.name));
+  if (table.stages.back().end != 1)
+    throw std::invalid_argument(fmt::format("scheme \"{}\": the last stage ends at {}, not at the step's end, 1",
+                                            table.name, table.stages.back().end));
+  for (std::size_t s = 0; s + 1 < table.stages.size(); ++s)
+    if (!(table.stages[s].end < 1))
+      throw std::invalid_argument(fmt::format("scheme \"{}\", stage {}: it ends at {}, not before the step's end",
+                                              table.name, s + 1, table.stages[s].end));
   const bool no_inertia = is_static(table);
   std::vector<double> times{0.0};
   for (std::size_t s = 0; s < table.stages.size(); ++s) {

@@ -132,15 +132,26 @@ TEST_F(StudyDriverTest, AKilledStudyGoesOnAndEndsAlike) {
 }
 
 TEST_F(StudyDriverTest, FailuresAreResults) {
+  // One iteration is enough for no scheme but the explicit one; a short time limit ends a long run.
   std::string text = study;
-  text.replace(text.find("<Parameter name=\"Jobs\""), 0,
-               "<Parameter name=\"Time Limit\" type=\"double\" value=\"30\"/>");
-  text.replace(text.find("{Newmark, "), 10, "{");
-  text.replace(text.find("Energy-Momentum"), 15, "Static");  // needs no inertia, and a free body cannot be held
+  text.replace(text.find("<ParameterList name=\"Axes\">"), 0,
+               R"x(<Parameter name="Time Limit" type="double" value="1.5"/>)x");
+  const std::string values = "{0.2, 0.1, 0.05}";
+  text.replace(text.find(values), values.size(), "{0.2}");
+  const std::string schemes = R"x(<Parameter name="Parameter" type="string" value="Time Integrator/Type"/>
+      <Parameter name="Values" type="Array(string)" value="{Newmark, Energy-Momentum, Central Difference}"/>)x";
+  ASSERT_NE(text.find(schemes), std::string::npos);
+  text.replace(text.find(schemes), schemes.size(), R"x(<ParameterList name="Settings">
+      <ParameterList name="hasty"><Parameter name="Nonlinear Solver/Maximum Iterations" type="int" value="1"/></ParameterList>
+      <ParameterList name="endless"><Parameter name="Time Integrator/Time Step Control/Final Time" type="double" value="1e7"/>
+      </ParameterList></ParameterList>)x");
   std::ofstream(folder_ + "/study.xml") << text;
   const Outcome outcome = run("study.xml --output out");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(contents(folder_ + "/out/study.csv").find("Static_0.2,Static,0.2,"), std::string::npos);
+  const std::string csv = contents(folder_ + "/out/study.csv");
+  EXPECT_NE(csv.find("hasty_0.2,hasty,0.2,diverged,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("endless_0.2,endless,0.2,failed,not done after 1.5 s,"), std::string::npos) << csv;
+  EXPECT_NE(outcome.output.find("No run that reached its end"), std::string::npos) << outcome.output;
 }
 
 TEST_F(StudyDriverTest, BadStudiesAreRefused) {
@@ -172,6 +183,37 @@ TEST_F(StudyDriverTest, AReferenceThatFailsEndsTheStudy) {
   const Outcome outcome = run("study.xml --output out");
   EXPECT_EQ(outcome.status, 3) << outcome.output;
   EXPECT_NE(outcome.output.find("the reference did not reach its end: diverged"), std::string::npos) << outcome.output;
+}
+
+TEST_F(StudyDriverTest, ColumnsThatOnlySomeRunsHaveDoNoHarm) {
+  std::string text = study;
+  const std::string values = "<Parameter name=\"Values\" type=\"Array(string)\" value=\"{0.2, 0.1, 0.05}\"/>";
+  text.replace(text.find(values), values.size(), "<Parameter name=\"Values\" type=\"Array(string)\" value=\"{0.2}\"/>");
+  text.replace(text.find("<ParameterList name=\"Axes\">"), 0,
+               "<ParameterList name=\"Common\"><Parameter name=\"Output/Probes/Q/Point\" type=\"Array(double)\" "
+               "value=\"{0, 2}\"/></ParameterList>");
+  std::ofstream(folder_ + "/study.xml") << text;
+  ASSERT_EQ(run("study.xml --output out --quiet").status, 0);
+  // With the results of a run without that probe as the reference.
+  std::string given = text;
+  given.replace(given.find("<ParameterList name=\"Settings\">"),
+                given.find("</ParameterList></ParameterList>\n  <ParameterList name=\"Question\">") -
+                    given.find("<ParameterList name=\"Settings\">") + 16,
+                "<Parameter name=\"Folder\" type=\"string\" value=\"alone\"/>");
+  ASSERT_EQ(shell("'" IXOS_DRIVER "' block.xml --quiet --output alone", folder_).status, 0);
+  std::ofstream(folder_ + "/study.xml") << given;
+  const Outcome outcome = run("study.xml --output out");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("error_position"), std::string::npos) << outcome.output;
+  // A column that the reference has not is refused.
+  std::string bad = text;
+  bad.replace(bad.find("<ParameterList name=\"Question\">"), 0,
+              "<ParameterList name=\"Errors\"><Parameter name=\"Position\" type=\"Array(string)\" "
+              "value=\"{P_uz}\"/></ParameterList>");
+  std::ofstream(folder_ + "/study.xml") << bad;
+  const Outcome refused = run("study.xml --output out");
+  EXPECT_EQ(refused.status, 2) << refused.output;
+  EXPECT_NE(refused.output.find("did you mean \"P_u"), std::string::npos) << refused.output;
 }
 
 TEST_F(StudyDriverTest, TheDocumentationIsThatOfTheValidators) {

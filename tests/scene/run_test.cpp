@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "interaction/van_der_waals.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 
@@ -129,6 +130,73 @@ TEST_F(RunTest, AnAdaptiveRunThatNeedsTooShortAStepEnds) {
   const RunResult result = run_scene(scene);
   EXPECT_EQ(result.status, RunStatus::Diverged);
   EXPECT_NE(result.reason.find("0.0009 is the least allowed"), std::string::npos) << result.reason;
+}
+
+/// A block that falls onto a sticky wall.
+std::string falling(const std::string& scheme, const std::string& control, const std::string& wall = "",
+                    const std::string& scheme_parameters = "") {
+  return list("Mesh",
+              word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {4, 2}))) +
+         list("Materials", list("Rubber", number("Density", 1))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -1.2}) + wall)) +
+         list("Initial Conditions", numbers("Velocity", {0, -1})) +
+         list("Output", list("Probes", list("Top", numbers("Point", {1, 1})))) +
+         list("Time Integrator", word("Type", scheme) +
+                                     (scheme_parameters.empty() ? "" : list(scheme, scheme_parameters)) +
+                                     list("Time Step Control", number("Final Time", 1.5) + control));
+}
+
+TEST_F(RunTest, TheGapRatioIsHeldAndSavesSteps) {
+  const std::string fixed = number("Time Step", 0.002);
+  const auto adaptive = [](double ratio, const std::string& more) {
+    return word("Type", "Adaptive") + number("Time Step", 0.02) +
+           list("Adaptive", number("Maximum Gap Ratio", ratio) + number("Maximum Time Step", 0.1) + more);
+  };
+  const RunResult coarse = run_scene(falling("Newmark", fixed));
+  const RunResult judged = run_scene(falling("Newmark", adaptive(1.05, "")));
+  ASSERT_EQ(judged.status, RunStatus::Completed) << judged.reason;
+  // Row by row the least gap changes by no more than the ratio: it is that of one of the points, and they move alike.
+  const auto gaps = read_history(folder_ + "/history.csv").at("min_gap");
+  for (std::size_t k = 1; k < gaps.size(); ++k) {
+    const double ratio = std::max(gaps[k] / gaps[k - 1], gaps[k - 1] / gaps[k]);
+    EXPECT_TRUE(ratio < 1.06 || std::min(gaps[k], gaps[k - 1]) > 2.5) << k << ": " << ratio;
+  }
+  EXPECT_LT(judged.steps, coarse.steps / 2);
+  EXPECT_LT(judged.max_energy_error, 0.02);  // of a kinetic energy of 1
+}
+
+TEST_F(RunTest, PointsInTimeFollowTheGapRatio) {
+  const auto error = [&](int points, bool choose) {
+    const RunResult result = run_scene(falling(
+        "Average Vector Field",
+        word("Type", "Adaptive") + number("Time Step", 0.02) +
+            list("Adaptive", number("Maximum Gap Ratio", 4) + number("Maximum Time Step", 0.1) +
+                                 (choose ? R"(<Parameter name="Choose Time Points" type="bool" value="true"/>)" : "")),
+        "", test::count("Interaction Points", points)));
+    EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+    return result.max_energy_error;
+  };
+  const double few = error(2, false), chosen = error(2, true), many = error(16, false);
+  EXPECT_LT(chosen, 1e-2 * few);
+  EXPECT_LT(chosen, 1e-5 * 0.0155 * 2 + 10 * many) << "1e-5 of the work of adhesion";
+}
+
+TEST_F(RunTest, ACutoffKeepsTheEnergyAndStaysWithinItsBound) {
+  const std::string control = number("Time Step", 0.01);
+  const auto top = [&](const std::string& wall) {
+    const RunResult result =
+        run_scene(falling("Average Vector Field", control, wall, test::count("Interaction Points", 32)));
+    EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+    EXPECT_LT(result.max_energy_error, 1e-8);
+    return read_history(folder_ + "/history.csv").at("Top_uy");
+  };
+  const auto whole = top(""), cut = top(number("Cutoff", 1.0)), beyond = top(number("Cutoff", 1e6));
+  // Half a T0 before the wall is reached, traction is the only difference: at most T(rc) on an area of 2, mass 2.
+  const VanDerWaals law(2.5, 25);
+  const std::size_t k = 50;
+  EXPECT_NE(cut[k], whole[k]);
+  EXPECT_LE(std::abs(cut[k] - whole[k]), std::abs(law.traction(1.0)) * 0.5 * 0.5 / 2 * 1.1);
+  for (std::size_t i = 0; i < 60; ++i) EXPECT_NEAR(beyond[i], whole[i], 1e-9);
 }
 
 TEST_F(RunTest, ExplicitStepsAreStableOnes) {

@@ -132,6 +132,18 @@ TEST(StepControlTest, StableStepsDivideTheWantedOneEvenly) {
   const StepControl control({0, 10, 1.0, 0, 0});
   EXPECT_NEAR(control.next(0, [](double) { return 0.3; }), 0.25, 1e-15);
   EXPECT_EQ(control.next(0, [](double wanted) { return wanted; }), 1.0);
+  // However short stable steps are, times are hit.
+  StepControlOptions options{0, 3, 1.0, 0, 0};
+  options.output_intervals = {0.7};
+  const StepControl fine(options);
+  double time = 0;
+  std::vector<double> hits;
+  while (!fine.done(time)) {
+    time += fine.next(time, [](double wanted) { return std::min(wanted, 4e-4); });
+    for (double wanted : {0.7, 1.0, 1.4, 2.0, 2.1, 2.8, 3.0})
+      if (std::abs(time - wanted) < 1e-10) hits.push_back(wanted);
+  }
+  EXPECT_EQ(hits, (std::vector<double>{0.7, 1.0, 1.4, 2.0, 2.1, 2.8, 3.0}));
 }
 
 TEST(StepControlTest, AStepThatWouldBeTooShortIsSaidToBe) {

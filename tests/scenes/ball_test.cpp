@@ -70,6 +70,13 @@ TEST(BallTest, AverageVectorFieldHoldsTheEnergy) {
   EXPECT_LT(fate.largest_error, 1e-8 * std::abs(fate.initial_energy));
 }
 
+TEST(BallTest, EnergyMomentumHoldsTheEnergyForTenThousandSteps) {
+  if (second_run()) GTEST_SKIP();
+  const Fate fate = run_ball("Energy-Momentum");
+  EXPECT_NEAR(fate.end_time, 10, 1e-9);
+  EXPECT_LT(fate.largest_error, 1e-8 * std::abs(fate.initial_energy));
+}
+
 // The motion is chaotic: a rounding error of 1e-16 is 1e-10 after the first impact.
 TEST(BallTest, RanksSolversAndMeshFilesMoveAsOneToTheFirstImpact) {
   const std::string mesh = testing::TempDir() + "ixos_ball_" + std::to_string(world()->getSize()) + ".e";

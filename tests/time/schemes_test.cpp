@@ -97,6 +97,22 @@ TEST(SchemesTest, MidpointTakesForcesInTheMiddle) {
   EXPECT_EQ(stage.elastic.points[0].from, 0.5);
 }
 
+TEST(SchemesTest, CentralDifferenceIsVelocityVerlet) {
+  const Table table = from_xml("Central Difference", test::number("Safety", 0.7));
+  EXPECT_EQ(table.safety, 0.7);
+  EXPECT_TRUE(is_explicit(table));
+  EXPECT_FALSE(is_explicit(from_xml("Newmark", "")));
+  EXPECT_EQ(table.mass, Inertia::Lumped);
+  // u = u_n + dt v_n + dt^2/2 a_n, a_n from the balance at the start; the damping takes v_n + dt a_n at the end.
+  expect_row(table.stages.at(0).inertia, 2, -2, -2, 0, "inertia");
+  expect_row(table.stages[0].velocity, 0, 0, 1, 1, "velocity");
+  EXPECT_EQ(table.stages[0].elastic.kept_weight, 1);
+  EXPECT_EQ(table.stages[0].load.at(0).time, 0);
+  Table implicit = table;
+  implicit.mass = Inertia::Consistent;
+  EXPECT_THROW(check(implicit), std::invalid_argument) << "explicit tables have a lumped mass";
+}
+
 TEST(SchemesTest, EnergyMomentumTakesDiscreteGradients) {
   const Table table = from_xml("Energy-Momentum", "");
   expect_row(table.stages.at(0).inertia, 2, -2, -2, 0, "inertia");
@@ -193,6 +209,22 @@ TEST(CustomTableTest, NewmarkWrittenDownIsNewmark) {
     return s.integrator().state().u;
   };
   EXPECT_EQ(end("Custom", trapezoid()), end("Newmark", ""));
+}
+
+TEST(CustomTableTest, TakesTheExactMeanAndAnErrorConstant) {
+  const auto custom = [](const std::string& stage, const std::string& more) {
+    return from_xml(
+        "Custom",
+        more + test::list("Stages", test::list("One", test::numbers("Velocity", {2, -2, -1, 0}) +
+                                                          test::numbers("Acceleration", {4, -4, -4, -1}) + stage)));
+  };
+  const Table table = custom(test::word("Interaction Mean", "Exact"), test::number("Error Constant", 0.3));
+  EXPECT_EQ(table.stages.at(0).interaction.mean, Mean::Exact);
+  EXPECT_EQ(table.error_constant, 0.3);
+  EXPECT_NO_THROW(check(table));
+  EXPECT_EQ(custom("", "").stages.at(0).interaction.mean, Mean::Points);
+  EXPECT_THROW(custom(test::word("Interaction Mean", "Exact") + test::word("Path", "Kinematic"), ""),
+               std::invalid_argument);
 }
 
 TEST(CustomTableTest, TablesOfNoUseAreRefused) {

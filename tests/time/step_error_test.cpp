@@ -54,6 +54,16 @@ TEST(StepErrorTest, TheFirstStepHasOneToo) {
     EXPECT_NEAR(quality(scheme, "", 0, 0.005), 1, 0.15) << scheme;
 }
 
+TEST(StepErrorTest, RanksWithoutNodesJudgeWithTheOthers) {
+  // Four nodes: on six ranks some have none, and momentum-form schemes solve for the first acceleration together.
+  Simulation s(test::scene(test::oscillator() + test::time_integrator("Average Vector Field", 0.1, 1)), world());
+  for (int n = 0; n < 3; ++n) {
+    ASSERT_TRUE(s.integrator().attempt(0.1).converged);
+    EXPECT_GT(s.integrator().error(), 1e-12);
+    s.integrator().accept();
+  }
+}
+
 TEST(StepErrorTest, AnAttemptChangesNothing) {
   Simulation s(test::scene(test::block_2d(1.0) + test::time_integrator("Newmark", 0.1, 1)), world());
   Integrator& integrator = s.integrator();
