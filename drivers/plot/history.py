@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws the history of one run, or compares those of several: energies, energy error, least gap, contact force,
-reactions and Newton iterations over one time axis. What a run did not write is left out."""
+"""Draws the history of one run, or compares those of several: energies, energy error, angular momentum, least
+gap, contact force, reactions and Newton iterations over one time axis. What a run did not write is left out."""
 import curves
 import options
 import style
@@ -40,6 +40,7 @@ def panels(runs, relative):
         (several and has("kinetic_energy"), 1.2, f"kinetic energy\n{energy}", False, column("kinetic_energy")),
         (has("total_energy"), 1.2, f"energy error\n{over}", True,
          lambda axes: curves.draw_errors(axes, runs, relative)),
+        (several and has("angular_momentum_z"), 0.9, "angular\nmomentum z", False, column("angular_momentum_z")),
         (has("min_gap"), 1.0, f"least gap\n{style.unit('length', dimension)}", True, column("min_gap")),
         (has(contact), 1.2, f"contact force {contact[-1]}\n{force}", False, column(contact)),
         (any(run.reactions() for run in runs), 1.2, f"reaction\n{force}", False,
