@@ -47,8 +47,9 @@ Table energy_momentum();
 
 /// The central difference scheme (Newmark 1959 with beta = 0, gamma = 1/2; Belytschko, Liu, Moran and Elkhodary 2014)
 /// as velocity Verlet: explicit, lumped mass, no equation to solve. Order 2 (damping acts on the velocity extrapolated
-/// from the step's start). Stable for steps up to 2/(sqrt(w^2 + c^2) + c), of which a run uses the share `safety`.
-/// Keeps linear and angular momentum, and a nearby energy for as long as the step is constant.
+/// from the step's start). Stable for steps up to 2/(sqrt(w^2 + c^2) + c), of which a run uses the share `safety`: near
+/// 1 a step up a stiffening wall gives energy. Keeps linear and angular momentum, and a nearby energy for as long as
+/// the step is constant.
 Table central_difference(double safety);
 
 /// No inertia and no damping: equilibrium at the end of each step, time a parameter of the loads and motions.
