@@ -21,7 +21,6 @@ Reads study.csv and study.json, which ixos-study writes. A line joins the runs t
 "connect"); it breaks where one did not reach its end. Crosses above a plot: runs that failed, at what they had cost by
 then. On the bottom edge: errors below 1e-17. Rings: the Pareto set, the runs that no other beats in cost and error."""
 
-COLORS = style.COLORS + ["#6A3D9A", "#8C510A", "#8A8A8A"]
 MARKERS = "os^Dvp<>h"  # fewer than colours, so that the two together repeat late
 STROKES = [{"linestyle": "-"}, {"linestyle": (0, (4, 2)), "markerfacecolor": "white"},
            {"linestyle": (0, (1, 1.4)), "fillstyle": "left"}, {"linestyle": "-.", "fillstyle": "bottom"}]
@@ -48,7 +47,7 @@ def plain(text, width=34):
 
 def look(number, stroke, **other):
     """How the line of a colour's and a stroke's number is drawn."""
-    return {"color": COLORS[number % len(COLORS)], "marker": MARKERS[number % len(MARKERS)], "markersize": 4.5,
+    return {"color": style.COLORS[number % len(style.COLORS)], "marker": MARKERS[number % len(MARKERS)], "markersize": 4.5,
             "linewidth": 1.1, "markerfacecoloralt": "white", **STROKES[stroke % len(STROKES)], **other}
 
 

@@ -10,7 +10,7 @@ import numpy as np  # noqa: E402
 from results import ResultsError  # noqa: E402
 
 # Okabe and Ito's colours, told apart by all eyes, the strongest first.
-COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#6A3D9A", "#8C510A", "#8A8A8A"]
 INK, FAINT = "#303030", "#D9D9D9"
 
 FIELD_LABELS = {
