@@ -21,6 +21,7 @@
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
+#include "scene/restart.hpp"
 #include "scene/run.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
@@ -37,6 +38,7 @@ struct Arguments {
   std::string scene;
   std::vector<std::string> assignments;
   std::string output;
+  std::string restart;
   std::string template_name;
   std::string mesh_file;
   bool check = false;
@@ -51,6 +53,7 @@ const char* const how_to_begin =
     "Ixos simulates dynamic adhesion. Give it a scene:\n"
     "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
     "  ixos xml/ball.xml --check                  is the scene sound?\n"
+    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   go on from where a run was stopped\n"
     "  ixos xml/ball.xml --explain                what does it model, and what does it leave out?\n"
     "  ixos --template block > block.xml          a scene to begin with, every parameter explained\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
@@ -109,6 +112,28 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
   return 0;
 }
 
+void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
+  const ixos::Restart restart(simulation, file);
+  if (!speaks) return;
+  fmt::print("{} is sound, and the scene can go on from it.\n", restart.path());
+  for (const std::string& note : restart.notes()) fmt::print("{}\n", note);
+}
+
+/// What the run came to, for a person.
+void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
+  const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
+  if (done) {
+    if (speaks)
+      fmt::print("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
+                 result.reason.empty() ? "" : ", ", result.reason, folder);
+    return;
+  }
+  fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
+             result.end_time, result.steps, result.reason, folder);
+  if (!result.checkpoint.empty())
+    fmt::print(stderr, "ixos: to go on from there: ixos {} --restart {}\n", arguments.scene, result.checkpoint);
+}
+
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const bool speaks = comm->getRank() == 0 && !arguments.quiet;
   Teuchos::ParameterList scene;
@@ -124,6 +149,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     return 0;
   }
   if (arguments.check) {
+    if (!arguments.restart.empty()) check_restart(simulation, arguments.restart, speaks);
     if (speaks) fmt::print("The scene is sound.\n");
     return 0;
   }
@@ -131,18 +157,14 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   std::signal(SIGTERM, on_signal);
   ixos::RunOptions options;
   options.folder = arguments.output.empty() ? default_output(arguments.scene) : arguments.output;
+  options.restart = arguments.restart;
+  if (speaks) options.tell = [](const std::string& line) { fmt::print("{}\n", line); };
   options.interrupted = [] { return signalled != 0; };
   ixos::ProgressLine line;
   if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
-  const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
-  if (comm->getRank() == 0 && !done)
-    fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
-               result.end_time, result.steps, result.reason, options.folder);
-  else if (speaks)
-    fmt::print("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
-               result.reason.empty() ? "" : ", ", result.reason, options.folder);
+  if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }
@@ -158,7 +180,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     return run_scene(arguments, comm);
   } catch (const ixos::InputError& error) {
     const std::string what = error.what();
-    const bool placed = what.rfind(arguments.scene, 0) == 0 || what.rfind("--set", 0) == 0;
+    const bool placed = what.rfind(arguments.scene, 0) == 0 || what.rfind("--set", 0) == 0 || what.rfind('/', 0) == 0;
     return report(2, placed ? what : arguments.scene + ": " + what, comm);
   } catch (const ixos::FileError& error) {
     return report(4, error.what(), comm);
@@ -173,7 +195,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 /// What can be said without a scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.check || arguments.explain || !arguments.mesh_file.empty() || !arguments.assignments.empty() ||
-      !arguments.output.empty())
+      !arguments.output.empty() || !arguments.restart.empty())
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (comm->getRank() != 0) return 0;
   if (arguments.version) print_version();
@@ -202,6 +224,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
+  app.add_option("--restart", arguments.restart, "go on from this checkpoint of the scene");
   app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
   app.add_flag("--explain", arguments.explain, "say what the scene models and what it leaves out, but do not run it");
   app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");

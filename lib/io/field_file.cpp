@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/output_mesh.hpp"
 
@@ -13,6 +16,15 @@ int create(const std::string& path) {
   int word = 8, stored = 8;
   const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
   if (id < 0) throw FileError(path + ": cannot be written");
+  return id;
+}
+
+int open(const std::string& path, int mode) {
+  int word = 8, stored = 0;
+  float version = 0;
+  // Exodus knows NetCDF's files by their first bytes only; a longer look is not needed of one that we wrote.
+  const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;
+  if (id < 0) throw InputError(path + ": the frames to go on with are not there, or damaged");
   return id;
 }
 
@@ -30,33 +42,111 @@ void define_variables(const ExodusHandle& file, ex_entity_type type, const std::
   require_written(ex_put_variable_names(file, type, static_cast<int>(names.size()), words.data()), file, "variables");
 }
 
+bool has_variables(const ExodusHandle& file, ex_entity_type type, const std::vector<std::string>& names) {
+  int count = 0;
+  if (ex_get_variable_param(file, type, &count) < 0 || count != static_cast<int>(names.size())) return false;
+  for (int i = 0; i < count; ++i) {
+    char name[MAX_STR_LENGTH + 1] = {};
+    if (ex_get_variable_name(file, type, i + 1, name) < 0 || names[static_cast<std::size_t>(i)] != name) return false;
+  }
+  return true;
+}
+
+/// What one rank's file is about.
+struct Contents {
+  OutputMesh output;
+  FieldNames names;
+  std::string title;
+
+  void define(const ExodusHandle& file) const {
+    define_exodus_mesh(file, output.mesh, output.description, title);
+    // Exodus refuses variables on nodes or cells that a file has none of: a rank may own no cells.
+    if (output.mesh.nodes() > 0) {
+      define_variables(file, EX_NODAL, names.nodal);
+      define_variables(file, EX_ELEM_BLOCK, names.cell);
+    }
+    define_variables(file, EX_GLOBAL, names.global);
+  }
+
+  /// Is the file one of these contents, with at least `frames` frames?
+  bool fit(const ExodusHandle& file, int frames) const {
+    ex_init_params header{};
+    const bool any = output.mesh.nodes() > 0;
+    return ex_get_init_ext(file, &header) >= 0 && header.num_nodes == output.mesh.nodes() &&
+           header.num_elem == output.mesh.cells() && ex_inquire_int(file, EX_INQ_TIME) >= frames &&
+           (!any || (has_variables(file, EX_NODAL, names.nodal) && has_variables(file, EX_ELEM_BLOCK, names.cell))) &&
+           has_variables(file, EX_GLOBAL, names.global);
+  }
+
+  void copy_frame(const ExodusHandle& from, const ExodusHandle& to, int frame) const {
+    double time = 0;
+    std::vector<double> values;
+    const auto copy = [&](ex_entity_type type, int variable, int object, int64_t count) {
+      values.resize(static_cast<std::size_t>(count));
+      if (ex_get_var(from, frame, type, variable, object, count, values.data()) < 0)
+        throw InputError(from.path() + ": a frame to go on with cannot be read");
+      require_written(ex_put_var(to, frame, type, variable, object, count, values.data()), to, "a frame");
+    };
+    if (ex_get_time(from, frame, &time) < 0) throw InputError(from.path() + ": a frame's time cannot be read");
+    require_written(ex_put_time(to, frame, &time), to, "a time");
+    for (std::size_t v = 0; v < names.nodal.size() && output.mesh.nodes() > 0; ++v)
+      copy(EX_NODAL, static_cast<int>(v) + 1, 1, output.mesh.nodes());
+    for (std::size_t v = 0; v < names.cell.size(); ++v)
+      for (std::size_t b = 0; b < output.cells.size(); ++b)
+        if (!output.cells[b].empty())
+          copy(EX_ELEM_BLOCK, static_cast<int>(v) + 1, static_cast<int>(b) + 1,
+               static_cast<int64_t>(output.cells[b].size()));
+    if (!names.global.empty()) copy(EX_GLOBAL, 1, 0, static_cast<int64_t>(names.global.size()));
+  }
+
+  /// The file at `path` with its first frames only. NetCDF cannot drop the last ones: they are copied.
+  void keep_frames(const std::string& path, int frames) const {
+    const ExodusHandle old(open(path, EX_READ), path);
+    if (!fit(old, frames))
+      throw InputError(fmt::format("{}: is not the file to go on with: it should have this mesh and {} frames", path,
+                                   frames));
+    if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
+    const std::string beside = path + ".tmp";
+    {
+      const ExodusHandle copy(create(beside), beside);
+      define(copy);
+      for (int frame = 1; frame <= frames; ++frame) copy_frame(old, copy, frame);
+    }
+    sync_to_disk(beside);
+    replace_file(beside, path);
+  }
+};
+
 }  // namespace
 
-struct FieldFile::Implementation {
-  Implementation(const std::string& path, OutputMesh mesh) : file(create(path), path), output(std::move(mesh)) {}
-  ExodusHandle file;
-  OutputMesh output;
+struct FieldFile::Implementation : Contents {
+  std::unique_ptr<ExodusHandle> file;
   int frame = 0;
 };
 
 FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-                     const std::string& title)
-    : implementation_(std::make_unique<Implementation>(file_name(path, rank, ranks), OutputMesh(mesh, ranks))) {
-  const ExodusHandle& file = implementation_->file;
-  define_exodus_mesh(file, implementation_->output.mesh, implementation_->output.description, title);
-  // Exodus refuses variables on nodes or cells that a file has none of: a rank may own no cells.
-  if (implementation_->output.mesh.nodes() > 0) {
-    define_variables(file, EX_NODAL, names.nodal);
-    define_variables(file, EX_ELEM_BLOCK, names.cell);
+                     const std::string& title, int keep)
+    : implementation_(new Implementation{{OutputMesh(mesh, ranks), names, title}, nullptr, keep}) {
+  Implementation& self = *implementation_;
+  const std::string name = file_name(path, rank, ranks);
+  if (keep > 0) {
+    self.keep_frames(name, keep);
+    self.file = std::make_unique<ExodusHandle>(open(name, EX_WRITE), name);
+    return;
   }
-  define_variables(file, EX_GLOBAL, names.global);
+  self.file = std::make_unique<ExodusHandle>(create(name), name);
+  self.define(*self.file);
 }
 
 FieldFile::~FieldFile() = default;
 
+int FieldFile::frames() const { return implementation_->frame; }
+
+void FieldFile::sync() { sync_to_disk(implementation_->file->path()); }
+
 void FieldFile::write(double time, const std::vector<std::vector<double>>& nodal,
                       const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) {
-  const ExodusHandle& file = implementation_->file;
+  const ExodusHandle& file = *implementation_->file;
   const OutputMesh& output = implementation_->output;
   const int frame = ++implementation_->frame;
   require_written(ex_put_time(file, frame, &time), file, "a time");

@@ -18,9 +18,11 @@ struct FieldNames {
 /// One rank's file. It holds the rank's own cells and their nodes, with the numbers of the whole mesh.
 class FieldFile {
  public:
-  /// `path` without the rank's ending. Throws FileError.
+  /// `path` without the rank's ending. With `keep`, not 0, it goes on with the file that is there, after that many of
+  /// its frames; later ones are dropped. Throws FileError; InputError where the file there is not of this mesh and these
+  /// names, or has fewer frames.
   FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-            const std::string& title);
+            const std::string& title, int keep = 0);
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;
@@ -29,6 +31,8 @@ class FieldFile {
   /// rank). Throws FileError.
   void write(double time, const std::vector<std::vector<double>>& nodal,
              const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global);
+  int frames() const;  ///< written so far
+  void sync();         ///< has the disk keep them; throws FileError
 
  private:
   struct Implementation;

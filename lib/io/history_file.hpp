@@ -1,19 +1,28 @@
 /// Tables of numbers over time, as comma-separated values.
 #pragma once
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <vector>
 
 namespace ixos {
 
+/// How far a table goes: its rows after the header, and its bytes.
+struct TableLength {
+  std::uint64_t rows = 0;
+  std::uint64_t bytes = 0;
+};
+
 /// A CSV file with a header line. Numbers have 17 digits, so that they read back exactly; NaN makes an empty cell.
-/// Rows reach the disk with the first row that comes a second or
-/// more after the last flush, and when the file is closed. Writes on the rank
-/// that opened it.
+/// Rows reach the file with the first row that comes a second or more after the last flush, and when it is closed.
+/// Writes on the rank that opened it.
 class HistoryFile {
  public:
   /// Throws FileError where the file cannot be made.
   HistoryFile(const std::string& path, const std::vector<std::string>& columns);
+  /// Goes on with the file that is there: what it holds beyond `length` is dropped. Throws InputError, and changes
+  /// nothing, where it has other columns or never had that length.
+  HistoryFile(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
@@ -21,12 +30,16 @@ class HistoryFile {
   /// One row, as many values as columns. Throws FileError where the disk refuses it.
   void write(const std::vector<double>& values);
   void flush();
+  /// Flushes, and has the disk keep it. Throws FileError.
+  void sync();
+  const TableLength& length() const { return length_; }  ///< with what is not flushed yet
 
  private:
   std::string path_;
   std::FILE* file_;
   double last_flush_ = 0;
   std::string buffer_;
+  TableLength length_;
 };
 
 }  // namespace ixos

@@ -31,13 +31,21 @@ std::vector<double> acceleration_or_nan(Integrator& integrator) {
 
 }  // namespace
 
-FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path) : simulation_(simulation) {
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path, int keep) : simulation_(simulation) {
   const Model& model = simulation.model();
   const Comm& comm = model.space().comm();
-  together(comm, [&] {
+  const auto open = [&] {
     file_ = std::make_unique<FieldFile>(path, model.mesh(), comm->getRank(), comm->getSize(), field_names(model),
-                                        simulation.parameters().name());
-  });
+                                        simulation.parameters().name(), keep);
+  };
+  if (keep > 0)
+    together<InputError>(comm, open);
+  else
+    together(comm, open);
+}
+
+void FieldRecorder::sync() {
+  together(simulation_.model().space().comm(), [this] { file_->sync(); });
 }
 
 void FieldRecorder::record() {

@@ -12,9 +12,12 @@ namespace ixos {
 /// energy density (cells) and energies (global). Collective.
 class FieldRecorder {
  public:
-  /// Throws FileError.
-  FieldRecorder(Simulation& simulation, const std::string& path);
+  /// With `keep`, not 0, after the first frames of the file that is there. Throws FileError, and InputError where it is
+  /// not this scene's.
+  FieldRecorder(Simulation& simulation, const std::string& path, int keep = 0);
   void record();
+  int frames() const { return file_->frames(); }
+  void sync();  ///< has the disk keep them
 
  private:
   Simulation& simulation_;

@@ -38,23 +38,36 @@ std::vector<std::string> columns(int dimension) {
 
 }  // namespace
 
-History::History(Simulation& simulation, const HistoryOptions& options, const std::string& path)
-    : simulation_(simulation), options_(options), max_energy_error_(options.energies ? 0.0 : empty) {
+History::History(Simulation& simulation, const HistoryOptions& options)
+    : simulation_(simulation),
+      options_(options),
+      columns_(columns(simulation.model().mesh().dimension)),
+      max_energy_error_(options.energies ? 0.0 : empty) {
   const Model& model = simulation.model();
-  std::vector<std::string> names = columns(model.mesh().dimension);
   const std::string axes = model.mesh().dimension == 2 ? "xy" : "xyz";
   for (const std::string& set : simulation.reactions()) {
     reaction_sets_.push_back(model.mesh().node_set(set));
     for (char axis : axes) {
-      names.push_back("reaction_" + set + "_" + axis);
-      max_forces_.emplace_back(names.back(), 0.0);
+      columns_.push_back("reaction_" + set + "_" + axis);
+      max_forces_.emplace_back(columns_.back(), 0.0);
     }
   }
   for (const Probe& probe : simulation.probes())
     for (char field : {'u', 'v'})
-      for (char axis : axes) names.push_back(probe.name + "_" + field + axis);
-  together(model.space().comm(), [&] {
-    if (model.space().comm()->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, names);
+      for (char axis : axes) columns_.push_back(probe.name + "_" + field + axis);
+}
+
+void History::create(const std::string& path) {
+  const Comm& comm = simulation_.model().space().comm();
+  together(comm, [&] {
+    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_);
+  });
+}
+
+void History::resume(const std::string& path) {
+  const Comm& comm = simulation_.model().space().comm();
+  together<InputError>(comm, [&] {
+    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_, length_);
   });
 }
 
@@ -138,6 +151,28 @@ void History::flush() {
   together(simulation_.model().space().comm(), [&] {
     if (file_) file_->flush();
   });
+}
+
+void History::sync() {
+  together(simulation_.model().space().comm(), [&] {
+    if (file_) file_->sync();
+  });
+}
+
+void History::transfer(Record& record) {
+  const Record::Section section(record, "history");
+  if (file_) length_ = file_->length();
+  record.number("rows", length_.rows);
+  record.number("bytes", length_.bytes);
+  record.number("first", first_);
+  record.number("initial energy", initial_energy_);
+  record.number("largest energy error", max_energy_error_);
+  std::string names;
+  for (const auto& [name, force] : max_forces_) names += name + " ";
+  std::string recorded = names;
+  record.text("reactions", recorded);
+  if (recorded != names) return;  // another scene's
+  for (auto& [name, force] : max_forces_) record.number(name.c_str(), force);
 }
 
 }  // namespace ixos

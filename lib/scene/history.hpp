@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "checkpoint/record.hpp"
 #include "io/history_file.hpp"
 #include "scene/simulation.hpp"
 
@@ -29,7 +30,13 @@ struct RowCounts {
 /// Evaluates and writes rows; the file is written on rank 0. Collective.
 class History {
  public:
-  History(Simulation& simulation, const HistoryOptions& options, const std::string& path);
+  History(Simulation& simulation, const HistoryOptions& options);
+
+  /// Makes the file. Throws FileError.
+  void create(const std::string& path);
+  /// Goes on with the file that was there when the loaded checkpoint was written; later rows are dropped. Throws
+  /// InputError where it is another one.
+  void resume(const std::string& path);
 
   void record(const RowCounts& counts);
   /// Of a step that gets no row: its reactions count for max_forces().
@@ -39,12 +46,18 @@ class History {
   /// By reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   void flush();
+  void sync();  ///< flushes, and has the disk keep the rows
+
+  /// For checkpoints: sums, and the length of the file.
+  void transfer(Record& record);
 
  private:
   std::vector<double> reactions();
 
   Simulation& simulation_;
   HistoryOptions options_;
+  std::vector<std::string> columns_;
+  TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   bool first_ = true;
   double initial_energy_ = 0;  ///< at the first row, less external work, plus dissipation

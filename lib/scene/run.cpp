@@ -9,38 +9,15 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "scene/checkpoints.hpp"
 #include "scene/field_recorder.hpp"
 #include "scene/history.hpp"
+#include "scene/restart.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/summary.hpp"
 
 namespace ixos {
 namespace {
-
-/// Makes the results folder and effective.xml on rank 0; throws on all ranks alike.
-void open_folder(const Simulation& simulation, const std::string& folder) {
-  const Comm& comm = simulation.model().space().comm();
-  together(comm, [&] {
-    if (comm->getRank() != 0) return;
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
-    if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
-    // What an earlier run left is not this one's.
-    std::filesystem::remove(folder + "/summary.json");
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
-      if (entry.path().filename().string().rfind("fields.e", 0) == 0) std::filesystem::remove(entry.path());
-    write_scene_file(simulation.parameters(), folder + "/effective.xml");
-  });
-}
-
-bool asked_to_stop(const RunOptions& options, const Comm& comm) {
-  if (!options.interrupted) return false;
-  int stop = options.interrupted() ? 1 : 0;
-  if (comm->getSize() == 1) return stop != 0;
-  int any = 0;
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, 1, &stop, &any);
-  return any != 0;
-}
 
 /// Which steps are recorded: every so many, or those that pass a multiple of a time interval.
 class Recording {
@@ -59,117 +36,280 @@ class Recording {
   double start_;
 };
 
+HistoryOptions history_options(const Teuchos::ParameterList& output) {
+  return {output.get<bool>("Energies"), output.get<bool>("Momenta"), output.get<bool>("Interaction")};
+}
+
+/// One run, from its beginning or a checkpoint to its end.
+class Run {
+ public:
+  Run(Simulation& simulation, const RunOptions& options)
+      : simulation_(simulation),
+        options_(options),
+        comm_(simulation.model().space().comm()),
+        integrator_(simulation.integrator()),
+        output_(simulation.parameters().sublist("Output")),
+        times_(simulation.step_control()),
+        control_(times_),
+        stop_(simulation.stop_criteria()),
+        history_(simulation, history_options(output_)),
+        rows_(output_.get<int>("History Interval"), output_.get<double>("History Time Interval"), times_.initial_time),
+        frames_(output_.get<int>("Fields Interval"), output_.get<double>("Fields Time Interval"), times_.initial_time),
+        checkpoints_(simulation, options.folder) {
+    if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
+  }
+
+  RunResult execute() {
+    phases_before_ = phase_seconds();
+    start_ = Teuchos::Time::wallTime();
+    if (options_.restart.empty())
+      begin();
+    else
+      go_on();
+    while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
+      if (interlude()) step();
+    }
+    end();
+    return result_;
+  }
+
+ private:
+  void begin();
+  void go_on();
+  void open_folder(bool keep_fields);
+  bool interlude();
+  void step();
+  bool good_enough(double dt);
+  void record(double before);
+  void end();
+  void checkpoint();
+  void transfer(Record& record);
+  double wall() const { return Teuchos::Time::wallTime() - start_; }
+  void fail(const std::string& reason) {
+    result_.status = RunStatus::Diverged;
+    result_.reason = reason;
+  }
+
+  Simulation& simulation_;
+  const RunOptions& options_;
+  const Comm& comm_;
+  Integrator& integrator_;
+  const Teuchos::ParameterList& output_;
+  StepControlOptions times_;
+  StepControl control_;
+  StopCriteria stop_;
+  History history_;
+  std::unique_ptr<FieldRecorder> fields_;
+  Recording rows_, frames_;
+  Checkpoints checkpoints_;
+  std::function<double(double)> stable_;
+
+  RunResult result_;
+  RowCounts counts_;
+  bool recorded_ = true;   ///< has the present state a row?
+  bool framed_ = true;     ///< and a frame?
+  int field_frames_ = 0;   ///< in the folder of the checkpoint that was loaded
+  double start_ = 0;       ///< of the clock, less the seconds before a restart
+  std::array<double, phase_names.size()> phases_before_{};
+};
+
+/// Makes the folder and effective.xml on rank 0; what an earlier run left is not this one's. Throws on all ranks alike.
+void Run::open_folder(bool keep_fields) {
+  together(comm_, [&] {
+    if (comm_->getRank() != 0) return;
+    std::error_code code;
+    std::filesystem::create_directories(options_.folder, code);
+    if (code) throw FileError("the results folder cannot be used: " + options_.folder + ": " + code.message());
+    std::filesystem::remove(options_.folder + "/summary.json");
+    for (const auto& entry : std::filesystem::directory_iterator(options_.folder))
+      if (!keep_fields && entry.path().filename().string().rfind("fields.e", 0) == 0)
+        std::filesystem::remove(entry.path());
+    write_scene_file(simulation_.parameters(), options_.folder + "/effective.xml");
+  });
+}
+
+void Run::begin() {
+  open_folder(false);
+  history_.create(options_.folder + "/history.csv");
+  if (frames_.any()) {
+    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e");
+    fields_->record();
+  }
+  history_.record(counts_);
+  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+}
+
+void Run::go_on() {
+  Restart restart(simulation_, options_.restart);
+  transfer(restart.record());
+  ++result_.restarts;
+  const bool same_folder = restart.is_in(options_.folder);
+  if (same_folder) {
+    history_.resume(options_.folder + "/history.csv");
+    checkpoints_.resume(result_.steps);
+  }
+  const int keep = same_folder ? field_frames_ : 0;
+  if (frames_.any() && keep > 0)
+    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e", keep);
+  open_folder(keep > 0);
+  if (frames_.any() && keep == 0) {
+    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e");
+    fields_->record();
+    framed_ = true;
+  }
+  if (!same_folder) {
+    history_.create(options_.folder + "/history.csv");
+    history_.record(counts_);
+    counts_.newton_iterations = 0;
+    counts_.linear_iterations = 0;
+    recorded_ = true;
+  }
+  if (options_.tell && comm_->getRank() == 0) {
+    options_.tell(fmt::format("Goes on from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(),
+                              result_.steps));
+    for (const std::string& note : restart.notes()) options_.tell(note);
+  }
+  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
+  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+}
+
+/// Between steps: checkpoints that are due, and signals. False where the run is over.
+bool Run::interlude() {
+  if (checkpoints_.due(result_.steps)) checkpoint();
+  if (!options_.interrupted && !checkpoints_.on()) return true;
+  int mine[2] = {options_.interrupted && options_.interrupted() ? 1 : 0, checkpoints_.due_by_clock() ? 1 : 0};
+  int any[2] = {mine[0], mine[1]};
+  if (comm_->getSize() > 1) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, mine, any);
+  if (any[0] != 0) {
+    result_.status = RunStatus::Interrupted;
+    result_.reason = "interrupted by a signal";
+    return false;
+  }
+  if (any[1] != 0) checkpoint();
+  return true;
+}
+
+void Run::step() {
+  const double before = integrator_.time();
+  const double dt = control_.next(before, stable_);
+  if (!(dt >= control_.least()) && control_.next(before) >= control_.least())
+    return fail(fmt::format("the stable step, {:.3g} T0, is below the least allowed, {:.3g}", dt, control_.least()));
+  const StepResult step = integrator_.attempt(dt);
+  counts_.newton_iterations += step.newton_iterations;
+  counts_.linear_iterations += step.linear_iterations;
+  result_.linear_iterations += step.linear_iterations;
+  result_.newton_iterations += step.newton_iterations;
+  counts_.wall_seconds = wall();
+  if (!step.converged) {
+    ++result_.rejected_steps;
+    if (!control_.cut(dt)) fail(step.reason);
+    return;
+  }
+  if (times_.adaptive.on && !good_enough(dt)) {
+    ++result_.rejected_steps;
+    if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
+    return;
+  }
+  integrator_.accept();
+  control_.succeeded();
+  ++result_.steps;
+  counts_.step = result_.steps;
+  counts_.time_step = dt;
+  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
+  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+  record(before);
+}
+
 /// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
-bool good_enough(Integrator& integrator, const AdaptiveOptions& asked, double dt, StepControl& control) {
+bool Run::good_enough(double dt) {
+  const AdaptiveOptions& asked = times_.adaptive;
   StepJudgement judgement;
-  if (asked.tolerance > 0) judgement.error = integrator.error();
-  if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator.gap_ratio();
-  const int used = integrator.table().interaction_points;
+  if (asked.tolerance > 0) judgement.error = integrator_.error();
+  if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator_.gap_ratio();
+  const int used = integrator_.table().interaction_points;
   if (asked.time_points && used > 0) {
     const int needed = time_points(judgement.gap_ratio);
-    integrator.set_interaction_points(needed);
+    integrator_.set_interaction_points(needed);
     if (needed > used) return false;  // the same step again
   }
-  return control.accepts(dt, judgement);
+  return control_.accepts(dt, judgement);
+}
+
+void Run::record(double before) {
+  recorded_ = rows_.due(result_.steps, before, integrator_.time());
+  if (recorded_) {
+    history_.record(counts_);
+    counts_.newton_iterations = 0;
+    counts_.linear_iterations = 0;
+  } else {
+    history_.pass();
+  }
+  framed_ = frames_.due(result_.steps, before, integrator_.time());
+  if (fields_ && framed_) fields_->record();
+  if (options_.watch && comm_->getRank() == 0)
+    options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations,
+                    counts_.wall_seconds});
+}
+
+void Run::end() {
+  // Before the last state's row and frame, where these come only because it is the last: a restart has no use for them.
+  if (checkpoints_.on()) checkpoint();
+  if (!recorded_) history_.record(counts_);
+  if (fields_ && !framed_) fields_->record();
+  history_.flush();
+  result_.end_time = integrator_.time();
+  result_.wall_seconds = wall();
+  result_.max_energy_error = history_.max_energy_error();
+  result_.max_forces = history_.max_forces();
+  result_.checkpoint = checkpoints_.newest();
+  const auto phases_now = phase_seconds();
+  for (std::size_t i = 0; i < phases_now.size(); ++i) result_.phase_seconds[i] += phases_now[i] - phases_before_[i];
+  write_summary(simulation_, result_, options_.folder + "/summary.json");
+}
+
+void Run::checkpoint() {
+  // What a restart goes on with is on the disk before the checkpoint that counts on it.
+  history_.sync();
+  if (fields_) fields_->sync();
+  checkpoints_.write(result_.steps, [this](Record& record) { transfer(record); });
+}
+
+void Run::transfer(Record& record) {
+  const Record::Section section(record, "run");
+  double seconds = wall();
+  const auto phases_now = phase_seconds();
+  record.number("steps", result_.steps);
+  record.number("rejected steps", result_.rejected_steps);
+  record.number("newton iterations", result_.newton_iterations);
+  record.number("linear iterations", result_.linear_iterations);
+  record.number("restarts", result_.restarts);
+  record.number("wall seconds", seconds);
+  for (std::size_t i = 0; i < phase_names.size(); ++i) {
+    double phase = result_.phase_seconds[i] + phases_now[i] - phases_before_[i];
+    record.number((std::string("seconds ") + phase_names[i]).c_str(), phase);
+    if (record.loading()) result_.phase_seconds[i] = phase;
+  }
+  record.number("time step", counts_.time_step);
+  record.number("newton iterations since the row", counts_.newton_iterations);
+  record.number("linear iterations since the row", counts_.linear_iterations);
+  record.number("recorded", recorded_);
+  record.number("framed", framed_);
+  if (fields_) field_frames_ = fields_->frames();
+  record.number("frames", field_frames_);
+  if (record.loading()) {
+    start_ -= seconds;
+    counts_.step = result_.steps;
+    counts_.wall_seconds = seconds;
+  }
+  integrator_.transfer(record);
+  history_.transfer(record);
+  stop_.transfer(record);
+  // Other steps or another scheme begin with their own.
+  if (record.same_scene()) control_.transfer(record);
 }
 
 }  // namespace
 
-RunResult run(Simulation& simulation, const RunOptions& options) {
-  const Comm& comm = simulation.model().space().comm();
-  Integrator& integrator = simulation.integrator();
-  const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
-  const StepControlOptions times = simulation.step_control();
-  StepControl control(times);
-  StopCriteria stop = simulation.stop_criteria();
-  open_folder(simulation, options.folder);
-  History history(simulation,
-                  {output.get<bool>("Energies"), output.get<bool>("Momenta"), output.get<bool>("Interaction")},
-                  options.folder + "/history.csv");
-  const double first_time = integrator.time();
-  const Recording rows(output.get<int>("History Interval"), output.get<double>("History Time Interval"), first_time);
-  const Recording frames(output.get<int>("Fields Interval"), output.get<double>("Fields Time Interval"), first_time);
-  const double start = Teuchos::Time::wallTime();
-  const auto phases_before = phase_seconds();
-
-  std::unique_ptr<FieldRecorder> fields;
-  if (frames.any()) {
-    fields = std::make_unique<FieldRecorder>(simulation, options.folder + "/fields.e");
-    fields->record();
-  }
-
-  std::function<double(double)> stable;
-  if (is_explicit(integrator.table())) stable = [&](double wanted) { return integrator.stable_step(wanted); };
-  RunResult result;
-  RowCounts counts;
-  history.record(counts);
-  stop.reason(simulation.model(), integrator.state());  // the criteria's memory of the beginning
-  bool recorded = true;
-  bool framed = true;
-  while (result.status == RunStatus::Completed && !control.done(integrator.time())) {
-    if (asked_to_stop(options, comm)) {
-      result.status = RunStatus::Interrupted;
-      result.reason = "interrupted by a signal";
-      break;
-    }
-    const double before = integrator.time();
-    const double dt = control.next(before, stable);
-    if (!(dt >= control.least()) && control.next(before) >= control.least()) {
-      result.status = RunStatus::Diverged;
-      result.reason =
-          fmt::format("the stable step, {:.3g} T0, is below the least allowed, {:.3g}", dt, control.least());
-      break;
-    }
-    const StepResult step = integrator.attempt(dt);
-    counts.newton_iterations += step.newton_iterations;
-    counts.linear_iterations += step.linear_iterations;
-    result.linear_iterations += step.linear_iterations;
-    result.newton_iterations += step.newton_iterations;
-    counts.wall_seconds = Teuchos::Time::wallTime() - start;
-    if (!step.converged) {
-      ++result.rejected_steps;
-      if (control.cut(dt)) continue;
-      result.status = RunStatus::Diverged;
-      result.reason = step.reason;
-      break;
-    }
-    if (times.adaptive.on && !good_enough(integrator, times.adaptive, dt, control)) {
-      ++result.rejected_steps;
-      if (!control.exhausted(result.reason)) continue;
-      result.status = RunStatus::Diverged;
-      break;
-    }
-    integrator.accept();
-    control.succeeded();
-    ++result.steps;
-    counts.step = result.steps;
-    counts.time_step = dt;
-    result.reason = stop.reason(simulation.model(), integrator.state());
-    if (!result.reason.empty()) result.status = RunStatus::Stopped;
-    recorded = rows.due(result.steps, before, integrator.time());
-    if (recorded) {
-      history.record(counts);
-      counts.newton_iterations = 0;
-      counts.linear_iterations = 0;
-    } else {
-      history.pass();
-    }
-    framed = frames.due(result.steps, before, integrator.time());
-    if (fields && framed) fields->record();
-    if (options.watch && comm->getRank() == 0)
-      options.watch({integrator.time(), times.final_time, result.steps, result.newton_iterations, counts.wall_seconds});
-  }
-  if (!recorded) history.record(counts);  // the last state always
-  if (fields && !framed) fields->record();
-  history.flush();
-  result.end_time = integrator.time();
-  result.wall_seconds = Teuchos::Time::wallTime() - start;
-  result.max_energy_error = history.max_energy_error();
-  result.max_forces = history.max_forces();
-  const auto phases_now = phase_seconds();
-  for (std::size_t i = 0; i < phases_now.size(); ++i) result.phase_seconds[i] = phases_now[i] - phases_before[i];
-  write_summary(simulation, result, options.folder + "/summary.json");
-  return result;
-}
+RunResult run(Simulation& simulation, const RunOptions& options) { return Run(simulation, options).execute(); }
 
 }  // namespace ixos

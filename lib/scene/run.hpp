@@ -22,6 +22,8 @@ struct Progress {
 
 struct RunOptions {
   std::string folder;                          ///< results go here; made where it does not exist
+  std::string restart;                         ///< a checkpoint to go on from; may be empty
+  std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
   std::function<void(const Progress&)> watch;  ///< called after every step on rank 0; may be empty
   std::function<bool()> interrupted;           ///< asked before every step; set on all ranks or on none
 };
@@ -36,15 +38,23 @@ struct RunResult {
   double end_time = 0;
   long newton_iterations = 0;
   long linear_iterations = 0;
+  long restarts = 0;
   double wall_seconds = 0;                                 ///< of the time loop, output included
   double max_energy_error = 0;                             ///< see History::max_energy_error
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   std::array<double, phase_names.size()> phase_seconds{};  ///< of rank 0
+  std::string checkpoint;                                  ///< the newest one's path, or nothing
 };
 
-/// Runs from the simulation's present state to its final time; writes effective.xml, history.csv and summary.json. A
-/// step that fails, and may not be cut, ends the run with RunStatus::Diverged; the rows up to there are on disk. Throws
-/// FileError, before anything is computed, where the folder cannot be written. Collective.
+/// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml, history.csv,
+/// summary.json, and fields.e and checkpoints where the scene wants them. All that RunResult counts, clocks too, goes on
+/// from a checkpoint; so do history.csv and fields.e where it stands in the same folder, without the rows and frames that
+/// came after it.
+///
+/// A step that fails, and may not be cut, ends the run with RunStatus::Diverged; a signal with Interrupted. However it
+/// ends, the last good state is checkpointed and the rows up to there are on disk. Throws FileError where something
+/// cannot be written, InputError for a checkpoint or results that cannot be gone on from: then nothing has changed.
+/// Collective.
 RunResult run(Simulation& simulation, const RunOptions& options);
 
 }  // namespace ixos

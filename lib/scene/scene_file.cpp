@@ -114,9 +114,15 @@ void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& 
   }
 }
 
+std::string scene_text(const Teuchos::ParameterList& scene) {
+  std::ostringstream text;
+  Teuchos::writeParameterListToXmlOStream(scene, text);
+  return text.str();
+}
+
 void write_scene_file(const Teuchos::ParameterList& scene, const std::string& path) {
   std::ofstream file(path);
-  Teuchos::writeParameterListToXmlOStream(scene, file);
+  file << scene_text(scene);
   file.flush();
   if (!file) throw FileError(path + ": cannot be written");
 }

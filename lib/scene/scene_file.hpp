@@ -16,6 +16,9 @@ Teuchos::ParameterList read_scene_text(const std::string& xml, const std::string
 /// lists as the first of int, double, bool and string that fits. Throws InputError.
 void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& valid, const std::string& assignment);
 
+/// A list as XML that read_scene_text() reads back to the last digit.
+std::string scene_text(const Teuchos::ParameterList& scene);
+
 /// Writes a list that read_scene_file() reads back to the last digit. Throws FileError.
 void write_scene_file(const Teuchos::ParameterList& scene, const std::string& path);
 

@@ -9,6 +9,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "checkpoint/fingerprint.hpp"
 #include "model/half_space_term.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
@@ -193,6 +194,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
     enrich_surfaces(parameters_.sublist("Interactions"), mesh);
   });
+  mesh_fingerprint_ = fingerprint(mesh);
   const int ranks = comm->getSize();
   std::vector<Material> materials;
   const List& list = parameters_.sublist("Materials");
@@ -225,10 +227,12 @@ void Simulation::build_integrator(Table table) {
                               newton.sublist("NOX")};
   const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
                          is_symmetric(table)};
+  const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
   integrator_ = std::make_unique<Integrator>(*model_, std::move(table),
-                                             std::make_shared<LinearSolverFactory>(linear, model_.get()), options);
+                                             std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable),
+                                             options);
 }
 
 void Simulation::set_initial_state() {

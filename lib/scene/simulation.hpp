@@ -28,6 +28,7 @@ class Simulation {
   const std::vector<Probe>& probes() const { return probes_; }
   std::vector<std::string> reactions() const;  ///< node sets whose reactions are recorded
   StopCriteria stop_criteria() const;
+  const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -42,6 +43,7 @@ class Simulation {
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
   std::vector<Probe> probes_;
+  std::string mesh_fingerprint_;
   double setup_seconds_ = 0;
 };
 

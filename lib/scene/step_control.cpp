@@ -102,6 +102,16 @@ bool StepControl::exhausted(std::string& why) const {
   return true;
 }
 
+void StepControl::transfer(Record& record) {
+  const Record::Section section(record, "step control");
+  record.number("length", length_);
+  record.number("cuts", cuts_);
+  record.number("last error", last_error_);
+  record.number("rejected", rejected_);
+  record.number("judged error", judgement_.error);
+  record.number("judged gap ratio", judgement_.gap_ratio);
+}
+
 int time_points(double gap_ratio) { return gap_ratio <= 1.4 ? 5 : gap_ratio <= 2 ? 8 : 16; }
 
 }  // namespace ixos

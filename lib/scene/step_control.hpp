@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/record.hpp"
+
 namespace ixos {
 
 /// What an adaptive run asks of a step; 0: not asked.
@@ -61,6 +63,9 @@ class StepControl {
   double least() const;
   /// Adaptive runs: whether the length that is wanted next is below what is allowed; `why` it was wanted.
   bool exhausted(std::string& why) const;
+
+  /// For checkpoints.
+  void transfer(Record& record);
 
  private:
   double room(double time) const;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/record.hpp"
 #include "scene/probes.hpp"
 
 namespace ixos {
@@ -16,6 +17,9 @@ class StopCriteria {
 
   /// Why the run is over, or nothing. Collective.
   std::string reason(const Model& model, const State& state);
+
+  /// For checkpoints.
+  void transfer(Record& record) { record.number("was attached", was_attached_); }
 
  private:
   struct Criterion {

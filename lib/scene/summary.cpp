@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -40,6 +41,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["end_time"] = result.end_time;
   json["steps"] = result.steps;
   json["rejected_steps"] = result.rejected_steps;
+  json["restarts"] = result.restarts;
   json["dofs"] = model.space().global();
   json["elements"] = model.mesh().global_cells;
   json["ranks"] = comm->getSize();
@@ -57,6 +59,8 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
     json["max_energy_error"] = result.max_energy_error;
   json["max_force"] = nlohmann::ordered_json::object();
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
+  json["checkpoint"] = nullptr;
+  if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   together(comm, [&] {
     if (comm->getRank() != 0) return;
     std::ofstream file(path);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "solve/collected_matrix.hpp"
 #include "solve/factorization.hpp"
@@ -49,6 +50,7 @@ class Cholmod final : public Factorization {
       cholmod_sparse view = matrix_view();
       cholmod_factorize(&view, factor_, &common_);
       if (common_.status == CHOLMOD_NOT_POSDEF && factor_->is_super != 0) {
+        memory_.indefinite = true;
         common_.supernodal = CHOLMOD_SIMPLICIAL;
         if (analyze_again() == CHOLMOD_OK) cholmod_factorize(&view, factor_, &common_);
       }
@@ -65,6 +67,12 @@ class Cholmod final : public Factorization {
       if (!solve_column(rhs)) throw std::bad_alloc();
       return static_cast<const double*>(solution_->x);
     });
+  }
+
+  const FactorizationMemory& memory() const override { return memory_; }
+  void remember(FactorizationMemory memory) override {
+    memory_ = std::move(memory);
+    if (memory_.indefinite) common_.supernodal = CHOLMOD_SIMPLICIAL;
   }
 
  private:
@@ -109,6 +117,7 @@ class Cholmod final : public Factorization {
   cholmod_dense* work1_ = nullptr;
   cholmod_dense* work2_ = nullptr;
   std::unique_ptr<CollectedMatrix> matrix_;
+  FactorizationMemory memory_;
 };
 
 }  // namespace

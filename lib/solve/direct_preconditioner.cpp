@@ -4,19 +4,21 @@
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
+#include "solve/kept_state.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
 namespace {
 
 /// y = alpha A^-1 x + beta y by a factorisation.
-class Inverse final : public Thyra::LinearOpBase<double> {
+class Inverse final : public Thyra::LinearOpBase<double>, public KeptState {
  public:
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
   KeptFactorization factorization;
 
   VectorSpace range() const override { return op->domain(); }
   VectorSpace domain() const override { return op->range(); }
+  void transfer(Record& record) override { factorization.transfer(record); }
 
  private:
   bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return transpose == Thyra::NOTRANS; }

@@ -9,10 +9,11 @@
 namespace ixos {
 namespace {
 
-class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
+class DirectSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
  public:
   VectorSpace range() const override { return op->range(); }
   VectorSpace domain() const override { return op->domain(); }
+  void transfer(Record& record) override { factorization.transfer(record); }
 
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source;
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
@@ -46,7 +47,7 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double> {
 
 bool DirectSolverFactory::isCompatible(const Source& source) const { return !matrix_of(source).is_null(); }
 
-Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const { return Teuchos::rcp(new DirectSolve); }
+Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const { return keep(Teuchos::rcp(new DirectSolve)); }
 
 void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
                                        const Thyra::ESupportSolveUse) const {

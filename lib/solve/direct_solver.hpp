@@ -3,12 +3,14 @@
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
 
 #include "solve/factorization_list.hpp"
+#include "solve/kept_state.hpp"
 
 namespace ixos {
 
 /// Registered with Stratimikos as "Direct". An operator that is initialised again with the same matrix keeps its
 /// symbolic factorisation and renews the numeric one. A matrix that cannot be factored throws std::runtime_error.
-class DirectSolverFactory final : public WithFactorizationList<Thyra::LinearOpWithSolveFactoryBase<double>> {
+class DirectSolverFactory final : public WithFactorizationList<Thyra::LinearOpWithSolveFactoryBase<double>>,
+                                  public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;
 

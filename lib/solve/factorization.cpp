@@ -13,11 +13,21 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type) {
 void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type) {
   if (!factorization_ || matrix.get() != matrix_.get()) {
     auto factorization = make_factorization(type);
+    factorization->remember(std::exchange(loaded_, {}));
     factorization->analyze(matrix);
     matrix_ = matrix;
     factorization_ = std::move(factorization);
   }
   factorization_->factor();
+}
+
+void KeptFactorization::transfer(Record& record) {
+  FactorizationMemory memory = factorization_ ? factorization_->memory() : loaded_;
+  record.number("indefinite", memory.indefinite);
+  record.share("pivots for", memory.pivots_for);
+  if (!record.loading()) return;
+  factorization_.reset();
+  loaded_ = std::move(memory);
 }
 
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {

@@ -3,10 +3,18 @@
 #include <Teuchos_ParameterList.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/tpetra.hpp"
+#include "checkpoint/record.hpp"
 
 namespace ixos {
+
+/// What a factorisation keeps from matrix to matrix.
+struct FactorizationMemory {
+  bool indefinite = false;         ///< some matrix was not positive definite
+  std::vector<double> pivots_for;  ///< on the first rank: the values that the order of pivots was chosen for
+};
 
 /// A factorisation of one matrix, whose sparsity stays: analyze() once, factor() for each set of values.
 class Factorization {
@@ -18,6 +26,10 @@ class Factorization {
   virtual void factor() = 0;
   /// x = A^-1 b for each column.
   virtual void solve(const MultiVector& b, MultiVector& x) = 0;
+
+  virtual const FactorizationMemory& memory() const = 0;
+  /// Before analyze(): go on as one with that memory.
+  virtual void remember(FactorizationMemory memory) = 0;
 };
 
 /// CHOLMOD (Chen, Davis, Hager and Rajamanickam 2008): symmetric matrices, on the first rank, which gathers them from
@@ -42,9 +54,13 @@ class KeptFactorization {
   /// x = A^-1 b for each column.
   void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }
 
+  /// For checkpoints. What was loaded counts from the next matrix on.
+  void transfer(Record& record);
+
  private:
   Teuchos::RCP<const CrsMatrix> matrix_;
   std::unique_ptr<Factorization> factorization_;
+  FactorizationMemory loaded_;
 };
 
 /// The list that chooses one: "Solver Type".

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "solve/collected_matrix.hpp"
@@ -42,7 +43,13 @@ class Klu final : public Factorization {
   void factor() override {
     matrix_->refresh();
     bool done = true;
-    if (matrix_->root()) done = refactor() || factor_anew();
+    if (matrix_->root()) {
+      if (std::exchange(remembers_, false)) choose_pivots();
+      if (!refactor()) {
+        memory_.pivots_for.assign(matrix_->values(), matrix_->values() + matrix_->entries());
+        done = choose_pivots();
+      }
+    }
     if (matrix_->agreed(done ? 0 : 1) != 0)
       throw std::runtime_error(fmt::format("KLU cannot factor the matrix (status {})", common_.status));
   }
@@ -56,6 +63,12 @@ class Klu final : public Factorization {
     });
   }
 
+  const FactorizationMemory& memory() const override { return memory_; }
+  void remember(FactorizationMemory memory) override {
+    memory_ = std::move(memory);
+    remembers_ = true;
+  }
+
  private:
   /// New values with the pivots of last time, as long as these do not shrink.
   bool refactor() {
@@ -65,9 +78,10 @@ class Klu final : public Factorization {
       return false;
     return klu_rcond(symbolic_, numeric_, &common_) != 0 && common_.rcond > 1e-12;
   }
-  bool factor_anew() {
+  bool choose_pivots() {
     klu_free_numeric(&numeric_, &common_);
-    numeric_ = klu_factor(matrix_->starts(), matrix_->columns(), matrix_->values(), symbolic_, &common_);
+    if (memory_.pivots_for.size() != static_cast<std::size_t>(matrix_->entries())) return false;
+    numeric_ = klu_factor(matrix_->starts(), matrix_->columns(), memory_.pivots_for.data(), symbolic_, &common_);
     return numeric_ != nullptr && common_.status == KLU_OK;
   }
 
@@ -76,6 +90,8 @@ class Klu final : public Factorization {
   klu_numeric* numeric_ = nullptr;
   std::unique_ptr<CollectedMatrix> matrix_;
   std::vector<double> solution_;
+  FactorizationMemory memory_;
+  bool remembers_ = false;  ///< the memory was set, and its pivots are yet to be chosen
 };
 
 }  // namespace

@@ -3,11 +3,18 @@
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
+#include <Thyra_VectorStdOps.hpp>
 #include <Thyra_PreconditionerFactoryHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "base/error.hpp"
 #include "base/phase_timer.hpp"
+#include "solve/thyra.hpp"
 
 namespace ixos {
 namespace {
@@ -15,15 +22,14 @@ namespace {
 using KrylovFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 using Status = Thyra::SolveStatus<double>;
 
-class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
+class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
  public:
   LaggedSolve(Teuchos::RCP<const KrylovFactory> krylov,
-              Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, double setup_cost,
-              bool from_scratch, std::shared_ptr<LinearStatistics> statistics)
+              Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, const LaggedOptions& options,
+              std::shared_ptr<LinearStatistics> statistics)
       : krylov_factory_(std::move(krylov)),
         factory_(std::move(preconditioner)),
-        setup_cost_(setup_cost),
-        from_scratch_(from_scratch),
+        options_(options),
         statistics_(std::move(statistics)),
         krylov_(krylov_factory_->createOp()),
         preconditioner_(factory_->createPrec()) {}
@@ -31,24 +37,81 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
     fresh_ = false;
+    if (loaded_) rebuild();
+    loaded_ = false;
     if (stale_) return renew();
     attach();
   }
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
 
+  void transfer(Record& record) override {
+    record.number("matrices", matrices_);
+    record.share("first matrix", first_matrix_);
+    record.share("matrix", matrix_);
+    record.number("stale", stale_);
+    record.number("least iterations", least_iterations_);
+    record.number("excess", excess_);
+    const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
+    if (nonnull(inner)) inner->transfer(record);
+    loaded_ = record.loading();
+  }
+
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override { return krylov_->range(); }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override { return krylov_->domain(); }
 
  private:
+  auto values() const { return Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(*source_))->getLocalMatrixHost().values; }
+
+  /// Makes the preconditioner from the matrix's present values.
+  void make() const {
+    std::srand(1);
+    factory_->initializePrec(source_, preconditioner_.get());
+  }
   void renew() const {
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
-    factory_->initializePrec(source_, preconditioner_.get());
+    if (options_.restartable) note_matrix();
+    make();
     attach();
     stale_ = false;
     fresh_ = true;
     excess_ = 0;
     ++statistics_->setups;
+  }
+  /// A renewed multigrid keeps prolongators of its first matrix.
+  void note_matrix() const {
+    const auto present = values();
+    if (options_.from_scratch && matrices_ == 1) first_matrix_ = std::move(matrix_);
+    matrix_.assign(present.data(), present.data() + present.extent(0));
+    matrices_ = options_.from_scratch ? std::min(matrices_ + 1, 2) : 1;
+  }
+  /// Some parts are made at the first use only (MueLu's coarsest level), from the values that the matrix has then.
+  void force() const {
+    const auto op = preconditioner_->getUnspecifiedPrecOp();
+    if (op.is_null()) return;
+    const auto x = Thyra::createMembers(op->domain(), 1);
+    const auto y = Thyra::createMembers(op->range(), 1);
+    Thyra::assign(x.ptr(), 0.0);
+    Thyra::apply(*op, Thyra::NOTRANS, *x, y.ptr());
+  }
+  /// Makes the preconditioner as it was when the checkpoint was written.
+  void rebuild() const {
+    const TimedScope timed(Phase::Factorization);
+    const auto here = values();
+    const std::vector<double> present(here.data(), here.data() + here.extent(0));
+    const auto make_from = [&](const std::vector<double>& earlier) {
+      if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has another size");
+      std::copy(earlier.begin(), earlier.end(), here.data());
+      try {
+        make();
+        force();
+      } catch (const std::exception& error) {
+        throw InputError(std::string("a preconditioner cannot be made anew from the checkpoint: ") + error.what());
+      }
+    };
+    if (matrices_ > 1) make_from(first_matrix_);
+    if (matrices_ > 0) make_from(matrix_);
+    std::copy(present.begin(), present.end(), here.data());
   }
   void attach() const {
     krylov_factory_->initializePreconditionedOp(source_, preconditioner_, krylov_.get(),
@@ -76,7 +139,10 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     } catch (const std::exception& error) {
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
-    if (from_scratch_) preconditioner_ = factory_->createPrec();
+    if (options_.from_scratch) {
+      preconditioner_ = factory_->createPrec();
+      matrices_ = 0;
+    }
     renew();
     try {
       return attempt(b, x, criteria);
@@ -99,14 +165,13 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
     if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return status;
     least_iterations_ = first ? iterations : std::min(least_iterations_, iterations);
     excess_ += iterations - least_iterations_;
-    stale_ = excess_ > setup_cost_;
+    stale_ = excess_ > options_.setup_cost;
     return status;
   }
 
   Teuchos::RCP<const KrylovFactory> krylov_factory_;
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory_;
-  double setup_cost_;
-  bool from_scratch_;
+  LaggedOptions options_;
   std::shared_ptr<LinearStatistics> statistics_;
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
@@ -115,22 +180,23 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double> {
   mutable bool fresh_ = false;        ///< renewed, and not used since
   mutable int least_iterations_ = 0;  ///< of the solves with this preconditioner
   mutable double excess_ = 0;         ///< iterations beyond the least, summed
+  mutable bool loaded_ = false;       ///< from a checkpoint: the preconditioner is yet to be made
+  mutable int matrices_ = 0;          ///< kept: none, the last one, or the first and the last one
+  mutable std::vector<double> first_matrix_, matrix_;  ///< values
 };
 
 }  // namespace
 
 LaggedSolverFactory::LaggedSolverFactory(Teuchos::RCP<const KrylovFactory> krylov,
                                          Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner,
-                                         double setup_cost, bool from_scratch,
-                                         std::shared_ptr<LinearStatistics> statistics)
+                                         const LaggedOptions& options, std::shared_ptr<LinearStatistics> statistics)
     : krylov_(std::move(krylov)),
       preconditioner_(std::move(preconditioner)),
-      setup_cost_(setup_cost),
-      from_scratch_(from_scratch),
+      options_(options),
       statistics_(std::move(statistics)) {}
 
 Teuchos::RCP<LaggedSolverFactory::Op> LaggedSolverFactory::createOp() const {
-  return Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, setup_cost_, from_scratch_, statistics_));
+  return keep(Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, options_, statistics_)));
 }
 
 void LaggedSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,

@@ -4,25 +4,33 @@
 #include <Thyra_PreconditionerFactoryBase.hpp>
 #include <memory>
 
+#include "solve/kept_state.hpp"
 #include "solve/linear_solver.hpp"
 
 namespace ixos {
+
+struct LaggedOptions {
+  double setup_cost = 20;    ///< the price of a new preconditioner in iterations
+  bool from_scratch = true;  ///< a renewed preconditioner keeps something of its first matrix: a retry makes a new one
+  bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
+};
 
 /// Wraps a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve and renewed when
 /// the iterations spent beyond its best solve add up to `setup_cost`, the price of a new one in iterations:
 /// the rule that spends least when iterations grow steadily. It counts iterations and reads no clock, so runs repeat. A
 /// solve that fails with an old preconditioner is tried once more with a new one, with `from_scratch` a new object (a
 /// renewed multigrid keeps the prolongators of its first matrix); one that breaks down with a new one
-/// (Belos throws where CG meets negative curvature) throws std::runtime_error.
-class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
+/// (Belos throws where CG meets negative curvature) throws std::runtime_error. The C library's random numbers, from
+/// which Tpetra's are seeded and so the smoothers' estimates of eigenvalues, begin anew with each preconditioner.
+class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double>, public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;
   using List = Teuchos::RCP<Teuchos::ParameterList>;
 
  public:
   LaggedSolverFactory(Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov,
-                      Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, double setup_cost,
-                      bool from_scratch, std::shared_ptr<LinearStatistics> statistics);
+                      Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner,
+                      const LaggedOptions& options, std::shared_ptr<LinearStatistics> statistics);
 
   bool isCompatible(const Source& source) const override { return krylov_->isCompatible(source); }
   Teuchos::RCP<Op> createOp() const override;
@@ -41,8 +49,7 @@ class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
  private:
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> krylov_;
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner_;
-  double setup_cost_;
-  bool from_scratch_;
+  LaggedOptions options_;
   std::shared_ptr<LinearStatistics> statistics_;
   List list_;
 };

@@ -52,20 +52,32 @@ double take_setup_cost(Teuchos::ParameterList& list) {
 }  // namespace
 
 struct LinearSolverFactory::Implementation {
+  Teuchos::RCP<const ThyraFactory> strategy() const {
+    const Teuchos::RCP<ThyraFactory> krylov = krylov_builder.createLinearSolveStrategy("");
+    krylov->setVerbLevel(Teuchos::VERB_NONE);
+    if (!preconditioned) return krylov;
+    return Teuchos::rcp(new LaggedSolverFactory(krylov, preconditioner_builder.createPreconditioningStrategy(""),
+                                                lagged, statistics));
+  }
+
   // The builders' factories refer to them.
   Stratimikos::DefaultLinearSolverBuilder krylov_builder, preconditioner_builder;
-  Teuchos::RCP<const ThyraFactory> factory;
+  bool preconditioned = false;
+  LaggedOptions lagged;
   std::shared_ptr<LinearStatistics> statistics = std::make_shared<LinearStatistics>();
 };
 
-LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, const Model* model)
+LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, const Model* model, bool restartable)
     : implementation_(std::make_unique<Implementation>()) {
   Implementation& self = *implementation_;
   anchor_klu2_repair();  // MueLu's coarsest level is solved with KLU2
   Teuchos::ParameterList list(user);
-  const double setup_cost = take_setup_cost(list);
-  const bool preconditioned = list.get("Preconditioner Type", std::string("None")) != "None";
-  if (preconditioned && model != nullptr && list.get<std::string>("Preconditioner Type") == "MueLu") {
+  self.lagged.setup_cost = take_setup_cost(list);
+  const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
+  self.preconditioned = preconditioner != "None";
+  self.lagged.from_scratch = preconditioner != "Direct";
+  self.lagged.restartable = restartable;
+  if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
     muelu.set("Nullspace", rigid_body_modes(*model));
     muelu.set("Coordinates", node_coordinates(*model));
@@ -74,14 +86,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
     Teuchos::ParameterList plain(list);
     plain.set("Preconditioner Type", "None");
     configure(self.krylov_builder, plain);
-    const Teuchos::RCP<ThyraFactory> krylov = self.krylov_builder.createLinearSolveStrategy("");
-    krylov->setVerbLevel(Teuchos::VERB_NONE);
-    self.factory = krylov;
-    if (!preconditioned) return;
-    configure(self.preconditioner_builder, list);
-    self.factory = Teuchos::rcp(
-        new LaggedSolverFactory(krylov, self.preconditioner_builder.createPreconditioningStrategy(""), setup_cost,
-                                list.get<std::string>("Preconditioner Type") != "Direct", self.statistics));
+    if (self.preconditioned) configure(self.preconditioner_builder, list);
+    self.strategy();
   } catch (const std::exception& error) {
     throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + last_paragraph(error.what()));
   }
@@ -89,7 +95,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
 
 LinearSolverFactory::~LinearSolverFactory() = default;
 
-const Teuchos::RCP<const ThyraFactory>& LinearSolverFactory::thyra() const { return implementation_->factory; }
+Teuchos::RCP<const ThyraFactory> LinearSolverFactory::strategy() const { return implementation_->strategy(); }
 
 const LinearStatistics& LinearSolverFactory::statistics() const { return *implementation_->statistics; }
 
@@ -117,7 +123,7 @@ struct LinearSystem::Implementation {
 
 LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const CrsMatrix>& matrix)
     : implementation_(std::make_unique<Implementation>()) {
-  implementation_->factory = factory.thyra();
+  implementation_->factory = factory.strategy();
   implementation_->space = vector_space(matrix->getRowMap());
   const Teuchos::RCP<const Operator> as_operator = matrix;
   implementation_->op = Thyra::createConstLinearOp<double, LocalId, GlobalId, Node>(as_operator, implementation_->space,

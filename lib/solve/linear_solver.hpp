@@ -30,13 +30,16 @@ struct LinearStatistics {
 class LinearSolverFactory {
  public:
   /// The list must be complete (see completed_linear_solver). Without a model MueLu gets neither null space nor
-  /// coordinates. Throws InputError, with Stratimikos' own words, where the list is not valid. Collective.
-  explicit LinearSolverFactory(const Teuchos::ParameterList& list, const Model* model = nullptr);
+  /// coordinates. Preconditioners that are not `restartable` save the memory of the matrices that they came from.
+  /// Throws InputError, with Stratimikos' own words, where the list is not valid. Collective.
+  explicit LinearSolverFactory(const Teuchos::ParameterList& list, const Model* model = nullptr,
+                               bool restartable = true);
   ~LinearSolverFactory();
   LinearSolverFactory(const LinearSolverFactory&) = delete;
   LinearSolverFactory& operator=(const LinearSolverFactory&) = delete;
 
-  const Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>>& thyra() const;
+  /// A Thyra factory of its own for each caller, so that what its operators keep is the caller's (see StateKeeper).
+  Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> strategy() const;
   const LinearStatistics& statistics() const;
 
  private:

@@ -17,6 +17,7 @@
 #include "solve/admissible_line_search.hpp"
 #include "solve/descent_direction.hpp"
 #include "solve/incremental_potential.hpp"
+#include "solve/kept_state.hpp"
 #include "solve/problem_evaluator.hpp"
 
 namespace ixos {
@@ -97,7 +98,8 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
 struct NewtonSolver::Implementation {
   Implementation(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
       : maximum_iterations(options.maximum_iterations),
-        evaluator(Teuchos::rcp(new ProblemEvaluator(problem, linear_solver.thyra()))),
+        linear(linear_solver.strategy()),
+        evaluator(Teuchos::rcp(new ProblemEvaluator(problem, linear))),
         guess(Thyra::createMember(evaluator->get_x_space())),
         force(Teuchos::rcp(new ForceTest(problem, options.tolerance))),
         tests(Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR))),
@@ -143,6 +145,7 @@ struct NewtonSolver::Implementation {
   }
 
   int maximum_iterations;
+  ProblemEvaluator::Factory linear;
   Teuchos::RCP<ProblemEvaluator> evaluator;
   Teuchos::RCP<Thyra::VectorBase<double>> guess;
   Teuchos::RCP<ForceTest> force;
@@ -167,6 +170,12 @@ NewtonSolver::NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory&
 
 NewtonSolver::~NewtonSolver() = default;
 
+void NewtonSolver::transfer(Record& record) {
+  if (implementation_->solver.is_null()) implementation_->build();
+  const auto* keeper = dynamic_cast<const StateKeeper*>(implementation_->linear.get());
+  if (keeper != nullptr) keeper->latest()->transfer(record);
+}
+
 NewtonResult NewtonSolver::solve(Vector& x) {
   Implementation& self = *implementation_;
   NewtonResult result;
@@ -176,6 +185,8 @@ NewtonResult NewtonSolver::solve(Vector& x) {
     const auto& solution = dynamic_cast<const NOX::Thyra::Vector&>(self.solver->getSolutionGroup().getX());
     x.update(1.0, *Extract::getConstTpetraVector(solution.getThyraRCPVector()), 0.0);
   } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const InputError&) {  // a checkpoint that does not fit
     throw;
   } catch (const std::exception& error) {
     result = self.broken(error.what());

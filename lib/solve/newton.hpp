@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "checkpoint/record.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/nonlinear_problem.hpp"
 
@@ -33,6 +34,9 @@ class NewtonSolver {
 
   /// From the guess x to a solution of f(x) = 0. On failure x is the last iterate. Collective.
   NewtonResult solve(Vector& x);
+
+  /// For checkpoints, between solves: what the linear solver keeps from one matrix to the next. Collective.
+  void transfer(Record& record);
 
  private:
   struct Implementation;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "checkpoint/record.hpp"
 #include "model/model.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/newton.hpp"
@@ -64,6 +65,11 @@ class Integrator {
   double dissipated_energy() const { return dissipated_; }
   double external_work() const { return external_work_; }
 
+  /// For checkpoints, between steps: everything that later steps depend on, to the last bit. Loading onto another
+  /// partition leaves out what the linear solvers keep; loading into another scene goes on from displacements,
+  /// velocities, time and sums alone (throws InputError where they are inadmissible there). Collective.
+  void transfer(Record& record);
+
  private:
   StepResult advance(double dt);
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
@@ -71,6 +77,7 @@ class Integrator {
   NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
   bool take_explicit_step(double dt, std::string& reason);
+  void transfer_derived(Record& record);
 
   const Model& model_;
   Table table_;

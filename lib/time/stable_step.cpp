@@ -31,6 +31,11 @@ double StableStep::limit(const std::vector<double>& u) const {
   return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
 }
 
+void StableStep::transfer(Record& record) {
+  record.number("age", age_);
+  record.field("elastic row sums", elastic_, Extent::Local);
+}
+
 double StableStep::operator()(const State& state, double wanted) {
   if (age_ == 0) {
     std::fill(elastic_.begin(), elastic_.end(), 0.0);

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "checkpoint/record.hpp"
 #include "model/model.hpp"
 #include "time/state.hpp"
 
@@ -19,6 +20,9 @@ class StableStep {
 
   /// The longest step from this state that is no longer than `wanted`. Its accelerations are used.
   double operator()(const State& state, double wanted);
+
+  /// For checkpoints.
+  void transfer(Record& record);
 
  private:
   double limit(const std::vector<double>& u) const;

@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   Teuchos::ParameterList linear;
   linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
   const ixos::LinearSolverFactory factory(linear);
-  const ixos::SemiDiscreteEvaluator evaluator(simulation.model(), factory.thyra());
+  const ixos::SemiDiscreteEvaluator evaluator(simulation.model(), factory.strategy());
   NewmarkLoop loop(evaluator);
 
   double largest = 0, moved = 0;

@@ -1,0 +1,161 @@
+#include "checkpoint/checkpoint_file.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <algorithm>
+#include <map>
+
+#include "base/agreement.hpp"
+#include "checkpoint/seal.hpp"
+#include "io/disk_file.hpp"
+
+namespace ixos {
+namespace {
+
+/// Where the rank's owned degrees of freedom, or nodes, stand in arrays of all ranks.
+Slab owned_slab(const DofSpace& space, int per_node) {
+  const auto d = static_cast<unsigned long long>(space.dimension());
+  const auto n = static_cast<unsigned long long>(per_node);
+  const auto first = space.owned() > 0 ? static_cast<unsigned long long>(space.owned_map()->getMinGlobalIndex()) : 0;
+  return {first / d * n, static_cast<unsigned long long>(space.owned()) / d * n,
+          static_cast<unsigned long long>(space.global()) / d * n};
+}
+
+std::vector<long long> lengths_of_shares(const Comm& comm, long long mine) {
+  std::vector<long long> lengths(static_cast<std::size_t>(comm->getSize()));
+  Teuchos::gatherAll(*comm, 1, &mine, comm->getSize(), lengths.data());
+  return lengths;
+}
+
+/// The rank's part of the concatenated shares.
+Slab share_slab(const std::vector<long long>& lengths, int rank) {
+  Slab slab;
+  for (std::size_t r = 0; r < lengths.size(); ++r) {
+    const auto length = static_cast<unsigned long long>(lengths[r]);
+    if (static_cast<int>(r) < rank) slab.offset += length;
+    if (static_cast<int>(r) == rank) slab.count = length;
+    slab.total += length;
+  }
+  return slab;
+}
+
+std::string lengths_name(const char* name) { return std::string(name) + " lengths"; }
+
+}  // namespace
+
+CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh)
+    : path_(path), space_(space), file_(std::make_unique<Hdf5Output>(path + ".tmp", space.comm(), seal_bytes)) {
+  file_->put("ranks", static_cast<double>(space.comm()->getSize()));
+  const std::vector<long long> nodes(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
+  file_->put("nodes", nodes.data(), owned_slab(space, 1));
+}
+
+void CheckpointWriter::scalar(const char* name, double& value) {
+  if (space_.comm()->getSize() > 1) Teuchos::broadcast(*space_.comm(), 0, &value);
+  file_->put(name, value);
+}
+
+void CheckpointWriter::field(const char* name, std::vector<double>& values, Extent) {
+  const bool present = space_.maximum(values.empty() ? 0 : 1) > 0;
+  // A rank may own no nodes, or none that are constrained and have reactions.
+  const std::vector<double> zero(values.empty() && present ? static_cast<std::size_t>(space_.owned()) : 0, 0.0);
+  file_->put(name, values.empty() ? zero.data() : values.data(),
+             present ? owned_slab(space_, space_.dimension()) : Slab{});
+}
+
+void CheckpointWriter::share(const char* name, std::vector<double>& values) {
+  const Comm& comm = space_.comm();
+  const std::vector<long long> lengths = lengths_of_shares(comm, static_cast<long long>(values.size()));
+  const auto rank = static_cast<unsigned long long>(comm->getRank());
+  file_->put(lengths_name(name).c_str(), &lengths[rank], Slab{rank, 1, lengths.size()});
+  file_->put(name, values.data(), share_slab(lengths, comm->getRank()));
+}
+
+void CheckpointWriter::publish() {
+  file_->close();
+  together(space_.comm(), [&] {
+    if (space_.comm()->getRank() != 0) return;
+    seal(path_ + ".tmp");
+    replace_file(path_ + ".tmp", path_);
+  });
+}
+
+CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& space, const LocalMesh& mesh)
+    : space_(space) {
+  together<InputError>(space.comm(), [&] {
+    file_ = std::make_unique<Hdf5Input>(path);
+    const double ranks = file_->number("ranks");
+    if (!(ranks >= 1 && ranks < 1e9)) throw InputError(path + ": \"ranks\" is not a number of ranks");
+    ranks_ = static_cast<int>(ranks);
+    if (file_->length("nodes") != static_cast<unsigned long long>(mesh.global_nodes))
+      throw InputError(path + ": has another number of nodes than the scene's mesh");
+    find_partition(mesh);
+  });
+  same_partition_ = space.minimum(same_partition_ ? 1 : 0) > 0;
+}
+
+void CheckpointReader::find_partition(const LocalMesh& mesh) {
+  const auto owned = static_cast<std::size_t>(mesh.owned_nodes);
+  const std::vector<long long> mine(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
+  same_partition_ =
+      ranks_ == space_.comm()->getSize() && file_->integers("nodes", owned_slab(space_, 1)) == mine;
+  const std::vector<long long> all =
+      file_->integers("nodes", {0, static_cast<unsigned long long>(mesh.global_nodes), 0});
+  std::map<long long, std::size_t> places;
+  for (std::size_t i = 0; i < all.size(); ++i) places[all[i]] = i;
+  place_.resize(owned);
+  for (std::size_t i = 0; i < owned; ++i) {
+    const auto found = places.find(mine[i]);
+    if (found == places.end()) throw InputError("the checkpoint has no node " + std::to_string(mine[i] + 1));
+    place_[i] = found->second;
+  }
+}
+
+void CheckpointReader::scalar(const char* name, double& value) {
+  together<InputError>(space_.comm(), [&] { value = file_->number(name); });
+}
+
+void CheckpointReader::text(const char* name, std::string& value) {
+  together<InputError>(space_.comm(), [&] { value = file_->text(name); });
+}
+
+void CheckpointReader::enter(const std::string& name) {
+  together<InputError>(space_.comm(), [&] { file_->enter(name); });
+}
+
+void CheckpointReader::field(const char* name, std::vector<double>& values, Extent extent) {
+  bool present = false;
+  together<InputError>(space_.comm(), [&] {
+    const unsigned long long length = file_->length(name);
+    present = length > 0;
+    if (present && length != static_cast<unsigned long long>(space_.global()))
+      throw InputError(std::string("\"") + name + "\" has another length than the scene's model");
+    values.assign(static_cast<std::size_t>(!present                  ? 0
+                                           : extent == Extent::Local ? space_.local()
+                                                                     : space_.owned()),
+                  0.0);
+    if (!present) return;
+    if (same_partition_) {
+      const std::vector<double> mine = file_->numbers(name, owned_slab(space_, space_.dimension()));
+      std::copy(mine.begin(), mine.end(), values.begin());
+      return;
+    }
+    const std::vector<double> all = file_->numbers(name, {0, length, 0});
+    const auto d = static_cast<std::size_t>(space_.dimension());
+    for (std::size_t node = 0; node < place_.size(); ++node)
+      for (std::size_t i = 0; i < d; ++i) values[node * d + i] = all[place_[node] * d + i];
+  });
+  if (present && extent == Extent::Local) space_.update_ghosts(values.data());
+}
+
+void CheckpointReader::share(const char* name, std::vector<double>& values) {
+  together<InputError>(space_.comm(), [&] {
+    const auto ranks = static_cast<unsigned long long>(space_.comm()->getSize());
+    const std::vector<long long> lengths = file_->integers(lengths_name(name).c_str(), {0, ranks, 0});
+    for (long long length : lengths)
+      if (length < 0) throw InputError(std::string("\"") + name + "\" has a share of negative length");
+    values = file_->numbers(name, share_slab(lengths, space_.comm()->getRank()));
+  });
+}
+
+}  // namespace ixos

@@ -1,0 +1,71 @@
+/// Checkpoints on the disk.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "checkpoint/hdf5_file.hpp"
+#include "checkpoint/record.hpp"
+#include "mesh/local_mesh.hpp"
+#include "model/dof_space.hpp"
+
+namespace ixos {
+
+/// Writes a checkpoint beside its place, seals it, and puts it there in one step: whatever happens on the way, what
+/// stood there before stands there still. Failures show in publish(). Collective.
+class CheckpointWriter final : public Record {
+ public:
+  /// Throws FileError where the file cannot be made.
+  CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh);
+
+  bool loading() const override { return false; }
+  bool same_scene() const override { return true; }
+  bool exact() const override { return true; }
+  void text(const char* name, std::string& value) override { file_->put(name, value); }
+  void field(const char* name, std::vector<double>& values, Extent extent) override;
+  void share(const char* name, std::vector<double>& values) override;
+
+  /// Throws FileError, on all ranks, where anything since the beginning could not be written.
+  void publish();
+
+ private:
+  void scalar(const char* name, double& value) override;
+  void enter(const std::string& name) override { file_->enter(name); }
+  void leave() override { file_->leave(); }
+
+  std::string path_;
+  const DofSpace& space_;
+  std::unique_ptr<Hdf5Output> file_;
+};
+
+/// Reads a checkpoint whose seal is whole (see seal_problem). On the partition that wrote it every rank reads its part;
+/// on another one, each picks its nodes' values by their numbers in the mesh. Throws InputError. Collective.
+class CheckpointReader final : public Record {
+ public:
+  CheckpointReader(const std::string& path, const DofSpace& space, const LocalMesh& mesh);
+
+  bool loading() const override { return true; }
+  bool same_scene() const override { return same_scene_; }
+  bool exact() const override { return same_scene_ && same_partition_; }
+  void text(const char* name, std::string& value) override;
+  void field(const char* name, std::vector<double>& values, Extent extent) override;
+  void share(const char* name, std::vector<double>& values) override;
+
+  int ranks() const { return ranks_; }  ///< that wrote it
+  void set_same_scene(bool same) { same_scene_ = same; }
+
+ private:
+  void scalar(const char* name, double& value) override;
+  void enter(const std::string& name) override;
+  void leave() override { file_->leave(); }
+  void find_partition(const LocalMesh& mesh);
+
+  const DofSpace& space_;
+  std::unique_ptr<Hdf5Input> file_;
+  int ranks_ = 0;
+  bool same_scene_ = true;
+  bool same_partition_ = false;
+  std::vector<std::size_t> place_;  ///< of another partition: per owned node, where its values stand
+};
+
+}  // namespace ixos

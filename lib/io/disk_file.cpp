@@ -1,0 +1,76 @@
+#include "io/disk_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+[[noreturn]] void fail_at(const std::string& path, const char* what) {
+  throw FileError(path + ": " + what + ": " + std::strerror(errno));
+}
+
+}  // namespace
+
+DiskFile::DiskFile(const std::string& path, Mode mode)
+    : path_(path), descriptor_(open(path.c_str(), (mode == Mode::Read ? O_RDONLY : O_RDWR) | O_CLOEXEC)) {
+  if (descriptor_ < 0) fail(mode == Mode::Read ? "cannot be read" : "cannot be written");
+}
+
+DiskFile::~DiskFile() { close(descriptor_); }
+
+void DiskFile::fail(const char* what) const { fail_at(path_, what); }
+
+std::uint64_t DiskFile::length() const {
+  struct stat status {};
+  if (fstat(descriptor_, &status) != 0) fail("cannot be read");
+  return static_cast<std::uint64_t>(status.st_size);
+}
+
+void DiskFile::seek(std::uint64_t position) {
+  if (lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail("cannot be read");
+}
+
+std::size_t DiskFile::read(void* data, std::size_t size) {
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::read(descriptor_, static_cast<char*>(data) + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot be read");
+    if (count == 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  return done;
+}
+
+void DiskFile::write(const void* data, std::size_t size) {
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = ::write(descriptor_, static_cast<const char*>(data) + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot be written");
+    done += static_cast<std::size_t>(count);
+  }
+}
+
+void DiskFile::sync() {
+  if (fsync(descriptor_) != 0) fail("cannot be written");
+}
+
+void sync_to_disk(const std::string& path) { DiskFile(path, DiskFile::Mode::Read).sync(); }
+
+void replace_file(const std::string& finished, const std::string& path) {
+  if (std::rename(finished.c_str(), path.c_str()) != 0) fail_at(path, "cannot be written");
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  sync_to_disk(folder.empty() ? "." : folder.string());
+}
+
+}  // namespace ixos

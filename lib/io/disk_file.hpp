@@ -1,0 +1,38 @@
+/// Files whose fate on the disk matters.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace ixos {
+
+/// An open file. Every failure throws FileError with the path and the system's words.
+class DiskFile {
+ public:
+  enum class Mode { Read, Change };  ///< Change: of a file that exists
+  DiskFile(const std::string& path, Mode mode);
+  ~DiskFile();
+  DiskFile(const DiskFile&) = delete;
+  DiskFile& operator=(const DiskFile&) = delete;
+
+  std::uint64_t length() const;
+  void seek(std::uint64_t position);
+  /// Fills the buffer as far as the file goes; returns the number of bytes.
+  std::size_t read(void* data, std::size_t size);
+  void write(const void* data, std::size_t size);
+  void sync();  ///< until the disk has it
+
+ private:
+  [[noreturn]] void fail(const char* what) const;
+  std::string path_;
+  int descriptor_;
+};
+
+/// Has the disk keep what was written to a file, or a folder's names. Throws FileError.
+void sync_to_disk(const std::string& path);
+
+/// Puts a finished file in the place of another, in one step that outlives a crash: whoever looks sees the old one or
+/// the new one. Throws FileError.
+void replace_file(const std::string& finished, const std::string& path);
+
+}  // namespace ixos

@@ -1,0 +1,110 @@
+#include "scene/checkpoints.hpp"
+
+#include <Teuchos_Time.hpp>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "base/agreement.hpp"
+#include "base/phase_timer.hpp"
+#include "checkpoint/checkpoint_file.hpp"
+#include "io/disk_file.hpp"
+#include "scene/scene_file.hpp"
+
+namespace ixos {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string prefix = "checkpoint-";
+const std::string ending = ".h5";
+
+/// The step that a file name speaks of, or -1.
+long step_of(const std::string& name) {
+  if (name.size() <= prefix.size() + ending.size() || name.rfind(prefix, 0) != 0 ||
+      name.substr(name.size() - ending.size()) != ending)
+    return -1;
+  long step = -1;
+  const char* end = name.data() + name.size() - ending.size();
+  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, step);
+  return error == std::errc{} && stop == end ? step : -1;
+}
+
+/// Makes checkpoint.h5 a link to the newest. A file system without links has none.
+void link_newest(const std::string& folder, long step) {
+  const std::string link = folder + "/checkpoint" + ending;
+  const std::string beside = link + ".tmp";
+  std::error_code code;
+  fs::remove(beside, code);
+  fs::create_symlink(prefix + std::to_string(step) + ending, beside, code);
+  if (code)
+    fs::remove(link, code);
+  else
+    replace_file(beside, link);
+}
+
+}  // namespace
+
+std::vector<long> checkpoint_steps(const std::string& folder) {
+  std::vector<long> steps;
+  std::error_code code;
+  for (const auto& entry : fs::directory_iterator(folder, code))
+    if (const long step = step_of(entry.path().filename().string()); step >= 0) steps.push_back(step);
+  std::sort(steps.begin(), steps.end());
+  return steps;
+}
+
+std::string checkpoint_path(const std::string& folder, long step) {
+  return (fs::path(folder) / (prefix + std::to_string(step) + ending)).string();
+}
+
+Checkpoints::Checkpoints(const Simulation& simulation, const std::string& folder)
+    : simulation_(simulation), folder_(folder), last_time_(Teuchos::Time::wallTime()) {
+  const Teuchos::ParameterList& list = simulation.parameters().sublist("Output").sublist("Checkpoint");
+  interval_ = list.get<int>("Interval");
+  clock_interval_ = list.get<double>("Wall-Clock Interval");
+  keep_ = list.get<int>("Keep");
+}
+
+bool Checkpoints::due_by_clock() const {
+  return on() && clock_interval_ > 0 && Teuchos::Time::wallTime() - last_time_ >= clock_interval_;
+}
+
+std::string Checkpoints::newest() const { return steps_.empty() ? "" : checkpoint_path(folder_, steps_.back()); }
+
+void Checkpoints::resume(long step) {
+  last_step_ = step;
+  for (const long earlier : checkpoint_steps(folder_))
+    if (earlier <= step) steps_.push_back(earlier);
+}
+
+void Checkpoints::write(long step, const std::function<void(Record&)>& transfer) {
+  if (step == last_step_) return;
+  const TimedScope timed(Phase::Output);
+  const Model& model = simulation_.model();
+  CheckpointWriter writer(checkpoint_path(folder_, step), model.space(), model.mesh());
+  std::string version = IXOS_VERSION, scene = scene_text(simulation_.parameters()), mesh = simulation_.mesh_fingerprint();
+  writer.text("version", version);
+  writer.text("scene", scene);
+  writer.text("mesh", mesh);
+  transfer(writer);
+  writer.publish();
+  last_step_ = step;
+  last_time_ = Teuchos::Time::wallTime();
+  steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());
+  steps_.push_back(step);
+  if (steps_.size() > static_cast<std::size_t>(keep_)) steps_.erase(steps_.begin(), steps_.end() - keep_);
+  together(model.space().comm(), [&] {
+    if (model.space().comm()->getRank() != 0) return;
+    link_newest(folder_, step);
+    tidy();
+  });
+}
+
+void Checkpoints::tidy() const {
+  std::error_code code;
+  for (const long step : checkpoint_steps(folder_))
+    if (std::find(steps_.begin(), steps_.end(), step) == steps_.end()) fs::remove(checkpoint_path(folder_, step), code);
+}
+
+}  // namespace ixos

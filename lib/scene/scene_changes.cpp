@@ -1,0 +1,72 @@
+#include "scene/scene_changes.hpp"
+
+#include <algorithm>
+
+#include "base/parameter_entries.hpp"
+#include "scene/parameter_text.hpp"
+
+namespace ixos {
+namespace {
+
+const char* const absent = "absent";
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+Bearing bearing(const std::string& path) {
+  for (const char* list : {"Units/", "Mesh/", "Initial Conditions/"})
+    if (starts_with(path, list)) return Bearing::State;
+  if (path == "Time Integrator/Time Step Control/Initial Time") return Bearing::State;
+  if (starts_with(path, "Interactions/") && (ends_with(path, "/Side Set") || ends_with(path, "/Contact Element")))
+    return Bearing::State;
+  if (path == "Time Integrator/Time Step Control/Final Time" || starts_with(path, "Time Integrator/Stop/"))
+    return Bearing::None;
+  // Steps end at time intervals of output.
+  if (starts_with(path, "Output/") && !ends_with(path, " Time Interval")) return Bearing::None;
+  return Bearing::Motion;
+}
+
+std::string text(const Teuchos::ParameterEntry* entry) {
+  if (entry == nullptr) return absent;
+  return entry->isType<std::string>() ? '"' + value_text(*entry) + '"' : value_text(*entry);
+}
+
+/// The differences of the lists at `path`; either may be missing.
+void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList* now, const std::string& path,
+             std::vector<SceneChange>& changes) {
+  std::vector<std::string> names;
+  for (const Teuchos::ParameterList* list : {now, before})
+    if (list != nullptr)
+      for (const auto& [name, entry] : entries(*list))
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  for (const std::string& name : names) {
+    const auto entry = [&name](const Teuchos::ParameterList* list) {
+      return list == nullptr ? nullptr : list->getEntryPtr(name);
+    };
+    const auto sublist = [&](const Teuchos::ParameterList* list) {
+      return entry(list) != nullptr && list->isSublist(name) ? &list->sublist(name) : nullptr;
+    };
+    const std::string here = path.empty() ? name : path + "/" + name;
+    if (sublist(before) != nullptr || sublist(now) != nullptr) {
+      compare(sublist(before), sublist(now), here, changes);
+      continue;
+    }
+    const std::string old_text = text(entry(before)), new_text = text(entry(now));
+    if (old_text != new_text) changes.push_back({here, old_text, new_text, bearing(here)});
+  }
+}
+
+}  // namespace
+
+std::string SceneChange::text() const { return path + ": " + before + ", now " + now; }
+
+std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now) {
+  std::vector<SceneChange> changes;
+  compare(&before, &now, "", changes);
+  return changes;
+}
+
+}  // namespace ixos

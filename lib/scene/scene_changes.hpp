@@ -1,0 +1,28 @@
+/// What changed between the scene of a checkpoint and the one that goes on from it.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+namespace ixos {
+
+/// What a change means for a restart.
+enum class Bearing {
+  None,    ///< the motion is the same: what is written, when the run ends
+  Motion,  ///< the run goes on from the same displacements and velocities with other laws, steps or solvers
+  State    ///< the state itself would be another one: not allowed
+};
+
+struct SceneChange {
+  std::string path;         ///< "List/Sublist/Name"
+  std::string before, now;  ///< values as in XML; "absent" where there is none
+  Bearing bearing = Bearing::Motion;
+
+  /// "Time Integrator/Type: "Newmark", now "Bathe Composite"".
+  std::string text() const;
+};
+
+/// The differences of two complete scenes, in the order of the second's lists.
+std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
+
+}  // namespace ixos

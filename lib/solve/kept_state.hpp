@@ -1,0 +1,35 @@
+/// What linear solvers keep from one matrix to the next, for checkpoints. Included by lib/solve only.
+#pragma once
+#include <Teuchos_RCP.hpp>
+
+#include "checkpoint/record.hpp"
+
+namespace ixos {
+
+/// An operator whose solves depend on more than its present matrix: on the matrix that a preconditioner or the order of
+/// pivots came from, and on counts. After loading it rebuilds that with the first matrix that comes.
+class KeptState {
+ public:
+  virtual ~KeptState() = default;
+  /// Collective.
+  virtual void transfer(Record& record) = 0;
+};
+
+/// A Thyra factory that knows the operator that it made last.
+class StateKeeper {
+ public:
+  virtual ~StateKeeper() = default;
+  Teuchos::RCP<KeptState> latest() const { return latest_.create_strong(); }
+
+ protected:
+  template <class Op>
+  Teuchos::RCP<Op> keep(const Teuchos::RCP<Op>& op) const {
+    latest_ = op.create_weak();
+    return op;
+  }
+
+ private:
+  mutable Teuchos::RCP<KeptState> latest_;  ///< weak
+};
+
+}  // namespace ixos
