@@ -1,6 +1,7 @@
 #include "model/constraints.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -36,6 +37,13 @@ void Constraints::set(double time, double* u, double* v, double* a) const {
     if (v != nullptr) v[dof] = factor * value.rate;
     if (a != nullptr) a[dof] = factor * value.acceleration;
   }
+}
+
+bool Constraints::are_finite(double time) const {
+  return std::all_of(motions_.begin(), motions_.end(), [time](const auto& motion) {
+    const TimeValue f = motion ? motion->at(time) : TimeValue{};
+    return std::isfinite(f.value) && std::isfinite(f.rate) && std::isfinite(f.acceleration);
+  });
 }
 
 }  // namespace ixos

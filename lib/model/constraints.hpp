@@ -24,6 +24,8 @@ class Constraints {
 
   /// Puts displacement, velocity and acceleration at `time` into local arrays; each may be null.
   void set(double time, double* u, double* v, double* a) const;
+  /// Are all motions defined at `time`, and their derivatives?
+  bool are_finite(double time) const;
 
  private:
   static std::size_t dof_index(int dof) { return static_cast<std::size_t>(dof); }

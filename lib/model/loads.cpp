@@ -1,5 +1,7 @@
 #include "model/loads.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -14,6 +16,11 @@ void Loads::add_force(double time, double factor, double* force) const {
     const double value = factor * load.history->at(time).value;
     for (std::size_t i = 0; i < load.forces.size(); ++i) force[i] += value * load.forces[i];
   }
+}
+
+bool Loads::are_finite(double time) const {
+  return std::all_of(loads_.begin(), loads_.end(),
+                     [time](const Load& load) { return std::isfinite(load.history->at(time).value); });
 }
 
 void Loads::add_mean(const std::vector<TimePoint>& points, double start, double dt, double* force) const {

@@ -1,5 +1,7 @@
 #include "time/integrator.hpp"
 
+#include <fmt/format.h>
+
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
@@ -167,6 +169,19 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   problems_[stage]->record_forces(end);
 }
 
+/// Expressions are sampled before a run (check_over); what slipped through ends the step, not the program.
+bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& reason) const {
+  if (!has_external_) return true;
+  const double end = time_ + stage.end * dt;
+  bool defined = model_.constraints().are_finite(end) && model_.loads().are_finite(end);
+  for (const TimePoint& point : stage.load)
+    defined = defined && model_.loads().are_finite(time_ + point.time * dt);
+  if (model_.space().minimum(defined ? 1 : 0) > 0) return true;
+  reason = fmt::format("a prescribed motion or a load is not a finite number between t = {:.10g} and {:.10g} T0", time_,
+                       end);
+  return false;
+}
+
 bool Integrator::take_explicit_step(double dt, std::string& reason) {
   const Stage& row = table_.stages.front();
   const State& start = states_.front();
@@ -219,6 +234,8 @@ StepResult Integrator::advance(double dt) {
     }
     acceleration_known_ = true;
   }
+  for (const Stage& stage : table_.stages)
+    if (!driving_is_defined(stage, dt, result.reason)) return result;
   if (is_explicit(table_) && !take_explicit_step(dt, result.reason)) return result;
   for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
     problems_[stage]->arm(states_, time_, dt);

@@ -76,6 +76,7 @@ class Integrator {
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
+  bool driving_is_defined(const Stage& stage, double dt, std::string& reason) const;
   bool take_explicit_step(double dt, std::string& reason);
   void transfer_derived(Record& record);
 

@@ -1,0 +1,176 @@
+#!/usr/bin/python3
+"""Kills runs with SIGKILL at random moments, restarts them, and compares with runs that nobody disturbed.
+
+    tests/robustness/kill_restart.py [--kills 210] [--seed 1] [--driver build/release/drivers/ixos] [--only ball]
+
+Each scene runs once undisturbed. Then it runs again and is killed at a random moment, on several ranks one of them or all
+with the launcher; it is restarted from checkpoint.h5 (or from the beginning, where there is none yet), killed again, and so
+on until it ends by itself. Then history.csv but for wall-clock seconds, and every byte of the Exodus files, must be those of
+the undisturbed run. Prints a table in Markdown; the exit status is 1 where anything differs.
+"""
+import argparse
+import csv
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+STEPS = "Time Integrator/Time Step Control/"
+ITERATIVE = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type="]
+
+
+def scenarios():
+    """Name, scene, settings, ranks. Every solver and kind of memory a restart must bring back."""
+    def preconditioned(kind):
+        return [ITERATIVE[0], ITERATIVE[1] + kind]
+
+    ball = [STEPS + "Final Time=2", "Output/Fields Interval=50"]
+    strip = [STEPS + "Time Step=1", STEPS + "Final Time=60", "Output/Fields Time Interval=5"]
+    every, often, seldom = (["Output/Checkpoint/Interval=%d" % n] for n in (1, 7, 40))
+    gap_ratio = [STEPS + "Type=Adaptive", STEPS + "Adaptive/Maximum Gap Ratio=1.5", STEPS + "Adaptive/Choose Time Points=true",
+                 "Time Integrator/Type=Average Vector Field", STEPS + "Final Time=10", "Output/Fields Interval=50"]
+    for ranks in (1, 2):
+        yield "ball, CHOLMOD", "ball", ball + every, ranks
+        yield "ball, Energy-Momentum, KLU", "ball", ball + often + ["Time Integrator/Type=Energy-Momentum"], ranks
+        yield "ball, Bathe, CG with lagged MueLu", "ball", ball + seldom + preconditioned("MueLu") + \
+            ["Time Integrator/Type=Bathe Composite"], ranks
+        yield "ball, adaptive by the gap ratio", "ball", gap_ratio + often, ranks
+        yield "ball, Central Difference", "ball", ball + seldom + ["Time Integrator/Type=Central Difference"], ranks
+        yield "strip, CG with a lagged factorisation", "strip", strip + every, ranks
+        yield "strip, CG with lagged MueLu", "strip", strip + every + preconditioned("MueLu"), ranks
+        yield "strip, CG with lagged Ifpack2", "strip", strip + [STEPS + "Final Time=20"] + every + \
+            preconditioned("Ifpack2") + ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}",
+                                         "Histories/Pull/Rate Ramp/Length=10"], ranks
+
+
+def history(folder):
+    with open(os.path.join(folder, "history.csv")) as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        del row["wall_seconds"]
+    return rows
+
+
+def fields(folder):
+    return {name: open(os.path.join(folder, name), "rb").read() for name in sorted(os.listdir(folder))
+            if name.startswith("fields.e")}
+
+
+def descendants(pid):
+    """The process and those below it."""
+    parents = {}
+    for entry in filter(str.isdigit, os.listdir("/proc")):
+        try:
+            with open("/proc/%s/stat" % entry) as file:
+                parents.setdefault(int(file.read().rsplit(")", 1)[1].split()[1]), []).append(int(entry))
+        except OSError:
+            pass
+    found = [pid]
+    for process in found:
+        found += parents.get(process, [])
+    return found
+
+
+class Scene:
+    def __init__(self, options, scene, settings, ranks, folder):
+        self.folder = folder
+        self.command = ([] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]) + \
+            [options.driver, os.path.join(ROOT, "xml", scene + ".xml"), "--quiet", "--output", folder]
+        for setting in settings:
+            self.command += ["--set", setting]
+        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+                                OPENBLAS_NUM_THREADS="1", OMPI_MCA_hwloc_base_binding_policy="none",
+                                OMPI_MCA_mpi_yield_when_idle="1")
+
+    def start(self):
+        link = os.path.join(self.folder, "checkpoint.h5")
+        restart = ["--restart", link] if os.path.exists(link) else []
+        return subprocess.Popen(self.command + restart, env=self.environment, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True), bool(restart)
+
+
+def kill(process, chance):
+    """All of it, or one rank; then the launcher has to end the others."""
+    family = descendants(process.pid)
+    ranks = family[1:]
+    for victim in [chance.choice(ranks)] if ranks and chance.random() < 0.5 else family:
+        try:
+            os.kill(victim, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    process.communicate(timeout=60)
+
+
+def disturb(options, chance, scene, settings, ranks, folder, kills):
+    """Counts and the differences that were found."""
+    reference = Scene(options, scene, settings, ranks, folder + "/undisturbed")
+    started = time.time()
+    process, _ = reference.start()
+    output = process.communicate(timeout=600)[0]
+    if process.returncode != 0:
+        sys.exit("the undisturbed run failed:\n" + output)
+    length = time.time() - started
+    expected = history(reference.folder), fields(reference.folder)
+
+    counts = dict(kills=0, writing=0, restarts=0, beginnings=0, ends=0, differences=[])
+    while counts["kills"] < kills:
+        disturbed = Scene(options, scene, settings, ranks, folder + "/disturbed")
+        shutil.rmtree(disturbed.folder, ignore_errors=True)
+        while True:
+            process, restarted = disturbed.start()
+            counts["restarts" if restarted else "beginnings"] += 1
+            try:
+                # Undisturbed to its end, once there were enough.
+                limit = chance.uniform(0, 1.1 * length) if counts["kills"] < kills else 600
+                output = process.communicate(timeout=limit)[0]
+            except subprocess.TimeoutExpired:
+                kill(process, chance)
+                counts["kills"] += 1
+                counts["writing"] += any(name.endswith(".h5.tmp") for name in os.listdir(disturbed.folder)) \
+                    if os.path.isdir(disturbed.folder) else 0
+                continue
+            counts["ends"] += 1
+            if process.returncode != 0:
+                counts["differences"].append("exit status %d: %s" % (process.returncode, output))
+            elif history(disturbed.folder) != expected[0]:
+                counts["differences"].append("history.csv differs")
+            elif fields(disturbed.folder) != expected[1]:
+                counts["differences"].append("fields.e differs")
+            break
+    return counts
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--driver", default=os.path.join(ROOT, "build/release/drivers/ixos"))
+    parser.add_argument("--kills", type=int, default=210, help="in all, shared evenly (default: 210)")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", default="", help="scenes whose name contains this")
+    options = parser.parse_args()
+    chosen = [s for s in scenarios() if options.only in s[0]]
+    share = -(-options.kills // len(chosen))
+    chance = random.Random(options.seed)
+    total = dict(kills=0, writing=0, restarts=0, beginnings=0, ends=0)
+    failed = False
+    print("| scene | ranks | kills | of them while a checkpoint was written | restarts | starts from the beginning | "
+          "runs that came to their end | differences |\n|---|---|---|---|---|---|---|---|", flush=True)
+    for name, scene, settings, ranks in chosen:
+        with tempfile.TemporaryDirectory(prefix="ixos-kill-") as folder:
+            counts = disturb(options, chance, scene, settings, ranks, folder, share)
+        differences = counts.pop("differences")
+        failed = failed or bool(differences)
+        for key in total:
+            total[key] += counts[key]
+        print("| %s | %d | %s | %s |" % (name, ranks, " | ".join(str(counts[key]) for key in total),
+                                         "; ".join(differences) or "none"), flush=True)
+    print("| all | | %s | |" % " | ".join(str(value) for value in total.values()))
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
