@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
+#include "checkpoint/hdf5_file.hpp"
 #include "io/exodus_mesh.hpp"
 #include "progress_line.hpp"
 #include "scene/documentation.hpp"
@@ -183,7 +184,9 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     const bool placed = what.rfind(arguments.scene, 0) == 0 || what.rfind("--set", 0) == 0 || what.rfind('/', 0) == 0;
     return report(2, placed ? what : arguments.scene + ": " + what, comm);
   } catch (const ixos::FileError& error) {
-    return report(4, error.what(), comm);
+    report(4, error.what(), comm);
+    if (ixos::Hdf5Output::left_open()) MPI_Abort(MPI_COMM_WORLD, 4);
+    return 4;
   } catch (const std::exception& error) {
     fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", error.what());
     // The other ranks may be waiting in a collective operation.

@@ -43,8 +43,11 @@ std::string lengths_name(const char* name) { return std::string(name) + " length
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh)
-    : path_(path), space_(space), file_(std::make_unique<Hdf5Output>(path + ".tmp", space.comm(), seal_bytes)) {
+CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes)
+    : path_(path), space_(space) {
+  double all = bytes + 8.0 * mesh.owned_nodes;
+  space.sum(&all, 1);
+  file_ = std::make_unique<Hdf5Output>(path + ".tmp", space.comm(), seal_bytes, static_cast<unsigned long long>(all));
   file_->put("ranks", static_cast<double>(space.comm()->getSize()));
   const std::vector<long long> nodes(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
   file_->put("nodes", nodes.data(), owned_slab(space, 1));

@@ -11,12 +11,34 @@
 
 namespace ixos {
 
+/// Counts what a checkpoint will need. Not collective.
+class CheckpointSize final : public Record {
+ public:
+  bool loading() const override { return false; }
+  bool same_scene() const override { return true; }
+  bool exact() const override { return true; }
+  void text(const char*, std::string& value) override { add(value.size()); }
+  void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
+  void share(const char*, std::vector<double>& values) override { add(8 * values.size()); }
+
+  /// At most, of this rank's data and what HDF5 adds to it.
+  double bytes() const { return bytes_; }
+
+ private:
+  void scalar(const char*, double&) override { add(8); }
+  void enter(const std::string&) override { add(0); }
+  void leave() override {}
+  void add(std::size_t bytes) { bytes_ += static_cast<double>(bytes) + 512; }
+  double bytes_ = 32768;
+};
+
 /// Writes a checkpoint beside its place, seals it, and puts it there in one step: whatever happens on the way, what
 /// stood there before stands there still. Failures show in publish(). Collective.
 class CheckpointWriter final : public Record {
  public:
-  /// Throws FileError where the file cannot be made.
-  CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh);
+  /// Throws FileError where the file cannot be made, or the disk has no room for `bytes` (this rank's: see
+  /// CheckpointSize).
+  CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes);
 
   bool loading() const override { return false; }
   bool same_scene() const override { return true; }

@@ -6,9 +6,12 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 namespace {
+
+bool some_left_open = false;
 
 /// An identifier of HDF5 that is closed when it goes.
 class Handle {
@@ -103,9 +106,13 @@ struct Hdf5Output::Implementation {
   std::string problem;  ///< the first on this rank
 };
 
-Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block)
+Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size)
     : implementation_(std::make_unique<Implementation>(path, comm)) {
   be_silent();
+  const auto reserve = [&](DiskFile::Mode mode) {
+    if (comm->getRank() == 0) DiskFile(path, mode).reserve(size);
+  };
+  together(comm, [&] { reserve(DiskFile::Mode::Create); });
   const Handle creation = property_list(H5P_FILE_CREATE);
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
   const Handle access = property_list(H5P_FILE_ACCESS);
@@ -116,8 +123,11 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
       std::make_unique<Handle>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   together(comm, [&] {
     if (*implementation_->file < 0) throw FileError(path + ": cannot be written");
+    reserve(DiskFile::Mode::Change);  // HDF5 emptied the file
   });
 }
+
+bool Hdf5Output::left_open() { return some_left_open; }
 
 Hdf5Output::~Hdf5Output() { implementation_->groups.clear(); }
 
@@ -164,7 +174,9 @@ void Hdf5Output::close() {
   self.groups.clear();
   // Each rank's own writes are on the disk before the file is sealed.
   if (self.comm->getSize() > 1) self.check(H5Fflush(*self.file, H5F_SCOPE_GLOBAL) >= 0, "its end");
-  self.check(self.file->release() >= 0, "its end");
+  const bool closed = self.file->release() >= 0;
+  some_left_open = some_left_open || (!closed && self.comm->getSize() > 1);
+  self.check(closed, "its end");
   const std::string problem = first_problem(self.comm, self.problem);
   if (!problem.empty()) throw FileError(problem);
 }

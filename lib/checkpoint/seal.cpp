@@ -50,6 +50,7 @@ void seal(const std::string& path) {
   mark.checksum = checksum(file, mark);
   file.seek(0);
   file.write(&mark, sizeof(mark));
+  file.give_back();
   file.sync();
 }
 

@@ -21,7 +21,13 @@ namespace {
 }  // namespace
 
 DiskFile::DiskFile(const std::string& path, Mode mode)
-    : path_(path), descriptor_(open(path.c_str(), (mode == Mode::Read ? O_RDONLY : O_RDWR) | O_CLOEXEC)) {
+    : path_(path),
+      descriptor_(open(path.c_str(),
+                       (mode == Mode::Read     ? O_RDONLY
+                        : mode == Mode::Change ? O_RDWR
+                                               : O_RDWR | O_CREAT | O_TRUNC) |
+                           O_CLOEXEC,
+                       0666)) {
   if (descriptor_ < 0) fail(mode == Mode::Read ? "cannot be read" : "cannot be written");
 }
 
@@ -59,6 +65,16 @@ void DiskFile::write(const void* data, std::size_t size) {
     if (count < 0) fail("cannot be written");
     done += static_cast<std::size_t>(count);
   }
+}
+
+void DiskFile::reserve(std::uint64_t bytes) {
+  if (fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP &&
+      errno != ENOSYS)
+    fail("cannot be written");
+}
+
+void DiskFile::give_back() {
+  if (ftruncate(descriptor_, static_cast<off_t>(length())) != 0) fail("cannot be written");
 }
 
 void DiskFile::sync() {

@@ -9,7 +9,7 @@ namespace ixos {
 /// An open file. Every failure throws FileError with the path and the system's words.
 class DiskFile {
  public:
-  enum class Mode { Read, Change };  ///< Change: of a file that exists
+  enum class Mode { Read, Change, Create };  ///< Change: of a file that exists; Create: empties one that does
   DiskFile(const std::string& path, Mode mode);
   ~DiskFile();
   DiskFile(const DiskFile&) = delete;
@@ -20,7 +20,11 @@ class DiskFile {
   /// Fills the buffer as far as the file goes; returns the number of bytes.
   std::size_t read(void* data, std::size_t size);
   void write(const void* data, std::size_t size);
-  void sync();  ///< until the disk has it
+  /// Takes room on the disk for a file of that length, without making it longer. Does nothing on a file system that
+  /// cannot.
+  void reserve(std::uint64_t bytes);
+  void give_back();  ///< reserved room beyond the file's end
+  void sync();       ///< until the disk has it
 
  private:
   [[noreturn]] void fail(const char* what) const;

@@ -82,13 +82,25 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
   if (step == last_step_) return;
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
-  CheckpointWriter writer(checkpoint_path(folder_, step), model.space(), model.mesh());
   std::string version = IXOS_VERSION, scene = scene_text(simulation_.parameters()), mesh = simulation_.mesh_fingerprint();
-  writer.text("version", version);
-  writer.text("scene", scene);
-  writer.text("mesh", mesh);
-  transfer(writer);
-  writer.publish();
+  const auto name_all = [&](Record& record) {
+    record.text("version", version);
+    record.text("scene", scene);
+    record.text("mesh", mesh);
+    transfer(record);
+  };
+  CheckpointSize size;
+  name_all(size);
+  const std::string path = checkpoint_path(folder_, step);
+  try {
+    CheckpointWriter writer(path, model.space(), model.mesh(), size.bytes());
+    name_all(writer);
+    writer.publish();
+  } catch (const FileError&) {
+    std::error_code code;
+    if (model.space().comm()->getRank() == 0) fs::remove(path + ".tmp", code);
+    throw;
+  }
   last_step_ = step;
   last_time_ = Teuchos::Time::wallTime();
   steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());

@@ -18,10 +18,11 @@ class Checkpoints {
 
   bool on() const { return keep_ > 0; }
   /// Is one due by the number of steps?
-  bool due(long step) const { return on() && interval_ > 0 && step != last_step_ && step % interval_ == 0; }
+  bool due(long step) const { return on() && interval_ > 0 && step > 0 && step != last_step_ && step % interval_ == 0; }
   /// Is one due by this rank's clock?
   bool due_by_clock() const;
-  /// Writes one, unless this step has one already; `transfer` names the run's state. Then those that are not among the
+  /// Writes one, unless this step has one already; `transfer` names the run's state, twice, first
+  /// to learn its size. Then those that are not among the
   /// last ones are deleted, other runs' in the same folder too. Throws FileError; what was there is there still.
   /// Collective.
   void write(long step, const std::function<void(Record&)>& transfer);

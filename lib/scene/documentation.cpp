@@ -21,21 +21,10 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-std::string spelled(const Teuchos::ParameterEntry& entry) {
-  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
-  if (entry.isType<Teuchos::Array<double>>()) {
-    std::string text;
-    for (double value : Teuchos::getValue<Teuchos::Array<double>>(entry))
-      text += (text.empty() ? "" : ", ") + fmt::format("{}", value);
-    return "{" + text + "}";
-  }
-  return value_text(entry);
-}
-
 std::string default_text(const Teuchos::ParameterEntry& entry) {
   if (is_required(entry)) return "must be given";
   if (entry.isType<std::string>()) return "\"" + Teuchos::getValue<std::string>(entry) + "\"";
-  return spelled(entry);
+  return short_text(entry);
 }
 
 void document(const List& valid, const std::string& path, std::string& text) {
@@ -89,7 +78,7 @@ void write(const List& list, const List& valid, const std::string& indent, std::
     const Teuchos::ParameterEntry* known = is_free_form(valid) ? nullptr : valid.getEntryPtr(name);
     if (known != nullptr) text += fmt::format("{}<!-- {} -->\n", indent, comment(*known));
     text += fmt::format("{}<Parameter name=\"{}\" type=\"{}\" value=\"{}\"/>\n", indent, xml_escaped(name),
-                        type_name(entry), xml_escaped(spelled(entry)));
+                        type_name(entry), xml_escaped(short_text(entry)));
   }
   for (const auto& [name, entry] : entries(list)) {
     if (!entry.isList()) continue;

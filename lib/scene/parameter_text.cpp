@@ -1,5 +1,7 @@
 #include "scene/parameter_text.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <cctype>
@@ -98,6 +100,17 @@ std::string value_text(const Teuchos::ParameterEntry& entry) {
   std::ostringstream stream;
   stream << entry.getAny(false);
   return stream.str();
+}
+
+std::string short_text(const Teuchos::ParameterEntry& entry) {
+  if (entry.isType<double>()) return fmt::format("{}", Teuchos::getValue<double>(entry));
+  if (entry.isType<Teuchos::Array<double>>()) {
+    std::string text;
+    for (double value : Teuchos::getValue<Teuchos::Array<double>>(entry))
+      text += (text.empty() ? "" : ", ") + fmt::format("{}", value);
+    return "{" + text + "}";
+  }
+  return value_text(entry);
 }
 
 }  // namespace ixos

@@ -17,4 +17,7 @@ std::string type_name(const Teuchos::ParameterEntry& entry);
 /// The value as it would be spelt in XML.
 std::string value_text(const Teuchos::ParameterEntry& entry);
 
+/// The value as a person would write it: numbers with no more digits than they need.
+std::string short_text(const Teuchos::ParameterEntry& entry);
+
 }  // namespace ixos

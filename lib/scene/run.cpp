@@ -66,10 +66,17 @@ class Run {
       begin();
     else
       go_on();
-    while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
-      if (interlude()) step();
+    try {
+      while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
+        if (interlude()) step();
+      }
+      end();
+    } catch (const FileError& error) {
+      const std::string newest = checkpoints_.newest();
+      throw FileError(fmt::format("{} (t = {:.6g} T0, step {}). {}", error.what(), integrator_.time(), result_.steps,
+                                  newest.empty() ? "There is no checkpoint to go on from"
+                                                 : "To go on from the newest checkpoint: --restart " + newest));
     }
-    end();
     return result_;
   }
 

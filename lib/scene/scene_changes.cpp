@@ -31,7 +31,7 @@ Bearing bearing(const std::string& path) {
 
 std::string text(const Teuchos::ParameterEntry* entry) {
   if (entry == nullptr) return absent;
-  return entry->isType<std::string>() ? '"' + value_text(*entry) + '"' : value_text(*entry);
+  return entry->isType<std::string>() ? '"' + short_text(*entry) + '"' : short_text(*entry);
 }
 
 /// The differences of the lists at `path`; either may be missing.
