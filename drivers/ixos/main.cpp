@@ -154,6 +154,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     if (speaks) fmt::print("The scene is sound.\n");
     return 0;
   }
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   ixos::RunOptions options;

@@ -16,7 +16,7 @@ class CheckpointSize final : public Record {
  public:
   bool loading() const override { return false; }
   bool same_scene() const override { return true; }
-  bool exact() const override { return true; }
+  bool same_partition() const override { return true; }
   void text(const char*, std::string& value) override { add(value.size()); }
   void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
   void share(const char*, std::vector<double>& values) override { add(8 * values.size()); }
@@ -42,7 +42,7 @@ class CheckpointWriter final : public Record {
 
   bool loading() const override { return false; }
   bool same_scene() const override { return true; }
-  bool exact() const override { return true; }
+  bool same_partition() const override { return true; }
   void text(const char* name, std::string& value) override { file_->put(name, value); }
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
@@ -68,7 +68,7 @@ class CheckpointReader final : public Record {
 
   bool loading() const override { return true; }
   bool same_scene() const override { return same_scene_; }
-  bool exact() const override { return same_scene_ && same_partition_; }
+  bool same_partition() const override { return same_partition_; }
   void text(const char* name, std::string& value) override;
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;

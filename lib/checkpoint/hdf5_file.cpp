@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
+#include <cstdio>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -112,7 +113,10 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
   const auto reserve = [&](DiskFile::Mode mode) {
     if (comm->getRank() == 0) DiskFile(path, mode).reserve(size);
   };
-  together(comm, [&] { reserve(DiskFile::Mode::Create); });
+  together(comm, [&] {
+    if (comm->getRank() == 0) std::remove(path.c_str());  // what an interrupted run left, or a link
+    reserve(DiskFile::Mode::Create);
+  });
   const Handle creation = property_list(H5P_FILE_CREATE);
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
   const Handle access = property_list(H5P_FILE_ACCESS);
@@ -175,7 +179,7 @@ void Hdf5Output::close() {
   // Each rank's own writes are on the disk before the file is sealed.
   if (self.comm->getSize() > 1) self.check(H5Fflush(*self.file, H5F_SCOPE_GLOBAL) >= 0, "its end");
   const bool closed = self.file->release() >= 0;
-  some_left_open = some_left_open || (!closed && self.comm->getSize() > 1);
+  some_left_open = some_left_open || !closed;
   self.check(closed, "its end");
   const std::string problem = first_problem(self.comm, self.problem);
   if (!problem.empty()) throw FileError(problem);

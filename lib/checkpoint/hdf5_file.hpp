@@ -36,7 +36,7 @@ class Hdf5Output {
   /// all go on, for none may leave the others alone in a collective call.
   void close();
 
-  /// Did some file fail to close? HDF5 1.10 then crashes in MPI_Finalize, with MPI-IO: a program should not get there.
+  /// Did some file fail to close on this rank? HDF5 1.10 then crashes in MPI_Finalize: a program should not get there.
   static bool left_open();
 
  private:

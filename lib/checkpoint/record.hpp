@@ -22,8 +22,9 @@ class Record {
   virtual bool loading() const = 0;
   /// Loading: is the scene the one that it was written of, in all that bears on the motion?
   virtual bool same_scene() const = 0;
-  /// Loading: is the partition the same too? If not, shares of ranks and what depends on them must not be asked for.
-  virtual bool exact() const = 0;
+  /// Loading: is the partition the same? If not, shares of ranks must not be asked for.
+  virtual bool same_partition() const = 0;
+  bool exact() const { return same_scene() && same_partition(); }
 
   /// A number or a truth value, the same on all ranks; where it is not, the first rank's counts. Throws InputError where
   /// a loaded one does not fit the type.

@@ -28,7 +28,7 @@ DiskFile::DiskFile(const std::string& path, Mode mode)
                                                : O_RDWR | O_CREAT | O_TRUNC) |
                            O_CLOEXEC,
                        0666)) {
-  if (descriptor_ < 0) fail(mode == Mode::Read ? "cannot be read" : "cannot be written");
+  if (descriptor_ < 0) fail(mode == Mode::Create ? "cannot be written" : "cannot be opened");
 }
 
 DiskFile::~DiskFile() { close(descriptor_); }

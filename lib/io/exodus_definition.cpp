@@ -3,12 +3,21 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <numeric>
 
 #include "base/error.hpp"
 
 namespace ixos {
 namespace {
+
+/// Exodus and NetCDF lose it on the way; other values of errno are leftovers.
+std::string system_word() {
+  for (int word : {ENOSPC, EFBIG, EDQUOT, EROFS, EIO, EACCES, ENOENT})
+    if (errno == word) return std::string(": ") + std::strerror(word);
+  return "";
+}
 
 const char* topology(CellType type) { return type == CellType::Quad4 ? "QUAD4" : "HEX8"; }
 
@@ -71,7 +80,11 @@ void put_share(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& sh
 }  // namespace
 
 void require_written(int status, const ExodusHandle& file, const char* what) {
-  if (status < 0) throw FileError(fmt::format("{}: {} cannot be written", file.path(), what));
+  if (status < 0) throw FileError(fmt::format("{}: {} cannot be written{}", file.path(), what, system_word()));
+}
+
+void require_created(int status, const std::string& path) {
+  if (status < 0) throw FileError(fmt::format("{}: cannot be written{}", path, system_word()));
 }
 
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share,

@@ -20,7 +20,8 @@ struct ExodusShare {
 /// Writes coordinates, blocks (ids from 1), sets and id maps. Throws FileError.
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title);
 
-/// Throws FileError where `status` is an error of the Exodus library.
+/// Throws FileError where `status` is an error of the Exodus library, with the system's word for it if there is one.
 void require_written(int status, const ExodusHandle& file, const char* what);
+void require_created(int status, const std::string& path);
 
 }  // namespace ixos

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -14,8 +15,9 @@ namespace {
 
 int create(const std::string& path) {
   int word = 8, stored = 8;
+  errno = 0;
   const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
-  if (id < 0) throw FileError(path + ": cannot be written");
+  require_created(id, path);
   return id;
 }
 
@@ -24,7 +26,8 @@ int open(const std::string& path, int mode) {
   float version = 0;
   // Exodus knows NetCDF's files by their first bytes only; a longer look is not needed of one that we wrote.
   const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;
-  if (id < 0) throw InputError(path + ": the frames to go on with are not there, or damaged");
+  if (id < 0)
+    throw InputError(path + ": the frames to go on with are not there, or damaged; another --output begins new ones");
   return id;
 }
 
@@ -100,11 +103,13 @@ struct Contents {
   }
 
   /// The file at `path` with its first frames only. NetCDF cannot drop the last ones: they are copied.
-  void keep_frames(const std::string& path, int frames) const {
+  void keep_frames(const std::string& path, const FieldLength& keep) const {
     const ExodusHandle old(open(path, EX_READ), path);
-    if (!fit(old, frames))
-      throw InputError(fmt::format("{}: is not the file to go on with: it should have this mesh and {} frames", path,
-                                   frames));
+    const int frames = keep.frames;
+    if (!fit(old, frames) || static_cast<double>(std::filesystem::file_size(path)) < keep.bytes)
+      throw InputError(fmt::format(
+          "{}: is not the file to go on with: it should have this mesh and {} frames; another --output begins a new one",
+          path, frames));
     if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
     const std::string beside = path + ".tmp";
     {
@@ -125,11 +130,11 @@ struct FieldFile::Implementation : Contents {
 };
 
 FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-                     const std::string& title, int keep)
-    : implementation_(new Implementation{{OutputMesh(mesh, ranks), names, title}, nullptr, keep}) {
+                     const std::string& title, const FieldLength& keep)
+    : implementation_(new Implementation{{OutputMesh(mesh, ranks), names, title}, nullptr, keep.frames}) {
   Implementation& self = *implementation_;
   const std::string name = file_name(path, rank, ranks);
-  if (keep > 0) {
+  if (keep.frames > 0) {
     self.keep_frames(name, keep);
     self.file = std::make_unique<ExodusHandle>(open(name, EX_WRITE), name);
     return;
@@ -140,7 +145,9 @@ FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, i
 
 FieldFile::~FieldFile() = default;
 
-int FieldFile::frames() const { return implementation_->frame; }
+FieldLength FieldFile::length() const {
+  return {implementation_->frame, static_cast<double>(std::filesystem::file_size(implementation_->file->path()))};
+}
 
 void FieldFile::sync() { sync_to_disk(implementation_->file->path()); }
 

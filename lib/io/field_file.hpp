@@ -15,14 +15,20 @@ struct FieldNames {
   std::vector<std::string> global;
 };
 
+/// How far a file goes.
+struct FieldLength {
+  int frames = 0;
+  double bytes = 0;
+};
+
 /// One rank's file. It holds the rank's own cells and their nodes, with the numbers of the whole mesh.
 class FieldFile {
  public:
-  /// `path` without the rank's ending. With `keep`, not 0, it goes on with the file that is there, after that many of
-  /// its frames; later ones are dropped. Throws FileError; InputError where the file there is not of this mesh and these
-  /// names, or has fewer frames.
+  /// `path` without the rank's ending. With frames to `keep` it goes on with the file that is there, after those; later
+  /// ones are dropped. Throws FileError; InputError where the file there is not of this mesh and these names, or has
+  /// fewer frames or bytes.
   FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-            const std::string& title, int keep = 0);
+            const std::string& title, const FieldLength& keep = {});
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;
@@ -31,7 +37,7 @@ class FieldFile {
   /// rank). Throws FileError.
   void write(double time, const std::vector<std::vector<double>>& nodal,
              const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global);
-  int frames() const;  ///< written so far
+  FieldLength length() const;
   void sync();         ///< has the disk keep them; throws FileError
 
  private:

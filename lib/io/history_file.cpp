@@ -31,16 +31,17 @@ std::FILE* open(const std::string& path, const char* mode) {
 void shorten(const std::string& path, const std::string& header, const TableLength& length) {
   std::ifstream file(path);
   std::string line;
-  if (!file || !std::getline(file, line)) throw InputError(path + ": the table to go on with is not there");
-  if (line != header) throw InputError(path + ": the table has other columns than this run would write");
+  if (!file || !std::getline(file, line)) throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
+  if (line != header) throw InputError(path + ": the table has other columns than this run would write; give another --output");
   TableLength found{0, line.size() + 1};
   while (found.rows < length.rows && std::getline(file, line) && !file.eof()) {
     ++found.rows;
     found.bytes += line.size() + 1;
   }
   if (found.rows != length.rows || found.bytes != length.bytes)
-    throw InputError(fmt::format("{}: the table is not the one to go on with: its first {} rows have {} bytes, not {}",
-                                 path, found.rows, found.bytes, length.bytes));
+    throw InputError(fmt::format(
+        "{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output begins a new one",
+        path, found.rows, found.bytes, length.bytes));
   file.close();
   std::error_code code;
   std::filesystem::resize_file(path, length.bytes, code);

@@ -31,17 +31,13 @@ std::vector<double> acceleration_or_nan(Integrator& integrator) {
 
 }  // namespace
 
-FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path, int keep) : simulation_(simulation) {
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path, const FieldLength& keep) : simulation_(simulation) {
   const Model& model = simulation.model();
   const Comm& comm = model.space().comm();
-  const auto open = [&] {
+  together(comm, [&] {
     file_ = std::make_unique<FieldFile>(path, model.mesh(), comm->getRank(), comm->getSize(), field_names(model),
                                         simulation.parameters().name(), keep);
-  };
-  if (keep > 0)
-    together<InputError>(comm, open);
-  else
-    together(comm, open);
+  });
 }
 
 void FieldRecorder::sync() {

@@ -12,11 +12,11 @@ namespace ixos {
 /// energy density (cells) and energies (global). Collective.
 class FieldRecorder {
  public:
-  /// With `keep`, not 0, after the first frames of the file that is there. Throws FileError, and InputError where it is
-  /// not this scene's.
-  FieldRecorder(Simulation& simulation, const std::string& path, int keep = 0);
+  /// With frames to `keep` it goes on with the file that is there. Throws FileError, and InputError where that is not
+  /// this scene's.
+  FieldRecorder(Simulation& simulation, const std::string& path, const FieldLength& keep = {});
   void record();
-  int frames() const { return file_->frames(); }
+  FieldLength length() const { return file_->length(); }
   void sync();  ///< has the disk keep them
 
  private:

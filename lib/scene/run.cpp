@@ -115,7 +115,7 @@ class Run {
   RowCounts counts_;
   bool recorded_ = true;   ///< has the present state a row?
   bool framed_ = true;     ///< and a frame?
-  int field_frames_ = 0;   ///< in the folder of the checkpoint that was loaded
+  FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded
   double start_ = 0;       ///< of the clock, less the seconds before a restart
   std::array<double, phase_names.size()> phases_before_{};
 };
@@ -127,10 +127,12 @@ void Run::open_folder(bool keep_fields) {
     std::error_code code;
     std::filesystem::create_directories(options_.folder, code);
     if (code) throw FileError("the results folder cannot be used: " + options_.folder + ": " + code.message());
-    std::filesystem::remove(options_.folder + "/summary.json");
-    for (const auto& entry : std::filesystem::directory_iterator(options_.folder))
-      if (!keep_fields && entry.path().filename().string().rfind("fields.e", 0) == 0)
-        std::filesystem::remove(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(options_.folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name != "summary.json" && (keep_fields || name.rfind("fields.e", 0) != 0)) continue;
+      std::filesystem::remove(entry.path(), code);
+      if (code) throw FileError(entry.path().string() + ": cannot be replaced: " + code.message());
+    }
     write_scene_file(simulation_.parameters(), options_.folder + "/effective.xml");
   });
 }
@@ -155,11 +157,11 @@ void Run::go_on() {
     history_.resume(options_.folder + "/history.csv");
     checkpoints_.resume(result_.steps);
   }
-  const int keep = same_folder ? field_frames_ : 0;
-  if (frames_.any() && keep > 0)
-    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e", keep);
-  open_folder(keep > 0);
-  if (frames_.any() && keep == 0) {
+  const bool same_file = same_folder && field_length_.frames > 0;
+  if (frames_.any() && same_file)
+    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e", field_length_);
+  open_folder(same_file);
+  if (frames_.any() && !same_file) {
     fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e");
     fields_->record();
     framed_ = true;
@@ -301,8 +303,11 @@ void Run::transfer(Record& record) {
   record.number("linear iterations since the row", counts_.linear_iterations);
   record.number("recorded", recorded_);
   record.number("framed", framed_);
-  if (fields_) field_frames_ = fields_->frames();
-  record.number("frames", field_frames_);
+  if (fields_) field_length_ = fields_->length();
+  record.number("frames", field_length_.frames);
+  std::vector<double> bytes{field_length_.bytes};
+  if (!record.loading() || record.same_partition()) record.share("bytes of frames", bytes);
+  if (record.loading()) field_length_.bytes = bytes.empty() ? 0 : bytes[0];
   if (record.loading()) {
     start_ -= seconds;
     counts_.step = result_.steps;

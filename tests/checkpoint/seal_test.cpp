@@ -63,7 +63,7 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   later[16] = 2;
   write(later);
   EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 2, and this version reads format 1");
-  EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be read"), std::string::npos);
+  EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
   EXPECT_THROW(seal("/nowhere/checkpoint.h5"), FileError);
 }
 

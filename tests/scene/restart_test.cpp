@@ -331,7 +331,7 @@ TEST_F(RestartTest, AHistoryOfAnotherRunIsNotGoneOnWith) {
   run_scene(scene, "whole", checkpoint("whole", 10));  // what is beyond the checkpoint does not matter
   copy("whole", "short");
   on_first([&] { fs::resize_file(folder("short") + "/history.csv", 1000); });
-  EXPECT_NE(refusal(scene, "short", checkpoint("short", 10)).find("is not the one to go on with"), std::string::npos);
+  EXPECT_NE(refusal(scene, "short", checkpoint("short", 10)).find("is not the table to go on with"), std::string::npos);
   on_first([&] { fs::remove(folder("short") + "/history.csv"); });
   EXPECT_NE(refusal(scene, "short", checkpoint("short", 10)).find("is not there"), std::string::npos);
 }

@@ -1,0 +1,259 @@
+#!/usr/bin/python3
+"""Full disks, folders that vanish, damaged files: what the driver says, and whether anything goes wrong in silence.
+
+    tests/robustness/damage.py [--driver build/release/drivers/ixos] [--seed 1]
+
+Prints a table in Markdown. The exit status is 1 where something was not noticed, the driver crashed or hung, or a run that
+was made whole again did not give the results of an undisturbed one. Full disks are small tmpfs file systems: those cases
+need root, and are left out without.
+"""
+import argparse
+import collections
+import os
+import random
+import re
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from kill_restart import ROOT, STEPS, fields, history
+
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
+                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_mpi_yield_when_idle="1")
+BALL = os.path.join(ROOT, "xml/ball.xml")
+SETTINGS = [STEPS + "Final Time=0.4", "Output/Fields Interval=20", "Output/Checkpoint/Interval=50", "Output/Checkpoint/Keep=3"]
+
+
+class Table:
+    """Outcomes of cases: how often each exit status, what was said, what was wrong."""
+
+    def __init__(self):
+        self.failed = False
+        print("| what was tried | times | exit statuses | what was said | gone wrong |\n|---|---|---|---|---|")
+
+    def row(self, name, outcomes, expected):
+        """Outcomes are (status, output, problem); `expected` statuses are right."""
+        statuses = collections.Counter(status for status, _, _ in outcomes)
+        wrong = [problem for _, _, problem in outcomes if problem]
+        wrong += ["status %s: %s" % (status, output[-300:]) for status, output, _ in outcomes if status not in expected]
+        said = collections.Counter(self.message(output) for _, output, _ in outcomes)
+        self.failed = self.failed or bool(wrong)
+        print("| %s | %d | %s | %s | %s |" % (
+            name, len(outcomes), ", ".join("%s: %d" % item for item in sorted(statuses.items())),
+            "; ".join("%s (%d)" % item for item in said.most_common(4)),
+            "; ".join(wrong[:3]).replace("\n", " ") if wrong else "nothing"), flush=True)
+
+    @staticmethod
+    def message(output):
+        """The driver's own line, without what differs from case to case."""
+        lines = [line for line in output.splitlines() if line.startswith("ixos:")]
+        text = re.sub(r"(/[^ :;]*)/", "", lines[0][6:]) if lines else "nothing"
+        return re.sub(r"\d[\d.e+-]*", "N", text).replace("|", "/")[:200]
+
+
+class Driver:
+    def __init__(self, path):
+        self.path = path
+
+    def command(self, arguments, ranks=1, settings=SETTINGS, scene=BALL):
+        command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
+        command += [self.path, scene, "--quiet"] + arguments
+        for setting in settings:
+            command += ["--set", setting]
+        return command
+
+    def start(self, *arguments, **options):
+        return subprocess.Popen(self.command(*arguments, **options), env=ENVIRONMENT, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True)
+
+    def run(self, *arguments, **options):
+        return finish(self.start(*arguments, **options))
+
+
+def finish(process):
+    try:
+        output = process.communicate(timeout=120)[0]
+        return process.returncode, output
+    except subprocess.TimeoutExpired:
+        process.kill()
+        return "hung", process.communicate()[0]
+
+
+def differs(folder, reference):
+    if history(folder) != history(reference):
+        return "history.csv differs"
+    return "fields.e differs" if fields(folder) != fields(reference) else ""
+
+
+def restarted(driver, folder, reference, ranks=1):
+    """Goes on where there is a checkpoint, begins anew where there is none; what is wrong with the outcome."""
+    link = os.path.join(folder, "checkpoint.h5")
+    status, output = driver.run(["--output", folder] + (["--restart", link] if os.path.exists(link) else []), ranks=ranks)
+    return differs(folder, reference) if status == 0 else "the restart ended with %s: %s" % (status, output)
+
+
+def full_disks(driver, table, work):
+    """A run on disks of growing size, then with room again."""
+    for ranks in (1, 2):
+        reference = os.path.join(work, "whole-%d" % ranks)
+        disk = os.path.join(work, "disk")
+        os.makedirs(disk)
+        outcomes = []
+        for size in range(16, 480, 24):
+            subprocess.run(["mount", "-t", "tmpfs", "-o", "size=%dk" % size, "tmpfs", disk], check=True)
+            try:
+                folder = os.path.join(disk, "results")
+                status, output = driver.run(["--output", folder], ranks=ranks)
+                problem = "" if status != 4 or "No space left on device" in output else "no word of the disk: " + output
+                subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
+                outcomes.append((status, output, problem or restarted(driver, folder, reference, ranks)))
+            finally:
+                subprocess.run(["umount", disk], check=True)
+        os.rmdir(disk)
+        table.row("disk full after 16 to 472 KiB, %d rank(s); then room again, restart" % ranks, outcomes, (0, 4))
+
+
+def limited_files(driver, table, work):
+    """No file may grow beyond a limit, set while the run is on its way."""
+    for ranks in (1, 2):
+        outcomes = []
+        for limit in (1, 4, 10, 20, 40):
+            folder = os.path.join(work, "limited")
+            shutil.rmtree(folder, ignore_errors=True)
+            settings = SETTINGS[1:] + [STEPS + "Final Time=1000"]
+            process = driver.start(["--output", folder], ranks=ranks, settings=settings)
+            while not os.path.exists(os.path.join(folder, "checkpoint.h5")):
+                time.sleep(0.01)
+            for pid in subprocess.run(["pgrep", "-f", folder], capture_output=True, text=True).stdout.split():
+                if os.path.exists("/proc/%s/exe" % pid) and os.readlink("/proc/%s/exe" % pid) == os.path.realpath(driver.path):
+                    resource.prlimit(int(pid), resource.RLIMIT_FSIZE, (limit * 1024, limit * 1024))
+            outcomes.append((*finish(process), ""))
+        table.row("limit to the size of files (RLIMIT_FSIZE, 1 to 40 KiB), %d rank(s)" % ranks, outcomes, (4,))
+
+
+def folders(driver, table, work):
+    readonly = os.path.join(work, "readonly")
+    os.makedirs(readonly)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "ro", "tmpfs", readonly], check=True)
+    try:
+        outcomes = [(*driver.run(["--output", os.path.join(readonly, "results")], ranks=ranks), "") for ranks in (1, 2)]
+        outcomes += [(*driver.run(["--output", readonly], ranks=ranks), "") for ranks in (1, 2)]
+    finally:
+        subprocess.run(["umount", readonly], check=True)
+    table.row("read-only folder", outcomes, (4,))
+    outcomes = []
+    for ranks in (1, 2):
+        for wait in (0.5, 0.8, 1.1):
+            folder = os.path.join(work, "vanishing")
+            process = driver.start(["--output", folder], ranks=ranks, settings=SETTINGS[1:] + [STEPS + "Final Time=1000"])
+            while not os.path.exists(os.path.join(folder, "checkpoint.h5")):
+                time.sleep(0.01)
+            time.sleep(wait - 0.5)
+            while os.path.exists(folder):
+                shutil.rmtree(folder, ignore_errors=True)
+            outcomes.append((*finish(process), ""))
+    table.row("folder deleted during the run", outcomes, (4,))
+
+
+def damaged_copies(path, chance):
+    """Name and contents of damaged versions: cut at every 4 KiB (and near the ends), bits flipped."""
+    with open(path, "rb") as file:
+        whole = file.read()
+    cuts = sorted({*range(0, len(whole), 4096), 1, 100, 512, len(whole) - 1})
+    flips = []
+    for place in sorted({*range(0, 64), *(chance.randrange(len(whole)) for _ in range(136))}):
+        changed = bytearray(whole)
+        changed[place] ^= 1 << chance.randrange(8)
+        flips.append(bytes(changed))
+    return [whole[:cut] for cut in cuts], flips
+
+
+def damaged_checkpoints(driver, table, work, chance):
+    source = os.path.join(work, "whole-1")
+    names = sorted((name for name in os.listdir(source) if name.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
+    last, before = names[-1], names[-2]
+    folder = os.path.join(work, "damaged")
+    shutil.copytree(source, folder, symlinks=True)
+    for name, copies in zip(("checkpoint cut at every 4 KiB", "checkpoint with a flipped bit"),
+                            damaged_copies(os.path.join(source, last), chance)):
+        outcomes = []
+        for contents in copies:
+            with open(os.path.join(folder, last), "wb") as file:
+                file.write(contents)
+            status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, "checkpoint.h5")])
+            problem = "" if "the one before it is sound: " in output and before in output else "no offer: " + output
+            outcomes.append((status, output, problem))
+        table.row(name, outcomes, (2,))
+    outcomes = [(0, "", restarted(driver, folder, source))] if not os.remove(os.path.join(folder, last)) else []
+    with open(os.path.join(folder, "checkpoint.h5"), "wb") as file:
+        file.write(b"")
+    for other in ("history.csv", "effective.xml", "fields.e", "checkpoint.h5", "nowhere.h5", "."):
+        outcomes.append((*driver.run(["--output", folder, "--restart", os.path.join(folder, other)]), ""))
+    table.row("restart from a file that is no checkpoint", outcomes[1:], (2,))
+
+
+def damaged_results(driver, table, work, chance):
+    """history.csv and fields.e cut, then a restart into the same folder."""
+    source = os.path.join(work, "whole-1")
+    folder = os.path.join(work, "cut")
+    for name in ("history.csv", "fields.e"):
+        length = os.path.getsize(os.path.join(source, name))
+        outcomes = []
+        for cut in sorted({*range(0, length, 4096), length - 1}):
+            shutil.rmtree(folder, ignore_errors=True)
+            shutil.copytree(source, folder, symlinks=True)
+            os.truncate(os.path.join(folder, name), cut)
+            first = min((n for n in os.listdir(folder) if n.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
+            status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, first)])
+            outcomes.append((status, output, differs(folder, source) if status == 0 else ""))
+        table.row("%s cut at every 4 KiB, restart into its folder" % name, outcomes, (0, 2))
+
+
+def damaged_meshes(driver, table, work, chance):
+    mesh = os.path.join(work, "ball.e")
+    driver.run(["--write-mesh", mesh])
+    settings = SETTINGS + ["Mesh/Type=Exodus", "Mesh/Exodus/File=" + os.path.join(work, "damaged.e")]
+    shutil.copy(mesh, os.path.join(work, "damaged.e"))
+    folder = os.path.join(work, "meshed")
+    driver.run(["--output", folder], settings=settings)
+    for name, copies in zip(("Exodus mesh cut at every 4 KiB", "Exodus mesh with a flipped bit"), damaged_copies(mesh, chance)):
+        for what, arguments, expected in (
+                ("checked (no checksum: another valid mesh is taken)", ["--check"], (0, 2)),
+                # The fingerprint tells: 0 means that the same mesh was read.
+                ("restart of a run with the whole one", ["--check", "--output", folder, "--restart",
+                                                         os.path.join(folder, "checkpoint.h5")], (0, 2))):
+            outcomes = []
+            for contents in copies:
+                with open(os.path.join(work, "damaged.e"), "wb") as file:
+                    file.write(contents)
+                outcomes.append((*driver.run(arguments, settings=settings), ""))
+            table.row("%s, %s" % (name, what), outcomes, expected)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--driver", default=os.path.join(ROOT, "build/release/drivers/ixos"))
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    driver, chance = Driver(options.driver), random.Random(options.seed)
+    with tempfile.TemporaryDirectory(prefix="ixos-damage-") as work:
+        for ranks in (1, 2):
+            status, output = driver.run(["--output", os.path.join(work, "whole-%d" % ranks)], ranks=ranks)
+            if status != 0:
+                sys.exit("the undisturbed run failed:\n" + output)
+        table = Table()
+        if os.geteuid() == 0:
+            full_disks(driver, table, work)
+            folders(driver, table, work)
+        limited_files(driver, table, work)
+        damaged_checkpoints(driver, table, work, chance)
+        damaged_results(driver, table, work, chance)
+        damaged_meshes(driver, table, work, chance)
+    sys.exit(1 if table.failed else 0)
+
+
+if __name__ == "__main__":
+    main()
