@@ -14,12 +14,6 @@ namespace {
 
 const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
 
-std::string contents(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
 class DriverTest : public testing::Test {
  protected:
   void TearDown() override { std::filesystem::remove_all(folder_); }

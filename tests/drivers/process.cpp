@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 
 namespace ixos::test {
@@ -27,13 +29,19 @@ Outcome ixos(const std::vector<std::string>& arguments, const std::string& folde
 }
 
 Outcome shell(const std::string& command, const std::string& folder) {
-  std::FILE* pipe = popen(("exec 2>&1; cd " + quoted(folder) + " && " + command).c_str(), "r");
+  std::FILE* pipe = popen(("exec 2>&1; cd " + quoted(folder) + " || exit; " + command).c_str(), "r");
   if (pipe == nullptr) throw std::runtime_error("cannot run the driver");
   std::string output;
   std::array<char, 4096> buffer{};
   while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) output += buffer.data();
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), output};
+}
+
+std::string contents(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
 }
 
 std::string scratch_folder() {

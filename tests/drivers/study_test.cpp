@@ -12,6 +12,7 @@
 namespace ixos {
 namespace {
 
+using test::contents;
 using test::Outcome;
 using test::shell;
 
@@ -44,12 +45,6 @@ const char* const study = R"x(<ParameterList name="Test">
     <Parameter name="Time Integrator/Time Step Control/Time Step" type="double" value="0.002"/></ParameterList></ParameterList>
   <ParameterList name="Question"><Parameter name="Measure" type="string" value="error_position"/></ParameterList>
 </ParameterList>)x";
-
-std::string contents(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
 
 class StudyDriverTest : public testing::Test {
  protected:

@@ -1,0 +1,181 @@
+// Restarts from the command line: signals, other numbers of ranks, refusals.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "drivers/process.hpp"
+
+namespace ixos::test {
+namespace {
+
+const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
+const std::string control = "Time Integrator/Time Step Control/";
+
+/// The lines of history.csv without their last column, the wall-clock seconds.
+std::vector<std::string> rows(const std::string& folder) {
+  std::istringstream file(contents(folder + "/history.csv"));
+  std::vector<std::string> result;
+  for (std::string line; std::getline(file, line);) result.push_back(line.substr(0, line.rfind(',')));
+  return result;
+}
+
+class RestartDriverTest : public testing::Test {
+ protected:
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// The ball to time 2, on some ranks; `more` are words for the shell.
+  std::string command(const std::string& more, int ranks = 1) const {
+    const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " --oversubscribe ";
+    return launcher + quoted_driver() + " " + ball + " --set '" + control + "Final Time=2' --set 'Output/Fields Interval=50' " +
+           more;
+  }
+  Outcome run(const std::string& more, int ranks = 1) const { return shell(command(more, ranks), folder_); }
+  std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  std::string folder_ = scratch_folder();
+};
+
+TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
+  ASSERT_EQ(run("--output whole").status, 0);
+  for (const char* signal : {"TERM", "INT"}) {
+    // To be signalled in its midst it waits for its first checkpoint.
+    const Outcome told = run(std::string("--output parts --set Output/Checkpoint/Interval=200 & pid=$!; "
+                                         "while ! [ -e parts/checkpoint.h5 ]; do sleep 0.02; done; kill -") +
+                             signal + " $pid; wait $pid");
+    ASSERT_EQ(told.status, 5) << told.output;
+    EXPECT_NE(told.output.find("to go on from there: ixos " + ball + " --restart parts/checkpoint-"), std::string::npos)
+        << told.output;
+    EXPECT_NE(contents(path("parts/summary.json")).find("\"status\": \"interrupted\""), std::string::npos);
+    const Outcome rest = run("--output parts --restart parts/checkpoint.h5");
+    EXPECT_EQ(rest.status, 0) << rest.output;
+    EXPECT_NE(rest.output.find("Goes on from "), std::string::npos) << rest.output;
+    EXPECT_EQ(rows(path("parts")), rows(path("whole")));
+    EXPECT_TRUE(contents(path("parts/fields.e")) == contents(path("whole/fields.e")));
+    EXPECT_NE(contents(path("parts/summary.json")).find("\"restarts\": 1"), std::string::npos);
+    std::filesystem::remove_all(path("parts"));
+  }
+}
+
+TEST_F(RestartDriverTest, ASignalToOneRankEndsAllAndOneThatDiesTakesTheOthersAlong) {
+  const std::string start = "--output parts --quiet --set Output/Checkpoint/Interval=100 & pid=$!; "
+                            "while ! [ -e parts/checkpoint.h5 ]; do sleep 0.02; done; ";
+  // The launcher's second child is the second rank.
+  const Outcome told = run(start + "kill -TERM $(pgrep -P $pid | tail -1); wait $pid", 2);
+  EXPECT_EQ(told.status, 5) << told.output;
+  EXPECT_NE(contents(path("parts/summary.json")).find("\"status\": \"interrupted\""), std::string::npos);
+  std::filesystem::remove_all(path("parts"));
+  const Outcome died = run(start + "kill -KILL $(pgrep -P $pid | tail -1); wait $pid", 2);
+  EXPECT_NE(died.status, 0);
+  const Outcome rest = run("--output parts --quiet --restart parts/checkpoint.h5", 2);
+  EXPECT_EQ(rest.status, 0) << rest.output;
+}
+
+TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
+  const std::string early = "--set '" + control + "Final Time=0.5' --quiet --output ";
+  ASSERT_EQ(run(early + "whole").status, 0);
+  ASSERT_EQ(run(early + "two --set Output/Checkpoint/Interval=200 --set Output/Checkpoint/Keep=9", 2).status, 0);
+  const Outcome one = run("--set '" + control + "Final Time=0.5' --output one --restart two/checkpoint-200.h5");
+  ASSERT_EQ(one.status, 0) << one.output;
+  EXPECT_NE(one.output.find("written on 2 rank(s), this run has 1: to solver tolerance, not bit for bit"),
+            std::string::npos)
+      << one.output;
+  // Before the ball touches the wall: the last row's columns agree.
+  std::istringstream mine(rows(path("one")).back()), theirs(rows(path("whole")).back());
+  std::string a, b;
+  for (int column = 0; column < 16 && std::getline(mine, a, ',') && std::getline(theirs, b, ','); ++column)
+    EXPECT_NEAR(std::stod(a), std::stod(b), 1e-7 * std::abs(std::stod(b)) + 1e-12) << "column " << column;
+  // Fields of two ranks are not gone on with by one.
+  const Outcome same = run("--output two --restart two/checkpoint-200.h5");
+  EXPECT_EQ(same.status, 2);
+  EXPECT_NE(same.output.find("another --output begins new ones"), std::string::npos) << same.output;
+}
+
+TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
+  ASSERT_EQ(run("--output out --quiet --set '" + control + "Final Time=0.2' --set Output/Checkpoint/Interval=100").status, 0);
+  const std::string before = contents(path("out/history.csv")), summary = contents(path("out/summary.json"));
+  const auto refused = [&](const std::string& more, const std::string& message) {
+    for (int ranks : {1, 2}) {
+      const Outcome outcome = run("--output out " + more, ranks);
+      EXPECT_EQ(outcome.status, 2) << outcome.output;
+      EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
+      EXPECT_EQ(outcome.output.find(message), outcome.output.rfind(message)) << "said by both ranks";
+    }
+    EXPECT_EQ(contents(path("out/history.csv")), before);
+    EXPECT_EQ(contents(path("out/summary.json")), summary);
+  };
+  refused("--restart nowhere.h5", "nowhere.h5: cannot be read: No such file or directory");
+  refused("--restart out/history.csv", "out/history.csv: is not a checkpoint of Ixos");
+  refused("--restart out", "is not a file");
+  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Diameter=11'", "was written of another mesh than the scene's");
+  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Rings=3'", "has another number of nodes than the scene's mesh");
+  refused("--restart out/checkpoint.h5 --set 'Initial Conditions/Velocity={1, 0}'",
+          "Initial Conditions/Velocity: {}, now {1, 0}");
+  std::filesystem::resize_file(path("out/checkpoint-200.h5"), 5000);
+  refused("--restart out/checkpoint.h5", "the one before it is sound: ");
+  EXPECT_EQ(ixos({"--restart", "out/checkpoint.h5"}, folder_).status, 2) << "without a scene";
+}
+
+TEST_F(RestartDriverTest, CheckSaysWhetherARestartWouldGo) {
+  ASSERT_EQ(run("--output out --quiet --set '" + control + "Final Time=0.1'").status, 0);
+  const std::string before = contents(path("out/summary.json"));
+  const Outcome outcome = run("--check --restart out/checkpoint.h5 --set 'Time Integrator/Type=Newmark'");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("checkpoint-100.h5 is sound, and the scene can go on from it."), std::string::npos);
+  EXPECT_NE(outcome.output.find("Changed: Time Integrator/Type: \"Gautam-Sauer Composite\", now \"Newmark\"."),
+            std::string::npos)
+      << outcome.output;
+  EXPECT_EQ(contents(path("out/summary.json")), before);
+}
+
+TEST_F(RestartDriverTest, EveryFailureIsExitStatusThreeWithACheckpointAndAReason) {
+  const auto fails = [&](const std::string& more, const std::string& reason) {
+    for (int ranks : {1, 2}) {
+      std::filesystem::remove_all(path("out"));
+      const Outcome outcome = run("--quiet --output out " + more, ranks);
+      EXPECT_EQ(outcome.status, 3) << more << ": " << outcome.output;
+      const std::string summary = contents(path("out/summary.json"));
+      EXPECT_NE(summary.find("\"status\": \"diverged\""), std::string::npos) << summary;
+      EXPECT_NE(summary.find(reason), std::string::npos) << summary;
+      EXPECT_TRUE(std::filesystem::exists(path("out/checkpoint.h5")));
+      EXPECT_EQ(run("--check --output out --restart out/checkpoint.h5 " + more, ranks).status, 0);
+    }
+  };
+  const std::string belos = "--set 'Linear Solver/Linear Solver Type=Belos' ";
+  fails("--set 'Nonlinear Solver/Maximum Iterations=2'", "did not converge in 2 iterations");
+  fails(belos + "--set 'Linear Solver/Preconditioner Type=None' --set "
+                "'Linear Solver/Linear Solver Types/Belos/Solver Types/Pseudo Block CG/Maximum Iterations=1'",
+        "Newton's iteration");
+  const std::string newmark = "--set 'Time Integrator/Type=Newmark' ";
+  const std::string fast = "--set 'Initial Conditions/Velocity={0, -20000}' ";
+  fails(newmark + fast, "an element inverts, a gap closes");
+  fails("--set 'Time Integrator/Type=Central Difference' " + fast, "in an explicit step a gap closes, an element inverts");
+  // With cuts allowed, each is tried.
+  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "\"rejected_steps\": ");
+}
+
+TEST_F(RestartDriverTest, AnExpressionWithAPoleEndsTheRunNotTheProgram) {
+  std::ofstream(path("pole.xml")) << R"xml(<ParameterList name="Pole">
+    <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/></ParameterList>
+    <ParameterList name="Materials"><ParameterList name="A"><Parameter name="Density" type="double" value="1"/></ParameterList></ParameterList>
+    <ParameterList name="Histories"><ParameterList name="H"><Parameter name="Type" type="string" value="Expression"/>
+      <ParameterList name="Expression"><Parameter name="Value" type="string" value="1e-9/(t-0.12345)^2"/></ParameterList></ParameterList></ParameterList>
+    <ParameterList name="Boundary Conditions"><ParameterList name="L"><Parameter name="Type" type="string" value="Traction"/>
+      <Parameter name="Side Set" type="string" value="right"/><Parameter name="Vector" type="Array(double)" value="{1, 0}"/>
+      <Parameter name="History" type="string" value="H"/></ParameterList></ParameterList>
+    <ParameterList name="Time Integrator"><ParameterList name="Time Step Control">
+      <Parameter name="Final Time" type="double" value="1"/><Parameter name="Time Step" type="double" value="0.02469"/>
+    </ParameterList></ParameterList></ParameterList>)xml";
+  for (const char* scheme : {"Newmark", "Central Difference", "Average Vector Field"}) {
+    const Outcome outcome = ixos({"pole.xml", "--output", "out", "--set", std::string("Time Integrator/Type=") + scheme}, folder_);
+    EXPECT_EQ(outcome.status, 3) << scheme << outcome.output;
+    EXPECT_NE(outcome.output.find("a prescribed motion or a load is not a finite number between t = 0.09876 and 0.12345"),
+              std::string::npos)
+        << outcome.output;
+  }
+}
+
+}  // namespace
+}  // namespace ixos::test
