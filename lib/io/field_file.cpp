@@ -24,7 +24,6 @@ int create(const std::string& path) {
 int open(const std::string& path, int mode) {
   int word = 8, stored = 0;
   float version = 0;
-  // Exodus knows NetCDF's files by their first bytes only; a longer look is not needed of one that we wrote.
   const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;
   if (id < 0)
     throw InputError(path + ": the frames to go on with are not there, or damaged; another --output begins new ones");
@@ -102,17 +101,12 @@ struct Contents {
     if (!names.global.empty()) copy(EX_GLOBAL, 1, 0, static_cast<int64_t>(names.global.size()));
   }
 
-  /// The file at `path` with its first frames only. NetCDF cannot drop the last ones: they are copied.
-  void keep_frames(const std::string& path, const FieldLength& keep) const {
-    const ExodusHandle old(open(path, EX_READ), path);
-    const int frames = keep.frames;
-    if (!fit(old, frames) || static_cast<double>(std::filesystem::file_size(path)) < keep.bytes)
-      throw InputError(fmt::format(
-          "{}: is not the file to go on with: it should have this mesh and {} frames; another --output begins a new one",
-          path, frames));
-    if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
+  /// Leaves the file at `path` its first frames only. NetCDF cannot drop the last ones: the first are copied.
+  void drop_frames(const std::string& path, int frames) const {
     const std::string beside = path + ".tmp";
     {
+      const ExodusHandle old(open(path, EX_READ), path);
+      if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
       const ExodusHandle copy(create(beside), beside);
       define(copy);
       for (int frame = 1; frame <= frames; ++frame) copy_frame(old, copy, frame);
@@ -125,31 +119,46 @@ struct Contents {
 }  // namespace
 
 struct FieldFile::Implementation : Contents {
+  std::string path;
   std::unique_ptr<ExodusHandle> file;
   int frame = 0;
 };
 
 FieldFile::FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-                     const std::string& title, const FieldLength& keep)
-    : implementation_(new Implementation{{OutputMesh(mesh, ranks), names, title}, nullptr, keep.frames}) {
-  Implementation& self = *implementation_;
-  const std::string name = file_name(path, rank, ranks);
-  if (keep.frames > 0) {
-    self.keep_frames(name, keep);
-    self.file = std::make_unique<ExodusHandle>(open(name, EX_WRITE), name);
-    return;
-  }
-  self.file = std::make_unique<ExodusHandle>(create(name), name);
-  self.define(*self.file);
-}
+                     const std::string& title)
+    : implementation_(
+          new Implementation{{OutputMesh(mesh, ranks), names, title}, file_name(path, rank, ranks), nullptr, 0}) {}
 
 FieldFile::~FieldFile() = default;
 
-FieldLength FieldFile::length() const {
-  return {implementation_->frame, static_cast<double>(std::filesystem::file_size(implementation_->file->path()))};
+void FieldFile::create() {
+  Implementation& self = *implementation_;
+  self.file = std::make_unique<ExodusHandle>(ixos::create(self.path), self.path);
+  self.define(*self.file);
 }
 
-void FieldFile::sync() { sync_to_disk(implementation_->file->path()); }
+void FieldFile::verify(const FieldLength& keep) const {
+  const Implementation& self = *implementation_;
+  const ExodusHandle file(open(self.path, EX_READ), self.path);
+  if (!self.fit(file, keep.frames) || static_cast<double>(std::filesystem::file_size(self.path)) < keep.bytes)
+    throw InputError(fmt::format(
+        "{}: is not the file to go on with: it should have this mesh and {} frames; another --output begins a new one",
+        self.path, keep.frames));
+}
+
+void FieldFile::resume(const FieldLength& keep) {
+  verify(keep);
+  Implementation& self = *implementation_;
+  self.drop_frames(self.path, keep.frames);
+  self.file = std::make_unique<ExodusHandle>(open(self.path, EX_WRITE), self.path);
+  self.frame = keep.frames;
+}
+
+FieldLength FieldFile::length() const {
+  return {implementation_->frame, static_cast<double>(std::filesystem::file_size(implementation_->path))};
+}
+
+void FieldFile::sync() { sync_to_disk(implementation_->path); }
 
 void FieldFile::write(double time, const std::vector<std::vector<double>>& nodal,
                       const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) {

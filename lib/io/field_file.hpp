@@ -24,14 +24,20 @@ struct FieldLength {
 /// One rank's file. It holds the rank's own cells and their nodes, with the numbers of the whole mesh.
 class FieldFile {
  public:
-  /// `path` without the rank's ending. With frames to `keep` it goes on with the file that is there, after those; later
-  /// ones are dropped. Throws FileError; InputError where the file there is not of this mesh and these names, or has
-  /// fewer frames or bytes.
+  /// `path` without the rank's ending. Makes the file with create(), or goes on with the one that is there with
+  /// resume().
   FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-            const std::string& title, const FieldLength& keep = {});
+            const std::string& title);
   ~FieldFile();
   FieldFile(const FieldFile&) = delete;
   FieldFile& operator=(const FieldFile&) = delete;
+
+  /// Throws FileError.
+  void create();
+  /// Throws InputError where the file there is not of this mesh and these names, or has fewer frames or bytes.
+  void verify(const FieldLength& keep) const;
+  /// Goes on after the frames to keep; later ones are dropped. Throws as verify() does, and FileError.
+  void resume(const FieldLength& keep);
 
   /// Appends a frame: `nodal[v]` by local node; `cell[v][b]` by cell of local block b; `global[v]` (the same on every
   /// rank). Throws FileError.

@@ -27,27 +27,6 @@ std::FILE* open(const std::string& path, const char* mode) {
   return file;
 }
 
-/// Cuts a file back to a length that it had.
-void shorten(const std::string& path, const std::string& header, const TableLength& length) {
-  std::ifstream file(path);
-  std::string line;
-  if (!file || !std::getline(file, line)) throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
-  if (line != header) throw InputError(path + ": the table has other columns than this run would write; give another --output");
-  TableLength found{0, line.size() + 1};
-  while (found.rows < length.rows && std::getline(file, line) && !file.eof()) {
-    ++found.rows;
-    found.bytes += line.size() + 1;
-  }
-  if (found.rows != length.rows || found.bytes != length.bytes)
-    throw InputError(fmt::format(
-        "{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output begins a new one",
-        path, found.rows, found.bytes, length.bytes));
-  file.close();
-  std::error_code code;
-  std::filesystem::resize_file(path, length.bytes, code);
-  if (code) throw FileError(path + ": cannot be written: " + code.message());
-}
-
 }  // namespace
 
 HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>& columns)
@@ -59,8 +38,29 @@ HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>
 
 HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>& columns, const TableLength& length)
     : path_(path), file_(nullptr), last_flush_(Teuchos::Time::wallTime()), length_(length) {
-  shorten(path, fmt::format("{}", fmt::join(columns, ",")), length);
+  verify(path, columns, length);
+  std::error_code code;
+  std::filesystem::resize_file(path, length.bytes, code);
+  if (code) throw FileError(path + ": cannot be written: " + code.message());
   file_ = open(path, "a");
+}
+
+void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
+  std::ifstream file(path);
+  std::string line;
+  if (!file || !std::getline(file, line))
+    throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
+  if (line != fmt::format("{}", fmt::join(columns, ",")))
+    throw InputError(path + ": the table has other columns than this run would write; give another --output");
+  TableLength found{0, line.size() + 1};
+  while (found.rows < length.rows && std::getline(file, line) && !file.eof()) {
+    ++found.rows;
+    found.bytes += line.size() + 1;
+  }
+  if (found.rows != length.rows || found.bytes != length.bytes)
+    throw InputError(fmt::format(
+        "{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output begins a new one",
+        path, found.rows, found.bytes, length.bytes));
 }
 
 HistoryFile::~HistoryFile() {

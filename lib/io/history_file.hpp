@@ -20,9 +20,10 @@ class HistoryFile {
  public:
   /// Throws FileError where the file cannot be made.
   HistoryFile(const std::string& path, const std::vector<std::string>& columns);
-  /// Goes on with the file that is there: what it holds beyond `length` is dropped. Throws InputError, and changes
-  /// nothing, where it has other columns or never had that length.
+  /// Goes on with the file that is there: what it holds beyond `length` is dropped. Throws as verify() does.
   HistoryFile(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
+  /// Throws InputError where the file that is there has other columns, or never had that length.
+  static void verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;

@@ -76,6 +76,11 @@ void Checkpoints::resume(long step) {
   last_step_ = step;
   for (const long earlier : checkpoint_steps(folder_))
     if (earlier <= step) steps_.push_back(earlier);
+  // The results go on from there: those after it are of a history that is no more.
+  const Comm& comm = simulation_.model().space().comm();
+  together(comm, [&] {
+    if (comm->getRank() == 0 && fs::exists(checkpoint_path(folder_, step))) link_newest(folder_, step);
+  });
 }
 
 void Checkpoints::write(long step, const std::function<void(Record&)>& transfer) {
@@ -117,6 +122,10 @@ void Checkpoints::tidy() const {
   std::error_code code;
   for (const long step : checkpoint_steps(folder_))
     if (std::find(steps_.begin(), steps_.end(), step) == steps_.end()) fs::remove(checkpoint_path(folder_, step), code);
+  for (const auto& entry : fs::directory_iterator(folder_, code))
+    if (const std::string name = entry.path().filename().string();
+        name.rfind(prefix, 0) == 0 && entry.path().extension() == ".tmp")
+      fs::remove(entry.path(), code);
 }
 
 }  // namespace ixos

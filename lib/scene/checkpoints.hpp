@@ -26,7 +26,8 @@ class Checkpoints {
   /// last ones are deleted, other runs' in the same folder too. Throws FileError; what was there is there still.
   /// Collective.
   void write(long step, const std::function<void(Record&)>& transfer);
-  /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's.
+  /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's, and
+  /// checkpoint.h5 links to it. Collective.
   void resume(long step);
   /// The newest one's path, or nothing.
   std::string newest() const;

@@ -31,17 +31,27 @@ std::vector<double> acceleration_or_nan(Integrator& integrator) {
 
 }  // namespace
 
-FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path, const FieldLength& keep) : simulation_(simulation) {
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
+    : simulation_(simulation), comm_(simulation.model().space().comm()) {
   const Model& model = simulation.model();
-  const Comm& comm = model.space().comm();
-  together(comm, [&] {
-    file_ = std::make_unique<FieldFile>(path, model.mesh(), comm->getRank(), comm->getSize(), field_names(model),
-                                        simulation.parameters().name(), keep);
-  });
+  file_ = std::make_unique<FieldFile>(path, model.mesh(), comm_->getRank(), comm_->getSize(), field_names(model),
+                                      simulation.parameters().name());
+}
+
+void FieldRecorder::create() {
+  together(comm_, [this] { file_->create(); });
+}
+
+void FieldRecorder::verify(const FieldLength& keep) const {
+  together(comm_, [&] { file_->verify(keep); });
+}
+
+void FieldRecorder::resume(const FieldLength& keep) {
+  together(comm_, [&] { file_->resume(keep); });
 }
 
 void FieldRecorder::sync() {
-  together(simulation_.model().space().comm(), [this] { file_->sync(); });
+  together(comm_, [this] { file_->sync(); });
 }
 
 void FieldRecorder::record() {
@@ -77,7 +87,7 @@ void FieldRecorder::record() {
   const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
   const double elastic = model.elastic_energy(state.u.data());
   const double contact = model.interaction_energy(state.u.data());
-  together(model.space().comm(), [&] {
+  together(comm_, [&] {
     file_->write(integrator.time(), nodal, cell,
                  {kinetic, elastic, contact, integrator.external_work(), integrator.dissipated_energy(),
                   kinetic + elastic + contact});

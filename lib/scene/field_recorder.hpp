@@ -12,15 +12,17 @@ namespace ixos {
 /// energy density (cells) and energies (global). Collective.
 class FieldRecorder {
  public:
-  /// With frames to `keep` it goes on with the file that is there. Throws FileError, and InputError where that is not
-  /// this scene's.
-  FieldRecorder(Simulation& simulation, const std::string& path, const FieldLength& keep = {});
+  FieldRecorder(Simulation& simulation, const std::string& path);
+  void create();                                ///< throws FileError
+  void verify(const FieldLength& keep) const;   ///< see FieldFile; throws InputError
+  void resume(const FieldLength& keep);
   void record();
   FieldLength length() const { return file_->length(); }
   void sync();  ///< has the disk keep them
 
  private:
   Simulation& simulation_;
+  const Comm& comm_;
   std::unique_ptr<FieldFile> file_;
 };
 

@@ -64,9 +64,16 @@ void History::create(const std::string& path) {
   });
 }
 
+void History::verify(const std::string& path) const {
+  const Comm& comm = simulation_.model().space().comm();
+  together(comm, [&] {
+    if (comm->getRank() == 0) HistoryFile::verify(path, columns_, length_);
+  });
+}
+
 void History::resume(const std::string& path) {
   const Comm& comm = simulation_.model().space().comm();
-  together<InputError>(comm, [&] {
+  together(comm, [&] {
     if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_, length_);
   });
 }

@@ -34,8 +34,9 @@ class History {
 
   /// Makes the file. Throws FileError.
   void create(const std::string& path);
-  /// Goes on with the file that was there when the loaded checkpoint was written; later rows are dropped. Throws
-  /// InputError where it is another one.
+  /// Is the file the one that was there when the loaded checkpoint was written? Throws InputError where it is not.
+  void verify(const std::string& path) const;
+  /// Goes on with it; later rows are dropped.
   void resume(const std::string& path);
 
   void record(const RowCounts& counts);

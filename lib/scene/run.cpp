@@ -56,6 +56,7 @@ class Run {
         rows_(output_.get<int>("History Interval"), output_.get<double>("History Time Interval"), times_.initial_time),
         frames_(output_.get<int>("Fields Interval"), output_.get<double>("Fields Time Interval"), times_.initial_time),
         checkpoints_(simulation, options.folder) {
+    if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, options.folder + "/fields.e");
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
@@ -82,7 +83,10 @@ class Run {
 
  private:
   void begin();
+  void begin_files();
   void go_on();
+  void begin_elsewhere();
+  void resume_files();
   void open_folder(bool keep_fields);
   bool interlude();
   void step();
@@ -91,6 +95,7 @@ class Run {
   void end();
   void checkpoint();
   void transfer(Record& record);
+  std::string history_path() const { return options_.folder + "/history.csv"; }
   double wall() const { return Teuchos::Time::wallTime() - start_; }
   void fail(const std::string& reason) {
     result_.status = RunStatus::Diverged;
@@ -139,40 +144,31 @@ void Run::open_folder(bool keep_fields) {
 
 void Run::begin() {
   open_folder(false);
-  history_.create(options_.folder + "/history.csv");
-  if (frames_.any()) {
-    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e");
+  begin_files();
+  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+}
+
+/// New files, which begin with the present state.
+void Run::begin_files() {
+  history_.create(history_path());
+  if (fields_) {
+    fields_->create();
     fields_->record();
   }
   history_.record(counts_);
-  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+  counts_.newton_iterations = 0;
+  counts_.linear_iterations = 0;
+  recorded_ = framed_ = true;
 }
 
 void Run::go_on() {
   Restart restart(simulation_, options_.restart);
   transfer(restart.record());
   ++result_.restarts;
-  const bool same_folder = restart.is_in(options_.folder);
-  if (same_folder) {
-    history_.resume(options_.folder + "/history.csv");
-    checkpoints_.resume(result_.steps);
-  }
-  const bool same_file = same_folder && field_length_.frames > 0;
-  if (frames_.any() && same_file)
-    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e", field_length_);
-  open_folder(same_file);
-  if (frames_.any() && !same_file) {
-    fields_ = std::make_unique<FieldRecorder>(simulation_, options_.folder + "/fields.e");
-    fields_->record();
-    framed_ = true;
-  }
-  if (!same_folder) {
-    history_.create(options_.folder + "/history.csv");
-    history_.record(counts_);
-    counts_.newton_iterations = 0;
-    counts_.linear_iterations = 0;
-    recorded_ = true;
-  }
+  if (restart.is_in(options_.folder))
+    resume_files();
+  else
+    begin_elsewhere();
   if (options_.tell && comm_->getRank() == 0) {
     options_.tell(fmt::format("Goes on from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(),
                               result_.steps));
@@ -180,6 +176,26 @@ void Run::go_on() {
   }
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+}
+
+void Run::begin_elsewhere() {
+  open_folder(false);
+  begin_files();
+}
+
+/// What is there is gone on with; nothing is changed before all of it is found to fit.
+void Run::resume_files() {
+  const bool same_fields = fields_ && field_length_.frames > 0;
+  history_.verify(history_path());
+  if (same_fields) fields_->verify(field_length_);
+  open_folder(same_fields || !fields_);
+  history_.resume(history_path());
+  checkpoints_.resume(result_.steps);
+  if (same_fields) return fields_->resume(field_length_);
+  if (!fields_) return;
+  fields_->create();
+  fields_->record();
+  framed_ = true;
 }
 
 /// Between steps: checkpoints that are due, and signals. False where the run is over.
@@ -303,7 +319,7 @@ void Run::transfer(Record& record) {
   record.number("linear iterations since the row", counts_.linear_iterations);
   record.number("recorded", recorded_);
   record.number("framed", framed_);
-  if (fields_) field_length_ = fields_->length();
+  if (fields_ && !record.loading()) field_length_ = fields_->length();
   record.number("frames", field_length_.frames);
   std::vector<double> bytes{field_length_.bytes};
   if (!record.loading() || record.same_partition()) record.share("bytes of frames", bytes);
