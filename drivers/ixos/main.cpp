@@ -6,8 +6,11 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <cctype>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -84,6 +87,10 @@ std::string default_output(const std::string& scene) {
   return name.substr(0, name.find_last_of('.')) + ".results";
 }
 
+std::string results_folder(const Arguments& arguments) {
+  return arguments.output.empty() ? default_output(arguments.scene) : arguments.output;
+}
+
 void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
   const auto& integrator = simulation.parameters().sublist("Time Integrator");
@@ -116,8 +123,25 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
   const ixos::Restart restart(simulation, file);
   if (!speaks) return;
-  fmt::print("{} is sound, and the scene can go on from it.\n", restart.path());
+  fmt::print("{} is sound, and fits the scene.\n", restart.path());
   for (const std::string& note : restart.notes()) fmt::print("{}\n", note);
+}
+
+/// A word for the shell.
+std::string quoted(const std::string& word) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr("/._-=+,:%@", c) != nullptr; };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string text = "'";
+  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+/// The command that goes on from a checkpoint.
+std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
+  std::string command = "ixos " + quoted(arguments.scene);
+  for (const std::string& assignment : arguments.assignments) command += " --set " + quoted(assignment);
+  if (!arguments.output.empty()) command += " --output " + quoted(arguments.output);
+  return command + " --restart " + quoted(checkpoint);
 }
 
 /// What the run came to, for a person.
@@ -132,7 +156,7 @@ void report_run(const ixos::RunResult& result, const Arguments& arguments, const
   fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
              result.end_time, result.steps, result.reason, folder);
   if (!result.checkpoint.empty())
-    fmt::print(stderr, "ixos: to go on from there: ixos {} --restart {}\n", arguments.scene, result.checkpoint);
+    fmt::print(stderr, "ixos: to go on from there: {}\n", restart_command(arguments, result.checkpoint));
 }
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
@@ -158,7 +182,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   ixos::RunOptions options;
-  options.folder = arguments.output.empty() ? default_output(arguments.scene) : arguments.output;
+  options.folder = results_folder(arguments);
   options.restart = arguments.restart;
   if (speaks) options.tell = [](const std::string& line) { fmt::print("{}\n", line); };
   options.interrupted = [] { return signalled != 0; };
@@ -177,16 +201,24 @@ int report(int status, const std::string& what, const ixos::Comm& comm) {
   return status;
 }
 
+/// After an error that all ranks see: is there one that could not close a file? See Hdf5Output::left_open.
+bool any_left_open(const ixos::Comm& comm) {
+  std::fflush(stderr);
+  return !ixos::first_problem(comm, ixos::Hdf5Output::left_open() ? "a file was left open" : "").empty();
+}
+
 int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
   try {
     return run_scene(arguments, comm);
   } catch (const ixos::InputError& error) {
     const std::string what = error.what();
-    const bool placed = what.rfind(arguments.scene, 0) == 0 || what.rfind("--set", 0) == 0 || what.rfind('/', 0) == 0;
+    const auto begins = [&what](const std::string& place) { return what.rfind(place, 0) == 0; };
+    const bool placed = begins(arguments.scene) || begins("--set") || begins("/") ||
+                        begins(results_folder(arguments)) || (!arguments.restart.empty() && begins(arguments.restart));
     return report(2, placed ? what : arguments.scene + ": " + what, comm);
   } catch (const ixos::FileError& error) {
     report(4, error.what(), comm);
-    if (ixos::Hdf5Output::left_open()) MPI_Abort(MPI_COMM_WORLD, 4);
+    if (any_left_open(comm)) MPI_Abort(MPI_COMM_WORLD, 4);
     return 4;
   } catch (const std::exception& error) {
     fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", error.what());
@@ -228,7 +260,9 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
-  app.add_option("--restart", arguments.restart, "go on from this checkpoint of the scene");
+  app.add_option("--restart", arguments.restart,
+                 "go on from this checkpoint of the scene, or a folder's newest sound one")
+      ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
   app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
   app.add_flag("--explain", arguments.explain, "say what the scene models and what it leaves out, but do not run it");
   app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");

@@ -100,8 +100,7 @@ CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& spac
 void CheckpointReader::find_partition(const LocalMesh& mesh) {
   const auto owned = static_cast<std::size_t>(mesh.owned_nodes);
   const std::vector<long long> mine(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
-  same_partition_ =
-      ranks_ == space_.comm()->getSize() && file_->integers("nodes", owned_slab(space_, 1)) == mine;
+  same_partition_ = ranks_ == space_.comm()->getSize() && file_->integers("nodes", owned_slab(space_, 1)) == mine;
   const std::vector<long long> all =
       file_->integers("nodes", {0, static_cast<unsigned long long>(mesh.global_nodes), 0});
   std::map<long long, std::size_t> places;

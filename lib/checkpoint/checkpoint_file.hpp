@@ -16,6 +16,7 @@ class CheckpointSize final : public Record {
  public:
   bool loading() const override { return false; }
   bool same_scene() const override { return true; }
+  bool same_solution() const override { return true; }
   bool same_partition() const override { return true; }
   void text(const char*, std::string& value) override { add(value.size()); }
   void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
@@ -42,6 +43,7 @@ class CheckpointWriter final : public Record {
 
   bool loading() const override { return false; }
   bool same_scene() const override { return true; }
+  bool same_solution() const override { return true; }
   bool same_partition() const override { return true; }
   void text(const char* name, std::string& value) override { file_->put(name, value); }
   void field(const char* name, std::vector<double>& values, Extent extent) override;
@@ -68,13 +70,17 @@ class CheckpointReader final : public Record {
 
   bool loading() const override { return true; }
   bool same_scene() const override { return same_scene_; }
+  bool same_solution() const override { return same_solution_; }
   bool same_partition() const override { return same_partition_; }
   void text(const char* name, std::string& value) override;
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
 
   int ranks() const { return ranks_; }  ///< that wrote it
-  void set_same_scene(bool same) { same_scene_ = same; }
+  void set_same(bool scene, bool solution) {
+    same_scene_ = scene;
+    same_solution_ = solution;
+  }
 
  private:
   void scalar(const char* name, double& value) override;
@@ -85,7 +91,7 @@ class CheckpointReader final : public Record {
   const DofSpace& space_;
   std::unique_ptr<Hdf5Input> file_;
   int ranks_ = 0;
-  bool same_scene_ = true;
+  bool same_scene_ = true, same_solution_ = true;
   bool same_partition_ = false;
   std::vector<std::size_t> place_;  ///< of another partition: per owned node, where its values stand
 };

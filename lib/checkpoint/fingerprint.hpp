@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// XXH3 (128 bits) of everything that a mesh consists of, as 32 hexadecimal digits: the same for the same mesh on any
-/// number of ranks.
+/// XXH3 (128 bits) of what gives a mesh's degrees of freedom their meaning, as 32 hexadecimal digits: coordinates,
+/// cells and their blocks, derivative nodes. Not of its sets.
 std::string fingerprint(const Mesh& mesh);
 
 }  // namespace ixos

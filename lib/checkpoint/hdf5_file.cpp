@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <cstdio>
 
@@ -80,6 +81,11 @@ struct Hdf5Output::Implementation {
     if (!good && problem.empty()) problem = path + ": " + what + " cannot be written";
   }
   hid_t here() const { return groups.empty() ? hid_t(*file) : hid_t(groups.back()); }
+  bool all(bool good) const {
+    int mine = good ? 1 : 0, least = mine;
+    if (comm->getSize() > 1) Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, 1, &mine, &least);
+    return least != 0;
+  }
 
   template <class T>
   void put(const char* name, const T* values, const Slab& slab) {
@@ -89,7 +95,8 @@ struct Hdf5Output::Implementation {
     const Handle space = selection(slab);
     const Handle set(H5Dcreate2(here(), name, on_disk(values), space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
     check(set >= 0, name);
-    if (set < 0 || slab.total == 0) return;
+    // Nobody may be left alone in the transfer.
+    if (slab.total == 0 || !all(set >= 0)) return;
     const Handle transfer = property_list(H5P_DATASET_XFER);
     if (comm->getSize() > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
     check(H5Dwrite(set, in_memory(values), memory(slab), space, transfer, values) >= 0, name);
@@ -123,10 +130,12 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   if (comm->getSize() > 1)
     H5Pset_fapl_mpio(access, *dynamic_cast<const Teuchos::MpiComm<int>&>(*comm).getRawMpiComm(), MPI_INFO_NULL);
-  implementation_->file =
-      std::make_unique<Handle>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
+  implementation_->file = std::make_unique<Handle>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   together(comm, [&] {
-    if (*implementation_->file < 0) throw FileError(path + ": cannot be written");
+    if (*implementation_->file < 0) {
+      some_left_open = comm->getSize() > 1;  // where the others could open it
+      throw FileError(path + ": cannot be written");
+    }
     reserve(DiskFile::Mode::Change);  // HDF5 emptied the file
   });
 }
@@ -162,7 +171,8 @@ void Hdf5Output::put(const char* name, const std::string& value) {
     H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
     if (self.comm->getRank() != 0) H5Sselect_none(space);
   }
-  self.check(set >= 0 && H5Dwrite(set, type, space, space, transfer, value.c_str()) >= 0, name);
+  self.check(set >= 0, name);
+  if (self.all(set >= 0)) self.check(H5Dwrite(set, type, space, space, transfer, value.c_str()) >= 0, name);
 }
 
 void Hdf5Output::put(const char* name, const double* values, const Slab& slab) {

@@ -1,4 +1,5 @@
-/// HDF5 as checkpoints use it: numbers and texts as attributes of groups, arrays as data sets of one dimension.
+/// HDF5 as checkpoints use it: numbers as attributes of groups, texts and arrays as data sets. Once used, HDF5 prints
+/// no errors of its own in this process any more: they are exceptions here.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct Slab {
 /// the present group.
 class Hdf5Output {
  public:
-  /// `user_block` bytes, a power of two of at least 512, stay free at the beginning. Throws FileError where the disk has
-  /// no room for `size` bytes: what HDF5 and MPI-IO do on a full disk is not for the faint-hearted.
+  /// `user_block` bytes, a power of two of at least 512, stay free at the beginning. Throws FileError where the disk
+  /// has no room for `size` bytes: what HDF5 and MPI-IO do on a full disk is not for the faint-hearted.
   Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size);
   ~Hdf5Output();
   Hdf5Output(const Hdf5Output&) = delete;

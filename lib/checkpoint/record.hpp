@@ -22,12 +22,14 @@ class Record {
   virtual bool loading() const = 0;
   /// Loading: is the scene the one that it was written of, in all that bears on the motion?
   virtual bool same_scene() const = 0;
+  /// Loading: and the solvers too?
+  virtual bool same_solution() const = 0;
   /// Loading: is the partition the same? If not, shares of ranks must not be asked for.
   virtual bool same_partition() const = 0;
-  bool exact() const { return same_scene() && same_partition(); }
+  bool exact() const { return same_scene() && same_solution() && same_partition(); }
 
-  /// A number or a truth value, the same on all ranks; where it is not, the first rank's counts. Throws InputError where
-  /// a loaded one does not fit the type.
+  /// A number or a truth value, the same on all ranks; where it is not, the first rank's counts. Throws InputError
+  /// where a loaded one does not fit the type.
   template <class T>
   void number(const char* name, T& value) {
     static_assert(std::is_arithmetic_v<T>);

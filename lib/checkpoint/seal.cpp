@@ -1,7 +1,6 @@
 #include "checkpoint/seal.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <array>
 #include <cerrno>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "checkpoint/digest.hpp"
 #include "io/disk_file.hpp"
 
 namespace ixos {
@@ -22,31 +22,29 @@ constexpr std::uint64_t format = 1;
 struct Seal {
   std::array<char, 16> magic;
   std::uint64_t format;
-  std::uint64_t length;    ///< of the file
-  std::uint64_t checksum;  ///< of the file, this number taken as 0
+  std::uint64_t length;                   ///< of the file
+  std::array<std::uint64_t, 2> checksum;  ///< of the file, these numbers taken as 0
 };
 
 /// The checksum of a file whose seal is this one.
-std::uint64_t checksum(DiskFile& file, Seal seal) {
-  XXH3_state_t* state = XXH3_createState();
-  XXH3_64bits_reset(state);
-  seal.checksum = 0;
-  XXH3_64bits_update(state, &seal, sizeof(seal));
+std::array<std::uint64_t, 2> checksum(DiskFile& file, Seal seal) {
+  Digest digest;
+  seal.checksum = {};
+  digest.add(&seal, sizeof(seal));
   std::vector<char> buffer(1 << 20);
   file.seek(sizeof(seal));
   for (std::size_t count = file.read(buffer.data(), buffer.size()); count > 0;
        count = file.read(buffer.data(), buffer.size()))
-    XXH3_64bits_update(state, buffer.data(), count);
-  const std::uint64_t result = XXH3_64bits_digest(state);
-  XXH3_freeState(state);
-  return result;
+    digest.add(buffer.data(), count);
+  const XXH128_hash_t value = digest.value();
+  return {value.high64, value.low64};
 }
 
 }  // namespace
 
 void seal(const std::string& path) {
   DiskFile file(path, DiskFile::Mode::Change);
-  Seal mark{magic, format, file.length(), 0};
+  Seal mark{magic, format, file.length(), {}};
   mark.checksum = checksum(file, mark);
   file.seek(0);
   file.write(&mark, sizeof(mark));
@@ -66,7 +64,8 @@ std::string seal_problem(const std::string& path) {
     if (mark.checksum != checksum(file, mark)) return "is damaged: its checksum does not fit its contents";
     return "";
   } catch (const FileError& error) {
-    return error.what();
+    // The file's name comes before already.
+    return std::string(error.what()).substr(path.size() + 2);
   }
 }
 

@@ -8,7 +8,7 @@ namespace ixos {
 inline constexpr int seal_bytes = 512;
 
 /// Writes the seal into a closed file whose first seal_bytes are free, and has the disk keep it all (fsync). The
-/// checksum is XXH3 (64 bits, Collet) of every other byte of the file. Not collective. Throws FileError.
+/// checksum is XXH3 (128 bits, Collet) of every other byte of the file. Not collective. Throws FileError.
 void seal(const std::string& path);
 
 /// Why the file is not a sound checkpoint, in words that follow its name; empty where it is. Any changed, missing or

@@ -14,6 +14,14 @@
 namespace ixos {
 namespace {
 
+/// Calls again what a signal interrupted.
+template <class Call>
+auto persistent(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
+}
+
 [[noreturn]] void fail_at(const std::string& path, const char* what) {
   throw FileError(path + ": " + what + ": " + std::strerror(errno));
 }
@@ -48,8 +56,7 @@ void DiskFile::seek(std::uint64_t position) {
 std::size_t DiskFile::read(void* data, std::size_t size) {
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count = ::read(descriptor_, static_cast<char*>(data) + done, size - done);
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count = persistent([&] { return ::read(descriptor_, static_cast<char*>(data) + done, size - done); });
     if (count < 0) fail("cannot be read");
     if (count == 0) break;
     done += static_cast<std::size_t>(count);
@@ -60,25 +67,26 @@ std::size_t DiskFile::read(void* data, std::size_t size) {
 void DiskFile::write(const void* data, std::size_t size) {
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count = ::write(descriptor_, static_cast<const char*>(data) + done, size - done);
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count =
+        persistent([&] { return ::write(descriptor_, static_cast<const char*>(data) + done, size - done); });
     if (count < 0) fail("cannot be written");
     done += static_cast<std::size_t>(count);
   }
 }
 
 void DiskFile::reserve(std::uint64_t bytes) {
-  if (fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) != 0 && errno != EOPNOTSUPP &&
-      errno != ENOSYS)
-    fail("cannot be written");
+  const int status =
+      persistent([&] { return fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)); });
+  if (status != 0 && errno != EOPNOTSUPP && errno != ENOSYS) fail("cannot be written");
 }
 
 void DiskFile::give_back() {
-  if (ftruncate(descriptor_, static_cast<off_t>(length())) != 0) fail("cannot be written");
+  const auto end = static_cast<off_t>(length());
+  if (persistent([&] { return ftruncate(descriptor_, end); }) != 0) fail("cannot be written");
 }
 
 void DiskFile::sync() {
-  if (fsync(descriptor_) != 0) fail("cannot be written");
+  if (persistent([&] { return fsync(descriptor_); }) != 0) fail("cannot be written");
 }
 
 void sync_to_disk(const std::string& path) { DiskFile(path, DiskFile::Mode::Read).sync(); }
@@ -87,6 +95,15 @@ void replace_file(const std::string& finished, const std::string& path) {
   if (std::rename(finished.c_str(), path.c_str()) != 0) fail_at(path, "cannot be written");
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   sync_to_disk(folder.empty() ? "." : folder.string());
+}
+
+void write_whole_file(const std::string& path, const std::string& text) {
+  const std::string beside = path + ".tmp";
+  {
+    DiskFile file(beside, DiskFile::Mode::Create);
+    file.write(text.data(), text.size());
+  }
+  replace_file(beside, path);
 }
 
 }  // namespace ixos

@@ -39,4 +39,7 @@ void sync_to_disk(const std::string& path);
 /// the new one. Throws FileError.
 void replace_file(const std::string& finished, const std::string& path);
 
+/// Writes a file beside its place and puts it there: nobody sees half of it. Throws FileError.
+void write_whole_file(const std::string& path, const std::string& text);
+
 }  // namespace ixos

@@ -155,7 +155,9 @@ void FieldFile::resume(const FieldLength& keep) {
 }
 
 FieldLength FieldFile::length() const {
-  return {implementation_->frame, static_cast<double>(std::filesystem::file_size(implementation_->path))};
+  std::error_code code;
+  const auto bytes = std::filesystem::file_size(implementation_->path, code);
+  return {implementation_->frame, code ? 0.0 : static_cast<double>(bytes)};
 }
 
 void FieldFile::sync() { sync_to_disk(implementation_->path); }

@@ -44,7 +44,7 @@ class FieldFile {
   void write(double time, const std::vector<std::vector<double>>& nodal,
              const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global);
   FieldLength length() const;
-  void sync();         ///< has the disk keep them; throws FileError
+  void sync();  ///< has the disk keep them; throws FileError
 
  private:
   struct Implementation;

@@ -58,9 +58,10 @@ void HistoryFile::verify(const std::string& path, const std::vector<std::string>
     found.bytes += line.size() + 1;
   }
   if (found.rows != length.rows || found.bytes != length.bytes)
-    throw InputError(fmt::format(
-        "{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output begins a new one",
-        path, found.rows, found.bytes, length.bytes));
+    throw InputError(
+        fmt::format("{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output "
+                    "begins a new one",
+                    path, found.rows, found.bytes, length.bytes));
 }
 
 HistoryFile::~HistoryFile() {

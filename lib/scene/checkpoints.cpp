@@ -1,11 +1,14 @@
 #include "scene/checkpoints.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_Time.hpp>
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 
 #include "base/agreement.hpp"
+#include "base/pack.hpp"
 #include "base/phase_timer.hpp"
 #include "checkpoint/checkpoint_file.hpp"
 #include "io/disk_file.hpp"
@@ -30,20 +33,25 @@ long step_of(const std::string& name) {
   return error == std::errc{} && stop == end ? step : -1;
 }
 
-/// Makes checkpoint.h5 a link to the newest. A file system without links has none.
+/// Makes checkpoint.h5 a link to the newest. On a file system without links there is none.
 void link_newest(const std::string& folder, long step) {
   const std::string link = folder + "/checkpoint" + ending;
   const std::string beside = link + ".tmp";
   std::error_code code;
   fs::remove(beside, code);
   fs::create_symlink(prefix + std::to_string(step) + ending, beside, code);
-  if (code)
-    fs::remove(link, code);
-  else
-    replace_file(beside, link);
+  if (!code) return replace_file(beside, link);
+  const bool without_links = code == std::errc::operation_not_permitted || code == std::errc::operation_not_supported ||
+                             code == std::errc::function_not_supported;
+  if (!without_links) throw FileError(link + ": cannot be written: " + code.message());
+  fs::remove(link, code);
 }
 
 }  // namespace
+
+std::string build_name() {
+  return fmt::format("Ixos {}, {} doubles wide, compiler {}", IXOS_VERSION, pack_width, __VERSION__);
+}
 
 std::vector<long> checkpoint_steps(const std::string& folder) {
   std::vector<long> steps;
@@ -72,6 +80,19 @@ bool Checkpoints::due_by_clock() const {
 
 std::string Checkpoints::newest() const { return steps_.empty() ? "" : checkpoint_path(folder_, steps_.back()); }
 
+long Checkpoints::begin() {
+  const Comm& comm = simulation_.model().space().comm();
+  long newest = -1;
+  together(comm, [&] {
+    if (comm->getRank() != 0) return;
+    std::error_code code;
+    fs::remove(folder_ + "/checkpoint" + ending, code);
+    const std::vector<long> steps = checkpoint_steps(folder_);
+    if (!steps.empty()) newest = steps.back();
+  });
+  return newest;
+}
+
 void Checkpoints::resume(long step) {
   last_step_ = step;
   for (const long earlier : checkpoint_steps(folder_))
@@ -87,9 +108,9 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
   if (step == last_step_) return;
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
-  std::string version = IXOS_VERSION, scene = scene_text(simulation_.parameters()), mesh = simulation_.mesh_fingerprint();
+  std::string build = build_name(), scene = scene_text(simulation_.parameters()), mesh = simulation_.mesh_fingerprint();
   const auto name_all = [&](Record& record) {
-    record.text("version", version);
+    record.text("build", build);
     record.text("scene", scene);
     record.text("mesh", mesh);
     transfer(record);

@@ -26,6 +26,9 @@ class Checkpoints {
   /// last ones are deleted, other runs' in the same folder too. Throws FileError; what was there is there still.
   /// Collective.
   void write(long step, const std::function<void(Record&)>& transfer);
+  /// At a fresh start: checkpoint.h5 does not link to an earlier run's any more. Returns the newest step of such runs,
+  /// or -1: their files stay until write() deletes them. Collective.
+  long begin();
   /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's, and
   /// checkpoint.h5 links to it. Collective.
   void resume(long step);
@@ -45,6 +48,9 @@ class Checkpoints {
   double last_time_;         ///< of the clock [s]
   std::vector<long> steps_;  ///< of those that are kept
 };
+
+/// What made the arithmetic: version of Ixos, width of vectors, compiler. Another one may round otherwise.
+std::string build_name();
 
 /// The steps of the checkpoints in a folder, whatever their state, ascending.
 std::vector<long> checkpoint_steps(const std::string& folder);

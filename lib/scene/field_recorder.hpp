@@ -13,8 +13,8 @@ namespace ixos {
 class FieldRecorder {
  public:
   FieldRecorder(Simulation& simulation, const std::string& path);
-  void create();                                ///< throws FileError
-  void verify(const FieldLength& keep) const;   ///< see FieldFile; throws InputError
+  void create();                               ///< throws FileError
+  void verify(const FieldLength& keep) const;  ///< see FieldFile; throws InputError
   void resume(const FieldLength& keep);
   void record();
   FieldLength length() const { return file_->length(); }

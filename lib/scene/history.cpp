@@ -117,7 +117,8 @@ void History::record(const RowCounts& counts) {
     const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
     const double balance = total - external_work + integrator.dissipated_energy();
-    if (first_) initial_energy_ = balance;
+    if (std::isnan(initial_energy_)) initial_energy_ = balance;
+    if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
     const double error = balance - initial_energy_;
     // Not std::max: a NaN is to be seen.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
@@ -148,7 +149,6 @@ void History::record(const RowCounts& counts) {
       const std::vector<double> value = probe.point.value(model.space(), *field);
       row.insert(row.end(), value.begin(), value.end());
     }
-  first_ = false;
   together(model.space().comm(), [&] {
     if (file_) file_->write(row);
   });
@@ -171,15 +171,20 @@ void History::transfer(Record& record) {
   if (file_) length_ = file_->length();
   record.number("rows", length_.rows);
   record.number("bytes", length_.bytes);
-  record.number("first", first_);
   record.number("initial energy", initial_energy_);
   record.number("largest energy error", max_energy_error_);
-  std::string names;
-  for (const auto& [name, force] : max_forces_) names += name + " ";
-  std::string recorded = names;
-  record.text("reactions", recorded);
-  if (recorded != names) return;  // another scene's
-  for (auto& [name, force] : max_forces_) record.number(name.c_str(), force);
+  // Of another scene's reactions, those that are this one's too.
+  auto forces = max_forces_;
+  auto count = forces.size();
+  record.number("reactions", count);
+  forces.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Record::Section reaction(record, "reaction " + std::to_string(k));
+    record.text("name", forces[k].first);
+    record.number("largest", forces[k].second);
+    for (auto& [name, largest] : max_forces_)
+      if (name == forces[k].first) largest = forces[k].second;
+  }
 }
 
 }  // namespace ixos

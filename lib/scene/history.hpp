@@ -1,5 +1,6 @@
 /// history.csv: what a run records of its state.
 #pragma once
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -60,8 +61,8 @@ class History {
   std::vector<std::string> columns_;
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
-  bool first_ = true;
-  double initial_energy_ = 0;  ///< at the first row, less external work, plus dissipation
+  /// At the first row, less external work, plus dissipation; NaN where no energies were recorded yet.
+  double initial_energy_ = std::numeric_limits<double>::quiet_NaN();
   double max_energy_error_ = 0;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;

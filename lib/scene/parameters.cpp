@@ -204,7 +204,8 @@ void add_output(List& list) {
   list.set("Fields Interval", 0, "steps between frames of fields.e (Exodus); 0 writes none", between(0, 1000000000));
   list.set("History Time Interval", 0.0, "time between rows [T0], in place of History Interval; 0: off", at_least(0));
   list.set("Fields Time Interval", 0.0, "time between frames [T0], in place of Fields Interval; 0: off", at_least(0));
-  List& checkpoint = list.sublist("Checkpoint", false, "what a run can be restarted from; one at its end and at signals too");
+  List& checkpoint =
+      list.sublist("Checkpoint", false, "what a run can be restarted from; one at its end and at signals too");
   checkpoint.set("Interval", 0, "steps between checkpoints; 0: the clock alone decides", between(0, 1000000000));
   checkpoint.set("Wall-Clock Interval", 600.0, "seconds between checkpoints; 0: steps alone decide", at_least(0));
   checkpoint.set("Keep", 2, "how many of the last ones are kept; 0 writes none", between(0, 1000));

@@ -16,18 +16,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The newest sound checkpoint beside a bad one, as an offer; of those before it where its name says its step.
-std::string offer(const std::string& bad) {
-  const std::string folder = fs::path(bad).parent_path().string();
+/// The newest sound checkpoint of those steps, or nothing.
+std::string newest_sound(const std::string& folder, const std::vector<long>& steps) {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+    if (std::string path = checkpoint_path(folder, *step); seal_problem(path).empty()) return path;
+  return "";
+}
+
+/// An offer to go with the refusal of a checkpoint: one before it where its name says its step, else any beside it.
+std::string offer(const fs::path& bad) {
+  const std::string folder = fs::absolute(bad).parent_path().string();
   std::vector<long> steps = checkpoint_steps(folder);
   const auto own = std::find_if(steps.begin(), steps.end(), [&](long step) {
-    return fs::path(checkpoint_path(folder, step)).filename() == fs::path(bad).filename();
+    return fs::path(checkpoint_path(folder, step)).filename() == bad.filename();
   });
   steps.erase(own, steps.end());
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step)
-    if (const std::string path = checkpoint_path(folder, *step); seal_problem(path).empty())
-      return "; the one before it is sound: " + path;
-  return "; there is no sound one before it";
+  const std::string sound = newest_sound(folder, steps);
+  return sound.empty() ? "; there is no sound one before it" : "; the one before it is sound: " + sound;
+}
+
+/// The file behind a path; a link may point at what is gone.
+fs::path resolved(const std::string& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    const std::string sound = newest_sound(path, checkpoint_steps(path));
+    if (sound.empty()) throw InputError(path + ": the folder has no sound checkpoint");
+    return fs::canonical(sound);
+  }
+  const fs::path target =
+      fs::is_symlink(path, code) ? fs::path(path).parent_path() / fs::read_symlink(path) : fs::path(path);
+  const fs::path whole = fs::canonical(target, code);
+  if (code) throw InputError(target.string() + ": cannot be read: " + code.message() + offer(target));
+  if (!fs::is_regular_file(whole)) throw InputError(whole.string() + ": is not a file");
+  return whole;
 }
 
 }  // namespace
@@ -35,51 +56,58 @@ std::string offer(const std::string& bad) {
 Restart::Restart(const Simulation& simulation, const std::string& path) {
   const Model& model = simulation.model();
   together<InputError>(model.space().comm(), [&] {
-    std::error_code code;
-    path_ = fs::canonical(path, code).string();
-    if (code) {
-      // A link may point at what is gone.
-      const fs::path target = fs::is_symlink(path) ? fs::path(path).parent_path() / fs::read_symlink(path) : fs::path(path);
-      throw InputError(fmt::format("{}: cannot be read: {}{}", target.string(), code.message(), offer(target.string())));
-    }
-    if (!fs::is_regular_file(path_)) throw InputError(path_ + ": is not a file");
-    if (model.space().comm()->getRank() != 0) return;
-    const std::string problem = seal_problem(path_);
+    path_ = resolved(path).string();
+    const std::string problem = model.space().comm()->getRank() == 0 ? seal_problem(path_) : "";
     if (!problem.empty()) throw InputError(path_ + ": " + problem + offer(path_));
   });
+  together<InputError>(model.space().comm(), [&] { compare_scenes(simulation); });
   reader_ = std::make_unique<CheckpointReader>(path_, model.space(), model.mesh());
-  std::string mesh, version;
-  reader_->text("mesh", mesh);
-  if (mesh != simulation.mesh_fingerprint())
-    throw InputError(path_ + ": was written of another mesh than the scene's");
-  compare_scenes(simulation);
-  reader_->text("version", version);
-  if (version != IXOS_VERSION)
-    notes_.push_back(fmt::format("It was written by version {}, this is {}: not bit for bit.", version, IXOS_VERSION));
-  if (reader_->same_scene() && !reader_->exact())
-    notes_.push_back(fmt::format("It was written on {} rank(s), this run has {}: to solver tolerance, not bit for bit.",
-                                 reader_->ranks(), model.space().comm()->getSize()));
+  reader_->set_same(same_scene_, same_solution_);
+  note_differences(simulation);
 }
 
 void Restart::compare_scenes(const Simulation& simulation) {
-  std::string text;
-  reader_->text("scene", text);
-  const auto before = read_scene_text(text, path_ + ": its scene");
+  const Hdf5Input file(path_);
+  const auto before = read_scene_text(file.text("scene"), path_ + ": its scene");
   // As it would be read back, so that both are spelt alike.
   const auto now = read_scene_text(scene_text(simulation.parameters()), "the scene");
-  std::string refused;
-  bool same = true;
+  std::string refused, mesh;
   for (const SceneChange& change : scene_changes(before, now)) {
     if (change.bearing == Bearing::State) refused += "\n  " + change.text();
-    if (change.bearing == Bearing::Motion) same = false;
+    if (change.path.rfind("Mesh/", 0) == 0 || change.path.rfind("Interactions/", 0) == 0)
+      mesh += "\n  " + change.text();
+    if (change.bearing == Bearing::Motion) same_scene_ = false;
+    if (change.bearing == Bearing::Solution) same_solution_ = false;
     notes_.push_back("Changed: " + change.text() + ".");
   }
+  if (file.text("mesh") != simulation.mesh_fingerprint())
+    throw InputError(path_ + ": was written of another mesh than the scene's" + mesh);
   if (!refused.empty())
     throw InputError(path_ + ": was written of a scene that differs where a restart cannot change it:" + refused);
-  reader_->set_same_scene(same);
-  if (!same)
+}
+
+void Restart::note_differences(const Simulation& simulation) {
+  std::string build;
+  reader_->text("build", build);
+  const bool same_build = build == build_name();
+  if (!same_build) notes_.push_back(fmt::format("It was written by \"{}\", this is \"{}\".", build, build_name()));
+  if (!reader_->same_partition())
+    notes_.push_back(fmt::format("It was written on {} rank(s), this run has {}.", reader_->ranks(),
+                                 simulation.model().space().comm()->getSize()));
+  if (!same_scene_)
     notes_.emplace_back(
         "The run goes on from the same displacements and velocities; energies are still counted from the first row.");
+  else if (!reader_->exact() || !same_build)
+    notes_.emplace_back("The run goes on to solver tolerance, not bit for bit.");
+}
+
+void Restart::load(const std::function<void(Record&)>& transfer) {
+  try {
+    transfer(*reader_);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.rfind(path_, 0) == 0 ? what : path_ + ": " + what);
+  }
 }
 
 bool Restart::is_in(const std::string& folder) const {

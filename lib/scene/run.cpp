@@ -73,10 +73,7 @@ class Run {
       }
       end();
     } catch (const FileError& error) {
-      const std::string newest = checkpoints_.newest();
-      throw FileError(fmt::format("{} (t = {:.6g} T0, step {}). {}", error.what(), integrator_.time(), result_.steps,
-                                  newest.empty() ? "There is no checkpoint to go on from"
-                                                 : "To go on from the newest checkpoint: --restart " + newest));
+      throw FileError(with_position(error.what()));
     }
     return result_;
   }
@@ -85,7 +82,6 @@ class Run {
   void begin();
   void begin_files();
   void go_on();
-  void begin_elsewhere();
   void resume_files();
   void open_folder(bool keep_fields);
   bool interlude();
@@ -94,7 +90,11 @@ class Run {
   void record(double before);
   void end();
   void checkpoint();
+  std::string with_position(const std::string& message) const;
   void transfer(Record& record);
+  void tell(const std::string& line) const {
+    if (options_.tell && comm_->getRank() == 0) options_.tell(line);
+  }
   std::string history_path() const { return options_.folder + "/history.csv"; }
   double wall() const { return Teuchos::Time::wallTime() - start_; }
   void fail(const std::string& reason) {
@@ -118,10 +118,10 @@ class Run {
 
   RunResult result_;
   RowCounts counts_;
-  bool recorded_ = true;   ///< has the present state a row?
-  bool framed_ = true;     ///< and a frame?
+  bool recorded_ = true;      ///< has the present state a row?
+  bool framed_ = true;        ///< and a frame?
   FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded
-  double start_ = 0;       ///< of the clock, less the seconds before a restart
+  double start_ = 0;          ///< of the clock, less the seconds before a restart
   std::array<double, phase_names.size()> phases_before_{};
 };
 
@@ -143,13 +143,17 @@ void Run::open_folder(bool keep_fields) {
 }
 
 void Run::begin() {
-  open_folder(false);
   begin_files();
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
 }
 
 /// New files, which begin with the present state.
 void Run::begin_files() {
+  open_folder(false);
+  const long earlier = checkpoints_.begin();
+  if (earlier >= 0 && checkpoints_.on())
+    tell(fmt::format("{} has checkpoints of an earlier run, up to step {}: the first of this run takes their place.",
+                     options_.folder, earlier));
   history_.create(history_path());
   if (fields_) {
     fields_->create();
@@ -163,24 +167,16 @@ void Run::begin_files() {
 
 void Run::go_on() {
   Restart restart(simulation_, options_.restart);
-  transfer(restart.record());
+  restart.load([this](Record& record) { transfer(record); });
   ++result_.restarts;
   if (restart.is_in(options_.folder))
     resume_files();
   else
-    begin_elsewhere();
-  if (options_.tell && comm_->getRank() == 0) {
-    options_.tell(fmt::format("Goes on from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(),
-                              result_.steps));
-    for (const std::string& note : restart.notes()) options_.tell(note);
-  }
+    begin_files();
+  tell(fmt::format("Goes on from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
+  for (const std::string& note : restart.notes()) tell(note);
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
-}
-
-void Run::begin_elsewhere() {
-  open_folder(false);
-  begin_files();
 }
 
 /// What is there is gone on with; nothing is changed before all of it is found to fit.
@@ -189,8 +185,8 @@ void Run::resume_files() {
   history_.verify(history_path());
   if (same_fields) fields_->verify(field_length_);
   open_folder(same_fields || !fields_);
+  checkpoints_.resume(result_.steps);  // the link first: killed from here on, it leads to what is there
   history_.resume(history_path());
-  checkpoints_.resume(result_.steps);
   if (same_fields) return fields_->resume(field_length_);
   if (!fields_) return;
   fields_->create();
@@ -272,13 +268,18 @@ void Run::record(double before) {
   framed_ = frames_.due(result_.steps, before, integrator_.time());
   if (fields_ && framed_) fields_->record();
   if (options_.watch && comm_->getRank() == 0)
-    options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations,
-                    counts_.wall_seconds});
+    options_.watch(
+        {integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, counts_.wall_seconds});
 }
 
 void Run::end() {
   // Before the last state's row and frame, where these come only because it is the last: a restart has no use for them.
-  if (checkpoints_.on()) checkpoint();
+  std::string problem;
+  try {
+    if (checkpoints_.on()) checkpoint();
+  } catch (const FileError& error) {  // on all ranks; there may be room for a row and the summary
+    problem = error.what();
+  }
   if (!recorded_) history_.record(counts_);
   if (fields_ && !framed_) fields_->record();
   history_.flush();
@@ -290,6 +291,16 @@ void Run::end() {
   const auto phases_now = phase_seconds();
   for (std::size_t i = 0; i < phases_now.size(); ++i) result_.phase_seconds[i] += phases_now[i] - phases_before_[i];
   write_summary(simulation_, result_, options_.folder + "/summary.json");
+  if (!problem.empty()) throw FileError(problem);
+}
+
+/// A message of a file that cannot be written, with what a person needs to go on.
+std::string Run::with_position(const std::string& message) const {
+  const std::string newest = checkpoints_.newest();
+  return fmt::format(
+      "{} (t = {:.6g} T0, step {}{}). {}", message, integrator_.time(), result_.steps,
+      result_.reason.empty() ? "" : ": " + result_.reason,
+      newest.empty() ? "There is no checkpoint to go on from" : "The newest checkpoint to go on from is " + newest);
 }
 
 void Run::checkpoint() {
@@ -333,7 +344,7 @@ void Run::transfer(Record& record) {
   history_.transfer(record);
   stop_.transfer(record);
   // Other steps or another scheme begin with their own.
-  if (record.same_scene()) control_.transfer(record);
+  if (!record.loading() || record.same_scene()) control_.transfer(record);
 }
 
 }  // namespace

@@ -21,11 +21,11 @@ struct Progress {
 };
 
 struct RunOptions {
-  std::string folder;                          ///< results go here; made where it does not exist
-  std::string restart;                         ///< a checkpoint to go on from; may be empty
+  std::string folder;                            ///< results go here; made where it does not exist
+  std::string restart;                           ///< a checkpoint to go on from; may be empty
   std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
-  std::function<void(const Progress&)> watch;  ///< called after every step on rank 0; may be empty
-  std::function<bool()> interrupted;           ///< asked before every step; set on all ranks or on none
+  std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
+  std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
 };
 
 enum class RunStatus { Completed, Stopped, Diverged, Interrupted };  ///< Stopped: a stop criterion holds
@@ -46,10 +46,10 @@ struct RunResult {
   std::string checkpoint;                                  ///< the newest one's path, or nothing
 };
 
-/// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml, history.csv,
-/// summary.json, and fields.e and checkpoints where the scene wants them. All that RunResult counts, clocks too, goes on
-/// from a checkpoint; so do history.csv and fields.e where it stands in the same folder, without the rows and frames that
-/// came after it.
+/// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml,
+/// history.csv, summary.json, and fields.e and checkpoints where the scene wants them. All that RunResult counts,
+/// clocks too, goes on from a checkpoint; so do history.csv and fields.e where it stands in the same folder, without
+/// the rows and frames that came after it.
 ///
 /// A step that fails, and may not be cut, ends the run with RunStatus::Diverged; a signal with Interrupted. However it
 /// ends, the last good state is checkpointed and the rows up to there are on disk. Throws FileError where something

@@ -17,15 +17,16 @@ bool ends_with(const std::string& text, const std::string& end) {
 }
 
 Bearing bearing(const std::string& path) {
-  for (const char* list : {"Units/", "Mesh/", "Initial Conditions/"})
-    if (starts_with(path, list)) return Bearing::State;
-  if (path == "Time Integrator/Time Step Control/Initial Time") return Bearing::State;
-  if (starts_with(path, "Interactions/") && (ends_with(path, "/Side Set") || ends_with(path, "/Contact Element")))
-    return Bearing::State;
-  if (path == "Time Integrator/Time Step Control/Final Time" || starts_with(path, "Time Integrator/Stop/"))
-    return Bearing::None;
+  const std::string control = "Time Integrator/Time Step Control/";
+  if (starts_with(path, "Initial Conditions/") || path == control + "Initial Time") return Bearing::State;
+  // Whether the mesh is another one, its fingerprint tells.
+  for (const char* list : {"Units/", "Mesh/", "Time Integrator/Stop/"})
+    if (starts_with(path, list)) return Bearing::None;
+  if (path == control + "Final Time") return Bearing::None;
   // Steps end at time intervals of output.
-  if (starts_with(path, "Output/") && !ends_with(path, " Time Interval")) return Bearing::None;
+  if (starts_with(path, "Output/")) return ends_with(path, " Time Interval") ? Bearing::Solution : Bearing::None;
+  if (starts_with(path, "Linear Solver/") || starts_with(path, "Nonlinear Solver/")) return Bearing::Solution;
+  if (path == control + "Maximum Cuts" || path == control + "Minimum Time Step") return Bearing::Solution;
   return Bearing::Motion;
 }
 

@@ -8,9 +8,10 @@ namespace ixos {
 
 /// What a change means for a restart.
 enum class Bearing {
-  None,    ///< the motion is the same: what is written, when the run ends
-  Motion,  ///< the run goes on from the same displacements and velocities with other laws, steps or solvers
-  State    ///< the state itself would be another one: not allowed
+  None,      ///< the motion is the same: what is written, when the run ends
+  Solution,  ///< the same equations solved by other means: to tolerance, not bit for bit
+  Motion,    ///< the run goes on from the same displacements and velocities with other laws, steps or schemes
+  State      ///< the state itself would be another one: not allowed
 };
 
 struct SceneChange {

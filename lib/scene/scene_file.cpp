@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "scene/parameter_text.hpp"
 #include "scene/validation.hpp"
 
@@ -121,10 +122,7 @@ std::string scene_text(const Teuchos::ParameterList& scene) {
 }
 
 void write_scene_file(const Teuchos::ParameterList& scene, const std::string& path) {
-  std::ofstream file(path);
-  file << scene_text(scene);
-  file.flush();
-  if (!file) throw FileError(path + ": cannot be written");
+  write_whole_file(path, scene_text(scene));
 }
 
 }  // namespace ixos

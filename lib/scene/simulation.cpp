@@ -209,7 +209,10 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const Histories histories(parameters_.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(parameters_.sublist("Boundary Conditions"), histories, *model_);
   probes_ = find_probes(parameters_.sublist("Output").sublist("Probes"), *model_);
-  for (const std::string& name : reactions()) {
+  const std::vector<std::string> recorded = reactions();
+  for (const std::string& name : recorded) {
+    if (std::count(recorded.begin(), recorded.end(), name) > 1)
+      throw InputError("Output/Reactions: the node set \"" + name + "\" is given twice");
     const std::size_t set = at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
     const int d = model_->mesh().dimension;
     double held = 0;
@@ -230,9 +233,8 @@ void Simulation::build_integrator(Table table) {
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
-  integrator_ = std::make_unique<Integrator>(*model_, std::move(table),
-                                             std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable),
-                                             options);
+  integrator_ = std::make_unique<Integrator>(
+      *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
 }
 
 void Simulation::set_initial_state() {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/agreement.hpp"
-#include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 namespace {
@@ -63,10 +63,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   together(comm, [&] {
     if (comm->getRank() != 0) return;
-    std::ofstream file(path);
-    file << json.dump(2) << '\n';
-    file.flush();
-    if (!file) throw FileError(path + ": cannot be written");
+    write_whole_file(path, json.dump(2) + '\n');
   });
 }
 

@@ -47,7 +47,9 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
 
 bool DirectSolverFactory::isCompatible(const Source& source) const { return !matrix_of(source).is_null(); }
 
-Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const { return keep(Teuchos::rcp(new DirectSolve)); }
+Teuchos::RCP<DirectSolverFactory::Op> DirectSolverFactory::createOp() const {
+  return keep(Teuchos::rcp(new DirectSolve));
+}
 
 void DirectSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
                                        const Thyra::ESupportSolveUse) const {

@@ -3,8 +3,8 @@
 #include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
-#include <Thyra_VectorStdOps.hpp>
 #include <Thyra_PreconditionerFactoryHelpers.hpp>
+#include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.hpp"
+#include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
 #include "solve/thyra.hpp"
 
@@ -70,8 +70,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   void renew() const {
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
-    if (options_.restartable) note_matrix();
     make();
+    if (options_.restartable) note_matrix();
     attach();
     stale_ = false;
     fresh_ = true;
@@ -100,17 +100,16 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const auto here = values();
     const std::vector<double> present(here.data(), here.data() + here.extent(0));
     const auto make_from = [&](const std::vector<double>& earlier) {
-      if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has another size");
+      together<InputError>(matrix_of(*source_)->getComm(), [&] {
+        if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has another size");
+      });
       std::copy(earlier.begin(), earlier.end(), here.data());
-      try {
-        make();
-        force();
-      } catch (const std::exception& error) {
-        throw InputError(std::string("a preconditioner cannot be made anew from the checkpoint: ") + error.what());
-      }
+      make();
+      force();
     };
+    // They could be made once, so they can again. Where the last one is stale only the first one's traces count.
     if (matrices_ > 1) make_from(first_matrix_);
-    if (matrices_ > 0) make_from(matrix_);
+    if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
     std::copy(present.begin(), present.end(), here.data());
   }
   void attach() const {
@@ -142,6 +141,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     if (options_.from_scratch) {
       preconditioner_ = factory_->createPrec();
       matrices_ = 0;
+      first_matrix_.clear();
     }
     renew();
     try {
@@ -176,12 +176,12 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
-  mutable bool stale_ = true;         ///< renew before the next matrix
-  mutable bool fresh_ = false;        ///< renewed, and not used since
-  mutable int least_iterations_ = 0;  ///< of the solves with this preconditioner
-  mutable double excess_ = 0;         ///< iterations beyond the least, summed
-  mutable bool loaded_ = false;       ///< from a checkpoint: the preconditioner is yet to be made
-  mutable int matrices_ = 0;          ///< kept: none, the last one, or the first and the last one
+  mutable bool stale_ = true;                          ///< renew before the next matrix
+  mutable bool fresh_ = false;                         ///< renewed, and not used since
+  mutable int least_iterations_ = 0;                   ///< of the solves with this preconditioner
+  mutable double excess_ = 0;                          ///< iterations beyond the least, summed
+  mutable bool loaded_ = false;                        ///< from a checkpoint: the preconditioner is yet to be made
+  mutable int matrices_ = 0;                           ///< kept: none, the last one, or the first and the last one
   mutable std::vector<double> first_matrix_, matrix_;  ///< values
 };
 

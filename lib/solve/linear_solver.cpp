@@ -56,8 +56,8 @@ struct LinearSolverFactory::Implementation {
     const Teuchos::RCP<ThyraFactory> krylov = krylov_builder.createLinearSolveStrategy("");
     krylov->setVerbLevel(Teuchos::VERB_NONE);
     if (!preconditioned) return krylov;
-    return Teuchos::rcp(new LaggedSolverFactory(krylov, preconditioner_builder.createPreconditioningStrategy(""),
-                                                lagged, statistics));
+    return Teuchos::rcp(
+        new LaggedSolverFactory(krylov, preconditioner_builder.createPreconditioningStrategy(""), lagged, statistics));
   }
 
   // The builders' factories refer to them.
@@ -75,7 +75,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   self.lagged.setup_cost = take_setup_cost(list);
   const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
   self.preconditioned = preconditioner != "None";
-  self.lagged.from_scratch = preconditioner != "Direct";
+  self.lagged.from_scratch = preconditioner == "MueLu";
   self.lagged.restartable = restartable;
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 namespace {
@@ -24,17 +24,6 @@ std::string quoted(const std::string& cell) {
 }
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
-/// Written beside and renamed: a reader never sees half of it.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".new";
-  std::ofstream file(beside, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code code;
-  if (file) std::filesystem::rename(beside, path, code);
-  if (!file || code) throw FileError(path + ": cannot be written");
-}
 
 std::string table(const Study& study, const std::vector<StudyResult>& results) {
   std::string text = "run";
@@ -177,8 +166,8 @@ void write_study(const Study& study, const std::vector<StudyResult>& results, co
     json["recommendation"]["settings"] = answer.run->run.settings;
   }
   json["common"] = study.common;
-  write_file(folder + "/study.csv", table(study, results));
-  write_file(folder + "/study.json", json.dump(2) + "\n");
+  write_whole_file(folder + "/study.csv", table(study, results));
+  write_whole_file(folder + "/study.json", json.dump(2) + "\n");
 }
 
 }  // namespace ixos

@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "study/child_process.hpp"
 
 namespace ixos {
@@ -145,8 +146,8 @@ class Runner {
     std::filesystem::remove(folder(run) + "/run.json");
     std::filesystem::remove(folder(run) + "/summary.json");
     // A run that did not end is run again: it needs no checkpoints, unless the study sets some.
-    std::vector<std::string> command{options_.driver, study_.scene, "--quiet", "--output", folder(run),
-                                     "--set",         "Output/Checkpoint/Keep=0"};
+    std::vector<std::string> command{
+        options_.driver, study_.scene, "--quiet", "--output", folder(run), "--set", "Output/Checkpoint/Keep=0"};
     for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
     return {command, folder(run) + "/log.txt"};
   }
@@ -172,13 +173,7 @@ class Runner {
     record["exit_status"] = outcome.exit_status;
     record["cpu_seconds"] = outcome.cpu_seconds;
     record["time_limit"] = child.timed_out ? study_.time_limit : 0;
-    const std::string path = folder(runs[child.number]) + "/run.json";
-    std::ofstream file(path + ".new");
-    file << record.dump(2) << '\n';
-    file.close();
-    std::error_code code;
-    if (file) std::filesystem::rename(path + ".new", path, code);
-    if (!file || code) throw FileError(path + ": cannot be written");
+    write_whole_file(folder(runs[child.number]) + "/run.json", record.dump(2) + '\n');
     return child.number;
   }
 

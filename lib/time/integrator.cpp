@@ -5,6 +5,7 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -174,8 +175,7 @@ bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& 
   if (!has_external_) return true;
   const double end = time_ + stage.end * dt;
   bool defined = model_.constraints().are_finite(end) && model_.loads().are_finite(end);
-  for (const TimePoint& point : stage.load)
-    defined = defined && model_.loads().are_finite(time_ + point.time * dt);
+  for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(time_ + point.time * dt);
   if (model_.space().minimum(defined ? 1 : 0) > 0) return true;
   reason = fmt::format("a prescribed motion or a load is not a finite number between t = {:.10g} and {:.10g} T0", time_,
                        end);
@@ -276,7 +276,11 @@ void Integrator::accept() {
 double Integrator::error() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
   judged_ = true;
-  if (!previous_.known && states_.size() == 2) acceleration();
+  if (!previous_.known && states_.size() == 2 && !acceleration_known_) {
+    State& start = states_.front();
+    if (!balance_.solve(time_, start.u, start.v, start.a)) return std::numeric_limits<double>::infinity();
+    acceleration_known_ = true;
+  }
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 
@@ -292,11 +296,27 @@ void Integrator::transfer(Record& record) {
   record.number("dissipated energy", dissipated_);
   record.number("external work", external_work_);
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
+  refuse_jump();
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
   initialize(std::vector<double>(state.u), std::vector<double>(state.v), time_);
   time_carry_ = carry;
   dissipated_ = dissipated;
   external_work_ = external_work;
+}
+
+/// A motion that was changed must pass through where its degrees of freedom are.
+void Integrator::refuse_jump() const {
+  const State& state = states_.front();
+  std::vector<double> there(state.u);
+  model_.constraints().set(time_, there.data(), nullptr, nullptr);
+  double jump = 0, size = 0;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    jump = std::max(jump, std::abs(there[i] - state.u[i]));
+    size = std::max(size, std::abs(state.u[i]));
+  }
+  jump = model_.space().maximum(jump);
+  if (jump > 1e-9 * model_.space().maximum(size))
+    throw InputError(fmt::format("a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, time_));
 }
 
 void Integrator::transfer_derived(Record& record) {

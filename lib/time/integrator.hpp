@@ -67,7 +67,8 @@ class Integrator {
 
   /// For checkpoints, between steps: everything that later steps depend on, to the last bit. Loading onto another
   /// partition leaves out what the linear solvers keep; loading into another scene goes on from displacements,
-  /// velocities, time and sums alone (throws InputError where they are inadmissible there). Collective.
+  /// velocities, time and sums alone; throws InputError where they are inadmissible there, or a prescribed displacement
+  /// would jump. Collective.
   void transfer(Record& record);
 
  private:
@@ -79,6 +80,7 @@ class Integrator {
   bool driving_is_defined(const Stage& stage, double dt, std::string& reason) const;
   bool take_explicit_step(double dt, std::string& reason);
   void transfer_derived(Record& record);
+  void refuse_jump() const;
 
   const Model& model_;
   Table table_;

@@ -114,7 +114,7 @@ TEST_F(CheckpointFileTest, AnotherPartitionFindsItsNodesByNumber) {
   const DofSpace space(other, world());
   CheckpointReader reader(path_, space, other);
   EXPECT_EQ(reader.exact(), world()->getSize() == 1);
-  reader.set_same_scene(true);
+  reader.set_same(true, true);
   const Record::Section outer(reader, "outer");
   const Record::Section inner(reader, "inner 1");
   std::vector<double> field;
@@ -167,8 +167,7 @@ TEST(FingerprintTest, MeshesDifferByAnyOfTheirParts) {
   EXPECT_TRUE(differs([](Mesh& m) { m.coordinates[3] = std::nextafter(m.coordinates[3], 2); }));
   EXPECT_TRUE(differs([](Mesh& m) { std::swap(m.blocks[0].nodes[0], m.blocks[0].nodes[1]); }));
   EXPECT_TRUE(differs([](Mesh& m) { m.blocks[0].name += "x"; }));
-  EXPECT_TRUE(differs([](Mesh& m) { m.side_sets[0].sides.pop_back(); }));
-  EXPECT_TRUE(differs([](Mesh& m) { m.node_sets[0].name = "other"; }));
+  EXPECT_FALSE(differs([](Mesh& m) { m.side_sets.pop_back(); })) << "sets may come and go";
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ class RestartDriverTest : public testing::Test {
   /// The ball to time 2, on some ranks; `more` are words for the shell.
   std::string command(const std::string& more, int ranks = 1) const {
     const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " --oversubscribe ";
-    return launcher + quoted_driver() + " " + ball + " --set '" + control + "Final Time=2' --set 'Output/Fields Interval=50' " +
-           more;
+    return launcher + quoted_driver() + " " + ball + " --set '" + control +
+           "Final Time=2' --set 'Output/Fields Interval=50' " + more;
   }
   Outcome run(const std::string& more, int ranks = 1) const { return shell(command(more, ranks), folder_); }
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
@@ -46,7 +46,11 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
                                          "while ! [ -e parts/checkpoint.h5 ]; do sleep 0.02; done; kill -") +
                              signal + " $pid; wait $pid");
     ASSERT_EQ(told.status, 5) << told.output;
-    EXPECT_NE(told.output.find("to go on from there: ixos " + ball + " --restart parts/checkpoint-"), std::string::npos)
+    // The command that is printed is the whole one.
+    const auto advice = told.output.find("to go on from there: ixos " + ball + " --set 'Time Integrator/Time Step");
+    EXPECT_NE(advice, std::string::npos) << told.output;
+    EXPECT_NE(told.output.find(" --output parts --set Output/Checkpoint/Interval=200 --restart parts/checkpoint-"),
+              std::string::npos)
         << told.output;
     EXPECT_NE(contents(path("parts/summary.json")).find("\"status\": \"interrupted\""), std::string::npos);
     const Outcome rest = run("--output parts --restart parts/checkpoint.h5");
@@ -60,8 +64,9 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
 }
 
 TEST_F(RestartDriverTest, ASignalToOneRankEndsAllAndOneThatDiesTakesTheOthersAlong) {
-  const std::string start = "--output parts --quiet --set Output/Checkpoint/Interval=100 & pid=$!; "
-                            "while ! [ -e parts/checkpoint.h5 ]; do sleep 0.02; done; ";
+  const std::string start =
+      "--output parts --quiet --set Output/Checkpoint/Interval=100 & pid=$!; "
+      "while ! [ -e parts/checkpoint.h5 ]; do sleep 0.02; done; ";
   // The launcher's second child is the second rank.
   const Outcome told = run(start + "kill -TERM $(pgrep -P $pid | tail -1); wait $pid", 2);
   EXPECT_EQ(told.status, 5) << told.output;
@@ -79,8 +84,9 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
   ASSERT_EQ(run(early + "two --set Output/Checkpoint/Interval=200 --set Output/Checkpoint/Keep=9", 2).status, 0);
   const Outcome one = run("--set '" + control + "Final Time=0.5' --output one --restart two/checkpoint-200.h5");
   ASSERT_EQ(one.status, 0) << one.output;
-  EXPECT_NE(one.output.find("written on 2 rank(s), this run has 1: to solver tolerance, not bit for bit"),
-            std::string::npos)
+  EXPECT_NE(
+      one.output.find("written on 2 rank(s), this run has 1.\nThe run goes on to solver tolerance, not bit for bit."),
+      std::string::npos)
       << one.output;
   // Before the ball touches the wall: the last row's columns agree.
   std::istringstream mine(rows(path("one")).back()), theirs(rows(path("whole")).back());
@@ -94,7 +100,8 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
 }
 
 TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
-  ASSERT_EQ(run("--output out --quiet --set '" + control + "Final Time=0.2' --set Output/Checkpoint/Interval=100").status, 0);
+  ASSERT_EQ(
+      run("--output out --quiet --set '" + control + "Final Time=0.2' --set Output/Checkpoint/Interval=100").status, 0);
   const std::string before = contents(path("out/history.csv")), summary = contents(path("out/summary.json"));
   const auto refused = [&](const std::string& more, const std::string& message) {
     for (int ranks : {1, 2}) {
@@ -108,9 +115,11 @@ TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
   };
   refused("--restart nowhere.h5", "nowhere.h5: cannot be read: No such file or directory");
   refused("--restart out/history.csv", "out/history.csv: is not a checkpoint of Ixos");
-  refused("--restart out", "is not a file");
+  refused("--restart ''", "a file is needed");
+  std::filesystem::create_directories(path("none"));
+  refused("--restart none", "none: the folder has no sound checkpoint");
   refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Diameter=11'", "was written of another mesh than the scene's");
-  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Rings=3'", "has another number of nodes than the scene's mesh");
+  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Rings=3'", "Mesh/Disk/Rings: 2, now 3");
   refused("--restart out/checkpoint.h5 --set 'Initial Conditions/Velocity={1, 0}'",
           "Initial Conditions/Velocity: {}, now {1, 0}");
   std::filesystem::resize_file(path("out/checkpoint-200.h5"), 5000);
@@ -123,7 +132,7 @@ TEST_F(RestartDriverTest, CheckSaysWhetherARestartWouldGo) {
   const std::string before = contents(path("out/summary.json"));
   const Outcome outcome = run("--check --restart out/checkpoint.h5 --set 'Time Integrator/Type=Newmark'");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("checkpoint-100.h5 is sound, and the scene can go on from it."), std::string::npos);
+  EXPECT_NE(outcome.output.find("checkpoint-100.h5 is sound, and fits the scene."), std::string::npos);
   EXPECT_NE(outcome.output.find("Changed: Time Integrator/Type: \"Gautam-Sauer Composite\", now \"Newmark\"."),
             std::string::npos)
       << outcome.output;
@@ -145,15 +154,17 @@ TEST_F(RestartDriverTest, EveryFailureIsExitStatusThreeWithACheckpointAndAReason
   };
   const std::string belos = "--set 'Linear Solver/Linear Solver Type=Belos' ";
   fails("--set 'Nonlinear Solver/Maximum Iterations=2'", "did not converge in 2 iterations");
-  fails(belos + "--set 'Linear Solver/Preconditioner Type=None' --set "
-                "'Linear Solver/Linear Solver Types/Belos/Solver Types/Pseudo Block CG/Maximum Iterations=1'",
+  fails(belos +
+            "--set 'Linear Solver/Preconditioner Type=None' --set "
+            "'Linear Solver/Linear Solver Types/Belos/Solver Types/Pseudo Block CG/Maximum Iterations=1'",
         "Newton's iteration");
   const std::string newmark = "--set 'Time Integrator/Type=Newmark' ";
   const std::string fast = "--set 'Initial Conditions/Velocity={0, -20000}' ";
   fails(newmark + fast, "an element inverts, a gap closes");
-  fails("--set 'Time Integrator/Type=Central Difference' " + fast, "in an explicit step a gap closes, an element inverts");
+  fails("--set 'Time Integrator/Type=Central Difference' " + fast,
+        "in an explicit step a gap closes, an element inverts");
   // With cuts allowed, each is tried.
-  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "\"rejected_steps\": ");
+  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "\"rejected_steps\": 4");
 }
 
 TEST_F(RestartDriverTest, AnExpressionWithAPoleEndsTheRunNotTheProgram) {
@@ -169,10 +180,12 @@ TEST_F(RestartDriverTest, AnExpressionWithAPoleEndsTheRunNotTheProgram) {
       <Parameter name="Final Time" type="double" value="1"/><Parameter name="Time Step" type="double" value="0.02469"/>
     </ParameterList></ParameterList></ParameterList>)xml";
   for (const char* scheme : {"Newmark", "Central Difference", "Average Vector Field"}) {
-    const Outcome outcome = ixos({"pole.xml", "--output", "out", "--set", std::string("Time Integrator/Type=") + scheme}, folder_);
+    const Outcome outcome =
+        ixos({"pole.xml", "--output", "out", "--set", std::string("Time Integrator/Type=") + scheme}, folder_);
     EXPECT_EQ(outcome.status, 3) << scheme << outcome.output;
-    EXPECT_NE(outcome.output.find("a prescribed motion or a load is not a finite number between t = 0.09876 and 0.12345"),
-              std::string::npos)
+    EXPECT_NE(
+        outcome.output.find("a prescribed motion or a load is not a finite number between t = 0.09876 and 0.12345"),
+        std::string::npos)
         << outcome.output;
   }
 }

@@ -125,13 +125,19 @@ def limited_files(driver, table, work):
             shutil.rmtree(folder, ignore_errors=True)
             settings = SETTINGS[1:] + [STEPS + "Final Time=1000"]
             process = driver.start(["--output", folder], ranks=ranks, settings=settings)
-            while not os.path.exists(os.path.join(folder, "checkpoint.h5")):
-                time.sleep(0.01)
+            wait_for_checkpoint(folder, process)
             for pid in subprocess.run(["pgrep", "-f", folder], capture_output=True, text=True).stdout.split():
                 if os.path.exists("/proc/%s/exe" % pid) and os.readlink("/proc/%s/exe" % pid) == os.path.realpath(driver.path):
                     resource.prlimit(int(pid), resource.RLIMIT_FSIZE, (limit * 1024, limit * 1024))
             outcomes.append((*finish(process), ""))
         table.row("limit to the size of files (RLIMIT_FSIZE, 1 to 40 KiB), %d rank(s)" % ranks, outcomes, (4,))
+
+
+def wait_for_checkpoint(folder, process):
+    while not os.path.exists(os.path.join(folder, "checkpoint.h5")):
+        if process.poll() is not None:
+            sys.exit("the run ended early:\n" + process.communicate()[0])
+        time.sleep(0.01)
 
 
 def folders(driver, table, work):
@@ -149,8 +155,7 @@ def folders(driver, table, work):
         for wait in (0.5, 0.8, 1.1):
             folder = os.path.join(work, "vanishing")
             process = driver.start(["--output", folder], ranks=ranks, settings=SETTINGS[1:] + [STEPS + "Final Time=1000"])
-            while not os.path.exists(os.path.join(folder, "checkpoint.h5")):
-                time.sleep(0.01)
+            wait_for_checkpoint(folder, process)
             time.sleep(wait - 0.5)
             while os.path.exists(folder):
                 shutil.rmtree(folder, ignore_errors=True)
@@ -187,12 +192,15 @@ def damaged_checkpoints(driver, table, work, chance):
             problem = "" if "the one before it is sound: " in output and before in output else "no offer: " + output
             outcomes.append((status, output, problem))
         table.row(name, outcomes, (2,))
-    outcomes = [(0, "", restarted(driver, folder, source))] if not os.remove(os.path.join(folder, last)) else []
+    os.remove(os.path.join(folder, last))
+    status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, before)])
+    table.row("the one before it, as offered", [(status, output, differs(folder, source))], (0,))
+    outcomes = []
     with open(os.path.join(folder, "checkpoint.h5"), "wb") as file:
         file.write(b"")
-    for other in ("history.csv", "effective.xml", "fields.e", "checkpoint.h5", "nowhere.h5", "."):
+    for other in ("history.csv", "effective.xml", "fields.e", "checkpoint.h5", "nowhere.h5", "../ball.e"):
         outcomes.append((*driver.run(["--output", folder, "--restart", os.path.join(folder, other)]), ""))
-    table.row("restart from a file that is no checkpoint", outcomes[1:], (2,))
+    table.row("restart from a file that is no checkpoint", outcomes, (2,))
 
 
 def damaged_results(driver, table, work, chance):
@@ -208,7 +216,10 @@ def damaged_results(driver, table, work, chance):
             os.truncate(os.path.join(folder, name), cut)
             first = min((n for n in os.listdir(folder) if n.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
             status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, first)])
-            outcomes.append((status, output, differs(folder, source) if status == 0 else ""))
+            problem = differs(folder, source) if status == 0 else ""
+            if status != 0 and os.path.getsize(os.path.join(folder, name)) != cut:
+                problem = "a refusal changed the file"
+            outcomes.append((status, output, problem))
         table.row("%s cut at every 4 KiB, restart into its folder" % name, outcomes, (0, 2))
 
 

@@ -94,6 +94,16 @@ class Scene:
                                 stderr=subprocess.STDOUT, text=True), bool(restart)
 
 
+def half_written(folder):
+    """Was a checkpoint being written? Removes what is left of it, so that it counts once."""
+    found = False
+    for name in os.listdir(folder) if os.path.isdir(folder) else []:
+        if name.endswith(".h5.tmp"):
+            os.remove(os.path.join(folder, name))
+            found = True
+    return found
+
+
 def send_kill(pid):
     try:
         os.kill(pid, signal.SIGKILL)
@@ -151,16 +161,18 @@ def disturb(options, chance, scene, settings, ranks, folder, kills):
             counts["restarts" if restarted else "beginnings"] += 1
             try:
                 # Undisturbed to its end, once there were enough.
-                limit = chance.uniform(0, 1.1 * length) if counts["kills"] < kills else 600
-                output = process.communicate(timeout=limit)[0]
+                enough = counts["kills"] >= kills
+                output = process.communicate(timeout=600 if enough else chance.uniform(0, 1.1 * length))[0]
             except subprocess.TimeoutExpired:
                 hung = kill(process, chance)
+                if enough:
+                    counts["differences"].append("a run did not come to its end")
+                    break
                 counts["launchers"] += hung == "launcher"
                 if hung == "ranks":
                     counts["differences"].append("ranks did not end within a minute of another's death")
                 counts["kills"] += 1
-                counts["writing"] += any(name.endswith(".h5.tmp") for name in os.listdir(disturbed.folder)) \
-                    if os.path.isdir(disturbed.folder) else 0
+                counts["writing"] += half_written(disturbed.folder)
                 continue
             counts["ends"] += 1
             if process.returncode != 0:

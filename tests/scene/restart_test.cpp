@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "checkpoint/hdf5_file.hpp"
@@ -28,11 +29,13 @@ using test::world;
 
 /// A block that is drawn down to a sticky wall by one side, under a load and damped: every kind of force and sum.
 std::string drawn(const std::string& integrator, const std::string& output = "", const std::string& more = "") {
-  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {6, 3}))) +
+  return list("Mesh",
+              word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {6, 3}))) +
          list("Materials", list("Rubber", number("Density", 1) + number("Mass Damping", 0.1))) +
          list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.9}))) +
-         list("Histories", list("Down", word("Type", "Sine") + list("Sine", number("Offset", 0) + number("Amplitude", -0.5) +
-                                                                               number("Frequency", 0.25)))) +
+         list("Histories",
+              list("Down", word("Type", "Sine") + list("Sine", number("Offset", 0) + number("Amplitude", -0.5) +
+                                                                   number("Frequency", 0.25)))) +
          list("Boundary Conditions",
               list("Grip", word("Node Set", "left") + word("Components", "y") + word("History", "Down")) +
                   list("Pull", word("Type", "Traction") + word("Side Set", "right") + numbers("Vector", {0.02, 0}))) +
@@ -59,7 +62,8 @@ std::vector<std::string> rows(const std::string& folder) {
   while (std::getline(file, line)) {
     std::vector<std::string> cells;
     for (std::istringstream row(line); std::getline(row, cell, ',');) cells.push_back(cell);
-    if (result.empty()) clock = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), "wall_seconds") - cells.begin());
+    if (result.empty())
+      clock = static_cast<std::size_t>(std::find(cells.begin(), cells.end(), "wall_seconds") - cells.begin());
     cells.erase(cells.begin() + static_cast<std::ptrdiff_t>(clock));
     result.push_back(fmt::format("{}", fmt::join(cells, ",")));
   }
@@ -74,8 +78,12 @@ std::string bytes(const std::string& path) {
 
 class RestartTest : public testing::Test {
  protected:
-  void SetUp() override { on_first([&] { fs::remove_all(folder_); }); }
-  void TearDown() override { on_first([&] { fs::remove_all(folder_); }); }
+  void SetUp() override {
+    on_first([&] { fs::remove_all(folder_); });
+  }
+  void TearDown() override {
+    on_first([&] { fs::remove_all(folder_); });
+  }
 
   template <class Function>
   static void on_first(const Function& function) {
@@ -129,18 +137,27 @@ class RestartTest : public testing::Test {
       EXPECT_EQ(again.restarts, 1);
     }
   }
+  /// All files of a folder.
+  std::map<std::string, std::string> contents(const std::string& name) const {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::directory_iterator(folder(name))) files[entry.path().filename()] = bytes(entry.path());
+    return files;
+  }
   /// The message of the InputError that going on throws, without the rest having changed.
   std::string refusal(const std::string& scene, const std::string& name, const std::string& restart) {
     world()->barrier();
-    const std::string before = bytes(folder(name) + "/history.csv");
+    const auto before = contents(name);
+    world()->barrier();
+    std::string message;
     try {
       run_scene(scene, name, restart);
       ADD_FAILURE() << "it was not refused";
     } catch (const InputError& error) {
-      EXPECT_EQ(bytes(folder(name) + "/history.csv"), before);
-      return error.what();
+      message = error.what();
     }
-    return "";
+    world()->barrier();
+    EXPECT_TRUE(contents(name) == before) << "something was changed";
+    return message;
   }
 
   std::string folder_ = testing::TempDir() + "ixos_restart_" + std::to_string(world()->getSize());
@@ -158,12 +175,14 @@ TEST_F(RestartTest, EverySchemeGoesOnToTheLastBit) {
 }
 
 TEST_F(RestartTest, AdaptiveStepsAndChosenTimePointsGoOn) {
-  const std::string adaptive = list("Adaptive", number("Tolerance", 1e-4) + number("Maximum Gap Ratio", 1.3) +
-                                                    "<Parameter name=\"Choose Time Points\" type=\"bool\" value=\"true\"/>");
-  expect_goes_on(drawn(word("Type", "Average Vector Field") + word("Predictor", "Extrapolation") +
-                           steps(0.001, 1.5, word("Type", "Adaptive") + adaptive),
-                       number("History Time Interval", 0.1) + number("Fields Time Interval", 0.3) + checkpoints(5, 1000)),
-                 {5, 20, 35});
+  const std::string adaptive =
+      list("Adaptive", number("Tolerance", 1e-4) + number("Maximum Gap Ratio", 1.3) +
+                           "<Parameter name=\"Choose Time Points\" type=\"bool\" value=\"true\"/>");
+  expect_goes_on(
+      drawn(word("Type", "Average Vector Field") + word("Predictor", "Extrapolation") +
+                steps(0.001, 1.5, word("Type", "Adaptive") + adaptive),
+            number("History Time Interval", 0.1) + number("Fields Time Interval", 0.3) + checkpoints(5, 1000)),
+      {5, 20, 35});
 }
 
 TEST_F(RestartTest, CutStepsGoOn) {
@@ -190,12 +209,12 @@ double matrices(const std::string& path) {
 
 TEST_F(RestartTest, LaggedPreconditionersGoOn) {
   const auto scene = [](const std::string& preconditioner, const std::string& scheme, double setup_cost) {
-    return drawn(word("Type", scheme) + steps(0.02, 1), checkpoints(5, 100),
-                 list("Linear Solver",
-                      word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) +
-                          list("Reuse", number("Setup Cost", setup_cost)) +
-                          list("Preconditioner Types",
-                               list("MueLu", count("coarse: max size", 10) + word("verbosity", "none")))));
+    return drawn(
+        word("Type", scheme) + steps(0.02, 1), checkpoints(5, 100),
+        list("Linear Solver", word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) +
+                                  list("Reuse", number("Setup Cost", setup_cost)) +
+                                  list("Preconditioner Types",
+                                       list("MueLu", count("coarse: max size", 10) + word("verbosity", "none")))));
   };
   {
     SCOPED_TRACE("MueLu");
@@ -212,8 +231,8 @@ TEST_F(RestartTest, LaggedPreconditionersGoOn) {
 }
 
 TEST_F(RestartTest, AnInterruptedRunGoesOnAsIfNothingHadHappened) {
-  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 1),
-                                  count("History Interval", 10) + count("Fields Interval", 10));
+  const std::string scene =
+      drawn(word("Type", "Newmark") + steps(0.02, 1), count("History Interval", 10) + count("Fields Interval", 10));
   run_scene(scene, "whole");
   int calls = 0;
   const RunResult first = run_scene(scene, "parts", "", [&calls] { return ++calls > 23; });
@@ -272,7 +291,8 @@ TEST_F(RestartTest, AnotherSchemeTakesOver) {
     const std::string row = rows(folder(name)).back();
     std::vector<double> cells;
     std::string cell;
-    for (std::istringstream text(row); std::getline(text, cell, ',');) cells.push_back(cell.empty() ? 0 : std::stod(cell));
+    for (std::istringstream text(row); std::getline(text, cell, ',');)
+      cells.push_back(cell.empty() ? 0 : std::stod(cell));
     return cells[cells.size() - 4];
   };
   EXPECT_NEAR(place("parts"), place("fine"), 2e-3 * std::abs(place("fine")));
@@ -280,7 +300,8 @@ TEST_F(RestartTest, AnotherSchemeTakesOver) {
 }
 
 TEST_F(RestartTest, AnotherFolderBeginsWithTheStateOfTheCheckpoint) {
-  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 1), count("Fields Interval", 10) + checkpoints(20, 9));
+  const std::string scene =
+      drawn(word("Type", "Newmark") + steps(0.02, 1), count("Fields Interval", 10) + checkpoints(20, 9));
   run_scene(scene, "whole");
   run_scene(scene, "elsewhere", checkpoint("whole", 20));
   const auto all = rows(folder("whole")), later = rows(folder("elsewhere"));
@@ -311,13 +332,15 @@ TEST_F(RestartTest, ChangesThatARestartCannotMakeAreRefused) {
   const std::string file = checkpoint("whole", 10);
   std::string other = scene;
   other.replace(other.find("{6, 3}"), 6, "{6, 4}");
-  EXPECT_NE(refusal(other, "whole", file).find("another number of nodes than the scene's mesh"), std::string::npos);
+  EXPECT_NE(refusal(other, "whole", file).find("Mesh/Box/Divisions: {6, 3}, now {6, 4}"), std::string::npos)
+      << refusal(other, "whole", file);
   other = scene;
   other.replace(other.find("{2, 1}"), 6, "{2, 1.5}");
   EXPECT_NE(refusal(other, "whole", file).find("of another mesh"), std::string::npos);
   other = scene;
   other.replace(other.find("{0.1, 0}"), 8, "{0.3, 0}");
-  EXPECT_NE(refusal(other, "whole", file).find("Initial Conditions/Velocity: {0.1, 0}, now {0.3, 0}"), std::string::npos)
+  EXPECT_NE(refusal(other, "whole", file).find("Initial Conditions/Velocity: {0.1, 0}, now {0.3, 0}"),
+            std::string::npos)
       << refusal(other, "whole", file);
   other = scene;
   other.replace(other.find("{left}"), 6, "{}");
@@ -345,8 +368,9 @@ TEST_F(RestartTest, DamagedCheckpointsAreRefusedAndTheOneBeforeIsOffered) {
     file.seekp(3000);
     file.put('!');
   });
-  EXPECT_NE(refusal(scene, "whole", last).find("checkpoint-30.h5: is damaged: its checksum does not fit its contents; the "
-                                               "one before it is sound: "),
+  EXPECT_NE(refusal(scene, "whole", last)
+                .find("checkpoint-30.h5: is damaged: its checksum does not fit its contents; the "
+                      "one before it is sound: "),
             std::string::npos);
   EXPECT_NE(refusal(scene, "whole", folder("whole") + "/checkpoint.h5").find(before), std::string::npos);
   on_first([&] { fs::resize_file(before, 100); });
@@ -363,20 +387,115 @@ TEST_F(RestartTest, DamagedCheckpointsAreRefusedAndTheOneBeforeIsOffered) {
             std::string::npos);
 }
 
+TEST_F(RestartTest, ARefusalByOneFileLeavesAllAsTheyWere) {
+  const std::string scene =
+      drawn(word("Type", "Newmark") + steps(0.02, 0.6), count("Fields Interval", 5) + checkpoints(10, 9));
+  run_scene(scene, "whole");
+  copy("whole", "parts");
+  // The last rank's frames are gone.
+  const std::string last = world()->getSize() == 1
+                               ? "fields.e"
+                               : fmt::format("fields.e.{0}.{1}", world()->getSize(), world()->getSize() - 1);
+  on_first([&] { fs::resize_file(folder("parts") + "/" + last, 2000); });
+  EXPECT_NE(refusal(scene, "parts", checkpoint("parts", 10)).find(last), std::string::npos);
+  on_first([&] {
+    fs::copy_file(folder("whole") + "/" + last, folder("parts") + "/" + last, fs::copy_options::overwrite_existing);
+  });
+  expect_same("whole", "parts");
+  // A later checkpoint still finds its rows and frames.
+  run_scene(scene, "parts", checkpoint("parts", 20));
+  expect_same("whole", "parts");
+}
+
+TEST_F(RestartTest, TheLinkFollowsWhereARunGoesBack) {
+  const auto scene = [](double end) { return drawn(word("Type", "Newmark") + steps(0.02, end), checkpoints(10, 9)); };
+  run_scene(scene(0.6), "whole");
+  // Killed as soon as it has begun: nothing is written after the files were cut back.
+  run_scene(scene(0.6), "whole", checkpoint("whole", 10), [] { return true; });
+  world()->barrier();
+  EXPECT_EQ(fs::read_symlink(folder("whole") + "/checkpoint.h5"), "checkpoint-10.h5");
+  EXPECT_EQ(run_scene(scene(0.6), "whole", folder("whole") + "/checkpoint.h5").steps, 30);
+  EXPECT_EQ(run_scene(scene(0.6), "whole", folder("whole")).steps, 30) << "a folder stands for its newest";
+}
+
+TEST_F(RestartTest, AFreshRunDoesNotPassForTheEarlierOne) {
+  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 0.4), checkpoints(10, 2));
+  run_scene(scene, "whole");
+  int calls = 0;
+  const auto kill = [&calls]() -> bool {
+    if (++calls > 5) throw std::runtime_error("killed");
+    return false;
+  };
+  EXPECT_THROW(run_scene(scene, "whole", "", kill), std::runtime_error);
+  if (world()->getRank() == 0) {
+    EXPECT_NE(told_.find("has checkpoints of an earlier run, up to step 20"), std::string::npos) << told_;
+  }
+  world()->barrier();
+  EXPECT_FALSE(fs::exists(folder("whole") + "/checkpoint.h5"));
+  EXPECT_NE(refusal(scene, "whole", checkpoint("whole", 20)).find("is not the table to go on with"), std::string::npos);
+}
+
+TEST_F(RestartTest, OtherSolversGoOnToTolerance) {
+  const auto scene = [](const std::string& solver) {
+    return drawn(word("Type", "Newmark") + steps(0.02, 1), checkpoints(20, 9), list("Linear Solver", solver));
+  };
+  run_scene(scene(word("Linear Solver Type", "Direct")), "whole");
+  copy("whole", "parts");
+  run_scene(scene(word("Linear Solver Type", "Belos") + word("Preconditioner Type", "Ifpack2")), "parts",
+            checkpoint("parts", 20));
+  if (world()->getRank() == 0) {
+    EXPECT_NE(told_.find("to solver tolerance, not bit for bit"), std::string::npos) << told_;
+  }
+  const auto one = rows(folder("whole")), other = rows(folder("parts"));
+  ASSERT_EQ(one.size(), other.size());
+  const auto energy = [](const std::string& row) {
+    std::string cell;
+    std::istringstream text(row);
+    for (int column = 0; column < 5; ++column) std::getline(text, cell, ',');
+    return std::stod(cell);
+  };
+  EXPECT_NEAR(energy(other.back()), energy(one.back()), 1e-7 * energy(one.back()));
+}
+
+TEST_F(RestartTest, AMotionThatWouldJumpIsRefused) {
+  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 0.4), checkpoints(10, 9));
+  run_scene(scene, "whole");
+  std::string other = scene;
+  other.replace(other.find("value=\"-0.5\""), 12, "value=\"-0.6\"");
+  const std::string message = refusal(other, "whole", checkpoint("whole", 10));
+  EXPECT_NE(message.find("a prescribed displacement would jump by 0.03"), std::string::npos) << message;
+  EXPECT_NE(message.find("checkpoint-10.h5: "), std::string::npos) << message;
+}
+
+TEST_F(RestartTest, LeftoversOfAKilledWriteAreTidiedAway) {
+  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 0.4), checkpoints(10, 9));
+  on_first([&] {
+    fs::create_directories(folder("whole"));
+    std::ofstream(folder("whole") + "/checkpoint-7.h5.tmp") << "half";
+  });
+  run_scene(scene, "whole");
+  world()->barrier();
+  EXPECT_FALSE(fs::exists(folder("whole") + "/checkpoint-7.h5.tmp"));
+}
+
 TEST(SceneChangesTest, ChangesAreNamedAndJudged) {
   const auto scene = [](const std::string& text) { return test::scene(text); };
   const auto before = scene(list("A", number("x", 1) + word("w", "one")) + list("Output", count("Fields Interval", 3)) +
-                            list("Interactions", list("Wall", word("Side Set", "s"))));
+                            list("Interactions", list("Wall", word("Side Set", "s"))) +
+                            list("Initial Conditions", numbers("Velocity", {1})));
   const auto now = scene(list("A", number("x", 1.5) + number("y", 2)) + list("Output", count("Fields Interval", 4)) +
-                         list("Interactions", list("Wall", word("Side Set", "t"))));
+                         list("Interactions", list("Wall", word("Side Set", "t"))) +
+                         list("Initial Conditions", numbers("Velocity", {2})));
   const auto changes = scene_changes(before, now);
-  ASSERT_EQ(changes.size(), 5U);
+  ASSERT_EQ(changes.size(), 6U);
   EXPECT_EQ(changes[0].text(), "A/x: 1, now 1.5");
   EXPECT_EQ(changes[1].text(), "A/y: absent, now 2");
   EXPECT_EQ(changes[2].text(), "A/w: \"one\", now absent");
   EXPECT_EQ(changes[2].bearing, Bearing::Motion);
   EXPECT_EQ(changes[3].bearing, Bearing::None);
-  EXPECT_EQ(changes[4].bearing, Bearing::State);
+  EXPECT_EQ(changes[4].bearing, Bearing::Motion);
+  EXPECT_EQ(changes[5].text(), "Initial Conditions/Velocity: {1}, now {2}");
+  EXPECT_EQ(changes[5].bearing, Bearing::State);
   EXPECT_TRUE(scene_changes(before, before).empty());
 }
 
