@@ -268,7 +268,7 @@ std::string Hdf5Input::text(const char* name) const {
   std::string value(size, '\0');
   const Handle type = text_type(size);
   if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, value.data()) < 0) implementation_->missing(name);
-  return value.c_str();  // up to the first zero
+  return value.substr(0, value.find('\0'));
 }
 
 unsigned long long Hdf5Input::length(const char* name) const { return implementation_->length(name); }

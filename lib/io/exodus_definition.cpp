@@ -12,8 +12,13 @@
 namespace ixos {
 namespace {
 
-/// Exodus and NetCDF lose it on the way; other values of errno are leftovers.
+/// NetCDF's positive error numbers are the system's. Where Exodus lost it on the way, errno may still have it; other
+/// values of errno are leftovers.
 std::string system_word() {
+  const char *message = nullptr, *function = nullptr;
+  int number = 0;
+  ex_get_err(&message, &function, &number);
+  if (number > 0) return std::string(": ") + std::strerror(number);
   for (int word : {ENOSPC, EFBIG, EDQUOT, EROFS, EIO, EACCES, ENOENT})
     if (errno == word) return std::string(": ") + std::strerror(word);
   return "";

@@ -45,7 +45,7 @@ fs::path resolved(const std::string& path) {
   }
   const fs::path target =
       fs::is_symlink(path, code) ? fs::path(path).parent_path() / fs::read_symlink(path) : fs::path(path);
-  const fs::path whole = fs::canonical(target, code);
+  fs::path whole = fs::canonical(target, code);
   if (code) throw InputError(target.string() + ": cannot be read: " + code.message() + offer(target));
   if (!fs::is_regular_file(whole)) throw InputError(whole.string() + ": is not a file");
   return whole;

@@ -50,7 +50,9 @@ void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList*
     const auto sublist = [&](const Teuchos::ParameterList* list) {
       return entry(list) != nullptr && list->isSublist(name) ? &list->sublist(name) : nullptr;
     };
-    const std::string here = path.empty() ? name : path + "/" + name;
+    std::string here = path;
+    if (!path.empty()) here += '/';
+    here += name;
     if (sublist(before) != nullptr || sublist(now) != nullptr) {
       compare(sublist(before), sublist(now), here, changes);
       continue;

@@ -49,7 +49,7 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
     // The command that is printed is the whole one.
     const auto advice = told.output.find("to go on from there: ixos " + ball + " --set 'Time Integrator/Time Step");
     EXPECT_NE(advice, std::string::npos) << told.output;
-    EXPECT_NE(told.output.find(" --output parts --set Output/Checkpoint/Interval=200 --restart parts/checkpoint-"),
+    EXPECT_NE(told.output.find(" --set Output/Checkpoint/Interval=200 --output parts --restart parts/checkpoint-"),
               std::string::npos)
         << told.output;
     EXPECT_NE(contents(path("parts/summary.json")).find("\"status\": \"interrupted\""), std::string::npos);
@@ -164,7 +164,10 @@ TEST_F(RestartDriverTest, EveryFailureIsExitStatusThreeWithACheckpointAndAReason
   fails("--set 'Time Integrator/Type=Central Difference' " + fast,
         "in an explicit step a gap closes, an element inverts");
   // With cuts allowed, each is tried.
-  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "\"rejected_steps\": 4");
+  fails(newmark + fast + "--set '" + control + "Maximum Cuts=3'", "an element inverts");
+  const std::string summary = contents(path("out/summary.json"));
+  const auto rejected = summary.find("\"rejected_steps\": ") + 18;
+  EXPECT_GT(std::stol(summary.substr(rejected)), 3) << summary;
 }
 
 TEST_F(RestartDriverTest, AnExpressionWithAPoleEndsTheRunNotTheProgram) {
