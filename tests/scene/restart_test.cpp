@@ -326,6 +326,15 @@ TEST_F(RestartTest, TheLastOnesAreKeptAndOtherRunsAreTidiedAway) {
   EXPECT_TRUE(checkpoint_steps(folder("none")).empty());
 }
 
+TEST_F(RestartTest, TheClockAsksForCheckpointsToo) {
+  // Every step is longer than that.
+  run_scene(drawn(word("Type", "Newmark") + steps(0.02, 0.2),
+                  list("Checkpoint", number("Wall-Clock Interval", 1e-9) + count("Keep", 99))),
+            "whole");
+  world()->barrier();
+  EXPECT_EQ(checkpoint_steps(folder("whole")), (std::vector<long>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
+}
+
 TEST_F(RestartTest, ChangesThatARestartCannotMakeAreRefused) {
   const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 0.2));
   run_scene(scene, "whole");
