@@ -233,6 +233,7 @@ void Simulation::build_integrator(Table table) {
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
+  if (linear.get<std::string>("Operator") == "Matrix-Free") model_->drop_matrices();
   integrator_ = std::make_unique<Integrator>(
       *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
 }

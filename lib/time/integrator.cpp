@@ -56,7 +56,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     return;
   }
   for (const Stage& stage : table_.stages) {
-    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_));
+    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_, linear_solver_->matrix_free()));
     solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
   }
 }
