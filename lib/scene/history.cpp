@@ -74,7 +74,7 @@ void History::verify(const std::string& path) const {
 void History::resume(const std::string& path) {
   const Comm& comm = simulation_.model().space().comm();
   together(comm, [&] {
-    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_, length_);
+    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, length_);
   });
 }
 
