@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -14,9 +13,7 @@ namespace ixos {
 namespace {
 
 int create(const std::string& path) {
-  int word = 8, stored = 8;
-  errno = 0;
-  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
+  const int id = create_exodus(path);
   require_created(id, path);
   return id;
 }
