@@ -114,9 +114,7 @@ std::string folder_of(const std::string& scene) {
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
   Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), folder_of(arguments.scene));
-  ixos::together(comm, [&] {
-    if (comm->getRank() == 0) ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
-  });
+  ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
   return 0;
 }
 

@@ -47,7 +47,7 @@ CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& spac
     : path_(path), space_(space) {
   double all = bytes + 8.0 * mesh.owned_nodes;
   space.sum(&all, 1);
-  file_ = std::make_unique<Hdf5Output>(path + ".tmp", space.comm(), seal_bytes, static_cast<unsigned long long>(all));
+  file_ = std::make_unique<Hdf5Output>(beside(path), space.comm(), seal_bytes, static_cast<unsigned long long>(all));
   file_->put("ranks", static_cast<double>(space.comm()->getSize()));
   const std::vector<long long> nodes(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
   file_->put("nodes", nodes.data(), owned_slab(space, 1));
@@ -76,10 +76,9 @@ void CheckpointWriter::share(const char* name, std::vector<double>& values) {
 
 void CheckpointWriter::publish() {
   file_->close();
-  together(space_.comm(), [&] {
-    if (space_.comm()->getRank() != 0) return;
-    seal(path_ + ".tmp");
-    replace_file(path_ + ".tmp", path_);
+  on_first_rank(space_.comm(), [&] {
+    seal(beside(path_));
+    replace_file(beside(path_), path_);
   });
 }
 

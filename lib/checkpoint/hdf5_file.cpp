@@ -117,12 +117,9 @@ struct Hdf5Output::Implementation {
 Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size)
     : implementation_(std::make_unique<Implementation>(path, comm)) {
   be_silent();
-  const auto reserve = [&](DiskFile::Mode mode) {
-    if (comm->getRank() == 0) DiskFile(path, mode).reserve(size);
-  };
-  together(comm, [&] {
-    if (comm->getRank() == 0) std::remove(path.c_str());  // what an interrupted run left, or a link
-    reserve(DiskFile::Mode::Create);
+  on_first_rank(comm, [&] {
+    std::remove(path.c_str());  // what an interrupted run left, or a link
+    DiskFile(path, DiskFile::Mode::Create).reserve(size);
   });
   const Handle creation = property_list(H5P_FILE_CREATE);
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
@@ -136,7 +133,7 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
       some_left_open = comm->getSize() > 1;  // where the others could open it
       throw FileError(path + ": cannot be written");
     }
-    reserve(DiskFile::Mode::Change);  // HDF5 emptied the file
+    if (comm->getRank() == 0) DiskFile(path, DiskFile::Mode::Change).reserve(size);  // HDF5 emptied the file
   });
 }
 

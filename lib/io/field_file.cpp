@@ -100,16 +100,16 @@ struct Contents {
 
   /// Leaves the file at `path` its first frames only. NetCDF cannot drop the last ones: the first are copied.
   void drop_frames(const std::string& path, int frames) const {
-    const std::string beside = path + ".tmp";
+    const std::string shorter = beside(path);
     {
       const ExodusHandle old(open(path, EX_READ), path);
       if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
-      const ExodusHandle copy(create(beside), beside);
+      const ExodusHandle copy(create(shorter), shorter);
       define(copy);
       for (int frame = 1; frame <= frames; ++frame) copy_frame(old, copy, frame);
     }
-    sync_to_disk(beside);
-    replace_file(beside, path);
+    sync_to_disk(shorter);
+    replace_file(shorter, path);
   }
 };
 

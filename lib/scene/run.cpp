@@ -127,8 +127,7 @@ class Run {
 
 /// Makes the folder and effective.xml on rank 0; what an earlier run left is not this one's. Throws on all ranks alike.
 void Run::open_folder(bool keep_fields) {
-  together(comm_, [&] {
-    if (comm_->getRank() != 0) return;
+  on_first_rank(comm_, [&] {
     std::error_code code;
     std::filesystem::create_directories(options_.folder, code);
     if (code) throw FileError("the results folder cannot be used: " + options_.folder + ": " + code.message());
