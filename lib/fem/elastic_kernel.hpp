@@ -240,8 +240,8 @@ struct ElasticKernel {
       }
   }
 
-  /// k_ai,bk += sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and g
-  /// are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
+  /// k_ai,bk += sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
+  /// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
   /// in registers; one triangle is computed and mirrored.
   template <class T>
   static void add_products(const std::array<Linearized<T>, chunk>& points, std::size_t count, Tangent<T>& k) {

@@ -139,8 +139,8 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
     T values[2][2];
     for (std::size_t second = 0; second < 2; ++second)
       for (std::size_t first = 0; first < 2; ++first)
-        values[second][first] = stresses[point<Along>(0, first, second)][i][Along] +
-                                stresses[point<Along>(1, first, second)][i][Along];
+        values[second][first] =
+            stresses[point<Along>(0, first, second)][i][Along] + stresses[point<Along>(1, first, second)][i][Along];
     const T low = values[0][0] + values[0][1], low_slope = values[0][1] - values[0][0];
     const T high = values[1][0] + values[1][1], high_slope = values[1][1] - values[1][0];
     c += low + high;

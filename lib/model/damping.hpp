@@ -10,8 +10,8 @@
 namespace ixos {
 
 /// The constant matrix C = sum over blocks of alpha_1 M + alpha_2 K_el(0), rows of owned nodes. alpha_1 in 1/T0,
-/// alpha_2 in T0. It exists only where a material asks for damping. The stiffness part is not objective: it damps finite
-/// rigid rotations.
+/// alpha_2 in T0. It exists only where a material asks for damping. The stiffness part is not objective: it damps
+/// finite rigid rotations.
 class Damping {
  public:
   /// `local`: local degrees of freedom.
@@ -20,8 +20,8 @@ class Damping {
   void add_mass(double alpha_1, std::unique_ptr<Mass> mass);
   /// The term must outlive the damping.
   void add_stiffness(double alpha_2, const Term& term);
-  /// From here on C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent is
-  /// applied so too.
+  /// From here on C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent
+  /// is applied so too.
   void drop_matrix();
 
   /// y += factor C x: x local, y the rows of owned nodes.

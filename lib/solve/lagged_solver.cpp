@@ -66,7 +66,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   void make() const {
     std::srand(1);
     const Teuchos::RCP<const Operator> matrix = matrix_of(*source_);
-    factory_->initializePrec(Thyra::defaultLinearOpSource(linear_op(matrix, source_->getOp()->range())),
+    factory_->initializePrec(Thyra::defaultLinearOpSource(const_linear_op(matrix, source_->getOp()->range())),
                              preconditioner_.get());
   }
   void renew() const {

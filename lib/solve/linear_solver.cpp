@@ -131,7 +131,7 @@ LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RC
   implementation_->factory = factory.strategy();
   implementation_->space = vector_space(matrix->getRowMap());
   const Teuchos::RCP<const Operator> as_operator = matrix;
-  implementation_->op = linear_op(as_operator, implementation_->space);
+  implementation_->op = const_linear_op(as_operator, implementation_->space);
 }
 
 LinearSystem::~LinearSystem() = default;

@@ -26,8 +26,7 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
 void TangentOperator::linearize(const TangentPoint& point) {
   for (std::size_t i = 0; i < elastic_.size(); ++i)
     elastic_[i]->linearize(point.elastic, *point.elastic_rule, point.kind, point.damping * rest_factors_[i]);
-  for (const auto& action : interactions_)
-    action->linearize(point.interaction, *point.interaction_rule, point.kind, 0);
+  for (const auto& action : interactions_) action->linearize(point.interaction, *point.interaction_rule, point.kind, 0);
   mass_ = point.mass;
   damping_ = point.damping;
   shift_ = point.shift;

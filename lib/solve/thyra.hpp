@@ -20,8 +20,8 @@ inline Teuchos::RCP<Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<Op
   return Thyra::createLinearOp<double, LocalId, GlobalId, Node>(op, space, space);
 }
 
-inline Teuchos::RCP<const Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<const Operator>& op,
-                                                                 const VectorSpace& space) {
+inline Teuchos::RCP<const Thyra::LinearOpBase<double>> const_linear_op(const Teuchos::RCP<const Operator>& op,
+                                                                       const VectorSpace& space) {
   return Thyra::createConstLinearOp<double, LocalId, GlobalId, Node>(op, space, space);
 }
 
