@@ -25,6 +25,12 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
+Formulation formulation(const List& material) {
+  const auto& name = material.get<std::string>("Element Formulation");
+  if (name == "Mean Dilatation") return Formulation::MeanDilatation;
+  return name == "Enhanced" ? Formulation::Enhanced : Formulation::Standard;
+}
+
 Material material(const List& list) {
   Material m;
   m.block = list.get<std::string>("Block");
@@ -34,6 +40,7 @@ Material material(const List& list) {
   m.mass_damping = list.get<double>("Mass Damping");
   m.stiffness_damping = list.get<double>("Stiffness Damping");
   m.points = list.get<int>("Quadrature Points");
+  m.formulation = formulation(list);
   return m;
 }
 
@@ -110,6 +117,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   Table table = chosen_table();
   check_adaptive(table);
   check_cutoff(table);
+  check_formulations(table);
   build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
@@ -164,6 +172,22 @@ void Simulation::check_cutoff(const Table& table) const {
       throw InputError("Interactions/" + name + "/Cutoff: the scheme \"" + table.name +
                        "\", as it is set, takes the exact mean of the interaction, which needs its whole range; use 0, "
                        "or Interaction Points of at least 1");
+}
+
+void Simulation::check_formulations(const Table& table) const {
+  const bool discrete = std::any_of(table.stages.begin(), table.stages.end(),
+                                    [](const Stage& stage) { return stage.elastic.mean == Mean::DiscreteGradient; });
+  for (const std::string& name : sublists(parameters_.sublist("Materials"))) {
+    const List& list = parameters_.sublist("Materials").sublist(name);
+    const Formulation chosen = formulation(list);
+    const std::string path = "Materials/" + name;
+    if (discrete && chosen != Formulation::Standard)
+      throw InputError(path + "/Element Formulation: \"" + list.get<std::string>("Element Formulation") +
+                       "\" has no discrete gradient, which the scheme \"" + table.name +
+                       "\" takes of the elastic energy; use \"Standard\", or the scheme \"Average Vector Field\"");
+    if (chosen == Formulation::Enhanced && list.get<int>("Quadrature Points") < 2)
+      throw InputError(path + "/Quadrature Points: 1 does not see the modes of \"Enhanced\" elements; use at least 2");
+  }
 }
 
 std::vector<std::string> Simulation::reactions() const {
