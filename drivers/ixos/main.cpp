@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -80,15 +81,10 @@ void print_version() {
   fmt::print("ixos {}\nSIMD: {} doubles wide\nKLU2 from: {}\n", IXOS_VERSION, ixos::pack_width, ixos::klu2_library());
 }
 
-/// The results folder for a scene file: its name without folder and ending, with .results.
-std::string default_output(const std::string& scene) {
-  const auto slash = scene.find_last_of('/');
-  std::string name = slash == std::string::npos ? scene : scene.substr(slash + 1);
-  return name.substr(0, name.find_last_of('.')) + ".results";
-}
-
+/// Where it was not given, the scene file's name without folder and ending, with .results.
 std::string results_folder(const Arguments& arguments) {
-  return arguments.output.empty() ? default_output(arguments.scene) : arguments.output;
+  return arguments.output.empty() ? std::filesystem::path(arguments.scene).stem().string() + ".results"
+                                  : arguments.output;
 }
 
 void describe(ixos::Simulation& simulation) {
@@ -106,17 +102,14 @@ void describe(ixos::Simulation& simulation) {
 }
 
 /// Where the scene file stands.
-std::string folder_of(const std::string& scene) {
-  const auto slash = scene.find_last_of('/');
-  return slash == std::string::npos ? "." : scene.substr(0, slash);
+std::string scene_folder(const Arguments& arguments) {
+  return std::filesystem::path(arguments.scene).parent_path().string();
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
   Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
-  const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), folder_of(arguments.scene));
-  ixos::together(comm, [&] {
-    if (comm->getRank() == 0) ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name());
-  });
+  const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
+  ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
   return 0;
 }
 
@@ -166,7 +159,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   for (const std::string& assignment : arguments.assignments)
     ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
-  ixos::Simulation simulation(scene, comm, folder_of(arguments.scene));
+  ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);

@@ -33,4 +33,12 @@ void together(const Comm& comm, const Function& function) {
   throw Error(message);
 }
 
+/// The same of a function that only the first rank runs. Collective.
+template <class Function>
+void on_first_rank(const Comm& comm, const Function& function) {
+  together(comm, [&] {
+    if (comm->getRank() == 0) function();
+  });
+}
+
 }  // namespace ixos

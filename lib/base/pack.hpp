@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <experimental/simd>
 
 namespace ixos {
@@ -33,6 +34,34 @@ inline double total(const Pack& x) { return std::experimental::reduce(x); }
 
 inline double smaller(double a, double b) { return std::min(a, b); }
 inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
+
+/// Three packs lane by lane: rows[4 lane + j] is lane of x, y, z, and 0 for j = 3. Vectors of space go to memory so.
+inline void interleave(const Pack& x, const Pack& y, const Pack& z, double* rows) {
+#if defined(__AVX512F__) && defined(__GNUC__) && !defined(__clang__)
+  using V = double __attribute__((vector_size(64)));
+  const V a = static_cast<__m512d>(x), b = static_cast<__m512d>(y), c = static_cast<__m512d>(z), zero = V{};
+  const V xy0 = __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+  const V xy1 = __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+  const V z0 = __builtin_shufflevector(c, zero, 0, 8, 2, 10, 4, 12, 6, 14);
+  const V z1 = __builtin_shufflevector(c, zero, 1, 9, 3, 11, 5, 13, 7, 15);
+  const V even0 = __builtin_shufflevector(xy0, z0, 0, 1, 8, 9, 2, 3, 10, 11);
+  const V even1 = __builtin_shufflevector(xy0, z0, 4, 5, 12, 13, 6, 7, 14, 15);
+  const V odd0 = __builtin_shufflevector(xy1, z1, 0, 1, 8, 9, 2, 3, 10, 11);
+  const V odd1 = __builtin_shufflevector(xy1, z1, 4, 5, 12, 13, 6, 7, 14, 15);
+  const V out[4] = {__builtin_shufflevector(even0, odd0, 0, 1, 2, 3, 8, 9, 10, 11),
+                    __builtin_shufflevector(even0, odd0, 4, 5, 6, 7, 12, 13, 14, 15),
+                    __builtin_shufflevector(even1, odd1, 0, 1, 2, 3, 8, 9, 10, 11),
+                    __builtin_shufflevector(even1, odd1, 4, 5, 6, 7, 12, 13, 14, 15)};
+  std::memcpy(rows, out, sizeof out);
+#else
+  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
+    rows[4 * lane] = x[lane];
+    rows[4 * lane + 1] = y[lane];
+    rows[4 * lane + 2] = z[lane];
+    rows[4 * lane + 3] = 0;
+  }
+#endif
+}
 
 /// Lane `i` of a scalar or a pack.
 inline double lane(double x, std::size_t) { return x; }

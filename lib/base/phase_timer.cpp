@@ -21,8 +21,8 @@ const Timers& timers() {
 
 Teuchos::Time& phase_timer(Phase phase) { return *timers()[static_cast<std::size_t>(phase)]; }
 
-std::array<double, phase_names.size()> phase_seconds() {
-  std::array<double, phase_names.size()> seconds{};
+PhaseSeconds phase_seconds() {
+  PhaseSeconds seconds{};
   for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] = timers()[i]->totalElapsedTime();
   return seconds;
 }

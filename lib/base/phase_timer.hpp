@@ -26,7 +26,9 @@ class TimedScope {
   Teuchos::Time& timer_;
 };
 
+using PhaseSeconds = std::array<double, phase_names.size()>;
+
 /// Seconds in each phase so far.
-std::array<double, phase_names.size()> phase_seconds();
+PhaseSeconds phase_seconds();
 
 }  // namespace ixos

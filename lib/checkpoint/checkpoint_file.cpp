@@ -41,15 +41,20 @@ Slab share_slab(const std::vector<long long>& lengths, int rank) {
 
 std::string lengths_name(const char* name) { return std::string(name) + " lengths"; }
 
+/// The numbers of the rank's own nodes in the mesh.
+std::vector<long long> owned_nodes(const LocalMesh& mesh) {
+  return {mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes};
+}
+
 }  // namespace
 
 CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes)
     : path_(path), space_(space) {
   double all = bytes + 8.0 * mesh.owned_nodes;
   space.sum(&all, 1);
-  file_ = std::make_unique<Hdf5Output>(path + ".tmp", space.comm(), seal_bytes, static_cast<unsigned long long>(all));
+  file_ = std::make_unique<Hdf5Output>(beside(path), space.comm(), seal_bytes, static_cast<unsigned long long>(all));
   file_->put("ranks", static_cast<double>(space.comm()->getSize()));
-  const std::vector<long long> nodes(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
+  const std::vector<long long> nodes = owned_nodes(mesh);
   file_->put("nodes", nodes.data(), owned_slab(space, 1));
 }
 
@@ -76,15 +81,15 @@ void CheckpointWriter::share(const char* name, std::vector<double>& values) {
 
 void CheckpointWriter::publish() {
   file_->close();
-  together(space_.comm(), [&] {
-    if (space_.comm()->getRank() != 0) return;
-    seal(path_ + ".tmp");
-    replace_file(path_ + ".tmp", path_);
+  on_first_rank(space_.comm(), [&] {
+    seal(beside(path_));
+    replace_file(beside(path_), path_);
   });
 }
 
 CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& space, const LocalMesh& mesh)
     : space_(space) {
+  const std::vector<long long> nodes = owned_nodes(mesh);
   together<InputError>(space.comm(), [&] {
     file_ = std::make_unique<Hdf5Input>(path);
     const double ranks = file_->number("ranks");
@@ -92,24 +97,20 @@ CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& spac
     ranks_ = static_cast<int>(ranks);
     if (file_->length("nodes") != static_cast<unsigned long long>(mesh.global_nodes))
       throw InputError(path + ": has another number of nodes than the scene's mesh");
-    find_partition(mesh);
+    same_partition_ = ranks_ == space.comm()->getSize() && file_->integers("nodes", owned_slab(space, 1)) == nodes;
   });
   same_partition_ = space.minimum(same_partition_ ? 1 : 0) > 0;
+  if (!same_partition_) together<InputError>(space.comm(), [&] { find_places(nodes); });
 }
 
-void CheckpointReader::find_partition(const LocalMesh& mesh) {
-  const auto owned = static_cast<std::size_t>(mesh.owned_nodes);
-  const std::vector<long long> mine(mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes);
-  same_partition_ = ranks_ == space_.comm()->getSize() && file_->integers("nodes", owned_slab(space_, 1)) == mine;
-  const std::vector<long long> all =
-      file_->integers("nodes", {0, static_cast<unsigned long long>(mesh.global_nodes), 0});
+void CheckpointReader::find_places(const std::vector<long long>& nodes) {
+  const std::vector<long long> all = file_->integers("nodes", {0, file_->length("nodes"), 0});
   std::map<long long, std::size_t> places;
   for (std::size_t i = 0; i < all.size(); ++i) places[all[i]] = i;
-  place_.resize(owned);
-  for (std::size_t i = 0; i < owned; ++i) {
-    const auto found = places.find(mine[i]);
-    if (found == places.end()) throw InputError("the checkpoint has no node " + std::to_string(mine[i] + 1));
-    place_[i] = found->second;
+  for (const long long node : nodes) {
+    const auto found = places.find(node);
+    if (found == places.end()) throw InputError("the checkpoint has no node " + std::to_string(node + 1));
+    place_.push_back(found->second);
   }
 }
 

@@ -86,7 +86,7 @@ class CheckpointReader final : public Record {
   void scalar(const char* name, double& value) override;
   void enter(const std::string& name) override;
   void leave() override { file_->leave(); }
-  void find_partition(const LocalMesh& mesh);
+  void find_places(const std::vector<long long>& nodes);
 
   const DofSpace& space_;
   std::unique_ptr<Hdf5Input> file_;

@@ -42,6 +42,8 @@ class Handle {
 
 Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
+Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
+
 hid_t in_memory(const double*) { return H5T_NATIVE_DOUBLE; }
 hid_t in_memory(const long long*) { return H5T_NATIVE_LLONG; }
 hid_t on_disk(const double*) { return H5T_IEEE_F64LE; }
@@ -87,24 +89,27 @@ struct Hdf5Output::Implementation {
     return least != 0;
   }
 
+  /// Values of a type, from a selection of the memory to one of the data set.
+  struct Source {
+    const void* values;
+    hid_t type;
+    hid_t space;
+  };
+  void put(const char* name, hid_t type, hid_t space, hid_t creation, const Source& source) {
+    H5Pset_obj_track_times(creation, false);
+    const Handle set(H5Dcreate2(here(), name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
+    check(set >= 0, name);
+    // Nobody may be left alone in the transfer.
+    if (H5Sget_simple_extent_npoints(space) == 0 || !all(set >= 0)) return;
+    const Handle transfer = property_list(H5P_DATASET_XFER);
+    if (comm->getSize() > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    check(H5Dwrite(set, source.type, source.space, space, transfer, source.values) >= 0, name);
+  }
   template <class T>
   void put(const char* name, const T* values, const Slab& slab) {
     const Handle creation = property_list(H5P_DATASET_CREATE);
     H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
-    H5Pset_obj_track_times(creation, false);
-    const Handle space = selection(slab);
-    const Handle set(H5Dcreate2(here(), name, on_disk(values), space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
-    check(set >= 0, name);
-    // Nobody may be left alone in the transfer.
-    if (slab.total == 0 || !all(set >= 0)) return;
-    const Handle transfer = property_list(H5P_DATASET_XFER);
-    if (comm->getSize() > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-    check(H5Dwrite(set, in_memory(values), memory(slab), space, transfer, values) >= 0, name);
-  }
-  void put_attribute(const char* name, hid_t disk, hid_t type, const void* value) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle attribute(H5Acreate2(here(), name, disk, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    check(attribute >= 0 && H5Awrite(attribute, type, value) >= 0, name);
+    put(name, on_disk(values), selection(slab), creation, {values, in_memory(values), memory(slab)});
   }
 
   std::string path;
@@ -117,12 +122,9 @@ struct Hdf5Output::Implementation {
 Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size)
     : implementation_(std::make_unique<Implementation>(path, comm)) {
   be_silent();
-  const auto reserve = [&](DiskFile::Mode mode) {
-    if (comm->getRank() == 0) DiskFile(path, mode).reserve(size);
-  };
-  together(comm, [&] {
-    if (comm->getRank() == 0) std::remove(path.c_str());  // what an interrupted run left, or a link
-    reserve(DiskFile::Mode::Create);
+  on_first_rank(comm, [&] {
+    std::remove(path.c_str());  // what an interrupted run left, or a link
+    DiskFile(path, DiskFile::Mode::Create).reserve(size);
   });
   const Handle creation = property_list(H5P_FILE_CREATE);
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
@@ -136,7 +138,7 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
       some_left_open = comm->getSize() > 1;  // where the others could open it
       throw FileError(path + ": cannot be written");
     }
-    reserve(DiskFile::Mode::Change);  // HDF5 emptied the file
+    if (comm->getRank() == 0) DiskFile(path, DiskFile::Mode::Change).reserve(size);  // HDF5 emptied the file
   });
 }
 
@@ -154,25 +156,18 @@ void Hdf5Output::enter(const std::string& group) {
 void Hdf5Output::leave() { implementation_->groups.pop_back(); }
 
 void Hdf5Output::put(const char* name, double value) {
-  implementation_->put_attribute(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
+  Implementation& self = *implementation_;
+  const Handle attribute(H5Acreate2(self.here(), name, on_disk(&value), scalar_space(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
+  self.check(attribute >= 0 && H5Awrite(attribute, in_memory(&value), &value) >= 0, name);
 }
 
 void Hdf5Output::put(const char* name, const std::string& value) {
   // A data set: attributes end at 64 KiB.
   const Handle type = text_type(value.size());
-  const Handle creation = property_list(H5P_DATASET_CREATE);
-  H5Pset_obj_track_times(creation, false);
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  Implementation& self = *implementation_;
-  const Handle set(H5Dcreate2(self.here(), name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
-  // One rank writes, all call.
-  const Handle transfer = property_list(H5P_DATASET_XFER);
-  if (self.comm->getSize() > 1) {
-    H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-    if (self.comm->getRank() != 0) H5Sselect_none(space);
-  }
-  self.check(set >= 0, name);
-  if (self.all(set >= 0)) self.check(H5Dwrite(set, type, space, space, transfer, value.c_str()) >= 0, name);
+  const Handle space = scalar_space();
+  if (implementation_->comm->getRank() != 0) H5Sselect_none(space);  // one rank writes, all call
+  implementation_->put(name, type, space, property_list(H5P_DATASET_CREATE), {value.c_str(), type, space});
 }
 
 void Hdf5Output::put(const char* name, const double* values, const Slab& slab) {

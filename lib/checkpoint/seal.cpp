@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "base/error.hpp"

@@ -1,5 +1,6 @@
 /// Energy, force and tangent of one element (or one pack of elements), over any scalar type.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "base/small_matrix.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
+#include "material/spatial_tangent.hpp"
 
 namespace ixos {
 
@@ -124,6 +126,9 @@ struct ElasticKernel {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
+    // One time point in three dimensions: the spatial form is twice as fast. Several share the contraction of their
+    // mean moduli.
+    if (D == 3 && rule.points.size() == 1) return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
@@ -144,24 +149,6 @@ struct ElasticKernel {
       else
         add_contraction<false>(dn, mean, k);
     }
-  }
-
- protected:
-  /// Adds weight times the values of means() at a point with displacement gradient h.
-  template <class T>
-  static void add_means(const Material& material, const Small<T, D>& h, const T& weight, std::array<T, 3>& sums) {
-    Small<T, D> p;
-    const T jacobian = material.stress(h, p);
-    T trace(0.0);
-    for (std::size_t i = 0; i < D; ++i) {
-      trace += p[i][i];
-      for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
-    }
-    trace = trace / jacobian;
-    if constexpr (D == 2) trace += material.out_of_plane_stress(h);
-    sums[0] += weight * trace;
-    sums[1] += weight * jacobian;
-    sums[2] += weight * material.energy(h);
   }
 
   /// Displacement gradients at the ends of the segment.
@@ -216,6 +203,95 @@ struct ElasticKernel {
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) h[i][j] += u[a][i] * dn[a][j];
     return h;
+  }
+
+ protected:
+  /// Adds weight times the values of means() at a point with displacement gradient h.
+  template <class T>
+  static void add_means(const Material& material, const Small<T, D>& h, const T& weight, std::array<T, 3>& sums) {
+    Small<T, D> p;
+    const T jacobian = material.stress(h, p);
+    T trace(0.0);
+    for (std::size_t i = 0; i < D; ++i) {
+      trace += p[i][i];
+      for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+    }
+    trace = trace / jacobian;
+    if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+    sums[0] += weight * trace;
+    sums[1] += weight * jacobian;
+    sums[2] += weight * material.energy(h);
+  }
+
+  /// Points that add_products() takes at once: their gradients stay in the nearest cache.
+  static constexpr std::size_t chunk = 8;
+
+  /// The tangent at one quadrature and time point: shape gradients in the reference and in the deformed body, and the
+  /// material's coefficients times the weights.
+  template <class T>
+  struct Linearized {
+    Nodal<T> reference, current;
+    SpatialTangent<T> moduli;
+  };
+
+  template <class T>
+  static void linearize(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                        const RulePoint& point, std::size_t q, Linearized<T>& result) {
+    result.reference = shape_gradients(geometry, q);
+    const Ends<T> ends(segment, result.reference);
+    Small<T, D> inverse_deformation;
+    result.moduli = material.spatial_tangent(ends.at(point), inverse_deformation);
+    result.moduli.scale(geometry.points[q].weight * (point.weight * point.to));
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i) {
+        result.current[a][i] = result.reference[a][0] * inverse_deformation[0][i];
+        for (std::size_t j = 1; j < D; ++j) result.current[a][i] += result.reference[a][j] * inverse_deformation[j][i];
+      }
+  }
+
+  /// k_ai,bk += sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
+  /// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
+  /// in registers; one triangle is computed and mirrored.
+  template <class T>
+  static void add_products(const std::array<Linearized<T>, chunk>& points, std::size_t count, Tangent<T>& k) {
+    for (std::size_t b = 0; b < N; ++b) {
+      std::array<std::array<T, D>, chunk> n, c, l;
+      for (std::size_t q = 0; q < count; ++q)
+        for (std::size_t i = 0; i < D; ++i) {
+          n[q][i] = points[q].moduli.mu * points[q].reference[b][i];
+          c[q][i] = points[q].moduli.c * points[q].current[b][i];
+          l[q][i] = points[q].moduli.lambda * points[q].current[b][i];
+        }
+      for (std::size_t a = 0; a <= b; ++a) {
+        Small<T, D> sum{};
+        T along(0.0);
+        for (std::size_t q = 0; q < count; ++q) {
+          const auto& reference = points[q].reference[a];
+          const auto& current = points[q].current[a];
+          for (std::size_t i = 0; i < D; ++i) {
+            along += reference[i] * n[q][i];
+            for (std::size_t j = 0; j < D; ++j) sum[i][j] += c[q][i] * current[j] + current[i] * l[q][j];
+          }
+        }
+        for (std::size_t i = 0; i < D; ++i) sum[i][i] += along;
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) {
+            k[a * D + i][b * D + j] += sum[i][j];
+            if (a != b) k[b * D + j][a * D + i] += sum[i][j];
+          }
+      }
+    }
+  }
+
+  template <class T>
+  static void add_spatial_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                                  const RulePoint& point, Tangent<T>& k) {
+    for (std::size_t q = 0; q < geometry.points.size(); q += chunk) {
+      const std::size_t count = std::min(chunk, geometry.points.size() - q);
+      std::array<Linearized<T>, chunk> linearized;
+      for (std::size_t i = 0; i < count; ++i) linearize(material, geometry, segment, point, q + i, linearized[i]);
+      add_products(linearized, count, k);
+    }
   }
 
   /// k_ai,bk += dN_a,J A_iJkL dN_b,L; of symmetric moduli the upper triangle of node pairs is computed and mirrored.

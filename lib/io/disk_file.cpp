@@ -91,6 +91,8 @@ void DiskFile::sync() {
 
 void sync_to_disk(const std::string& path) { DiskFile(path, DiskFile::Mode::Read).sync(); }
 
+std::string beside(const std::string& path) { return path + ".tmp"; }
+
 void replace_file(const std::string& finished, const std::string& path) {
   if (std::rename(finished.c_str(), path.c_str()) != 0) fail_at(path, "cannot be written");
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -98,12 +100,12 @@ void replace_file(const std::string& finished, const std::string& path) {
 }
 
 void write_whole_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".tmp";
+  const std::string unfinished = beside(path);
   {
-    DiskFile file(beside, DiskFile::Mode::Create);
+    DiskFile file(unfinished, DiskFile::Mode::Create);
     file.write(text.data(), text.size());
   }
-  replace_file(beside, path);
+  replace_file(unfinished, path);
 }
 
 }  // namespace ixos

@@ -35,6 +35,9 @@ class DiskFile {
 /// Has the disk keep what was written to a file, or a folder's names. Throws FileError.
 void sync_to_disk(const std::string& path);
 
+/// Where a file is made until it is finished and replace_file() puts it in its place.
+std::string beside(const std::string& path);
+
 /// Puts a finished file in the place of another, in one step that outlives a crash: whoever looks sees the old one or
 /// the new one. Throws FileError.
 void replace_file(const std::string& finished, const std::string& path);

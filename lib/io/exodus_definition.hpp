@@ -17,6 +17,9 @@ struct ExodusShare {
   std::vector<int> cell_ids;            ///< from 1, by cell, block after block
 };
 
+/// Makes a file, or empties one that is there. Negative, as ex_create's, where that fails.
+int create_exodus(const std::string& path);
+
 /// Writes coordinates, blocks (ids from 1), sets and id maps. Throws FileError.
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title);
 

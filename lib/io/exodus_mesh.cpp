@@ -223,8 +223,7 @@ class Reader {
 Mesh read_exodus_mesh(const std::string& path) { return Reader(path).read(); }
 
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title) {
-  int word = 8, stored = 8;
-  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
+  const int id = create_exodus(path);
   if (id < 0) throw FileError(path + ": cannot be written");
   const ExodusHandle file(id, path);
   ExodusShare share;

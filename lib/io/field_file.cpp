@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -14,9 +13,7 @@ namespace ixos {
 namespace {
 
 int create(const std::string& path) {
-  int word = 8, stored = 8;
-  errno = 0;
-  const int id = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
+  const int id = create_exodus(path);
   require_created(id, path);
   return id;
 }
@@ -103,16 +100,16 @@ struct Contents {
 
   /// Leaves the file at `path` its first frames only. NetCDF cannot drop the last ones: the first are copied.
   void drop_frames(const std::string& path, int frames) const {
-    const std::string beside = path + ".tmp";
+    const std::string shorter = beside(path);
     {
       const ExodusHandle old(open(path, EX_READ), path);
       if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
-      const ExodusHandle copy(create(beside), beside);
+      const ExodusHandle copy(create(shorter), shorter);
       define(copy);
       for (int frame = 1; frame <= frames; ++frame) copy_frame(old, copy, frame);
     }
-    sync_to_disk(beside);
-    replace_file(beside, path);
+    sync_to_disk(shorter);
+    replace_file(shorter, path);
   }
 };
 
@@ -147,7 +144,6 @@ void FieldFile::verify(const FieldLength& keep) const {
 }
 
 void FieldFile::resume(const FieldLength& keep) {
-  verify(keep);
   Implementation& self = *implementation_;
   self.drop_frames(self.path, keep.frames);
   self.file = std::make_unique<ExodusHandle>(open(self.path, EX_WRITE), self.path);

@@ -36,7 +36,7 @@ class FieldFile {
   void create();
   /// Throws InputError where the file there is not of this mesh and these names, or has fewer frames or bytes.
   void verify(const FieldLength& keep) const;
-  /// Goes on after the frames to keep; later ones are dropped. Throws as verify() does, and FileError.
+  /// Goes on after the frames to keep in the file that verify() found to fit; later ones are dropped. Throws FileError.
   void resume(const FieldLength& keep);
 
   /// Appends a frame: `nodal[v]` by local node; `cell[v][b]` by cell of local block b; `global[v]` (the same on every

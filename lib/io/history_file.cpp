@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <unistd.h>
-
 #include <Teuchos_Time.hpp>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -17,33 +13,27 @@
 namespace ixos {
 namespace {
 
-[[noreturn]] void fail(const std::string& path) {
-  throw FileError(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
-}
-
-std::FILE* open(const std::string& path, const char* mode) {
-  std::FILE* file = std::fopen(path.c_str(), mode);
-  if (file == nullptr) fail(path);
-  return file;
+/// The file at `path`, its first bytes only.
+std::string shortened(const std::string& path, std::uint64_t bytes) {
+  std::error_code code;
+  std::filesystem::resize_file(path, bytes, code);
+  if (code) throw FileError(path + ": cannot be written: " + code.message());
+  return path;
 }
 
 }  // namespace
 
 HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>& columns)
-    : path_(path), file_(open(path, "w")), last_flush_(Teuchos::Time::wallTime()) {
+    : file_(path, DiskFile::Mode::Create), last_flush_(Teuchos::Time::wallTime()) {
   buffer_ = fmt::format("{}\n", fmt::join(columns, ","));
   length_.bytes = buffer_.size();
   flush();
 }
 
-HistoryFile::HistoryFile(const std::string& path, const std::vector<std::string>& columns, const TableLength& length)
-    : path_(path), file_(nullptr), last_flush_(Teuchos::Time::wallTime()), length_(length) {
-  verify(path, columns, length);
-  std::error_code code;
-  std::filesystem::resize_file(path, length.bytes, code);
-  if (code) throw FileError(path + ": cannot be written: " + code.message());
-  file_ = open(path, "a");
-}
+HistoryFile::HistoryFile(const std::string& path, const TableLength& length)
+    : file_(shortened(path, length.bytes), DiskFile::Mode::Change),
+      last_flush_(Teuchos::Time::wallTime()),
+      length_(length) {}
 
 void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
   std::ifstream file(path);
@@ -65,8 +55,10 @@ void HistoryFile::verify(const std::string& path, const std::vector<std::string>
 }
 
 HistoryFile::~HistoryFile() {
-  std::fwrite(buffer_.data(), 1, buffer_.size(), file_);
-  std::fclose(file_);
+  try {
+    flush();
+  } catch (const FileError&) {  // whoever wants to know has flushed before
+  }
 }
 
 void HistoryFile::write(const std::vector<double>& values) {
@@ -87,15 +79,16 @@ void HistoryFile::write(const std::vector<double>& values) {
 }
 
 void HistoryFile::flush() {
-  const bool written = std::fwrite(buffer_.data(), 1, buffer_.size(), file_) == buffer_.size();
-  buffer_.clear();
   last_flush_ = Teuchos::Time::wallTime();
-  if (!written || std::fflush(file_) != 0) fail(path_);
+  // After a failure it is written again from where it began: no row is torn, and none lost, where there is room later.
+  file_.seek(length_.bytes - buffer_.size());
+  file_.write(buffer_.data(), buffer_.size());
+  buffer_.clear();
 }
 
 void HistoryFile::sync() {
   flush();
-  if (fsync(fileno(file_)) != 0) fail(path_);
+  file_.sync();
 }
 
 }  // namespace ixos

@@ -1,9 +1,10 @@
 /// Tables of numbers over time, as comma-separated values.
 #pragma once
 #include <cstdint>
-#include <cstdio>
 #include <string>
 #include <vector>
+
+#include "io/disk_file.hpp"
 
 namespace ixos {
 
@@ -20,8 +21,8 @@ class HistoryFile {
  public:
   /// Throws FileError where the file cannot be made.
   HistoryFile(const std::string& path, const std::vector<std::string>& columns);
-  /// Goes on with the file that is there: what it holds beyond `length` is dropped. Throws as verify() does.
-  HistoryFile(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
+  /// Goes on with the file that is there, which verify() found to fit: what it holds beyond `length` is dropped.
+  HistoryFile(const std::string& path, const TableLength& length);
   /// Throws InputError where the file that is there has other columns, or never had that length.
   static void verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
   ~HistoryFile();
@@ -36,9 +37,8 @@ class HistoryFile {
   const TableLength& length() const { return length_; }  ///< with what is not flushed yet
 
  private:
-  std::string path_;
-  std::FILE* file_;
-  double last_flush_ = 0;
+  DiskFile file_;
+  double last_flush_;
   std::string buffer_;
   TableLength length_;
 };

@@ -12,7 +12,7 @@ namespace ixos {
 /// Neo-Hooke (see NeoHooke) between the displacement gradients H0 and H1 (J > 0 at both), objective: P = F_m S with F_m
 /// the mean of F0 and F1, and S symmetric with S:(C1 - C0)/2 = W1 - W0. Gonzalez' (2000) construction needs a switch
 /// where C1 - C0 vanishes; ln det C, a function of one number, needs none: with D the mean cofactor of C along C0 to
-/// C1, x = D:(C1 - C0)/det C0 and q = log1p(x)/(x det C0), S = mu I + q c D, c = -mu + lambda/4 (ln det C0 + ln det
+/// C1, x = D:(C1 - C0)/det C0 and q = log_one_plus(x)/(x det C0), S = mu I + q c D, c = -mu + lambda/4 (ln det C0 + ln det
 /// C1). It is written in A = C - I, so that small strains keep their digits.
 template <std::size_t D, class T>
 class DiscreteNeoHooke {
@@ -48,9 +48,8 @@ class DiscreteNeoHooke {
     }
     determinant0_ = 1.0 + j0;
     x_ = change_of_determinant / determinant0_;
-    using std::log1p;
-    log_ = log1p(x_);
-    const T sum_of_logs = 2.0 * log1p(j0) + log_;
+    log_ = log_one_plus(x_);
+    const T sum_of_logs = 2.0 * log_one_plus(j0) + log_;
     // 1 - log1p(x)/x, and with it 1 - q, without cancellation.
     const T rest = minus_log1p_quotient(x_, log_);
     one_minus_q_ = (j0 + rest) / determinant0_;

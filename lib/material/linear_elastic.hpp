@@ -1,6 +1,7 @@
 /// Isotropic linear elasticity: the small-strain limit, exact superposition, and the oscillators of the tests.
 #pragma once
 #include "material/lame.hpp"
+#include "material/spatial_tangent.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {
@@ -71,6 +72,14 @@ struct LinearElastic {
             moduli[i * D + j][k * D + m] = T(value);
           }
     return stress(h, p);
+  }
+
+  /// The same in a body that is taken as undeformed, and F^-1 = I.
+  template <std::size_t D, class T>
+  SpatialTangent<T> spatial_tangent(const Small<T, D>& /*h*/, Small<T, D>& inverse_deformation) const {
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) inverse_deformation[i][j] = T(i == j ? 1.0 : 0.0);
+    return {T(lame.mu), T(lame.mu), T(lame.lambda)};
   }
 };
 

@@ -5,6 +5,7 @@
 #include "material/discrete_neo_hooke.hpp"
 #include "material/lame.hpp"
 #include "material/log_series.hpp"
+#include "material/spatial_tangent.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {
@@ -26,8 +27,7 @@ struct NeoHooke {
     for (std::size_t i = 1; i < D; ++i) trace += a[i][i];
     const T higher = higher_invariants(a);
     const T j = trace + higher;
-    using std::log1p;
-    const T l = log1p(j);
+    const T l = log_one_plus(j);
     return lame.mu / 2 * (minus_log1p(j, l) - higher) + lame.lambda / 8 * (l * l);
   }
 
@@ -74,6 +74,14 @@ struct NeoHooke {
     return s.jacobian;
   }
 
+  /// The same derivative in the deformed body, and F^-1.
+  template <std::size_t D, class T>
+  SpatialTangent<T> spatial_tangent(const Small<T, D>& h, Small<T, D>& inverse_deformation) const {
+    const State<D, T> s(h);
+    inverse_deformation = s.g;
+    return {T(lame.mu), lame.mu - lame.lambda / 2 * s.l, T(lame.lambda)};
+  }
+
  private:
   /// What stress and moduli share: A, g = F^-1, J and L = ln det C.
   template <std::size_t D, class T>
@@ -84,8 +92,7 @@ struct NeoHooke {
       const Small<T, D> f = deformation_gradient(h);
       jacobian = determinant(f);
       g = inverse(f, jacobian);
-      using std::log1p;
-      l = log1p(T(trace + higher_invariants(a)));
+      l = log_one_plus(T(trace + higher_invariants(a)));
     }
     Small<T, D> a;
     Small<T, D> g;

@@ -1,5 +1,7 @@
-/// Is a mesh fit for computation?
+/// Is a mesh fit for computation, and how good is it?
 #pragma once
+#include <string>
+
 #include "mesh/mesh.hpp"
 
 namespace ixos {
@@ -7,5 +9,23 @@ namespace ixos {
 /// Throws InputError, naming block and cell (from 1), where a cell's reference Jacobian is not positive at some corner
 /// point xi = +-1/sqrt(3): an inverted, degenerate or wrongly numbered cell.
 void check_cells(const Mesh& mesh);
+
+/// Figures of the whole mesh, of the cells' corners only: the further nodes of enriched cells do not change their
+/// shape.
+struct MeshQuality {
+  int cells = 0, nodes = 0;
+  /// Of a cell: the least Jacobian determinant of edges scaled to length 1, at its corners and, in 3D, its centre. 1: a
+  /// rectangle or brick; 0 or less: degenerate or inverted. Knupp (2000), as computed by Verdict.
+  double least_scaled_jacobian = 0;
+  double low_scaled_jacobian = 0;  ///< 5 % of the cells have this or less
+  double mean_scaled_jacobian = 0;
+  double largest_aspect_ratio = 0;  ///< of a cell: its longest edge over its shortest
+  double volume = 0;                ///< area [L0^2] or volume [L0^3]
+};
+
+MeshQuality mesh_quality(const Mesh& mesh);
+
+/// Three lines.
+std::string to_string(const MeshQuality& quality);
 
 }  // namespace ixos

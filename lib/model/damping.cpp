@@ -1,43 +1,104 @@
 #include "model/damping.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ixos {
+namespace {
 
-Damping::Damping(const Pattern& pattern, int dimension)
+/// A tangent of the undeformed body, `factor` times.
+Rule rest_rule(double factor) {
+  Rule rule = end_rule();
+  rule.points[0].weight = factor;
+  return rule;
+}
+
+}  // namespace
+
+Damping::Damping(const Pattern& pattern, int dimension, int local)
     : pattern_(pattern),
-      dimension_(dimension),
-      values_(static_cast<std::size_t>(pattern.pairs() * dimension * dimension), 0.0) {}
+      dimension_(static_cast<std::size_t>(dimension)),
+      rest_(static_cast<std::size_t>(local), 0.0),
+      values_(static_cast<std::size_t>(pattern.pairs()) * dimension_ * dimension_, 0.0) {}
+
+void Damping::add_mass(double alpha_1, std::unique_ptr<Mass> mass) {
+  mass->add_to(alpha_1, values_.data());
+  masses_.push_back({alpha_1, std::move(mass)});
+}
+
+void Damping::add_stiffness(double alpha_2, const Term& term) {
+  term.add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(alpha_2), Tangent::Exact, values_.data());
+  stiffnesses_.push_back({alpha_2, &term, nullptr});
+}
+
+void Damping::drop_matrix() {
+  std::vector<double>().swap(values_);
+  product_.resize(rest_.size());
+  for (StiffnessPart& part : stiffnesses_) {
+    part.action = part.term->create_action();
+    part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, 0);
+  }
+}
 
 void Damping::multiply_add(double factor, const double* x, double* y) const {
-  const auto d = static_cast<std::size_t>(dimension_);
+  if (!values_.empty()) return multiply_add_matrix(factor, x, y);
+  multiply_add_mass(factor, x, y);
+  if (stiffnesses_.empty()) return;
+  std::fill(product_.begin(), product_.end(), 0.0);
+  for (const StiffnessPart& part : stiffnesses_) part.action->add_product(x, product_.data());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(pattern_.rows()) * dimension_; ++i) y[i] += factor * product_[i];
+}
+
+void Damping::multiply_add_mass(double factor, const double* x, double* y) const {
+  for (const MassPart& part : masses_) {
+    product_.resize(rest_.size());
+    part.mass->multiply(x, product_.data());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(pattern_.rows()) * dimension_; ++i)
+      y[i] += factor * part.alpha * product_[i];
+  }
+}
+
+void Damping::add_mass_diagonal(double factor, double* d) const {
+  for (const MassPart& part : masses_) part.mass->add_diagonal(factor * part.alpha, d);
+}
+
+double Damping::stiffness_factor(const Term& term) const {
+  for (const StiffnessPart& part : stiffnesses_)
+    if (part.term == &term) return part.alpha;
+  return 0;
+}
+
+void Damping::multiply_add_matrix(double factor, const double* x, double* y) const {
   const std::vector<int>& start = pattern_.row_start();
   const double* value = values_.data();
   for (std::size_t row = 0; row + 1 < start.size(); ++row)
-    for (std::size_t i = 0; i < d; ++i) {
+    for (std::size_t i = 0; i < dimension_; ++i) {
       double sum = 0;
       for (int p = start[row]; p < start[row + 1]; ++p) {
         const auto node = static_cast<std::size_t>(pattern_.columns()[static_cast<std::size_t>(p)]);
-        for (std::size_t j = 0; j < d; ++j) sum += *value++ * x[node * d + j];
+        for (std::size_t j = 0; j < dimension_; ++j) sum += *value++ * x[node * dimension_ + j];
       }
-      y[row * d + i] += factor * sum;
+      y[row * dimension_ + i] += factor * sum;
     }
 }
 
 void Damping::row_sums(double* sums) const {
-  const auto d = static_cast<std::size_t>(dimension_);
   const std::vector<int>& start = pattern_.row_start();
   const double* value = values_.data();
   for (std::size_t row = 0; row + 1 < start.size(); ++row)
-    for (std::size_t i = 0; i < d; ++i) {
-      sums[row * d + i] = 0;
-      for (std::size_t k = 0; k < d * static_cast<std::size_t>(start[row + 1] - start[row]); ++k)
-        sums[row * d + i] += std::abs(*value++);
+    for (std::size_t i = 0; i < dimension_; ++i) {
+      sums[row * dimension_ + i] = 0;
+      for (std::size_t k = 0; k < dimension_ * static_cast<std::size_t>(start[row + 1] - start[row]); ++k)
+        sums[row * dimension_ + i] += std::abs(*value++);
     }
 }
 
 void Damping::add_to(double factor, double* values) const {
   for (std::size_t k = 0; k < values_.size(); ++k) values[k] += factor * values_[k];
+  if (!values_.empty()) return;
+  for (const MassPart& part : masses_) part.mass->add_to(factor * part.alpha, values);
+  for (const StiffnessPart& part : stiffnesses_)
+    part.term->add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(factor * part.alpha), Tangent::Exact, values);
 }
 
 }  // namespace ixos

@@ -1,30 +1,61 @@
 /// Rayleigh damping.
 #pragma once
+#include <memory>
 #include <vector>
 
+#include "model/mass.hpp"
 #include "model/pattern.hpp"
+#include "model/term.hpp"
 
 namespace ixos {
 
-/// The constant matrix C = sum over blocks of alpha_1 M + alpha_2 K_el(0), in the layout of Pattern::create_matrix,
-/// rows of owned nodes. alpha_1 in 1/T0, alpha_2 in T0. It exists only where a material asks for damping. The stiffness
-/// part is not objective: it damps finite rigid rotations.
+/// The constant matrix C = sum over blocks of alpha_1 M + alpha_2 K_el(0), rows of owned nodes. alpha_1 in 1/T0,
+/// alpha_2 in T0. It exists only where a material asks for damping. The stiffness part is not objective: it damps finite
+/// rigid rotations.
 class Damping {
  public:
-  Damping(const Pattern& pattern, int dimension);
+  /// `local`: local degrees of freedom.
+  Damping(const Pattern& pattern, int dimension, int local);
 
-  double* values() { return values_.data(); }  ///< C, to be filled in
+  void add_mass(double alpha_1, std::unique_ptr<Mass> mass);
+  /// The term must outlive the damping.
+  void add_stiffness(double alpha_2, const Term& term);
+  /// From here on C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent is
+  /// applied so too.
+  void drop_matrix();
+
   /// y += factor C x: x local, y the rows of owned nodes.
   void multiply_add(double factor, const double* x, double* y) const;
-  /// sums_r = sum over columns of |C_rc|, rows of owned nodes.
+  /// y += factor times the part of C that is mass, sum alpha_1 M x.
+  void multiply_add_mass(double factor, const double* x, double* y) const;
+  /// d += factor times the diagonal of that part, rows of owned nodes.
+  void add_mass_diagonal(double factor, double* d) const;
+  /// alpha_2 of that elastic term, 0 where it has none.
+  double stiffness_factor(const Term& term) const;
+  /// sums_r = sum over columns of |C_rc|, rows of owned nodes. Not after drop_matrix().
   void row_sums(double* sums) const;
-  /// values += factor C.
+  /// values += factor C, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
 
  private:
+  struct MassPart {
+    double alpha;
+    std::unique_ptr<Mass> mass;
+  };
+  struct StiffnessPart {
+    double alpha;
+    const Term* term;
+    std::unique_ptr<TangentAction> action;  ///< null while the matrix is kept
+  };
+  void multiply_add_matrix(double factor, const double* x, double* y) const;
+
   const Pattern& pattern_;
-  int dimension_;
-  std::vector<double> values_;
+  std::size_t dimension_;
+  std::vector<double> rest_;  ///< the undeformed body, a local array of zeros
+  std::vector<MassPart> masses_;
+  std::vector<StiffnessPart> stiffnesses_;
+  std::vector<double> values_;           ///< empty after drop_matrix()
+  mutable std::vector<double> product_;  ///< scratch
 };
 
 }  // namespace ixos

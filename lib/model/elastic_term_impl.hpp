@@ -1,11 +1,15 @@
 /// The elastic term of one kernel; included only where terms are made, see elastic_term.hpp.
 #pragma once
-#include <stdexcept>
+#include "model/elastic_term.hpp"
 
+#include <stdexcept>
+#include <type_traits>
+
+#include "fem/elastic_action.hpp"
+#include "fem/elastic_kernel.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
 #include "model/cell_quadrature.hpp"
-#include "model/elastic_term.hpp"
 #include "model/element_batches.hpp"
 
 namespace ixos {
@@ -75,6 +79,12 @@ class ElasticTerm final : public Term {
     return true;
   }
 
+  /// Of the standard kernel only.
+  std::unique_ptr<TangentAction> create_action() const override {
+    if constexpr (std::is_same_v<Kernel, ElasticKernel<Element, Material>>) return std::make_unique<Action>(*this);
+    return nullptr;
+  }
+
   double energy(const double* u) const override {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
@@ -102,6 +112,46 @@ class ElasticTerm final : public Term {
   }
 
  private:
+  class Action final : public TangentAction {
+    using Kept = ElasticAction<Element, Material>;
+
+   public:
+    explicit Action(const ElasticTerm& term) : term_(term) {}
+
+    void linearize(const Segment& segment, const Rule& rule, Tangent, double rest) override {
+      volume_moduli_ = Kept::volume_moduli(term_.material_, rule, rest);
+      size_ = Kept::size(term_.table_.size(), volume_moduli_.size());
+      data_.resize(size_ * term_.batches_.size());
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        const Gathered ends(term_.batches_, b, segment);
+        Kept::linearize(term_.material_, term_.geometry_[b], ends.segment(), rule, rest, &data_[b * size_]);
+      }
+    }
+
+    void add_product(const double* x, double* y) const override {
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        Nodal u, f{};
+        term_.batches_.gather(b, x, u);
+        Kept::add_product(term_.table_, volume_moduli_, &data_[b * size_], u, f);
+        term_.batches_.scatter_force(b, f, y);
+      }
+    }
+
+    void add_diagonal(double* d) const override {
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        Nodal diagonal{};
+        Kept::add_diagonal(term_.table_, volume_moduli_, &data_[b * size_], diagonal);
+        term_.batches_.scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+   private:
+    const ElasticTerm& term_;
+    std::vector<double> volume_moduli_;
+    std::size_t size_ = 0;  ///< of a batch's data
+    std::vector<Pack> data_;
+  };
+
   /// The segment's arrays at one batch; those that are absent stay null.
   class Gathered {
    public:

@@ -51,9 +51,7 @@ class ElementBatches {
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d)
         values[a][d] = Pack([&](auto lane) { return local[static_cast<std::size_t>(b.dof[a][lane]) + d]; });
-    if (!scale_.empty())
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
+    scale(batch, values);
   }
 
   /// The factor of a node's shape function in that cell.
@@ -63,14 +61,20 @@ class ElementBatches {
 
   void scatter_force(std::size_t batch, Small<Pack, N, D> values, double* local) const {
     const Batch& b = batches_[batch];
-    if (!scale_.empty())
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
-    for (std::size_t a = 0; a < N; ++a)
+    scale(batch, values);
+    for (std::size_t a = 0; a < N; ++a) {
+      const Rows rows(values[a]);
       for (std::size_t lane = 0; lane < b.lanes; ++lane) {
         double* target = local + b.dof[a][lane];
-        for (std::size_t d = 0; d < D; ++d) target[d] += values[a][d][lane];
+        for (std::size_t d = 0; d < D; ++d) target[d] += rows(lane, d);
       }
+    }
+  }
+
+  /// Of a diagonal that was computed with the shape functions as the kernel knows them.
+  void scatter_diagonal(std::size_t batch, Small<Pack, N, D> values, double* local) const {
+    scale(batch, values);
+    scatter_force(batch, values, local);
   }
 
   /// Adds the rows of owned nodes to the matrix values; k is scratch afterwards.
@@ -79,25 +83,43 @@ class ElementBatches {
     if (!scale_.empty())
       for (std::size_t r = 0; r < N * D; ++r)
         for (std::size_t c = 0; c < N * D; ++c) k[r][c] *= scale_[batch][r / D] * scale_[batch][c / D];
-    std::array<double, N * D * N * D * width> lanes;
-    for (std::size_t r = 0; r < N * D; ++r)
-      for (std::size_t c = 0; c < N * D; ++c)
-        k[r][c].copy_to(&lanes[(r * N * D + c) * width], std::experimental::element_aligned);
-    for (std::size_t lane = 0; lane < b.lanes; ++lane)
-      for (std::size_t a = 0; a < N; ++a) {
-        if (b.offset[a][0][lane] < 0) continue;
-        const int stride = b.stride[a][lane];
-        for (std::size_t c = 0; c < N; ++c) {
-          double* target = values + b.offset[a][c][lane];
-          for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t j = 0; j < D; ++j)
-              target[static_cast<std::size_t>(stride) * i + j] +=
-                  lanes[((a * D + i) * N * D + c * D + j) * width + lane];
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t c = 0; c < N; ++c)
+        for (std::size_t i = 0; i < D; ++i) {
+          std::array<Pack, D> row;
+          for (std::size_t j = 0; j < D; ++j) row[j] = k[a * D + i][c * D + j];
+          const Rows rows(row);
+          for (std::size_t lane = 0; lane < b.lanes; ++lane) {
+            if (b.offset[a][c][lane] < 0) continue;
+            double* target = values + b.offset[a][c][lane] + static_cast<std::size_t>(b.stride[a][lane]) * i;
+            for (std::size_t j = 0; j < D; ++j) target[j] += rows(lane, j);
+          }
         }
-      }
   }
 
  private:
+  /// A vector of space for each lane.
+  class Rows {
+   public:
+    explicit Rows(const std::array<Pack, D>& vector) {
+      if constexpr (D == 3)
+        interleave(vector[0], vector[1], vector[2], values_.data());
+      else
+        for (std::size_t d = 0; d < D; ++d)
+          for (std::size_t lane = 0; lane < width; ++lane) values_[4 * lane + d] = vector[d][lane];
+    }
+    double operator()(std::size_t lane, std::size_t d) const { return values_[4 * lane + d]; }
+
+   private:
+    alignas(64) std::array<double, 4 * width> values_;
+  };
+
+  void scale(std::size_t batch, Small<Pack, N, D>& values) const {
+    if (scale_.empty()) return;
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
+  }
+
   struct Batch {
     std::size_t lanes = 0;                                        ///< cells in use
     std::array<std::array<int, width>, N> dof;                    ///< first local degree of freedom of each node

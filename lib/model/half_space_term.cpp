@@ -51,10 +51,7 @@ class HalfSpaceTerm final : public Term {
       const Gaps gaps(*this, b, segment);
       Nodal along{};
       least_gap = smaller(least_gap, Kernel::add_force(law_, quadrature_, measure(b), gaps.segment(), rule, along));
-      Small<Pack, N, D> force;
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t d = 0; d < D; ++d) force[a][d] = along[a] * wall_.normal[d];
-      batches_.scatter_force(b, force, f);
+      batches_.scatter_force(b, from_normal(along), f);
     }
     return least(least_gap) > 0;
   }
@@ -71,6 +68,8 @@ class HalfSpaceTerm final : public Term {
       batches_.scatter_tangent(b, tangent, values);
     }
   }
+
+  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(*this); }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
     double least_gap = 1;
@@ -179,6 +178,45 @@ class HalfSpaceTerm final : public Term {
   }
 
  private:
+  /// Keeps the matrix of each side along the wall's normal.
+  class Action final : public TangentAction {
+   public:
+    explicit Action(const HalfSpaceTerm& term) : term_(term), along_(term.batches_.size()) {}
+
+    void linearize(const Segment& segment, const Rule& rule, Tangent kind, double) override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        const Gaps gaps(term_, b, segment);
+        along_[b] = {};
+        Kernel::add_tangent(term_.law_, term_.quadrature_, term_.measure(b), gaps.segment(), rule,
+                            kind == Tangent::Convex, along_[b]);
+      }
+    }
+
+    void add_product(const double* x, double* y) const override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        const Nodal change = term_.change_of(b, x);
+        Nodal force{};
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t c = 0; c < N; ++c) force[a] += along_[b][a][c] * change[c];
+        term_.batches_.scatter_force(b, term_.from_normal(force), y);
+      }
+    }
+
+    void add_diagonal(double* d) const override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        Small<Pack, N, D> diagonal;
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t i = 0; i < D; ++i)
+            diagonal[a][i] = along_[b][a][a] * (term_.wall_.normal[i] * term_.wall_.normal[i]);
+        term_.batches_.scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+   private:
+    const HalfSpaceTerm& term_;
+    std::vector<Small<Pack, N>> along_;
+  };
+
   /// Nodal gaps of one batch at the ends of the segment.
   class Gaps {
    public:
@@ -226,6 +264,13 @@ class HalfSpaceTerm final : public Term {
       result[a] = vectors[a][0] * wall_.normal[0];
       for (std::size_t d = 1; d < D; ++d) result[a] += vectors[a][d] * wall_.normal[d];
     }
+    return result;
+  }
+
+  Small<Pack, N, D> from_normal(const Nodal& along) const {
+    Small<Pack, N, D> result;
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t d = 0; d < D; ++d) result[a][d] = along[a] * wall_.normal[d];
     return result;
   }
 

@@ -111,6 +111,14 @@ void Mass::add_to(double factor, double* values) const {
   }
 }
 
+void Mass::add_diagonal(double factor, double* d) const {
+  const auto dimension = static_cast<std::size_t>(mesh_.dimension);
+  for (int row = 0; row < pattern_.rows(); ++row) {
+    const double m = pairs_[static_cast<std::size_t>(lumped_ ? row : pattern_.pair(row, row))];
+    for (std::size_t i = 0; i < dimension; ++i) d[static_cast<std::size_t>(row) * dimension + i] += factor * m;
+  }
+}
+
 double Mass::trace() const {
   double sum = 0;
   if (lumped_) {

@@ -25,6 +25,8 @@ class Mass {
 
   /// y = M x: x local (with ghosts), y the rows of owned nodes.
   void multiply(const double* x, double* y) const;
+  /// d += factor times M's diagonal, rows of owned nodes.
+  void add_diagonal(double factor, double* d) const;
   /// values += factor M, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
   /// Lumped masses only, rows of owned nodes: x = M^-1 y, and the largest y_i/M_i.

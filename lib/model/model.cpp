@@ -16,6 +16,12 @@ bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, do
   return admissible;
 }
 
+std::vector<std::unique_ptr<TangentAction>> actions(const Terms& terms) {
+  std::vector<std::unique_ptr<TangentAction>> result;
+  for (const auto& term : terms) result.push_back(term->create_action());
+  return result;
+}
+
 }  // namespace
 
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
@@ -44,18 +50,27 @@ void Model::add_block(std::size_t number, const Material& material) {
   if (!mass_) return;
   mass_->add_block(block, material.density);
   if (material.mass_damping == 0 && material.stiffness_damping == 0) return;
-  if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension);
+  if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension, space_.local());
   if (material.mass_damping != 0) {
-    Mass block_mass(mesh_, pattern_, mass_->is_lumped());
-    block_mass.add_block(block, material.density);
-    block_mass.add_to(material.mass_damping, damping_->values());
+    auto block_mass = std::make_unique<Mass>(mesh_, pattern_, mass_->is_lumped());
+    block_mass->add_block(block, material.density);
+    damping_->add_mass(material.mass_damping, std::move(block_mass));
   }
-  if (material.stiffness_damping != 0) {
-    Rule rule = end_rule();
-    rule.points[0].weight = material.stiffness_damping;
-    const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
-    elastic_.back()->add_tangent({nullptr, nullptr, rest.data()}, rule, Tangent::Exact, damping_->values());
-  }
+  if (material.stiffness_damping != 0) damping_->add_stiffness(material.stiffness_damping, *elastic_.back());
+}
+
+std::vector<std::unique_ptr<TangentAction>> Model::elastic_actions() const { return actions(elastic_); }
+
+std::vector<std::unique_ptr<TangentAction>> Model::interaction_actions() const { return actions(interactions_); }
+
+std::vector<double> Model::rest_factors() const {
+  std::vector<double> factors(elastic_.size(), 0.0);
+  for (std::size_t i = 0; i < elastic_.size() && damping_; ++i) factors[i] = damping_->stiffness_factor(*elastic_[i]);
+  return factors;
+}
+
+void Model::drop_matrices() {
+  if (damping_) damping_->drop_matrix();
 }
 
 double Model::elastic_trace() const {

@@ -65,6 +65,13 @@ class Model {
   bool interaction_force(const Segment& segment, const Rule& rule, double* f) const;
   void add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const;
   void add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
+  /// An action of each term; null where a term offers none.
+  std::vector<std::unique_ptr<TangentAction>> elastic_actions() const;
+  std::vector<std::unique_ptr<TangentAction>> interaction_actions() const;
+  /// Of each elastic term, the factor of its tangent at rest in the damping.
+  std::vector<double> rest_factors() const;
+  /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::drop_matrix.
+  void drop_matrices();
   /// See Term::add_row_sums.
   void add_elastic_row_sums(const Segment& segment, double* sums) const;
   bool add_interaction_row_sums(const Segment& segment, double* sums) const;

@@ -1,6 +1,7 @@
 /// The contract of a physics term.
 #pragma once
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "fem/rule.hpp"
@@ -33,6 +34,20 @@ struct CellFields {
 /// descent direction where the exact tangent is not positive definite.
 enum class Tangent { Exact, Convex };
 
+/// A term's tangent applied without a matrix, from what linearize() keeps at the quadrature points. Arrays are local;
+/// entries of ghost rows are scratch. The term must outlive it. None of the functions communicates.
+class TangentAction {
+ public:
+  virtual ~TangentAction() = default;
+  /// Takes the tangent that Term::add_tangent would add, plus `rest` times that of the undeformed body: stiffness
+  /// damping. Interactions have none at rest. Only rules with is_gradient().
+  virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, double rest) = 0;
+  /// y += K x.
+  virtual void add_product(const double* x, double* y) const = 0;
+  /// d += the diagonal of K.
+  virtual void add_diagonal(double* d) const = 0;
+};
+
 /// One conservative contribution to the model: elasticity of a block, interaction of a surface. A term evaluates a rule
 /// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
 /// scratch. None of the functions communicates.
@@ -46,6 +61,9 @@ class Term {
 
   /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
   virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
+
+  /// The tangent as an operator; null where the term offers none.
+  virtual std::unique_ptr<TangentAction> create_action() const { return nullptr; }
 
   /// Adds to a local array, for each degree of freedom, the sum of |k_rc| over its rows of the cells' tangents at
   /// segment.to: at least the row sum of the assembled one. False where segment.to is inadmissible.

@@ -36,11 +36,11 @@ long step_of(const std::string& name) {
 /// Makes checkpoint.h5 a link to the newest. On a file system without links there is none.
 void link_newest(const std::string& folder, long step) {
   const std::string link = folder + "/checkpoint" + ending;
-  const std::string beside = link + ".tmp";
+  const std::string unfinished = beside(link);
   std::error_code code;
-  fs::remove(beside, code);
-  fs::create_symlink(prefix + std::to_string(step) + ending, beside, code);
-  if (!code) return replace_file(beside, link);
+  fs::remove(unfinished, code);
+  fs::create_symlink(prefix + std::to_string(step) + ending, unfinished, code);
+  if (!code) return replace_file(unfinished, link);
   const bool without_links = code == std::errc::operation_not_permitted || code == std::errc::operation_not_supported ||
                              code == std::errc::function_not_supported;
   if (!without_links) throw FileError(link + ": cannot be written: " + code.message());
@@ -81,10 +81,8 @@ bool Checkpoints::due_by_clock() const {
 std::string Checkpoints::newest() const { return steps_.empty() ? "" : checkpoint_path(folder_, steps_.back()); }
 
 long Checkpoints::begin() {
-  const Comm& comm = simulation_.model().space().comm();
   long newest = -1;
-  together(comm, [&] {
-    if (comm->getRank() != 0) return;
+  on_first_rank(simulation_.model().space().comm(), [&] {
     std::error_code code;
     fs::remove(folder_ + "/checkpoint" + ending, code);
     const std::vector<long> steps = checkpoint_steps(folder_);
@@ -98,9 +96,8 @@ void Checkpoints::resume(long step) {
   for (const long earlier : checkpoint_steps(folder_))
     if (earlier <= step) steps_.push_back(earlier);
   // The results go on from there: those after it are of a history that is no more.
-  const Comm& comm = simulation_.model().space().comm();
-  together(comm, [&] {
-    if (comm->getRank() == 0 && fs::exists(checkpoint_path(folder_, step))) link_newest(folder_, step);
+  on_first_rank(simulation_.model().space().comm(), [&] {
+    if (fs::exists(checkpoint_path(folder_, step))) link_newest(folder_, step);
   });
 }
 
@@ -124,7 +121,7 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
     writer.publish();
   } catch (const FileError&) {
     std::error_code code;
-    if (model.space().comm()->getRank() == 0) fs::remove(path + ".tmp", code);
+    if (model.space().comm()->getRank() == 0) fs::remove(beside(path), code);
     throw;
   }
   last_step_ = step;
@@ -132,8 +129,7 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
   steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());
   steps_.push_back(step);
   if (steps_.size() > static_cast<std::size_t>(keep_)) steps_.erase(steps_.begin(), steps_.end() - keep_);
-  together(model.space().comm(), [&] {
-    if (model.space().comm()->getRank() != 0) return;
+  on_first_rank(model.space().comm(), [&] {
     link_newest(folder_, step);
     tidy();
   });

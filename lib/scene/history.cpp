@@ -58,24 +58,15 @@ History::History(Simulation& simulation, const HistoryOptions& options)
 }
 
 void History::create(const std::string& path) {
-  const Comm& comm = simulation_.model().space().comm();
-  together(comm, [&] {
-    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_);
-  });
+  on_first_rank(simulation_.model().space().comm(), [&] { file_ = std::make_unique<HistoryFile>(path, columns_); });
 }
 
 void History::verify(const std::string& path) const {
-  const Comm& comm = simulation_.model().space().comm();
-  together(comm, [&] {
-    if (comm->getRank() == 0) HistoryFile::verify(path, columns_, length_);
-  });
+  on_first_rank(simulation_.model().space().comm(), [&] { HistoryFile::verify(path, columns_, length_); });
 }
 
 void History::resume(const std::string& path) {
-  const Comm& comm = simulation_.model().space().comm();
-  together(comm, [&] {
-    if (comm->getRank() == 0) file_ = std::make_unique<HistoryFile>(path, columns_, length_);
-  });
+  on_first_rank(simulation_.model().space().comm(), [&] { file_ = std::make_unique<HistoryFile>(path, length_); });
 }
 
 std::vector<double> History::reactions() {

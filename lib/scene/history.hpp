@@ -37,7 +37,7 @@ class History {
   void create(const std::string& path);
   /// Is the file the one that was there when the loaded checkpoint was written? Throws InputError where it is not.
   void verify(const std::string& path) const;
-  /// Goes on with it; later rows are dropped.
+  /// Goes on with it, once verified; later rows are dropped.
   void resume(const std::string& path);
 
   void record(const RowCounts& counts);

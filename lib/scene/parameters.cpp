@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/range_validator.hpp"
+#include "mesh/spatula.hpp"
 #include "scene/validation.hpp"
 #include "time/catalogue.hpp"
 
@@ -31,8 +32,44 @@ void add_units(List& list) {
   list.set("Time", "1 ns", "what T0 stands for");
 }
 
+void add_spatula(List& list) {
+  const SpatulaShape shape;
+  list.set("Pad Length", shape.pad_length, "from rear end to tip [L0]", greater_than(0));
+  list.set("Neck Width", shape.neck_width, "of the pad's rear end [L0]", greater_than(0));
+  list.set("Tip Width", shape.tip_width, "largest width of the pad, at least Neck Width [L0]", greater_than(0));
+  list.set("Widening Length", shape.widening_length,
+           "the half-width grows as s^2 (3 - 2 s), s from 0 to 1 over this length from the rear end [L0]",
+           greater_than(0));
+  list.set("Tip Length", shape.tip_length,
+           "the outline ends in half an ellipse, this long; at most Pad Length less Widening Length [L0]",
+           greater_than(0));
+  list.set("Rear Thickness", shape.rear_thickness, "of the pad, linear from rear end to tip [L0]", greater_than(0));
+  list.set("Tip Thickness", shape.tip_thickness, "[L0]", greater_than(0));
+  list.set("Transition Length", shape.transition_length,
+           "along the centreline, from the pad's rectangle to the shaft's disk; at least the fillet [L0]",
+           greater_than(0));
+  list.set("Fillet Radius", shape.fillet_radius, "of the centreline, an arc tangent to pad and shaft [L0]",
+           greater_than(0));
+  list.set("Shaft Diameter", shape.shaft_diameter, "[L0]", greater_than(0));
+  list.set("Shaft Length", shape.shaft_length, "beyond the transition [L0]", greater_than(0));
+  list.set("Inclination", shape.inclination, "of the shaft to the pad [degrees]", greater_than_and_at_most(0, 90));
+  list.set("Gap", shape.gap, "of the flat underside over the wall z = 0; the equilibrium gap [L0]", greater_than(0));
+  list.set("Core Cells", shape.core_cells, "cells across a section's core; even", between(4, 1000));
+  list.set("Core Layers", shape.core_layers, "layers of cells through the core", between(1, 100));
+  list.set("Rings", shape.rings, "layers of cells around the core", between(1, 100));
+  list.set("Tip Rows", shape.tip_rows, "rows of cells that turn around the tip; less than half of Core Cells",
+           between(1, 499));
+  list.set("Stations", shape.stations, "cells along; 0: chosen by Target Cells; else at least 3", between(0, 100000));
+  list.set("Target Cells", shape.target_cells,
+           "chooses Stations where that is 0, and below 50,000 fewer cells in a section than given",
+           between(200, 20000000));
+  list.set("Growth", shape.growth, "length of the shaft's cells over that of the pad's [-]", between(1, 100));
+  list.set("Layer Ratio", shape.layer_ratio, "thickness of the pad's uppermost layer over the lowest's [-]",
+           between(1, 100));
+}
+
 void add_mesh(List& list) {
-  list.set("Type", "Disk", "a generator, or a file", one_of({"Disk", "Box", "Exodus"}));
+  list.set("Type", "Disk", "a generator, or a file", one_of({"Disk", "Box", "Spatula", "Exodus"}));
   List& exodus = list.sublist("Exodus", false, "a mesh of QUAD4 (2D) or HEX8 (3D) elements");
   exodus.set("File", required, "path from the scene's folder, or from the working folder");
   exodus.set("Dimension", 0, "2 or 3 refuses a mesh of the other dimension; 0 takes any", between(0, 3));
@@ -49,6 +86,10 @@ void add_mesh(List& list) {
   box.set("Lower", Numbers(), "corner with the smallest coordinates [L0]; the origin when empty", any_number());
   box.set("Lengths", Numbers(2, 1.0), "edge lengths [L0]", greater_than(0));
   box.set("Divisions", Counts(2, 1), "cells along each edge", between(1, 100000));
+  add_spatula(
+      list.sublist("Spatula", false,
+                   "a gecko's spatula of hexahedra: block \"body\", sets \"pad\" (its underside), \"shaft end\", "
+                   "\"surface\", node set \"tip\""));
   List& set = list.sublist("Sets", false, "further sets, named by the scene, chosen by place").sublist(any_name);
   set.set("Kind", "Sides", "what the set holds", one_of({"Sides", "Nodes"}));
   set.set("From", "", "the set to choose from; of nodes, all where empty");

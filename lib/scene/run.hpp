@@ -1,6 +1,5 @@
 /// Running a scene to its end, with results on disk.
 #pragma once
-#include <array>
 #include <functional>
 #include <string>
 #include <utility>
@@ -42,7 +41,7 @@ struct RunResult {
   double wall_seconds = 0;                                 ///< of the time loop, output included
   double max_energy_error = 0;                             ///< see History::max_energy_error
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
-  std::array<double, phase_names.size()> phase_seconds{};  ///< of rank 0
+  PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
 };
 

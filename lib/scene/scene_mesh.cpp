@@ -14,6 +14,7 @@
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/spatula.hpp"
 #include "scene/list_access.hpp"
 
 namespace ixos {
@@ -50,6 +51,32 @@ Mesh box_mesh(Teuchos::ParameterList list) {
   return box(shape);
 }
 
+Mesh spatula_mesh(const Teuchos::ParameterList& list) {
+  SpatulaShape shape;
+  shape.pad_length = list.get<double>("Pad Length");
+  shape.neck_width = list.get<double>("Neck Width");
+  shape.tip_width = list.get<double>("Tip Width");
+  shape.widening_length = list.get<double>("Widening Length");
+  shape.tip_length = list.get<double>("Tip Length");
+  shape.rear_thickness = list.get<double>("Rear Thickness");
+  shape.tip_thickness = list.get<double>("Tip Thickness");
+  shape.transition_length = list.get<double>("Transition Length");
+  shape.fillet_radius = list.get<double>("Fillet Radius");
+  shape.shaft_diameter = list.get<double>("Shaft Diameter");
+  shape.shaft_length = list.get<double>("Shaft Length");
+  shape.inclination = list.get<double>("Inclination");
+  shape.gap = list.get<double>("Gap");
+  shape.core_cells = list.get<int>("Core Cells");
+  shape.core_layers = list.get<int>("Core Layers");
+  shape.rings = list.get<int>("Rings");
+  shape.tip_rows = list.get<int>("Tip Rows");
+  shape.stations = list.get<int>("Stations");
+  shape.target_cells = list.get<int>("Target Cells");
+  shape.growth = list.get<double>("Growth");
+  shape.layer_ratio = list.get<double>("Layer Ratio");
+  return spatula(shape);
+}
+
 Mesh exodus_mesh(const Teuchos::ParameterList& list) {
   const std::string path = list.get<std::string>("File");
   Mesh mesh = read_exodus_mesh(path);
@@ -80,6 +107,7 @@ void add_sets(const Teuchos::ParameterList& list, Mesh& mesh) {
 Mesh generate_or_read(const Teuchos::ParameterList& list) {
   const auto type = list.get<std::string>("Type");
   if (type == "Exodus") return exodus_mesh(list.sublist("Exodus"));
+  if (type == "Spatula") return spatula_mesh(list.sublist("Spatula"));
   return type == "Disk" ? disk_mesh(list.sublist("Disk")) : box_mesh(list.sublist("Box"));
 }
 

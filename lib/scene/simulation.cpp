@@ -31,6 +31,13 @@ Formulation formulation(const List& material) {
   return name == "Enhanced" ? Formulation::Enhanced : Formulation::Standard;
 }
 
+bool all_standard(const List& materials) {
+  const std::vector<std::string> names = sublists(materials);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return formulation(materials.sublist(name)) == Formulation::Standard;
+  });
+}
+
 Material material(const List& list) {
   Material m;
   m.block = list.get<std::string>("Block");
@@ -253,10 +260,11 @@ void Simulation::build_integrator(Table table) {
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX")};
   const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
-                         is_symmetric(table)};
+                         is_symmetric(table), all_standard(parameters_.sublist("Materials"))};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
+  if (linear.get<std::string>("Operator") == "Matrix-Free") model_->drop_matrices();
   integrator_ = std::make_unique<Integrator>(
       *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
 }

@@ -61,10 +61,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
-  together(comm, [&] {
-    if (comm->getRank() != 0) return;
-    write_whole_file(path, json.dump(2) + '\n');
-  });
+  on_first_rank(comm, [&] { write_whole_file(path, json.dump(2) + '\n'); });
 }
 
 }  // namespace ixos

@@ -1,8 +1,9 @@
 #include "solve/factorization.hpp"
 
-#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <utility>
+
+#include "base/one_of.hpp"
 
 namespace ixos {
 
@@ -33,7 +34,7 @@ void KeptFactorization::transfer(Record& record) {
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
   valid->set("Solver Type", "CHOLMOD", "\"CHOLMOD\" (symmetric matrices) or \"KLU\" (any), both on the first rank",
-             Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("CHOLMOD", "KLU"))));
+             one_of({"CHOLMOD", "KLU"}));
   return valid;
 }
 

@@ -65,7 +65,9 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   /// Makes the preconditioner from the matrix's present values.
   void make() const {
     std::srand(1);
-    factory_->initializePrec(source_, preconditioner_.get());
+    const Teuchos::RCP<const Operator> matrix = matrix_of(*source_);
+    factory_->initializePrec(Thyra::defaultLinearOpSource(linear_op(matrix, source_->getOp()->range())),
+                             preconditioner_.get());
   }
   void renew() const {
     const TimedScope timed(Phase::Factorization);

@@ -63,6 +63,7 @@ struct LinearSolverFactory::Implementation {
   // The builders' factories refer to them.
   Stratimikos::DefaultLinearSolverBuilder krylov_builder, preconditioner_builder;
   bool preconditioned = false;
+  bool matrix_free = false;
   LaggedOptions lagged;
   std::shared_ptr<LinearStatistics> statistics = std::make_shared<LinearStatistics>();
 };
@@ -73,6 +74,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   anchor_klu2_repair();  // MueLu's coarsest level is solved with KLU2
   Teuchos::ParameterList list(user);
   self.lagged.setup_cost = take_setup_cost(list);
+  self.matrix_free = list.get("Operator", "Assembled") == std::string("Matrix-Free");
+  list.remove("Operator");
   const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
   self.preconditioned = preconditioner != "None";
   self.lagged.from_scratch = preconditioner == "MueLu";
@@ -96,6 +99,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
 LinearSolverFactory::~LinearSolverFactory() = default;
 
 Teuchos::RCP<const ThyraFactory> LinearSolverFactory::strategy() const { return implementation_->strategy(); }
+
+bool LinearSolverFactory::matrix_free() const { return implementation_->matrix_free; }
 
 const LinearStatistics& LinearSolverFactory::statistics() const { return *implementation_->statistics; }
 
@@ -126,8 +131,7 @@ LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RC
   implementation_->factory = factory.strategy();
   implementation_->space = vector_space(matrix->getRowMap());
   const Teuchos::RCP<const Operator> as_operator = matrix;
-  implementation_->op = Thyra::createConstLinearOp<double, LocalId, GlobalId, Node>(as_operator, implementation_->space,
-                                                                                    implementation_->space);
+  implementation_->op = linear_op(as_operator, implementation_->space);
 }
 
 LinearSystem::~LinearSystem() = default;

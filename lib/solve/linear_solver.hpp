@@ -26,7 +26,8 @@ struct LinearStatistics {
 /// Types/Direct", has the one entry "Solver Type": "CHOLMOD" or "KLU". Preconditioners are MueLu's (null space and
 /// coordinates are given to it), Ifpack2's and our own "Direct", a factorisation with the same list; they outlive the
 /// matrix that they were made from, as the list "Reuse" says: its "Setup Cost" is the price of a new preconditioner in
-/// Krylov iterations, 0 renews it for every matrix (see LaggedSolverFactory).
+/// Krylov iterations, 0 renews it for every matrix (see LaggedSolverFactory). "Operator" is "Assembled" or
+/// "Matrix-Free": then a matrix is made only for a new preconditioner.
 class LinearSolverFactory {
  public:
   /// The list must be complete (see completed_linear_solver). Without a model MueLu gets neither null space nor
@@ -41,6 +42,8 @@ class LinearSolverFactory {
   /// A Thyra factory of its own for each caller, so that what its operators keep is the caller's (see StateKeeper).
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> strategy() const;
   const LinearStatistics& statistics() const;
+  /// Are tangents to be applied without a matrix?
+  bool matrix_free() const;
 
  private:
   struct Implementation;

@@ -17,13 +17,13 @@ class NonlinearProblem {
   virtual ~NonlinearProblem() = default;
 
   virtual Teuchos::RCP<const Map> map() const = 0;
-  /// A fill-complete matrix of the tangent's sparsity.
-  virtual Teuchos::RCP<CrsMatrix> create_matrix() const = 0;
+  /// The tangent's operator: a fill-complete matrix of its sparsity, or an AssemblableOperator.
+  virtual Teuchos::RCP<Operator> create_operator() = 0;
 
   /// f(x). False, on all ranks alike, where x is inadmissible: f is then unusable.
   virtual bool residual(const Vector& x, Vector& f) = 0;
-  /// W = df/dx at x, or what relax_tangent() has set.
-  virtual void tangent(const Vector& x, CrsMatrix& w) = 0;
+  /// W = df/dx at x, or what relax_tangent() has set; W of create_operator().
+  virtual void tangent(const Vector& x, Operator& w) = 0;
   /// The largest step s <= 1 for which x + s direction is admissible with a margin.
   virtual double admissible_step(const Vector& x, const Vector& direction) = 0;
   /// The norm |f| must come below at the last x that residual() saw, given the relative tolerance.

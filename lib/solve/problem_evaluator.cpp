@@ -1,7 +1,5 @@
 #include "solve/problem_evaluator.hpp"
 
-#include <Tpetra_CrsMatrix.hpp>
-
 namespace ixos {
 
 using Base = Thyra::ModelEvaluatorBase;
@@ -20,7 +18,7 @@ ProblemEvaluator::ProblemEvaluator(NonlinearProblem& problem, Factory linear_sol
 }
 
 Teuchos::RCP<Thyra::LinearOpBase<double>> ProblemEvaluator::create_W_op() const {
-  return linear_op(problem_.create_matrix(), space_);
+  return linear_op(problem_.create_operator(), space_);
 }
 
 void ProblemEvaluator::evalModelImpl(const Base::InArgs<double>& in, const Base::OutArgs<double>& out) const {
@@ -28,10 +26,7 @@ void ProblemEvaluator::evalModelImpl(const Base::InArgs<double>& in, const Base:
   const Teuchos::RCP<Thyra::VectorBase<double>> f = out.get_f();
   if (nonnull(f) && !problem_.residual(*x, *Extract::getTpetraVector(f))) out.setFailed();
   const Teuchos::RCP<Thyra::LinearOpBase<double>> w = out.get_W_op();
-  if (nonnull(w)) {
-    const auto matrix = Teuchos::rcp_dynamic_cast<CrsMatrix>(Extract::getTpetraOperator(w), true);
-    problem_.tangent(*x, *matrix);
-  }
+  if (nonnull(w)) problem_.tangent(*x, *Extract::getTpetraOperator(w));
 }
 
 }  // namespace ixos

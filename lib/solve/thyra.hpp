@@ -4,6 +4,7 @@
 #include <Thyra_TpetraThyraWrappers.hpp>
 
 #include "base/tpetra.hpp"
+#include "solve/assemblable_operator.hpp"
 
 namespace ixos {
 
@@ -15,15 +16,21 @@ inline VectorSpace vector_space(const Teuchos::RCP<const Map>& map) {
   return Thyra::createVectorSpace<double, LocalId, GlobalId, Node>(map);
 }
 
-inline Teuchos::RCP<Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<CrsMatrix>& matrix,
-                                                           const VectorSpace& space) {
-  const Teuchos::RCP<Operator> as_operator = matrix;
-  return Thyra::createLinearOp<double, LocalId, GlobalId, Node>(as_operator, space, space);
+inline Teuchos::RCP<Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<Operator>& op, const VectorSpace& space) {
+  return Thyra::createLinearOp<double, LocalId, GlobalId, Node>(op, space, space);
 }
 
-/// The matrix behind an operator, or null where it is none.
+inline Teuchos::RCP<const Thyra::LinearOpBase<double>> linear_op(const Teuchos::RCP<const Operator>& op,
+                                                                 const VectorSpace& space) {
+  return Thyra::createConstLinearOp<double, LocalId, GlobalId, Node>(op, space, space);
+}
+
+/// The matrix behind an operator, assembled now where it is applied without; null where it has none.
 inline Teuchos::RCP<const CrsMatrix> matrix_of(const Thyra::LinearOpSourceBase<double>& source) {
-  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source.getOp()));
+  const auto op = Extract::getConstTpetraOperator(source.getOp());
+  const auto assemblable = Teuchos::rcp_dynamic_cast<const AssemblableOperator>(op);
+  if (nonnull(assemblable)) return assemblable->matrix();
+  return Teuchos::rcp_dynamic_cast<const CrsMatrix>(op);
 }
 
 }  // namespace ixos

@@ -1,8 +1,6 @@
 #include <Teuchos_Array.hpp>
-#include <Teuchos_StandardParameterEntryValidators.hpp>
 
-#include <initializer_list>
-
+#include "base/one_of.hpp"
 #include "base/range_validator.hpp"
 #include "scene/validation.hpp"
 #include "study/study.hpp"
@@ -12,10 +10,6 @@ namespace {
 
 using List = Teuchos::ParameterList;
 using Words = Teuchos::Array<std::string>;
-
-Teuchos::RCP<Teuchos::StringValidator> one_of(std::initializer_list<std::string> words) {
-  return Teuchos::rcp(new Teuchos::StringValidator(Words(words.begin(), words.end())));
-}
 
 void add_settings(List& list, const char* name, const char* documentation) {
   mark_free_form(list.sublist(name, false, documentation));

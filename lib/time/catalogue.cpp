@@ -1,9 +1,8 @@
 #include "time/catalogue.hpp"
 
-#include <Teuchos_StandardParameterEntryValidators.hpp>
-
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "base/one_of.hpp"
 #include "base/range_validator.hpp"
 #include "time/custom_table.hpp"
 #include "time/schemes.hpp"
@@ -75,7 +74,7 @@ Scheme composite_scheme() {
       "Path", "Linear",
       "path of the displacement within a step; \"Kinematic\" is quadratic and consistent with Newmark, and "
       "may cross the wall",
-      Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Linear", "Kinematic"))));
+      one_of({"Linear", "Kinematic"}));
   return s;
 }
 
@@ -133,7 +132,7 @@ Scheme midpoint_scheme() {
            [](const List& p) { return midpoint(p.get<std::string>("Interaction Mean") == "Exact"); }};
   s.parameters.set("Interaction Mean", "Points",
                    "the interaction in the middle, or its exact mean over the linear path, whose work is exact",
-                   Teuchos::rcp(new Teuchos::StringValidator(Teuchos::tuple<std::string>("Points", "Exact"))));
+                   one_of({"Points", "Exact"}));
   return s;
 }
 

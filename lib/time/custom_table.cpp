@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <stdexcept>
 
+#include "base/one_of.hpp"
 #include "base/parameter_entries.hpp"
 #include "base/range_validator.hpp"
 
@@ -14,10 +14,6 @@ namespace {
 
 using List = Teuchos::ParameterList;
 using Numbers = Teuchos::Array<double>;
-
-Teuchos::RCP<Teuchos::StringValidator> one_of(const Teuchos::Array<std::string>& words) {
-  return Teuchos::rcp(new Teuchos::StringValidator(words));
-}
 
 /// One stage's entries, with its name for messages.
 class StageReader {
@@ -90,12 +86,12 @@ class StageReader {
 List custom_parameters() {
   List list;
   list.set("Closing", "Kinematic", "the end's acceleration: the last row's, or solved for from the balance there",
-           one_of(Teuchos::tuple<std::string>("Kinematic", "Collocate")));
+           one_of({"Kinematic", "Collocate"}));
   list.set("Driven Rates", "Exact",
            "velocity and acceleration of driven degrees of freedom, where Closing is Kinematic",
-           one_of(Teuchos::tuple<std::string>("Exact", "Own")));
+           one_of({"Exact", "Own"}));
   list.set("Work", "Increment", "how the work of external and damping forces is summed (docs/theory.md)",
-           one_of(Teuchos::tuple<std::string>("Increment", "End Mean", "Stages")));
+           one_of({"Increment", "End Mean", "Stages"}));
   list.set("Work Weights", Numbers(), "of the step's start and each stage's end, for Stages", any_number());
   list.set("Error Constant", 0.0,
            "of the local error of displacements, times dt^3 u''', for adaptive steps; 0: not known", any_number());
@@ -111,8 +107,8 @@ List custom_parameters() {
   stage.set("Interaction Points", Numbers(1, 1.0), "as Elastic Points", between(0, 1));
   stage.set("Interaction Weights", Numbers(1, 1.0), "sum to 1", any_number());
   stage.set("Interaction Mean", "Points", "at these points, or the exact mean over the linear path, in closed form",
-            one_of(Teuchos::tuple<std::string>("Points", "Exact")));
-  stage.set("Path", "Linear", "of the interaction", one_of(Teuchos::tuple<std::string>("Linear", "Kinematic")));
+            one_of({"Points", "Exact"}));
+  stage.set("Path", "Linear", "of the interaction", one_of({"Linear", "Kinematic"}));
   stage.set("Load Times", Numbers(), "of external forces, in steps; End when empty", any_number());
   stage.set("Load Weights", Numbers(), "sum to 1", any_number());
   return list;

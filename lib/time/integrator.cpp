@@ -56,7 +56,7 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     return;
   }
   for (const Stage& stage : table_.stages) {
-    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_));
+    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_, linear_solver_->matrix_free()));
     solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
   }
 }
@@ -80,14 +80,19 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   if (has_external_) balance_.record_forces(time, start);
 }
 
-const std::vector<double>& Integrator::acceleration() {
+/// Solves for the acceleration of the present state, unless it is known. False where that fails.
+bool Integrator::know_acceleration() {
   State& state = states_.front();
-  if (!acceleration_known_ && !balance_.solve(time_, state.u, state.v, state.a))
+  if (!acceleration_known_) acceleration_known_ = balance_.solve(time_, state.u, state.v, state.a);
+  return acceleration_known_;
+}
+
+const std::vector<double>& Integrator::acceleration() {
+  if (!know_acceleration())
     throw InputError(
         "the acceleration cannot be solved for: a gap is not positive, an element is inverted, the mass "
         "matrix is singular, or the linear solver cannot solve with it");
-  acceleration_known_ = true;
-  return state.a;
+  return states_.front().a;
 }
 
 void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
@@ -226,13 +231,9 @@ StepResult Integrator::attempt(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
-  if (needs_acceleration_ && !acceleration_known_) {
-    State& start = states_.front();
-    if (!balance_.solve(time_, start.u, start.v, start.a)) {
-      result.reason = "the acceleration cannot be solved for";
-      return result;
-    }
-    acceleration_known_ = true;
+  if (needs_acceleration_ && !know_acceleration()) {
+    result.reason = "the acceleration cannot be solved for";
+    return result;
   }
   for (const Stage& stage : table_.stages)
     if (!driving_is_defined(stage, dt, result.reason)) return result;
@@ -276,11 +277,7 @@ void Integrator::accept() {
 double Integrator::error() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
   judged_ = true;
-  if (!previous_.known && states_.size() == 2 && !acceleration_known_) {
-    State& start = states_.front();
-    if (!balance_.solve(time_, start.u, start.v, start.a)) return std::numeric_limits<double>::infinity();
-    acceleration_known_ = true;
-  }
+  if (!previous_.known && states_.size() == 2 && !know_acceleration()) return std::numeric_limits<double>::infinity();
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 

@@ -73,6 +73,7 @@ class Integrator {
 
  private:
   StepResult advance(double dt);
+  bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);

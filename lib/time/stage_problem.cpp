@@ -13,7 +13,7 @@
 
 namespace ixos {
 
-StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates)
+StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates, bool matrix_free)
     : model_(model),
       stage_(stage),
       exact_rates_(exact_rates),
@@ -27,6 +27,11 @@ StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_ra
   if (model.damping() != nullptr) known_damping_.resize(local);
   if (model.has_interactions()) interaction_.resize(local);
   if (!model.loads().empty()) load_.resize(local);
+  if (matrix_free)
+    matrix_free_ = Teuchos::rcp(new TangentOperator(model, [this](double* values) {
+      assemble(values);
+      model_.constrain_matrix(diagonal_, values);
+    }));
   if (model.constraints().empty()) return;
   reaction_.resize(static_cast<std::size_t>(model.space().owned()));
   prescribed_.resize(local);
@@ -44,7 +49,7 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
   dt_ = dt;
   stage_time_ = time + stage_.end * dt;
   from_ = &known[0].u;
-  assembled_at_.clear();
+  tangent_at_.clear();
   if (has_mass_) evaluate_known(stage_.inertia, known, dt, known_inertia_);
   if (model_.damping() != nullptr) evaluate_known(stage_.damping, known, dt, known_damping_);
   for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_.end * dt * known[0].v[i];
@@ -202,7 +207,7 @@ void StageProblem::complete_direction(const Vector& x, Vector& direction) {
 }
 
 void StageProblem::relax_tangent(int level) {
-  if (level != relaxation_) assembled_at_.clear();
+  if (level != relaxation_) tangent_at_.clear();
   relaxation_ = level;
 }
 
@@ -215,11 +220,16 @@ void StageProblem::constrain_residual(double* out) {
     if (i < owned) reaction_[i] = out[i];
   }
   if (moving_) {
-    const auto d = static_cast<std::size_t>(model_.mesh().dimension);
-    assembled_values_.assign(static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
-    assemble(assembled_values_.data());
-    assembled_at_ = u_;
-    model_.multiply_constrained_columns(assembled_values_.data(), bracket_.data(), inertia_.data());
+    if (nonnull(matrix_free_)) {
+      linearize();
+      matrix_free_->multiply_constrained_columns(bracket_.data(), inertia_.data());
+    } else {
+      const auto d = static_cast<std::size_t>(model_.mesh().dimension);
+      values_.assign(static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
+      assemble(values_.data());
+      model_.multiply_constrained_columns(values_.data(), bracket_.data(), inertia_.data());
+    }
+    tangent_at_ = u_;
     for (std::size_t i = 0; i < owned; ++i) out[i] -= inertia_[i];
   }
   for (int dof : model_.constraints().dofs()) {
@@ -238,19 +248,48 @@ void StageProblem::assemble(double* values) const {
   if (has_mass_) model_.mass()->add_to(stage_.inertia.unknown / (dt_ * dt_), values);
   if (model_.damping() != nullptr) model_.damping()->add_to(stage_.damping.unknown / dt_, values);
   model_.add_elastic_tangent(segment(stage_.elastic), stage_.elastic, values);
-  const Tangent kind = relaxation_ == 0 ? Tangent::Exact : Tangent::Convex;
-  model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, kind, values);
-  if (relaxation_ > 1) model_.add_to_diagonal(model_.elastic_scale() * std::pow(10.0, relaxation_ - 8), values);
+  model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, tangent_kind(), values);
+  if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);
 }
 
-void StageProblem::tangent(const Vector& x, CrsMatrix& w) {
+Tangent StageProblem::tangent_kind() const { return relaxation_ == 0 ? Tangent::Exact : Tangent::Convex; }
+
+double StageProblem::shift() const {
+  return relaxation_ > 1 ? model_.elastic_scale() * std::pow(10.0, relaxation_ - 8) : 0;
+}
+
+void StageProblem::linearize() {
+  TangentPoint point;
+  point.elastic = segment(stage_.elastic);
+  point.interaction = segment(stage_.interaction);
+  point.elastic_rule = &stage_.elastic;
+  point.interaction_rule = &stage_.interaction;
+  point.kind = tangent_kind();
+  point.mass = has_mass_ ? stage_.inertia.unknown / (dt_ * dt_) : 0;
+  point.damping = stage_.damping.unknown / dt_;
+  point.shift = shift();
+  point.constrained_diagonal = diagonal_;
+  matrix_free_->linearize(point);
+}
+
+Teuchos::RCP<Operator> StageProblem::create_operator() {
+  if (nonnull(matrix_free_)) return matrix_free_;
+  return model_.pattern().create_matrix(model_.space());
+}
+
+void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   model_.space().import(x, u_.data());
   at_residual_ = false;
-  const auto matrix = w.getLocalMatrixHost();
+  const bool known = u_ == tangent_at_;
+  if (nonnull(matrix_free_)) {
+    if (!known) linearize();
+    return;
+  }
+  const auto matrix = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost();
   double* values = matrix.values.data();
-  if (u_ == assembled_at_) {
-    std::copy(assembled_values_.begin(), assembled_values_.end(), values);
+  if (known) {
+    std::copy(values_.begin(), values_.end(), values);
   } else {
     std::fill_n(values, matrix.values.extent(0), 0.0);
     assemble(values);

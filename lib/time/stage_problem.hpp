@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 #include "solve/nonlinear_problem.hpp"
+#include "solve/tangent_operator.hpp"
 #include "time/state.hpp"
 #include "time/table.hpp"
 
@@ -19,7 +20,8 @@ namespace ixos {
 class StageProblem final : public NonlinearProblem {
  public:
   /// `exact_rates`: driven degrees of freedom have the velocity and acceleration of their motion, not the rows'.
-  StageProblem(const Model& model, const Stage& stage, bool exact_rates);
+  /// `matrix_free`: the tangent is a TangentOperator, else a matrix.
+  StageProblem(const Model& model, const Stage& stage, bool exact_rates, bool matrix_free = false);
 
   /// `known` are the step's start and the ends of the stages before this one; they must stay until the solve is over.
   /// `time` is the step's start. Throws std::logic_error where the start of the segment is inadmissible.
@@ -35,9 +37,9 @@ class StageProblem final : public NonlinearProblem {
   void record_forces(State& state) const;
 
   Teuchos::RCP<const Map> map() const override { return model_.space().owned_map(); }
-  Teuchos::RCP<CrsMatrix> create_matrix() const override { return model_.pattern().create_matrix(model_.space()); }
+  Teuchos::RCP<Operator> create_operator() override;
   bool residual(const Vector& x, Vector& f) override;
-  void tangent(const Vector& x, CrsMatrix& w) override;
+  void tangent(const Vector& x, Operator& w) override;
   double admissible_step(const Vector& x, const Vector& direction) override;
   /// tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but no less than what rounding u_s alone
   /// changes.
@@ -53,6 +55,9 @@ class StageProblem final : public NonlinearProblem {
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   void damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   void assemble(double* values) const;
+  void linearize();
+  Tangent tangent_kind() const;
+  double shift() const;
   bool is_reached(std::size_t dof, double value) const;
   void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
@@ -82,7 +87,9 @@ class StageProblem final : public NonlinearProblem {
   std::vector<double> u_;     ///< local, where forces or tangents were last evaluated
   bool at_residual_ = false;  ///< by residual(): elastic_ and interaction_ belong to u_
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
-  std::vector<double> assembled_values_, assembled_at_;  ///< tangent that residual() needed on the way, and its u
+  std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
+  std::vector<double> values_;      ///< the values of that tangent, where it is a matrix
+  Teuchos::RCP<TangentOperator> matrix_free_;  ///< null where the tangent is a matrix
   mutable std::vector<double> direction_;
 };
 

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include "base/error.hpp"
+#include "support/files.hpp"
 
 namespace ixos {
 namespace {
@@ -19,9 +19,7 @@ class SealTest : public testing::Test {
     for (int i = 0; i < 5000; ++i) contents += static_cast<char>(i * i);
     write(contents);
     seal(path_);
-    std::ostringstream text;
-    text << std::ifstream(path_).rdbuf();
-    sealed_ = text.str();
+    sealed_ = test::contents(path_);
     ASSERT_EQ(sealed_.size(), contents.size());
   }
   void TearDown() override { std::filesystem::remove(path_); }

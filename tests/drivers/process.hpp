@@ -19,9 +19,6 @@ Outcome shell(const std::string& command, const std::string& folder);
 /// The driver's path, quoted for the shell.
 std::string quoted_driver();
 
-/// What a file holds; nothing where it is not there.
-std::string contents(const std::string& path);
-
 /// A fresh, empty folder.
 std::string scratch_folder();
 

@@ -7,20 +7,13 @@
 #include <sstream>
 
 #include "drivers/process.hpp"
+#include "support/files.hpp"
 
 namespace ixos::test {
 namespace {
 
 const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
 const std::string control = "Time Integrator/Time Step Control/";
-
-/// The lines of history.csv without their last column, the wall-clock seconds.
-std::vector<std::string> rows(const std::string& folder) {
-  std::istringstream file(contents(folder + "/history.csv"));
-  std::vector<std::string> result;
-  for (std::string line; std::getline(file, line);) result.push_back(line.substr(0, line.rfind(',')));
-  return result;
-}
 
 class RestartDriverTest : public testing::Test {
  protected:
@@ -56,7 +49,7 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
     const Outcome rest = run("--output parts --restart parts/checkpoint.h5");
     EXPECT_EQ(rest.status, 0) << rest.output;
     EXPECT_NE(rest.output.find("Goes on from "), std::string::npos) << rest.output;
-    EXPECT_EQ(rows(path("parts")), rows(path("whole")));
+    EXPECT_EQ(history_rows(path("parts")), history_rows(path("whole")));
     EXPECT_TRUE(contents(path("parts/fields.e")) == contents(path("whole/fields.e")));
     EXPECT_NE(contents(path("parts/summary.json")).find("\"restarts\": 1"), std::string::npos);
     std::filesystem::remove_all(path("parts"));
@@ -89,7 +82,7 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
       std::string::npos)
       << one.output;
   // Before the ball touches the wall: the last row's columns agree.
-  std::istringstream mine(rows(path("one")).back()), theirs(rows(path("whole")).back());
+  std::istringstream mine(history_rows(path("one")).back()), theirs(history_rows(path("whole")).back());
   std::string a, b;
   for (int column = 0; column < 16 && std::getline(mine, a, ',') && std::getline(theirs, b, ','); ++column)
     EXPECT_NEAR(std::stod(a), std::stod(b), 1e-7 * std::abs(std::stod(b)) + 1e-12) << "column " << column;

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "drivers/process.hpp"
+#include "support/files.hpp"
 
 namespace ixos {
 namespace {

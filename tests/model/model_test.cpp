@@ -82,7 +82,7 @@ std::vector<double> tangent_errors(const Model& model, const Table& table, const
       dv(i, 0) = std::sin(2.1 * mesh.coordinates[i] + 0.5 * static_cast<double>(i % d));
     }
   }
-  const auto w = problem.create_matrix();
+  const auto w = problem.create_operator();
   EXPECT_TRUE(problem.residual(x, f0));
   problem.tangent(x, *w);
   w->apply(direction, wd);

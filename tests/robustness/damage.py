@@ -19,10 +19,8 @@ import sys
 import tempfile
 import time
 
-from kill_restart import ROOT, STEPS, fields, history
+from kill_restart import ENVIRONMENT, ROOT, STEPS, driver_command, fields, history
 
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
-                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_mpi_yield_when_idle="1")
 BALL = os.path.join(ROOT, "xml/ball.xml")
 SETTINGS = [STEPS + "Final Time=0.4", "Output/Fields Interval=20", "Output/Checkpoint/Interval=50", "Output/Checkpoint/Keep=3"]
 
@@ -58,19 +56,12 @@ class Driver:
     def __init__(self, path):
         self.path = path
 
-    def command(self, arguments, ranks=1, settings=SETTINGS, scene=BALL):
-        command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
-        command += [self.path, scene, "--quiet"] + arguments
-        for setting in settings:
-            command += ["--set", setting]
-        return command
+    def start(self, arguments, ranks=1, settings=SETTINGS):
+        return subprocess.Popen(driver_command(self.path, BALL, arguments, settings, ranks), env=ENVIRONMENT,
+                                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
-    def start(self, *arguments, **options):
-        return subprocess.Popen(self.command(*arguments, **options), env=ENVIRONMENT, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True)
-
-    def run(self, *arguments, **options):
-        return finish(self.start(*arguments, **options))
+    def run(self, arguments, **options):
+        return finish(self.start(arguments, **options))
 
 
 def finish(process):

@@ -21,6 +21,8 @@ import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STEPS = "Time Integrator/Time Step Control/"
+ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
+                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_mpi_yield_when_idle="1")
 ITERATIVE = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type="]
 
 
@@ -46,6 +48,14 @@ def scenarios():
         yield "strip, CG with lagged Ifpack2", "strip", strip + [STEPS + "Final Time=20"] + every + \
             preconditioned("Ifpack2") + ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}",
                                          "Histories/Pull/Rate Ramp/Length=10"], ranks
+
+
+def driver_command(driver, scene, arguments, settings, ranks):
+    command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
+    command += [driver, scene, "--quiet"] + arguments
+    for setting in settings:
+        command += ["--set", setting]
+    return command
 
 
 def history(folder):
@@ -79,18 +89,13 @@ def descendants(pid):
 class Scene:
     def __init__(self, options, scene, settings, ranks, folder):
         self.folder = folder
-        self.command = ([] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]) + \
-            [options.driver, os.path.join(ROOT, "xml", scene + ".xml"), "--quiet", "--output", folder]
-        for setting in settings:
-            self.command += ["--set", setting]
-        self.environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                                OPENBLAS_NUM_THREADS="1", OMPI_MCA_hwloc_base_binding_policy="none",
-                                OMPI_MCA_mpi_yield_when_idle="1")
+        self.command = driver_command(options.driver, os.path.join(ROOT, "xml", scene + ".xml"), ["--output", folder],
+                                      settings, ranks)
 
     def start(self):
         link = os.path.join(self.folder, "checkpoint.h5")
         restart = ["--restart", link] if os.path.exists(link) else []
-        return subprocess.Popen(self.command + restart, env=self.environment, stdout=subprocess.PIPE,
+        return subprocess.Popen(self.command + restart, env=ENVIRONMENT, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True), bool(restart)
 
 

@@ -4,12 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
 
 #include "interaction/van_der_waals.hpp"
+#include "study/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 
@@ -22,24 +19,6 @@ using test::numbers;
 using test::word;
 using test::world;
 
-/// Columns of history.csv by name; empty cells are NaN.
-std::map<std::string, std::vector<double>> read_history(const std::string& path) {
-  std::ifstream file(path);
-  std::string line, cell;
-  std::getline(file, line);
-  std::vector<std::string> names;
-  for (std::istringstream header(line); std::getline(header, cell, ',');) names.push_back(cell);
-  std::map<std::string, std::vector<double>> columns;
-  while (std::getline(file, line)) {
-    std::istringstream row(line);
-    for (const std::string& name : names) {
-      std::getline(row, cell, ',');
-      columns[name].push_back(cell.empty() ? std::nan("") : std::stod(cell));
-    }
-  }
-  return columns;
-}
-
 class RunTest : public testing::Test {
  protected:
   /// Runs the scene; results in folder_.
@@ -49,6 +28,7 @@ class RunTest : public testing::Test {
     options.folder = folder_;
     return run(simulation, options);
   }
+  HistoryTable table() const { return HistoryTable(folder_ + "/history.csv"); }
   std::string folder_ = testing::TempDir() + "ixos_run_" + std::to_string(world()->getSize());
 };
 
@@ -72,17 +52,17 @@ std::string pulled(const std::string& output, const std::string& control) {
 TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
   const RunResult result = run_scene(pulled("", ""));
   EXPECT_EQ(result.status, RunStatus::Completed);
-  const auto history = read_history(folder_ + "/history.csv");
-  ASSERT_EQ(history.at("time").size(), 31U);
+  const HistoryTable history = table();
+  ASSERT_EQ(history.column("time").size(), 31U);
   for (std::size_t k = 0; k < 31; ++k) {
     // The table's values lie on a parabola, 0.1 (t - 1)^2, which quintic interpolation reproduces.
-    const double t = history.at("time")[k];
-    EXPECT_NEAR(history.at("Edge_ux")[k], 0.1 * (t - 1) * (t - 1), 1e-13);
-    EXPECT_NEAR(history.at("Edge_vx")[k], 0.2 * (t - 1), 1e-12);
-    EXPECT_NEAR(history.at("Edge_uy")[k], 0, 1e-15);
+    const double t = history.column("time")[k];
+    EXPECT_NEAR(history.column("Edge_ux")[k], 0.1 * (t - 1) * (t - 1), 1e-13);
+    EXPECT_NEAR(history.column("Edge_vx")[k], 0.2 * (t - 1), 1e-12);
+    EXPECT_NEAR(history.column("Edge_uy")[k], 0, 1e-15);
     if (k == 0) continue;  // not yet in equilibrium
-    EXPECT_NEAR(history.at("reaction_left_x")[k], -0.02, 1e-11);
-    EXPECT_NEAR(history.at("reaction_left_y")[k], 0, 1e-11);
+    EXPECT_NEAR(history.column("reaction_left_x")[k], -0.02, 1e-11);
+    EXPECT_NEAR(history.column("reaction_left_y")[k], 0, 1e-11);
   }
   ASSERT_EQ(result.max_forces.size(), 2U);
   EXPECT_EQ(result.max_forces[0].first, "reaction_left_x");
@@ -91,7 +71,7 @@ TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
 
 TEST_F(RunTest, StepsEndAtTheTimesOfOutput) {
   run_scene(pulled(number("History Time Interval", 0.25), ""));
-  const auto times = read_history(folder_ + "/history.csv").at("time");
+  const auto times = table().column("time");
   // Steps of 0.1 that are shortened to end at 1.25, 1.5, 1.75, ...
   ASSERT_EQ(times.size(), 13U);
   for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], 1 + 0.25 * static_cast<double>(k), 1e-12);
@@ -111,7 +91,7 @@ TEST_F(RunTest, AdaptiveStepsFollowTheTolerance) {
   for (const char* scheme : {"Newmark", "Bathe Composite", "Average Vector Field"}) {
     const RunResult coarse = run_scene(judged(scheme, 1e-4));
     EXPECT_EQ(coarse.status, RunStatus::Completed) << coarse.reason;
-    const auto times = read_history(folder_ + "/history.csv").at("time");
+    const auto times = table().column("time");
     const std::vector<double> expected{0, 0.7, 1.4, 2.1, 2.8, 3};
     ASSERT_EQ(times.size(), expected.size());
     for (std::size_t k = 0; k < times.size(); ++k) EXPECT_NEAR(times[k], expected[k], 1e-12);
@@ -156,7 +136,7 @@ TEST_F(RunTest, TheGapRatioIsHeldAndSavesSteps) {
   const RunResult judged = run_scene(falling("Newmark", adaptive(1.05, "")));
   ASSERT_EQ(judged.status, RunStatus::Completed) << judged.reason;
   // Row by row the least gap changes by no more than the ratio: it is that of one of the points, and they move alike.
-  const auto gaps = read_history(folder_ + "/history.csv").at("min_gap");
+  const auto gaps = table().column("min_gap");
   for (std::size_t k = 1; k < gaps.size(); ++k) {
     const double ratio = std::max(gaps[k] / gaps[k - 1], gaps[k - 1] / gaps[k]);
     EXPECT_TRUE(ratio < 1.06 || std::min(gaps[k], gaps[k - 1]) > 2.5) << k << ": " << ratio;
@@ -188,7 +168,7 @@ TEST_F(RunTest, ACutoffKeepsTheEnergyAndStaysWithinItsBound) {
         run_scene(falling("Average Vector Field", control, wall, test::count("Interaction Points", 32)));
     EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
     EXPECT_LT(result.max_energy_error, 1e-8);
-    return read_history(folder_ + "/history.csv").at("Top_uy");
+    return table().column("Top_uy");
   };
   const auto whole = top(""), cut = top(number("Cutoff", 1.0)), beyond = top(number("Cutoff", 1e6));
   // Half a T0 before the wall is reached, traction is the only difference: at most T(rc) on an area of 2, mass 2.
@@ -204,9 +184,9 @@ TEST_F(RunTest, ExplicitStepsAreStableOnes) {
       run_scene(test::block_2d(1.0) + test::time_integrator("Central Difference", 2.0, 20, number("Safety", 0.5)));
   EXPECT_EQ(result.status, RunStatus::Completed);
   EXPECT_GT(result.steps, 20);
-  const auto history = read_history(folder_ + "/history.csv");
-  for (double energy : history.at("total_energy"))
-    EXPECT_NEAR(energy, history.at("total_energy")[0], 0.1 * history.at("total_energy")[0]);
+  const HistoryTable history = table();
+  for (double energy : history.column("total_energy"))
+    EXPECT_NEAR(energy, history.column("total_energy")[0], 0.1 * history.column("total_energy")[0]);
 }
 
 /// A block that a wall has caught at its equilibrium gap, or one far from it, thrown upwards.
@@ -229,9 +209,9 @@ TEST_F(RunTest, DetachedEndsARunThatWasAttached) {
   const RunResult caught = run_scene(thrown(0.2547, "Detached"));
   EXPECT_EQ(caught.status, RunStatus::Stopped);
   EXPECT_EQ(caught.reason, "End: detached");
-  const auto history = read_history(folder_ + "/history.csv");
-  EXPECT_EQ(history.at("contact_measure").back(), 0);
-  EXPECT_GT(history.at("contact_measure")[history.at("contact_measure").size() - 2], 0);
+  const HistoryTable history = table();
+  EXPECT_EQ(history.column("contact_measure").back(), 0);
+  EXPECT_GT(history.column("contact_measure")[history.column("contact_measure").size() - 2], 0);
   const RunResult free = run_scene(thrown(1.0, "Detached"));
   EXPECT_EQ(free.status, RunStatus::Completed);
 }

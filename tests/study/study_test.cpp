@@ -7,21 +7,17 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "base/error.hpp"
 #include "study/history_table.hpp"
 #include "study/study_errors.hpp"
 #include "study/study_result.hpp"
+#include "support/files.hpp"
 
 namespace ixos {
 namespace {
 
-std::string contents(const std::string& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
+using test::contents;
 
 class StudyTest : public testing::Test {
  protected:

@@ -91,7 +91,7 @@ TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
   x.putScalar(0.0);
   const auto d = wave(model.mesh(), 2.5);
   for (int i = 0; i < model.space().owned(); ++i) direction.replaceLocalValue(i, d[static_cast<std::size_t>(i)]);
-  const auto w = problem.create_matrix();
+  const auto w = problem.create_operator();
   double before = -1e300;
   for (int level = 0; level <= 4; ++level) {
     problem.relax_tangent(level);

@@ -190,7 +190,7 @@ TEST(LockingVerification, AverageVectorFieldKeepsTheEnergyOfTheCures) {
     }
 }
 
-TEST(LockingVerification, SchemesThatNeedADiscreteGradientAreRefused) {
+TEST(LockingVerification, WhatTheCuresDoNotOfferIsRefused) {
   const auto message = [](const std::string& scene) -> std::string {
     try {
       const Simulation s(test::scene(scene), world());
@@ -205,6 +205,11 @@ TEST(LockingVerification, SchemesThatNeedADiscreteGradientAreRefused) {
                   "\" has no discrete gradient, which the scheme \"Energy-Momentum\" takes of the elastic energy; use "
                   "\"Standard\", or the scheme \"Average Vector Field\"");
   EXPECT_EQ(message(block("Standard", 2) + test::time_integrator("Energy-Momentum", 0.1, 1)), "accepted");
+  const std::string matrix_free =
+      test::list("Linear Solver", test::word("Linear Solver Type", "Belos") + test::word("Operator", "Matrix-Free"));
+  EXPECT_NE(message(block("Enhanced", 3) + matrix_free + test::time_integrator("Newmark", 0.1, 1))
+                .find("is not offered for this scene's element formulation"),
+            std::string::npos);
 }
 
 }  // namespace

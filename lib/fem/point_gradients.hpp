@@ -1,0 +1,153 @@
+/// From nodal values to gradients at an element's quadrature points, and back.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "base/small_matrix.hpp"
+#include "fem/reference_elements.hpp"
+#include "fem/shape_table.hpp"
+
+namespace ixos {
+
+/// du_i/dxi_d = sum_a u_ai dN_a/dxi_d at every point of the table, and its transpose f_ai += sum_q t_q,id dN_a/dxi_d.
+/// Nodal arrays are [node][component], gradients [point][component][reference direction].
+template <class Element>
+struct TabulatedGradients {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+
+  template <class T>
+  static void evaluate(const ShapeTable<Element>& table, const Small<T, N, D>& u, Small<T, D>* gradients) {
+    for (std::size_t q = 0; q < table.size(); ++q) {
+      gradients[q] = {};
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t d = 0; d < D; ++d) gradients[q][i][d] += u[a][i] * table.gradient[q][a][d];
+    }
+  }
+
+  template <class T>
+  static void integrate(const ShapeTable<Element>& table, const Small<T, D>* stresses, Small<T, N, D>& f) {
+    for (std::size_t q = 0; q < table.size(); ++q)
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t d = 0; d < D; ++d) f[a][i] += stresses[q][i][d] * table.gradient[q][a][d];
+  }
+};
+
+/// The same as fast as the element allows.
+template <class Element>
+struct PointGradients : TabulatedGradients<Element> {};
+
+/// The trilinear hexahedron on 2 x 2 x 2 points by sum factorisation: nodal values become coefficients of 1, xi, eta,
+/// zeta, xi eta, ... in 24 additions, and each derivative is bilinear in the two other directions. A third of the
+/// operations of the product with the table.
+template <>
+struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
+  using Tabulated = TabulatedGradients<Hex8>;
+  static constexpr std::size_t D = 3;
+  static constexpr std::size_t N = 8;
+
+  template <class T>
+  static void evaluate(const ShapeTable<Hex8>& table, const Small<T, N, D>& u, Small<T, D>* gradients) {
+    if (table.size() != 8) return Tabulated::evaluate(table, u, gradients);
+    for (std::size_t i = 0; i < D; ++i) {
+      const Coefficients<T> c = coefficients(u, i);
+      spread<0>(c.x, c.xy, c.xz, c.xyz, i, gradients);
+      spread<1>(c.y, c.xy, c.yz, c.xyz, i, gradients);
+      spread<2>(c.z, c.xz, c.yz, c.xyz, i, gradients);
+    }
+  }
+
+  template <class T>
+  static void integrate(const ShapeTable<Hex8>& table, const Small<T, D>* stresses, Small<T, N, D>& f) {
+    if (table.size() != 8) return Tabulated::integrate(table, stresses, f);
+    for (std::size_t i = 0; i < D; ++i) {
+      Coefficients<T> c{};
+      collect<0>(stresses, i, c.x, c.xy, c.xz, c.xyz);
+      collect<1>(stresses, i, c.y, c.xy, c.yz, c.xyz);
+      collect<2>(stresses, i, c.z, c.xz, c.yz, c.xyz);
+      add_nodal(c, i, f);
+    }
+  }
+
+ private:
+  static constexpr double g = 0.57735026918962576451;  ///< the Gauss points are +-g
+
+  /// Of u = ... + (x xi + y eta + z zeta)/8 + (xy xi eta + ...)/8, the products' already times g or g^2 and all over 8,
+  /// so that with signs for coordinates they are values at the Gauss points.
+  template <class T>
+  struct Coefficients {
+    T x, y, z, xy, xz, yz, xyz;
+  };
+
+  template <class T>
+  static Coefficients<T> coefficients(const Small<T, N, D>& u, std::size_t i) {
+    const T s0 = u[0][i] + u[1][i], d0 = u[1][i] - u[0][i], s1 = u[3][i] + u[2][i], d1 = u[2][i] - u[3][i];
+    const T s2 = u[4][i] + u[5][i], d2 = u[5][i] - u[4][i], s3 = u[7][i] + u[6][i], d3 = u[6][i] - u[7][i];
+    const T bottom = s0 + s1, bottom_y = s1 - s0, bottom_x = d0 + d1, bottom_xy = d1 - d0;
+    const T top = s2 + s3, top_y = s3 - s2, top_x = d2 + d3, top_xy = d3 - d2;
+    return {0.125 * (bottom_x + top_x),
+            0.125 * (bottom_y + top_y),
+            0.125 * (top - bottom),
+            (0.125 * g) * (bottom_xy + top_xy),
+            (0.125 * g) * (top_x - bottom_x),
+            (0.125 * g) * (top_y - bottom_y),
+            (0.125 * g * g) * (top_xy - bottom_xy)};
+  }
+
+  /// The transpose.
+  template <class T>
+  static void add_nodal(const Coefficients<T>& c, std::size_t i, Small<T, N, D>& f) {
+    const T x = 0.125 * c.x, y = 0.125 * c.y, z = 0.125 * c.z;
+    const T xy = (0.125 * g) * c.xy, xz = (0.125 * g) * c.xz, yz = (0.125 * g) * c.yz, xyz = (0.125 * g * g) * c.xyz;
+    const T bottom_x = x - xz, top_x = x + xz, bottom_y = y - yz, top_y = y + yz, bottom_xy = xy - xyz;
+    const T top_xy = xy + xyz;
+    const T s0 = -z - bottom_y, s1 = bottom_y - z, d0 = bottom_x - bottom_xy, d1 = bottom_x + bottom_xy;
+    const T s2 = z - top_y, s3 = z + top_y, d2 = top_x - top_xy, d3 = top_x + top_xy;
+    f[0][i] += s0 - d0;
+    f[1][i] += s0 + d0;
+    f[2][i] += s1 + d1;
+    f[3][i] += s1 - d1;
+    f[4][i] += s2 - d2;
+    f[5][i] += s2 + d2;
+    f[6][i] += s3 + d3;
+    f[7][i] += s3 - d3;
+  }
+
+  /// Number of the point whose first, second coordinates beside direction `Along` have these signs (0 or 1).
+  template <std::size_t Along>
+  static constexpr std::size_t point(std::size_t along, std::size_t first, std::size_t second) {
+    if (Along == 0) return along + 2 * first + 4 * second;
+    if (Along == 1) return first + 2 * along + 4 * second;
+    return first + 2 * second + 4 * along;
+  }
+
+  /// c + a s + b t + ab s t at the signs s, t of the two other coordinates, for both points along the direction.
+  template <std::size_t Along, class T>
+  static void spread(const T& c, const T& a, const T& b, const T& ab, std::size_t i, Small<T, D>* gradients) {
+    const T low = c - b, high = c + b, low_slope = a - ab, high_slope = a + ab;
+    const T values[2][2] = {{low - low_slope, low + low_slope}, {high - high_slope, high + high_slope}};
+    for (std::size_t second = 0; second < 2; ++second)
+      for (std::size_t first = 0; first < 2; ++first)
+        for (std::size_t along = 0; along < 2; ++along)
+          gradients[point<Along>(along, first, second)][i][Along] = values[second][first];
+  }
+
+  template <std::size_t Along, class T>
+  static void collect(const Small<T, D>* stresses, std::size_t i, T& c, T& a, T& b, T& ab) {
+    T values[2][2];
+    for (std::size_t second = 0; second < 2; ++second)
+      for (std::size_t first = 0; first < 2; ++first)
+        values[second][first] = stresses[point<Along>(0, first, second)][i][Along] +
+                                stresses[point<Along>(1, first, second)][i][Along];
+    const T low = values[0][0] + values[0][1], low_slope = values[0][1] - values[0][0];
+    const T high = values[1][0] + values[1][1], high_slope = values[1][1] - values[1][0];
+    c += low + high;
+    b += high - low;
+    a += low_slope + high_slope;
+    ab += high_slope - low_slope;
+  }
+};
+
+}  // namespace ixos

@@ -1,0 +1,105 @@
+#include "solve/tangent_operator.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace ixos {
+
+TangentOperator::TangentOperator(const Model& model, std::function<void(double*)> assemble)
+    : model_(model),
+      assemble_(std::move(assemble)),
+      elastic_(model.elastic_actions()),
+      interactions_(model.interaction_actions()),
+      rest_factors_(model.rest_factors()) {
+  for (const auto* actions : {&elastic_, &interactions_})
+    if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))
+      throw InputError(
+          "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation; use "
+          "\"Assembled\"");
+  for (std::vector<double>* array : {&x_, &result_, &part_})
+    array->resize(static_cast<std::size_t>(model.space().local()));
+}
+
+void TangentOperator::linearize(const TangentPoint& point) {
+  for (std::size_t i = 0; i < elastic_.size(); ++i)
+    elastic_[i]->linearize(point.elastic, *point.elastic_rule, point.kind, point.damping * rest_factors_[i]);
+  for (const auto& action : interactions_)
+    action->linearize(point.interaction, *point.interaction_rule, point.kind, 0);
+  mass_ = point.mass;
+  damping_ = point.damping;
+  shift_ = point.shift;
+  constrained_diagonal_ = point.constrained_diagonal;
+  assembled_ = false;
+}
+
+void TangentOperator::multiply(const double* x) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::fill(result_.begin(), result_.end(), 0.0);
+  for (const auto& action : elastic_) action->add_product(x, result_.data());
+  for (const auto& action : interactions_) action->add_product(x, result_.data());
+  if (model_.mass() != nullptr && mass_ != 0) {
+    model_.mass()->multiply(x, part_.data());
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
+  }
+  if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
+  if (shift_ != 0)
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
+}
+
+void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  for (std::size_t j = 0; j < x.getNumVectors(); ++j) {
+    model_.space().import(*x.getVector(j), x_.data());
+    for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = 0;
+    multiply(x_.data());
+    const auto from = x.getVector(j)->getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (int dof : model_.constraints().dofs()) {
+      const auto i = static_cast<std::size_t>(dof);
+      if (i < owned) result_[i] = constrained_diagonal_ * from(i, 0);
+    }
+    const auto target = y.getVectorNonConst(j)->getLocalViewHost(Tpetra::Access::ReadWrite);
+    if (beta == 0)
+      for (std::size_t i = 0; i < owned; ++i) target(i, 0) = alpha * result_[i];
+    else
+      for (std::size_t i = 0; i < owned; ++i) target(i, 0) = alpha * result_[i] + beta * target(i, 0);
+  }
+}
+
+void TangentOperator::multiply_constrained_columns(const double* x, double* result) const {
+  std::fill(x_.begin(), x_.end(), 0.0);
+  for (int dof : model_.constraints().dofs()) x_[static_cast<std::size_t>(dof)] = x[dof];
+  multiply(x_.data());
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::copy_n(result_.begin(), owned, result);
+  for (int dof : model_.constraints().dofs())
+    if (static_cast<std::size_t>(dof) < owned) result[dof] = 0;
+}
+
+void TangentOperator::diagonal(Vector& result) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  std::fill(result_.begin(), result_.end(), 0.0);
+  for (const auto& action : elastic_) action->add_diagonal(result_.data());
+  for (const auto& action : interactions_) action->add_diagonal(result_.data());
+  if (model_.mass() != nullptr) model_.mass()->add_diagonal(mass_, result_.data());
+  if (model_.damping() != nullptr) model_.damping()->add_mass_diagonal(damping_, result_.data());
+  for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_;
+  for (int dof : model_.constraints().dofs()) result_[static_cast<std::size_t>(dof)] = constrained_diagonal_;
+  const auto target = result.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  for (std::size_t i = 0; i < owned; ++i) target(i, 0) = result_[i];
+}
+
+Teuchos::RCP<CrsMatrix> TangentOperator::matrix() const {
+  if (matrix_.is_null()) matrix_ = model_.pattern().create_matrix(model_.space());
+  if (!assembled_) {
+    const auto values = matrix_->getLocalMatrixHost().values;
+    std::fill_n(values.data(), values.extent(0), 0.0);
+    assemble_(values.data());
+    assembled_ = true;
+  }
+  return matrix_;
+}
+
+}  // namespace ixos

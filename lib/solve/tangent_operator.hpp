@@ -1,0 +1,63 @@
+/// The tangent of a stage, applied matrix-free.
+#pragma once
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "model/model.hpp"
+#include "solve/assemblable_operator.hpp"
+
+namespace ixos {
+
+/// Where and how a stage's tangent is taken: mass M + damping C + K_el + K_c + shift I.
+struct TangentPoint {
+  Segment elastic;
+  Segment interaction;
+  const Rule* elastic_rule = nullptr;
+  const Rule* interaction_rule = nullptr;
+  Tangent kind = Tangent::Exact;
+  double mass = 0;                  ///< factor of M [1/T0^2]
+  double damping = 0;               ///< factor of C [1/T0]
+  double shift = 0;                 ///< factor of the identity
+  double constrained_diagonal = 1;  ///< of constrained degrees of freedom, which nothing couples to others
+};
+
+/// y = W x from what the terms keep at their quadrature points, consistent mass and damping included. The model must
+/// outlive it.
+class TangentOperator final : public AssemblableOperator {
+ public:
+  /// `assemble` fills matrix values (Pattern::create_matrix's layout, zero before) with the tangent at the last
+  /// linearize(), constraints included. Throws InputError where a term cannot be applied matrix-free.
+  TangentOperator(const Model& model, std::function<void(double*)> assemble);
+
+  /// Takes the tangent there. The point's arrays must stay until the next call for matrix() to be asked for.
+  void linearize(const TangentPoint& point);
+  /// result_f = K_fp x_p of constrained columns p and free rows f, 0 for constrained ones: x local, result the rows of
+  /// owned nodes.
+  void multiply_constrained_columns(const double* x, double* result) const;
+  /// The diagonal of W, rows of owned nodes. Collective.
+  void diagonal(Vector& result) const;
+
+  Teuchos::RCP<const Map> getDomainMap() const override { return model_.space().owned_map(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return model_.space().owned_map(); }
+  /// y = alpha W x + beta y. W is symmetric.
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
+             double beta = 0) const override;
+  bool hasTransposeApply() const override { return true; }
+  Teuchos::RCP<CrsMatrix> matrix() const override;
+
+ private:
+  /// result_ = W x with free and constrained degrees of freedom coupled, x local.
+  void multiply(const double* x) const;
+
+  const Model& model_;
+  std::function<void(double*)> assemble_;
+  std::vector<std::unique_ptr<TangentAction>> elastic_, interactions_;
+  std::vector<double> rest_factors_;
+  double mass_ = 0, damping_ = 0, shift_ = 0, constrained_diagonal_ = 1;
+  mutable std::vector<double> x_, result_, part_;  ///< scratch, local
+  mutable Teuchos::RCP<CrsMatrix> matrix_;
+  mutable bool assembled_ = false;
+};
+
+}  // namespace ixos
