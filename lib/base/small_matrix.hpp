@@ -19,6 +19,19 @@ T determinant(const Small<T, 3>& m) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
+/// det(I + M) - 1 without cancellation where M is small: the sum of M's invariants.
+template <class T>
+T determinant_minus_one(const Small<T, 2>& m) {
+  return m[0][0] + m[1][1] + determinant(m);
+}
+
+template <class T>
+T determinant_minus_one(const Small<T, 3>& m) {
+  const T minors = m[0][0] * m[1][1] - m[0][1] * m[1][0] + m[1][1] * m[2][2] - m[1][2] * m[2][1] + m[0][0] * m[2][2] -
+                   m[0][2] * m[2][0];
+  return m[0][0] + m[1][1] + m[2][2] + minors + determinant(m);
+}
+
 /// Inverse, given the determinant.
 template <class T>
 Small<T, 2> inverse(const Small<T, 2>& m, const T& det) {

@@ -23,7 +23,11 @@ template <class Element, class Material>
 struct ElasticKernel {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
+  using Shape = Element;
+  using Law = Material;
   using Table = ShapeTable<Element>;
+  /// Does the kernel know Mean::DiscreteGradient?
+  static constexpr bool has_discrete_gradient = true;
 
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -83,20 +87,8 @@ struct ElasticKernel {
     std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
     T volume(0.0);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Small<T, D> h = gradient(u, shape_gradients(geometry, q));
-      Small<T, D> p;
-      const T jacobian = material.stress(h, p);
-      T trace(0.0);
-      for (std::size_t i = 0; i < D; ++i) {
-        trace += p[i][i];
-        for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
-      }
-      trace = trace / jacobian;
-      if constexpr (D == 2) trace += material.out_of_plane_stress(h);
       const T& w = geometry.points[q].weight;
-      sums[0] += w * trace;
-      sums[1] += w * jacobian;
-      sums[2] += w * material.energy(h);
+      add_means(material, gradient(u, shape_gradients(geometry, q)), w, sums);
       volume += w;
     }
     for (T& sum : sums) sum = sum / volume;
@@ -213,7 +205,24 @@ struct ElasticKernel {
     return h;
   }
 
- private:
+ protected:
+  /// Adds weight times the values of means() at a point with displacement gradient h.
+  template <class T>
+  static void add_means(const Material& material, const Small<T, D>& h, const T& weight, std::array<T, 3>& sums) {
+    Small<T, D> p;
+    const T jacobian = material.stress(h, p);
+    T trace(0.0);
+    for (std::size_t i = 0; i < D; ++i) {
+      trace += p[i][i];
+      for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+    }
+    trace = trace / jacobian;
+    if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+    sums[0] += weight * trace;
+    sums[1] += weight * jacobian;
+    sums[2] += weight * material.energy(h);
+  }
+
   /// Points that add_products() takes at once: their gradients stay in the nearest cache.
   static constexpr std::size_t chunk = 8;
 
@@ -286,14 +295,14 @@ struct ElasticKernel {
   }
 
   /// k_ai,bk += dN_a,J A_iJkL dN_b,L; of symmetric moduli the upper triangle of node pairs is computed and mirrored.
-  template <bool symmetric, class T>
-  static void add_contraction(const Nodal<T>& dn, const Small<T, D * D>& moduli, Tangent<T>& k) {
-    for (std::size_t b = 0; b < N; ++b) {
+  template <bool symmetric, class T, std::size_t M>
+  static void add_contraction(const Small<T, M, D>& dn, const Small<T, D * D>& moduli, Small<T, M * D>& k) {
+    for (std::size_t b = 0; b < M; ++b) {
       Small<T, D * D, D> right{};  // A_iJkL dN_b,L
       for (std::size_t r = 0; r < D * D; ++r)
         for (std::size_t c = 0; c < D; ++c)
           for (std::size_t l = 0; l < D; ++l) right[r][c] += moduli[r][c * D + l] * dn[b][l];
-      for (std::size_t a = 0; a < (symmetric ? b + 1 : N); ++a)
+      for (std::size_t a = 0; a < (symmetric ? b + 1 : M); ++a)
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t c = 0; c < D; ++c) {
             T sum = dn[a][0] * right[i * D][c];

@@ -24,10 +24,11 @@ struct ShapeTable {
       size *= rules[d].points.size();
     }
     weight.assign(size, 1.0);
+    point.resize(size);
     value.resize(size);
     gradient.resize(size);
     for (std::size_t q = 0; q < size; ++q) {
-      std::array<double, D> xi;
+      std::array<double, D>& xi = point[q];
       std::size_t rest = q;
       for (std::size_t d = 0; d < D; ++d) {
         const std::size_t i = rest % rules[d].points.size();
@@ -42,6 +43,7 @@ struct ShapeTable {
   std::size_t size() const { return weight.size(); }
 
   std::vector<double> weight;                                  ///< quadrature weights
+  std::vector<std::array<double, D>> point;                    ///< xi_q
   std::vector<std::array<double, N>> value;                    ///< N_a(xi_q)
   std::vector<std::array<std::array<double, D>, N>> gradient;  ///< dN_a/dxi_d (xi_q)
 };

@@ -45,7 +45,8 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
 void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
   elastic_block_.push_back(number);
-  elastic_.push_back(make_elastic_term(mesh_, block, pattern_, material.law, material.lame, material.points));
+  elastic_.push_back(
+      make_elastic_term(mesh_, block, pattern_, material.law, material.lame, material.points, material.formulation));
   if (!mass_) return;
   mass_->add_block(block, material.density);
   if (material.mass_damping == 0 && material.stiffness_damping == 0) return;

@@ -23,6 +23,7 @@ struct Material {
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
+  Formulation formulation = Formulation::Standard;
 };
 
 /// A sum over all ranks of what the model stores and moves.

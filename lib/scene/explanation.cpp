@@ -28,9 +28,9 @@ std::string bodies(const Simulation& simulation) {
   for (const auto& [name, entry] : entries(materials)) {
     const List& list = materials.sublist(name);
     text += fmt::format(
-        "Material {}: block \"{}\", {}, E = {} E0, nu = {}, density {}{}\n", name, list.get<std::string>("Block"),
-        list.get<std::string>("Model"), list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"),
-        list.get<double>("Density"),
+        "Material {}: block \"{}\", {}, {} elements, E = {} E0, nu = {}, density {}{}\n", name,
+        list.get<std::string>("Block"), list.get<std::string>("Model"), list.get<std::string>("Element Formulation"),
+        list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"), list.get<double>("Density"),
         simulation.model().damping() == nullptr ? ""
                                                 : fmt::format(", damping {} M + {} K", list.get<double>("Mass Damping"),
                                                               list.get<double>("Stiffness Damping")));

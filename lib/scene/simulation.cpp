@@ -25,6 +25,19 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
+Formulation formulation(const List& material) {
+  const auto& name = material.get<std::string>("Element Formulation");
+  if (name == "Mean Dilatation") return Formulation::MeanDilatation;
+  return name == "Enhanced" ? Formulation::Enhanced : Formulation::Standard;
+}
+
+bool all_standard(const List& materials) {
+  const std::vector<std::string> names = sublists(materials);
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    return formulation(materials.sublist(name)) == Formulation::Standard;
+  });
+}
+
 Material material(const List& list) {
   Material m;
   m.block = list.get<std::string>("Block");
@@ -34,6 +47,7 @@ Material material(const List& list) {
   m.mass_damping = list.get<double>("Mass Damping");
   m.stiffness_damping = list.get<double>("Stiffness Damping");
   m.points = list.get<int>("Quadrature Points");
+  m.formulation = formulation(list);
   return m;
 }
 
@@ -110,6 +124,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   Table table = chosen_table();
   check_adaptive(table);
   check_cutoff(table);
+  check_formulations(table);
   build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
@@ -164,6 +179,22 @@ void Simulation::check_cutoff(const Table& table) const {
       throw InputError("Interactions/" + name + "/Cutoff: the scheme \"" + table.name +
                        "\", as it is set, takes the exact mean of the interaction, which needs its whole range; use 0, "
                        "or Interaction Points of at least 1");
+}
+
+void Simulation::check_formulations(const Table& table) const {
+  const bool discrete = std::any_of(table.stages.begin(), table.stages.end(),
+                                    [](const Stage& stage) { return stage.elastic.mean == Mean::DiscreteGradient; });
+  for (const std::string& name : sublists(parameters_.sublist("Materials"))) {
+    const List& list = parameters_.sublist("Materials").sublist(name);
+    const Formulation chosen = formulation(list);
+    const std::string path = "Materials/" + name;
+    if (discrete && chosen != Formulation::Standard)
+      throw InputError(path + "/Element Formulation: \"" + list.get<std::string>("Element Formulation") +
+                       "\" has no discrete gradient, which the scheme \"" + table.name +
+                       "\" takes of the elastic energy; use \"Standard\", or the scheme \"Average Vector Field\"");
+    if (chosen == Formulation::Enhanced && list.get<int>("Quadrature Points") < 2)
+      throw InputError(path + "/Quadrature Points: 1 does not see the modes of \"Enhanced\" elements; use at least 2");
+  }
 }
 
 std::vector<std::string> Simulation::reactions() const {
@@ -229,7 +260,7 @@ void Simulation::build_integrator(Table table) {
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX")};
   const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
-                         is_symmetric(table)};
+                         is_symmetric(table), all_standard(parameters_.sublist("Materials"))};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

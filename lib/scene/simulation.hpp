@@ -35,6 +35,7 @@ class Simulation {
   Table chosen_table() const;
   void check_adaptive(const Table& table) const;
   void check_cutoff(const Table& table) const;
+  void check_formulations(const Table& table) const;
   void build_model(const Comm& comm, const std::string& folder, Inertia inertia);
   void build_integrator(Table table);
   void set_initial_state();

@@ -86,7 +86,11 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   if (type == "Belos" && !asks) preconditioner = "MueLu";
   const bool large = size.dimension == 3 && !factorize(size);
   const std::string op = choice(list, "Operator", "Automatic", {"Automatic", "Assembled", "Matrix-Free"});
-  const bool can = size.symmetric && type == "Belos";
+  const bool can = size.symmetric && size.matrix_free && type == "Belos";
+  if (op == "Matrix-Free" && !size.matrix_free)
+    throw InputError(
+        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation; use "
+        "\"Assembled\"");
   if (op == "Matrix-Free" && !can)
     throw InputError(std::string("Linear Solver/Operator: ") +
                      (size.symmetric ? type + " needs the matrix; Belos does without, or use \"Assembled\""

@@ -9,7 +9,8 @@ struct ProblemSize {
   int dimension = 2;
   long long dofs = 0;
   int ranks = 1;
-  bool symmetric = true;  ///< the tangent
+  bool symmetric = true;    ///< the tangent
+  bool matrix_free = true;  ///< do all terms offer it without a matrix?
 };
 
 /// Fills in a scene's "Linear Solver" list where its "Linear Solver Type" is "Automatic" or missing: sparse

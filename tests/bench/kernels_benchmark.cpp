@@ -24,11 +24,11 @@ ixos::Mesh block(int dimension, int divisions) {
 
 /// A block of neo-Hookean cells, its bottom 0.3 above a wall, and a wavy displacement.
 struct Fixture {
-  Fixture(int dimension, int divisions)
+  Fixture(int dimension, int divisions, ixos::Formulation formulation = ixos::Formulation::Standard)
       : comm(Tpetra::getDefaultComm()),
         mesh(block(dimension, divisions)),
         model(ixos::localize(mesh, ixos::partition_nodes(mesh, 1), 0, 1), comm,
-              {{"body", ixos::ElasticLaw::NeoHooke, ixos::lame_constants(1, 0.3), 1.0, 0, 0}}),
+              {{"body", ixos::ElasticLaw::NeoHooke, ixos::lame_constants(1, 0.3), 1.0, 0, 0, 0, formulation}}),
         u(static_cast<std::size_t>(model.space().local())),
         f(u.size()),
         matrix(model.pattern().create_matrix(model.space())) {
@@ -50,17 +50,19 @@ struct Fixture {
   Teuchos::RCP<ixos::CrsMatrix> matrix;
 };
 
+ixos::Formulation formulation(const benchmark::State& state) { return static_cast<ixos::Formulation>(state.range(2)); }
+
 int divisions(const benchmark::State& state) { return state.range(0) == 2 ? 100 : 22; }
 
 void elastic_force(benchmark::State& state) {
-  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
   const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
   for (auto _ : state) benchmark::DoNotOptimize(x.model.elastic_force(x.here(), rule, x.f.data()));
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
 void elastic_tangent(benchmark::State& state) {
-  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
   const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
   for (auto _ : state) x.model.add_elastic_tangent(x.here(), rule, values);
@@ -85,8 +87,8 @@ void sparse_product(benchmark::State& state) {
 }
 
 BENCHMARK(sparse_product)->ArgName("divisions")->Arg(48)->Unit(benchmark::kMillisecond);
-BENCHMARK(elastic_force)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 4}});
-BENCHMARK(elastic_tangent)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 4}});
+BENCHMARK(elastic_force)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
+BENCHMARK(elastic_tangent)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(interaction_force)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 8}});
 
 }  // namespace

@@ -22,6 +22,11 @@ GeneralFad<Storage> smaller(const GeneralFad<Storage>& a, const GeneralFad<Stora
   return a.val() < b.val() ? a : b;
 }
 
+template <class Storage>
+double least(const GeneralFad<Storage>& x) {
+  return x.val();
+}
+
 }  // namespace Sacado::Fad::Exp
 
 namespace ixos::test {

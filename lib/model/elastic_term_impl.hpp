@@ -1,6 +1,10 @@
+/// The elastic term of one kernel; included only where terms are made, see elastic_term.hpp.
+#pragma once
 #include "model/elastic_term.hpp"
 
-#include "fem/cell_types.hpp"
+#include <stdexcept>
+#include <type_traits>
+
 #include "fem/elastic_action.hpp"
 #include "fem/elastic_kernel.hpp"
 #include "material/linear_elastic.hpp"
@@ -9,11 +13,11 @@
 #include "model/element_batches.hpp"
 
 namespace ixos {
-namespace {
 
-template <class Element, class Material>
+template <class Kernel>
 class ElasticTerm final : public Term {
-  using Kernel = ElasticKernel<Element, Material>;
+  using Element = typename Kernel::Shape;
+  using Material = typename Kernel::Law;
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
   using Nodal = typename Kernel::template Nodal<Pack>;
@@ -40,6 +44,8 @@ class ElasticTerm final : public Term {
   }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    if (!Kernel::has_discrete_gradient && rule.mean == Mean::DiscreteGradient)
+      throw std::logic_error("this element formulation has no discrete gradient");
     Pack least_jacobian = 1.0;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gathered ends(batches_, b, segment);
@@ -73,7 +79,11 @@ class ElasticTerm final : public Term {
     return true;
   }
 
-  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(*this); }
+  /// Of the standard kernel only.
+  std::unique_ptr<TangentAction> create_action() const override {
+    if constexpr (std::is_same_v<Kernel, ElasticKernel<Element, Material>>) return std::make_unique<Action>(*this);
+    return nullptr;
+  }
 
   double energy(const double* u) const override {
     Pack sum = 0.0;
@@ -168,21 +178,20 @@ class ElasticTerm final : public Term {
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };
 
-template <class Element>
-std::unique_ptr<Term> make(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, ElasticLaw law,
-                           const Lame& lame, int points) {
+/// The term of Kernel<Element, law>.
+template <template <class, class> class Kernel, class Element>
+std::unique_ptr<Term> make_kernel_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                       ElasticLaw law, const Lame& lame, int points) {
   if (law == ElasticLaw::Linear)
-    return std::make_unique<ElasticTerm<Element, LinearElastic>>(mesh, block, pattern, LinearElastic{lame}, points);
-  return std::make_unique<ElasticTerm<Element, NeoHooke>>(mesh, block, pattern, NeoHooke{lame}, points);
+    return std::make_unique<ElasticTerm<Kernel<Element, LinearElastic>>>(mesh, block, pattern, LinearElastic{lame},
+                                                                         points);
+  return std::make_unique<ElasticTerm<Kernel<Element, NeoHooke>>>(mesh, block, pattern, NeoHooke{lame}, points);
 }
 
-}  // namespace
-
-std::unique_ptr<Term> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-                                        ElasticLaw law, const Lame& lame, int points) {
-  return with_element(block.type, [&](auto element) {
-    return make<typename decltype(element)::type>(mesh, block, pattern, law, lame, points);
-  });
-}
+/// make_elastic_term() of one formulation each, so that they compile apart. An enhanced block is not enriched.
+std::unique_ptr<Term> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                                ElasticLaw law, const Lame& lame, int points);
+std::unique_ptr<Term> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                         ElasticLaw law, const Lame& lame, int points);
 
 }  // namespace ixos
