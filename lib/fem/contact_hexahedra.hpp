@@ -17,10 +17,10 @@ struct LagrangeFace {
   static constexpr int dimension = 2;
   static constexpr int nodes = (Order + 1) * (Order + 1);
   static constexpr std::array<int, 2> default_points{Order + 1, Order + 1};
+  static constexpr std::size_t inner = Order - 1;  ///< nodes inside an edge
 
   /// The nodes of the two edges, along xi and along eta, whose functions' product is node `a`'s.
   static constexpr std::array<std::size_t, 2> factors(std::size_t a) {
-    constexpr std::size_t inner = Order - 1;
     if (a < 4) return {a == 1 || a == 2 ? 1U : 0U, a / 2};
     const std::size_t edge = (a - 4) / inner, k = (a - 4) % inner;
     if (edge == 0) return {2 + k, 0};
@@ -43,13 +43,13 @@ struct LagrangeFace {
     }
   }
 
-  static constexpr std::array<InnerNode, 4 * (Order - 1)> inner_nodes() {
-    std::array<InnerNode, 4 * (Order - 1)> inner{};
-    for (std::size_t k = 0; k < inner.size(); ++k) {
-      const std::size_t edge = k / (Order - 1), step = k % (Order - 1) + 1;
-      inner[k] = {edge, k + 4, edge, (edge + 1) % 4, static_cast<double>(step) / Order};
+  static constexpr std::array<InnerNode, 4 * inner> inner_nodes() {
+    std::array<InnerNode, 4 * inner> result{};
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const std::size_t edge = k / inner, step = k % inner + 1;
+      result[k] = {edge, k + 4, edge, (edge + 1) % 4, static_cast<double>(step) / Order};
     }
-    return inner;
+    return result;
   }
 };
 

@@ -51,10 +51,12 @@ struct Turn {
 
 /// The corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
 int opposite(int corner, const std::vector<int>& corners) {
-  const int beside[] = {corner < 4 ? corner + 4 : corner - 4, corner / 4 * 4 + (corner + 1) % 4,
-                        corner / 4 * 4 + (corner + 3) % 4};
-  return *std::find_if(std::begin(beside), std::end(beside),
-                       [&](int other) { return std::find(corners.begin(), corners.end(), other) == corners.end(); });
+  const int layer = corner / 4 * 4, above = (corner + 4) % 8;
+  for (int other : {layer + (corner + 1) % 4, layer + (corner + 3) % 4})
+    if (std::find(corners.begin(), corners.end(), above) != corners.end() &&
+        std::find(corners.begin(), corners.end(), other) == corners.end())
+      return other;
+  return above;
 }
 
 Turn turn_of(CellType plain, int side) {
