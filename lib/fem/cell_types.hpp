@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "fem/contact_elements.hpp"
+#include "fem/contact_hexahedra.hpp"
 #include "fem/reference_elements.hpp"
 #include "mesh/mesh.hpp"
 
@@ -30,16 +31,34 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Quad4C4>{});
     case CellType::Quad4CH:
       return function(TypeTag<Quad4CH>{});
+    case CellType::Hex8C2:
+      return function(TypeTag<Hex8C2>{});
+    case CellType::Hex8C3:
+      return function(TypeTag<Hex8C3>{});
+    case CellType::Hex8C4:
+      return function(TypeTag<Hex8C4>{});
   }
   throw std::logic_error("unknown cell type");
 }
 
-/// function(TypeTag<Element>) for the element of a side of that cell type: side 0 of an enriched quadrilateral is its
-/// contact edge.
+/// function(TypeTag<Element>) for the element of a side of that cell type. Of an enriched hexahedron the sides beside
+/// the contact face are enriched along the edge that they share with it.
 template <class Function>
 decltype(auto) with_side_element(CellType type, int side, const Function& function) {
-  if (type == CellType::Hex8) return function(TypeTag<Multilinear<2>>{});
-  if (side == 0) {
+  const bool contact = side == contact_side(type);
+  if (plain_type(type) == CellType::Hex8) {
+    if (contact) {
+      if (type == CellType::Hex8C2) return function(TypeTag<LagrangeFace<2>>{});
+      if (type == CellType::Hex8C3) return function(TypeTag<LagrangeFace<3>>{});
+      if (type == CellType::Hex8C4) return function(TypeTag<LagrangeFace<4>>{});
+    } else if (side < 4) {
+      if (type == CellType::Hex8C2) return function(TypeTag<Quad4C2>{});
+      if (type == CellType::Hex8C3) return function(TypeTag<Quad4C3>{});
+      if (type == CellType::Hex8C4) return function(TypeTag<Quad4C4>{});
+    }
+    return function(TypeTag<Quad4>{});
+  }
+  if (contact) {
     if (type == CellType::Quad4C2) return function(TypeTag<LagrangeEdge<2>>{});
     if (type == CellType::Quad4C3) return function(TypeTag<LagrangeEdge<3>>{});
     if (type == CellType::Quad4C4) return function(TypeTag<LagrangeEdge<4>>{});

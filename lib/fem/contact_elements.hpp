@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "fem/ties.hpp"
+
 namespace ixos {
 
 /// Edge of order q with equally spaced nodes: the two ends first, then the inner nodes from xi = -1 to 1.
@@ -29,9 +31,15 @@ struct LagrangeEdge {
       }
     }
   }
+
+  static constexpr std::array<InnerNode, Order - 1> inner_nodes() {
+    std::array<InnerNode, Order - 1> inner{};
+    for (std::size_t k = 0; k < inner.size(); ++k) inner[k] = {0, k + 2, 0, 1, (1 + node(k + 2)) / 2};
+    return inner;
+  }
 };
 
-/// Cubic Hermite edge: values at the two ends, then derivatives d/dxi at the two ends.
+/// Cubic Hermite edge: values at the two ends, then derivatives d/dxi at the two ends. It has no ties.
 struct HermiteEdge {
   static constexpr int dimension = 1;
   static constexpr int nodes = 4;
@@ -45,6 +53,8 @@ struct HermiteEdge {
     gradient = {
         {{3 * (x * x - 1) / 4}, {3 * (1 - x * x) / 4}, {(3 * x * x - 2 * x - 1) / 4}, {(3 * x * x + 2 * x - 1) / 4}}};
   }
+
+  static constexpr std::array<InnerNode, 0> inner_nodes() { return {}; }
 };
 
 /// A quadrilateral with the edge at eta = -1: N = (1 - eta)/2 edge(xi) for the edge's nodes, (1 + eta)/2 (1 +- xi)/2
@@ -74,6 +84,12 @@ struct ContactQuad {
     value[3] = far * left;
     gradient[2] = {far / 2, right / 2};
     gradient[3] = {-far / 2, left / 2};
+  }
+
+  static constexpr auto inner_nodes() {
+    auto inner = Edge::inner_nodes();
+    for (InnerNode& node : inner) node.node = edge_node(node.node);
+    return inner;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fem/quadrature.hpp"
+#include "fem/ties.hpp"
 
 namespace ixos {
 
@@ -15,8 +16,8 @@ struct ShapeTable {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
 
-  /// `counts`: points along each reference direction, 1 to 64.
-  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points) {
+  /// `counts`: points along each reference direction, 1 to 64. `tied`: edges kept straight, see evaluate_tied().
+  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points, unsigned tied = 0) {
     std::array<Quadrature, D> rules;
     std::size_t size = 1;
     for (std::size_t d = 0; d < D; ++d) {
@@ -36,7 +37,7 @@ struct ShapeTable {
         xi[d] = rules[d].points[i];
         weight[q] *= rules[d].weights[i];
       }
-      Element::evaluate(xi, value[q], gradient[q]);
+      evaluate_tied<Element>(tied, xi, value[q], gradient[q]);
     }
   }
 

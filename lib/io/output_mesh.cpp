@@ -8,36 +8,63 @@
 namespace ixos {
 namespace {
 
-/// Into how many cells one is cut.
-int pieces(CellType type) {
+/// Into how many pieces a cell is cut along each direction of its contact side.
+int divisions(CellType type) {
   switch (type) {
     case CellType::Quad4C2:
+    case CellType::Hex8C2:
       return 2;
     case CellType::Quad4C3:
+    case CellType::Hex8C3:
       return 3;
     case CellType::Quad4C4:
     case CellType::Quad4CH:
+    case CellType::Hex8C4:
       return 4;
     default:
       return 1;
   }
 }
 
-std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, double xi, double eta) {
+/// Into how many cells one is cut.
+int pieces(CellType type) {
+  const int n = divisions(type);
+  return plain_type(type) == CellType::Hex8 ? n * n : n;
+}
+
+/// Has piece k of a cell a part of the cell's side? Pieces are cells of the same sides.
+bool has_part(CellType type, int k, int side) {
+  const int n = divisions(type), i = k % n, j = k / n;
+  if (plain_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
+  if (side == contact_side(type) || side > 3) return true;
+  return side % 2 == 0 ? j == (side == 2 ? n - 1 : 0) : i == (side == 1 ? n - 1 : 0);
+}
+
+/// The point of the cell at those reference coordinates, as nodes and weights.
+std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, const std::array<double, 3>& place) {
   return with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
+    std::array<double, Element::dimension> xi;
+    std::copy_n(place.begin(), xi.size(), xi.begin());
+    std::array<double, Element::nodes> value;
+    std::array<std::array<double, Element::dimension>, Element::nodes> gradient;
+    evaluate_tied<Element>(block.tied, xi, value, gradient);
     std::vector<std::pair<int, double>> combination;
-    if constexpr (Element::dimension == 2) {
-      std::array<double, Element::nodes> value;
-      std::array<std::array<double, 2>, Element::nodes> gradient;
-      Element::evaluate({xi, eta}, value, gradient);
-      for (int a = 0; a < Element::nodes; ++a) {
-        const double weight = node_scale(block, cell, a) * value[static_cast<std::size_t>(a)];
-        if (weight != 0) combination.emplace_back(block.nodes[cell_entry(cell, Element::nodes, a)], weight);
-      }
+    for (int a = 0; a < Element::nodes; ++a) {
+      const double weight = node_scale(block, cell, a) * value[static_cast<std::size_t>(a)];
+      if (weight != 0) combination.emplace_back(block.nodes[cell_entry(cell, Element::nodes, a)], weight);
     }
     return combination;
   });
+}
+
+/// One that no other block of the output has: tied edges split blocks of one name.
+std::string unused(const std::string& name, const std::vector<ElementBlock>& blocks) {
+  std::string result = name;
+  for (int k = 2; std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.name == result; });
+       ++k)
+    result = name + "_" + std::to_string(k);
+  return result;
 }
 
 }  // namespace
@@ -50,8 +77,8 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
   for (const LocalBlock& block : local.blocks) {
     const int parts = pieces(block.type);
     ElementBlock here;
-    here.name = parts == 1 ? block.name : block.name + "_contact";
-    here.type = block.type == CellType::Hex8 ? CellType::Hex8 : CellType::Quad4;
+    here.name = unused(parts == 1 ? block.name : block.name + "_contact", mesh.blocks);
+    here.type = plain_type(block.type);
     cells.emplace_back();
     first_cell_.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell = 0; cell < block.cells(); ++cell) {
@@ -66,7 +93,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
   }
   description.global_cells = cell_offset;
   // Room for the numbers of the nodes that cutting cells adds: see add_cell.
-  if (local.plain_nodes >= 0) description.global_nodes += 2 * static_cast<long long>(cell_offset) + 2;
+  if (local.plain_nodes >= 0) description.global_nodes += 3 * static_cast<long long>(cell_offset);
   add_sets(local);
 }
 
@@ -100,18 +127,30 @@ void OutputMesh::add_cell(const LocalMesh& local, const LocalBlock& block, int c
     for (int a = 0; a < n; ++a) here.nodes.push_back(node(a));
     return;
   }
-  std::vector<int> near{node(0)}, far{node(3)};
-  for (int k = 1; k < parts; ++k) {
-    const double xi = -1 + 2.0 * k / parts;
-    // Numbers beyond those of all nodes, two for each cell here.
-    const int id = static_cast<int>(local.global_nodes) + 2 * (first_id + k) - 1;
-    near.push_back(block.type == CellType::Quad4CH ? add_node(local, point_of(block, cell, xi, -1), id) : node(3 + k));
-    far.push_back(add_node(local, point_of(block, cell, xi, 1), id + 1));
+  // Numbers beyond those of all nodes, three for each piece: more than a cell adds.
+  int id = static_cast<int>(local.global_nodes) + 3 * (first_id - 1);
+  const bool solid = local.dimension == 3;
+  const int divided = divisions(block.type), across = solid ? divided : 0;
+  std::array<std::vector<int>, 2> layers;  // on the contact side, and on the side opposite
+  for (std::size_t layer = 0; layer < 2; ++layer)
+    for (int j = 0; j <= across; ++j)
+      for (int i = 0; i <= divided; ++i) {
+        std::array<double, 3> xi{-1 + 2.0 * i / divided, -1 + 2.0 * j / divided, layer == 0 ? -1.0 : 1.0};
+        if (!solid) xi[1] = xi[2];
+        Combination point = point_of(block, cell, xi);
+        const bool own = point.size() == 1 && point.front().second == 1;
+        layers[layer].push_back(own ? own_node(local, point.front().first) : add_node(local, std::move(point), ++id));
+      }
+  const auto [near, far] = layers;
+  const auto row = static_cast<std::size_t>(divided) + 1;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(parts); ++k) {
+    const std::size_t a = k % (row - 1) + k / (row - 1) * row, b = a + row;
+    if (solid)
+      here.nodes.insert(here.nodes.end(), {near[a], near[a + 1], near[b + 1], near[b],  //
+                                           far[a], far[a + 1], far[b + 1], far[b]});
+    else
+      here.nodes.insert(here.nodes.end(), {near[a], near[a + 1], far[a + 1], far[a]});
   }
-  near.push_back(node(1));
-  far.push_back(node(2));
-  for (std::size_t k = 0; k < static_cast<std::size_t>(parts); ++k)
-    here.nodes.insert(here.nodes.end(), {near[k], near[k + 1], far[k + 1], far[k]});
 }
 
 void OutputMesh::add_sets(const LocalMesh& local) {
@@ -119,12 +158,10 @@ void OutputMesh::add_sets(const LocalMesh& local) {
     mesh.side_sets.push_back({local.side_set_names[s], {}});
     for (const LocalSide& side : local.side_sets[s]) {
       if (!side.owned) continue;
-      const int parts = pieces(local.blocks[static_cast<std::size_t>(side.block)].type);
+      const CellType type = local.blocks[static_cast<std::size_t>(side.block)].type;
       const int first = first_cell_[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)];
-      // Of a row of pieces, sides 0 and 2 are along it, 1 and 3 at its ends.
-      for (int k = 0; k < parts; ++k)
-        if (parts == 1 || side.side % 2 == 0 || k == (side.side == 1 ? parts - 1 : 0))
-          mesh.side_sets.back().sides.push_back({side.block, first + k, side.side});
+      for (int k = 0; k < pieces(type); ++k)
+        if (has_part(type, k, side.side)) mesh.side_sets.back().sides.push_back({side.block, first + k, side.side});
     }
   }
   for (std::size_t s = 0; s < local.node_sets.size(); ++s) {

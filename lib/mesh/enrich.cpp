@@ -3,206 +3,162 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "base/error.hpp"
+#include "mesh/contact_nodes.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
 
-struct Kind {
-  CellType type;
-  int inner;  ///< extra Lagrange nodes of a side; none of a Hermite side
-};
-
-Kind kind(ContactElement element) {
+CellType enriched_type(CellType plain, ContactElement element) {
+  const bool quad = plain == CellType::Quad4;
   switch (element) {
     case ContactElement::Q1C2:
-      return {CellType::Quad4C2, 1};
+      return quad ? CellType::Quad4C2 : CellType::Hex8C2;
     case ContactElement::Q1C3:
-      return {CellType::Quad4C3, 2};
+      return quad ? CellType::Quad4C3 : CellType::Hex8C3;
     case ContactElement::Q1C4:
-      return {CellType::Quad4C4, 3};
+      return quad ? CellType::Quad4C4 : CellType::Hex8C4;
     default:
-      return {CellType::Quad4CH, 0};
+      return CellType::Quad4CH;
   }
 }
 
-using Edge = std::pair<int, int>;  ///< nodes, counter-clockwise seen from outside
-
-Edge edge_of(const ElementBlock& block, const Side& side) {
-  const auto& ends = side_nodes(CellType::Quad4, side.side);
-  return {block.nodes[cell_entry(side.cell, 4, ends[0])], block.nodes[cell_entry(side.cell, 4, ends[1])]};
+void check(const Mesh& mesh, const SideSet& set, ContactElement element) {
+  std::set<std::pair<int, int>> cells;
+  for (const Side& side : set.sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const std::string where =
+        fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
+    if (element == ContactElement::Q1CH && plain_type(block.type) == CellType::Hex8)
+      throw InputError(where + ": the Hermite contact element Q1CH is for quadrilaterals; hexahedra have Q1C1 to Q1C4");
+    if (block.type != plain_type(block.type))
+      throw InputError(where + ": the cell has an enriched side already; a cell can have one");
+    if (!cells.insert({side.block, side.cell}).second)
+      throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have one");
+  }
 }
 
-class Enrichment {
+/// A cell turned so that one of its sides becomes the contact side.
+struct Turn {
+  std::vector<int> corner;  ///< by new corner: the old one
+  std::vector<int> side;    ///< by old side: the new one
+};
+
+/// The corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
+int opposite(int corner, const std::vector<int>& corners) {
+  const int layer = corner / 4 * 4, above = (corner + 4) % 8;
+  for (int other : {layer + (corner + 1) % 4, layer + (corner + 3) % 4})
+    if (std::find(corners.begin(), corners.end(), above) != corners.end() &&
+        std::find(corners.begin(), corners.end(), other) == corners.end())
+      return other;
+  return above;
+}
+
+Turn turn_of(CellType plain, int side) {
+  Turn turn;
+  if (plain == CellType::Quad4) {
+    for (int a = 0; a < 4; ++a) turn.corner.push_back((a + side) % 4);
+  } else {
+    const std::vector<int>& corners = side_nodes(plain, side);
+    turn.corner = {corners[0], corners[3], corners[2], corners[1]};  // the bottom is seen from inside
+    for (int a = 0; a < 4; ++a) turn.corner.push_back(opposite(turn.corner[static_cast<std::size_t>(a)], corners));
+  }
+  const int sides = sides_per_cell(plain);
+  turn.side.resize(static_cast<std::size_t>(sides));
+  for (int now = 0; now < sides; ++now) {
+    std::set<int> corners;
+    for (int a : side_nodes(plain, now)) corners.insert(turn.corner[static_cast<std::size_t>(a)]);
+    for (int old = 0; old < sides; ++old)
+      if (corners == std::set<int>(side_nodes(plain, old).begin(), side_nodes(plain, old).end()))
+        turn.side[static_cast<std::size_t>(old)] = now;
+  }
+  return turn;
+}
+
+/// Moves the set's cells to new blocks, turned so that their contact side is where their type wants it.
+class BlockSplit {
  public:
-  Enrichment(Mesh& mesh, const SideSet& set, const Kind& kind, int points)
-      : mesh_(mesh), set_(set), kind_(kind), points_(points) {}
+  BlockSplit(Mesh& mesh, const SideSet& set, const std::vector<ExtraNodes>& extra, CellType type, int points)
+      : mesh_(mesh), extra_(extra), type_(type), points_(points), rich_(mesh.blocks.size()) {
+    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(plain_type(type), side));
+    for (std::size_t k = 0; k < set.sides.size(); ++k)
+      rich_[static_cast<std::size_t>(set.sides[k].block)][set.sides[k].cell] = {set.sides[k].side, k};
+  }
 
   void apply() {
-    check();
-    if (mesh_.plain_nodes < 0) mesh_.plain_nodes = mesh_.nodes();
-    if (mesh_.derivative_of.empty() && kind_.type == CellType::Quad4CH)
-      mesh_.derivative_of.assign(static_cast<std::size_t>(mesh_.nodes()), -1);
-    for (const Side& side : set_.sides) {
-      const Edge edge = edge_of(mesh_.blocks[static_cast<std::size_t>(side.block)], side);
-      previous_[edge.second] = edge.first;
-      next_[edge.first] = edge.second;
-    }
-    for (const Side& side : set_.sides) add_nodes(edge_of(mesh_.blocks[static_cast<std::size_t>(side.block)], side));
-    split_blocks();
-    renumber_sides();
-    complete_node_sets();
-  }
-
- private:
-  void check() const {
-    std::set<std::pair<int, int>> cells;
-    for (const Side& side : set_.sides) {
-      const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
-      const std::string where =
-          fmt::format("side set \"{}\", block \"{}\", cell {}", set_.name, block.name, side.cell + 1);
-      if (block.type == CellType::Hex8)
-        throw InputError(where + ": hexahedra have no enriched contact elements; Q1C1 only");
-      if (block.type != CellType::Quad4)
-        throw InputError(where + ": the cell has an enriched side already; a cell can have one");
-      if (!cells.insert({side.block, side.cell}).second)
-        throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have one");
-    }
-  }
-
-  double length(const Edge& edge) const {
-    const auto a = 2 * static_cast<std::size_t>(edge.first), b = 2 * static_cast<std::size_t>(edge.second);
-    return std::hypot(mesh_.coordinates[b] - mesh_.coordinates[a], mesh_.coordinates[b + 1] - mesh_.coordinates[a + 1]);
-  }
-
-  int add_node(const std::array<double, 2>& x, int derivative_of) {
-    mesh_.coordinates.insert(mesh_.coordinates.end(), x.begin(), x.end());
-    if (!mesh_.derivative_of.empty()) mesh_.derivative_of.push_back(derivative_of);
-    return mesh_.nodes() - 1;
-  }
-
-  /// The node's neighbours along the set, itself where the set ends.
-  Edge neighbours(int node) const {
-    const auto before = previous_.find(node), after = next_.find(node);
-    return {before == previous_.end() ? node : before->second, after == next_.end() ? node : after->second};
-  }
-
-  /// The length that a node's derivative is scaled by: the mean of its two sides'.
-  double nodal_length(int node) const {
-    const auto [before, after] = neighbours(node);
-    const double lengths = length({before, node}) + length({node, after});
-    return before == node || after == node ? lengths : lengths / 2;
-  }
-
-  int derivative_node(int node) {
-    const auto known = derivative_nodes_.find(node);
-    if (known != derivative_nodes_.end()) return known->second;
-    const auto [before, after] = neighbours(node);
-    const double spans = before == node || after == node ? 1 : 2;
-    std::array<double, 2> tangent;  // dX/dxi of a side of the nodal length
-    for (std::size_t i = 0; i < 2; ++i)
-      tangent[i] = (mesh_.coordinates[2 * static_cast<std::size_t>(after) + i] -
-                    mesh_.coordinates[2 * static_cast<std::size_t>(before) + i]) /
-                   (2 * spans);
-    return derivative_nodes_[node] = add_node(tangent, node);
-  }
-
-  void add_nodes(const Edge& edge) {
-    std::vector<int>& extra = extra_[edge];
-    if (kind_.type == CellType::Quad4CH) {
-      extra = {derivative_node(edge.first), derivative_node(edge.second)};
-      return;
-    }
-    for (int k = 1; k <= kind_.inner; ++k) {
-      const double t = static_cast<double>(k) / (kind_.inner + 1);
-      std::array<double, 2> x;
-      for (std::size_t i = 0; i < 2; ++i)
-        x[i] = (1 - t) * mesh_.coordinates[2 * static_cast<std::size_t>(edge.first) + i] +
-               t * mesh_.coordinates[2 * static_cast<std::size_t>(edge.second) + i];
-      extra.push_back(add_node(x, -1));
-    }
-  }
-
-  /// Moves the set's cells to new blocks, turned so that their contact side is the first.
-  void split_blocks() {
-    std::vector<std::map<int, int>> turned(mesh_.blocks.size());  // by block: contact side of each enriched cell
-    for (const Side& side : set_.sides) turned[static_cast<std::size_t>(side.block)][side.cell] = side.side;
     std::vector<ElementBlock> blocks;
-    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
-      ElementBlock& old = mesh_.blocks[b];
-      places_.emplace_back();
-      if (turned[b].empty()) {
-        for (int cell = 0; cell < old.cells(); ++cell)
-          places_.back().push_back({static_cast<int>(blocks.size()), cell, 0});
-        blocks.push_back(std::move(old));
-        continue;
-      }
-      ElementBlock plain{old.name, old.type, {}, {}, old.points};
-      ElementBlock rich{old.name, kind_.type, {}, {}, points_};
-      const bool keeps_plain = turned[b].size() < static_cast<std::size_t>(old.cells());
-      const int rich_block = static_cast<int>(blocks.size()) + (keeps_plain ? 1 : 0);
-      for (int cell = 0; cell < old.cells(); ++cell) {
-        const int* nodes = &old.nodes[cell_entry(cell, 4)];
-        const auto found = turned[b].find(cell);
-        if (found == turned[b].end()) {
-          places_.back().push_back({static_cast<int>(blocks.size()), plain.cells(), 0});
-          plain.nodes.insert(plain.nodes.end(), nodes, nodes + 4);
-          continue;
-        }
-        const int turn = found->second;
-        places_.back().push_back({rich_block, rich.cells(), turn});
-        for (int a = 0; a < 4; ++a) rich.nodes.push_back(nodes[(a + turn) % 4]);
-        const Edge edge{nodes[turn], nodes[(turn + 1) % 4]};
-        const std::vector<int>& extra = extra_.at(edge);
-        rich.nodes.insert(rich.nodes.end(), extra.begin(), extra.end());
-        if (kind_.type == CellType::Quad4CH)
-          for (int node : {edge.first, edge.second}) rich.derivative_scale.push_back(length(edge) / nodal_length(node));
-      }
-      if (keeps_plain) blocks.push_back(std::move(plain));
-      blocks.push_back(std::move(rich));
-    }
+    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) split(mesh_.blocks[b], rich_[b], blocks);
     mesh_.blocks = std::move(blocks);
-  }
-
-  void renumber_sides() {
     for (SideSet& set : mesh_.side_sets)
       for (Side& side : set.sides) {
         const Place& place = places_[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)];
-        const bool quad = mesh_.blocks[static_cast<std::size_t>(place.block)].type != CellType::Hex8;
-        side = {place.block, place.cell, quad ? (side.side - place.turn + 4) % 4 : side.side};
+        const auto old = static_cast<std::size_t>(side.side);
+        side = {place.block, place.cell, place.turn < 0 ? side.side : turn(place.turn).side[old]};
       }
   }
 
-  void complete_node_sets() {
-    for (NodeSet& set : mesh_.node_sets) {
-      const std::set<int> members(set.nodes.begin(), set.nodes.end());
-      std::set<int> added;
-      for (const auto& [edge, extra] : extra_)
-        if (members.count(edge.first) != 0 && members.count(edge.second) != 0) added.insert(extra.begin(), extra.end());
-      set.nodes.insert(set.nodes.end(), added.begin(), added.end());
-    }
-  }
-
+ private:
   struct Place {
     int block;
     int cell;
-    int turn;  ///< the old number of the cell's first side
+    int turn;  ///< the old number of the contact side, -1 of cells that are not turned
+  };
+  struct Rich {
+    int side;           ///< the cell's contact side
+    std::size_t index;  ///< its number in the set
   };
 
+  const Turn& turn(int side) const { return turns_[static_cast<std::size_t>(side)]; }
+
+  /// Cells without enrichment stay in front, the others follow, by the edges that are tied.
+  void split(ElementBlock& old, const std::map<int, Rich>& rich, std::vector<ElementBlock>& blocks) {
+    std::map<unsigned, int> number;  // by tied edges: the block
+    for (const auto& [cell, entry] : rich) number[extra_[entry.index].tied] = 0;
+    const auto first = static_cast<int>(blocks.size());
+    int next = rich.size() < static_cast<std::size_t>(old.cells()) || rich.empty() ? first + 1 : first;
+    for (auto& [tied, block] : number) block = next++;
+    blocks.resize(static_cast<std::size_t>(next));
+    for (const auto& [tied, block] : number)
+      blocks[static_cast<std::size_t>(block)] = {old.name, type_, {}, {}, points_, tied};
+
+    places_.emplace_back();
+    std::vector<int> plain_nodes;
+    std::vector<double> plain_scale = old.derivative_scale;  // of an enriched block, which is never split
+    const int n = nodes_per_cell(old.type);
+    int plain = 0;
+    for (int cell = 0; cell < old.cells(); ++cell) {
+      const int* nodes = &old.nodes[cell_entry(cell, n)];
+      const auto found = rich.find(cell);
+      if (found == rich.end()) {
+        places_.back().push_back({first, plain++, -1});
+        plain_nodes.insert(plain_nodes.end(), nodes, nodes + n);
+        continue;
+      }
+      const ExtraNodes& extra = extra_[found->second.index];
+      const int block = number.at(extra.tied);
+      ElementBlock& target = blocks[static_cast<std::size_t>(block)];
+      places_.back().push_back({block, target.cells(), found->second.side});
+      for (int a : turn(found->second.side).corner) target.nodes.push_back(nodes[a]);
+      target.nodes.insert(target.nodes.end(), extra.nodes.begin(), extra.nodes.end());
+      target.derivative_scale.insert(target.derivative_scale.end(), extra.derivative_scale.begin(),
+                                     extra.derivative_scale.end());
+    }
+    if (plain > 0 || rich.empty())
+      blocks[static_cast<std::size_t>(first)] = {old.name,   old.type, std::move(plain_nodes), std::move(plain_scale),
+                                                 old.points, old.tied};
+  }
+
   Mesh& mesh_;
-  const SideSet set_;  ///< a copy: the mesh's own changes on the way
-  Kind kind_;
+  const std::vector<ExtraNodes>& extra_;
+  CellType type_;
   int points_;
-  std::map<int, int> previous_, next_;      ///< along the set
-  std::map<Edge, std::vector<int>> extra_;  ///< a side's nodes beyond its ends
-  std::map<int, int> derivative_nodes_;
+  std::vector<Turn> turns_;
+  std::vector<std::map<int, Rich>> rich_;   ///< by block: its cells in the set
   std::vector<std::vector<Place>> places_;  ///< where each old cell went
 };
 
@@ -210,7 +166,17 @@ class Enrichment {
 
 void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points) {
   if (element == ContactElement::Q1C1) return;
-  Enrichment(mesh, side_set_named(mesh, side_set), kind(element), points).apply();
+  const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
+  check(mesh, set, element);
+  if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
+  const CellType type = enriched_type(mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8, element);
+  const std::vector<ExtraNodes> extra = element == ContactElement::Q1CH
+                                            ? add_hermite_nodes(mesh, set)
+                                            : add_lagrange_nodes(mesh, set,
+                                                                 element == ContactElement::Q1C2   ? 2
+                                                                 : element == ContactElement::Q1C3 ? 3
+                                                                                                   : 4);
+  BlockSplit(mesh, set, extra, type, points).apply();
 }
 
 }  // namespace ixos

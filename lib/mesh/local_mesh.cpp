@@ -105,6 +105,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
     here.name = block.name;
     here.type = block.type;
     here.points = block.points;
+    here.tied = block.tied;
     here.original_cells = cells[b];
     here.global_cells = block.cells();
     local_cell.emplace_back(static_cast<std::size_t>(block.cells()), -1);

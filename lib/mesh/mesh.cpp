@@ -1,6 +1,34 @@
 #include "mesh/mesh.hpp"
 
 namespace ixos {
+namespace {
+
+using Sides = std::vector<std::vector<int>>;
+
+/// Of a quadrilateral whose first side has that many more nodes.
+Sides quad_sides(int extra) {
+  Sides sides = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+  for (int k = 0; k < extra; ++k) sides[0].push_back(4 + k);
+  return sides;
+}
+
+/// Of a hexahedron whose bottom has that many nodes inside each edge.
+Sides hex_sides(int inner) {
+  if (inner == 0) return {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
+  Sides sides;
+  for (int side = 0; side < 4; ++side) {
+    const int next = (side + 1) % 4;
+    sides.push_back({side, next, next + 4, side + 4});
+    // The bottom, seen from outside, runs through its edges the other way round.
+    for (int k = inner - 1; k >= 0; --k) sides.back().push_back(8 + (3 - side) * inner + k);
+  }
+  sides.push_back({0, 3, 2, 1});
+  for (int k = 0; k < 4 * inner + inner * inner; ++k) sides.back().push_back(8 + k);
+  sides.push_back({4, 5, 6, 7});
+  return sides;
+}
+
+}  // namespace
 
 int nodes_per_cell(CellType type) {
   switch (type) {
@@ -16,21 +44,55 @@ int nodes_per_cell(CellType type) {
       return 7;
     case CellType::Quad4CH:
       return 6;
+    case CellType::Hex8C2:
+      return 13;
+    case CellType::Hex8C3:
+      return 20;
+    case CellType::Hex8C4:
+      return 29;
   }
   return 0;
 }
 
-int sides_per_cell(CellType type) { return type == CellType::Hex8 ? 6 : 4; }
+CellType plain_type(CellType type) {
+  switch (type) {
+    case CellType::Hex8:
+    case CellType::Hex8C2:
+    case CellType::Hex8C3:
+    case CellType::Hex8C4:
+      return CellType::Hex8;
+    default:
+      return CellType::Quad4;
+  }
+}
+
+int sides_per_cell(CellType type) { return plain_type(type) == CellType::Hex8 ? 6 : 4; }
+
+int contact_side(CellType type) {
+  if (type == plain_type(type)) return -1;
+  return plain_type(type) == CellType::Hex8 ? 4 : 0;
+}
 
 const std::vector<int>& side_nodes(CellType type, int side) {
-  static const std::vector<std::vector<int>> quad = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
-  static const std::vector<std::vector<int>> hex = {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6},
-                                                    {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
-  static const std::vector<std::vector<int>> contact = {{0, 1, 4}, {0, 1, 4, 5}, {0, 1, 4, 5, 6}};
-  if (side == 0 && type == CellType::Quad4C2) return contact[0];
-  if (side == 0 && (type == CellType::Quad4C3 || type == CellType::Quad4CH)) return contact[1];
-  if (side == 0 && type == CellType::Quad4C4) return contact[2];
-  return (type == CellType::Hex8 ? hex : quad).at(static_cast<std::size_t>(side));
+  static const std::vector<Sides> quads = {quad_sides(0), quad_sides(1), quad_sides(2), quad_sides(3)};
+  static const std::vector<Sides> hexes = {hex_sides(0), hex_sides(1), hex_sides(2), hex_sides(3)};
+  const auto extra = [&]() -> std::size_t {
+    switch (type) {
+      case CellType::Quad4C2:
+      case CellType::Hex8C2:
+        return 1;
+      case CellType::Quad4C3:
+      case CellType::Quad4CH:
+      case CellType::Hex8C3:
+        return 2;
+      case CellType::Quad4C4:
+      case CellType::Hex8C4:
+        return 3;
+      default:
+        return 0;
+    }
+  }();
+  return (plain_type(type) == CellType::Hex8 ? hexes : quads)[extra].at(static_cast<std::size_t>(side));
 }
 
 int Mesh::cells() const {

@@ -7,12 +7,17 @@
 
 namespace ixos {
 
-/// Quad4Cq and Quad4CH are quadrilaterals with an enriched contact side, side 0 (see fem/contact_elements.hpp): nodes 1
-/// to 4 as of Quad4, then the other nodes of that side.
-enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH };
+/// Quad4Cq, Quad4CH and Hex8Cq are quadrilaterals and hexahedra with an enriched contact side (see
+/// fem/contact_elements.hpp and fem/contact_hexahedra.hpp): nodes as of Quad4 or Hex8, then the other nodes of that
+/// side.
+enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4 };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
+/// The cell without its enrichment: Quad4 or Hex8.
+CellType plain_type(CellType type);
+/// The side that is enriched: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 of plain cells.
+int contact_side(CellType type);
 
 /// Where node `a` of a cell stands in a table of cells x nodes per cell.
 inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
@@ -20,7 +25,8 @@ inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
 }
 
 /// The local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside, counter-
-/// clockwise. Two nodes for a quadrilateral, four for a hexahedron; of an enriched side the two ends, then the others.
+/// clockwise. Two nodes for a quadrilateral, four for a hexahedron; of an enriched side then the others. The sides of
+/// an enriched hexahedron that share an edge with its contact side begin with that edge.
 const std::vector<int>& side_nodes(CellType type, int side);
 
 /// Cells of one type and one material.
@@ -32,6 +38,9 @@ struct ElementBlock {
   /// length over the length that scales the node's derivative.
   std::vector<double> derivative_scale{};
   int points = 0;  ///< Gauss points along an enriched side; 0: the element's own
+  /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept straight: evaluate_tied().
+  /// Its inner nodes do not exist; one of its ends stands in their places among the cells' nodes.
+  unsigned tied = 0;
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }
 };
 
@@ -41,6 +50,14 @@ template <class Block>
 double node_scale(const Block& block, int cell, int a) {
   if (block.derivative_scale.empty() || a < 4) return 1.0;
   return block.derivative_scale[cell_entry(cell, 2, a - 4)];
+}
+
+/// The tied edges of a side of the block's cells, as its own element counts them. `Block` as above.
+template <class Block>
+unsigned side_ties(const Block& block, int side) {
+  if (block.tied == 0 || side > contact_side(block.type)) return 0;
+  // The sides 0 to 3 share the edges 3 to 0 of the bottom, which is seen from outside.
+  return side == contact_side(block.type) ? block.tied : block.tied >> (3 - side) & 1U;
 }
 
 struct Side {
@@ -59,7 +76,7 @@ struct NodeSet {
   std::vector<int> nodes;
 };
 
-/// Blocks of one name are one body part; enrich() splits them by cell type.
+/// Blocks of one name are one body part; enrich() splits them by cell type and by tied edges.
 struct Mesh {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension, row by row [L0]

@@ -15,7 +15,7 @@ template <class Element>
 void check(const Mesh& mesh, const ElementBlock& block) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
-  const ShapeTable<Element> table;
+  const ShapeTable<Element> table(Element::default_points, block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const auto scale = cell_scales<Element>(block, cell);
     for (const auto& gradient : table.gradient) {

@@ -14,7 +14,7 @@ template <class Element>
 std::array<int, Element::dimension> cell_points(const LocalBlock& block, int points) {
   std::array<int, Element::dimension> counts = Element::default_points;
   const bool enriched = Element::nodes != 1 << Element::dimension;
-  if (enriched && block.points > 0) counts[0] = block.points;
+  for (std::size_t d = 0; enriched && block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
   if (!enriched && points > 0) counts.fill(points);
   return counts;
 }

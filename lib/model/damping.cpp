@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace ixos {
 namespace {
@@ -36,6 +37,7 @@ void Damping::drop_matrix() {
   product_.resize(rest_.size());
   for (StiffnessPart& part : stiffnesses_) {
     part.action = part.term->create_action();
+    if (!part.action) throw std::logic_error("a term of the damping cannot be applied without a matrix");
     part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, 0);
   }
 }

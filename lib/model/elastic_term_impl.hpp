@@ -29,7 +29,7 @@ class ElasticTerm final : public Term {
       : material_(material),
         youngs_modulus_(youngs_modulus(material.lame)),
         batches_(block.nodes, pattern, node_scales(block)),
-        table_(cell_points<Element>(block, points)) {
+        table_(cell_points<Element>(block, points), block.tied) {
     geometry_.reserve(batches_.size());
     owned_.reserve(batches_.size());
     for (std::size_t b = 0; b < batches_.size(); ++b) {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include "fem/cell_types.hpp"
 #include "interaction/cut_off.hpp"
@@ -28,7 +28,7 @@ class HalfSpaceTerm final : public Term {
       : law_(law),
         wall_(wall),
         options_(options),
-        quadrature_(points(options)),
+        quadrature_(points(options), ties(mesh, sides)),
         batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
     double origin = 0;
     for (std::size_t d = 0; d < D; ++d) origin += wall.point[d] * wall.normal[d];
@@ -239,8 +239,15 @@ class HalfSpaceTerm final : public Term {
 
   static std::array<int, D - 1> points(const SurfaceOptions& options) {
     std::array<int, D - 1> counts;
-    counts.fill(options.points > 0 ? options.points : N > (1 << (D - 1)) + 1 ? 8 : 5);
+    const int own = SideElement::default_points[0] > 3 ? 8 : 5;  // beyond order 2 more
+    counts.fill(options.points > 0 ? options.points : own);
     return counts;
+  }
+
+  /// The tied edges, the same of all sides.
+  static unsigned ties(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
+    if (sides.empty()) return 0;
+    return side_ties(mesh.blocks[static_cast<std::size_t>(sides.front().block)], sides.front().side);
   }
 
   static std::vector<double> scale_table(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
@@ -322,10 +329,11 @@ std::vector<std::unique_ptr<Term>> make_terms(const LocalMesh& mesh, const std::
                                               const Pattern& pattern, const Law& law, const HalfSpace& wall,
                                               const SurfaceOptions& options) {
   // A set may hold enriched sides beside plain ones.
-  std::map<std::pair<std::size_t, bool>, std::vector<LocalSide>> groups;
+  std::map<std::tuple<std::size_t, bool, unsigned>, std::vector<LocalSide>> groups;
   for (const LocalSide& side : sides) {
-    const bool hermite = mesh.blocks[static_cast<std::size_t>(side.block)].type == CellType::Quad4CH;
-    groups[{side.nodes.size(), hermite}].push_back(side);
+    const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const bool hermite = block.type == CellType::Quad4CH;
+    groups[{side.nodes.size(), hermite, side_ties(block, side.side)}].push_back(side);
   }
   std::vector<std::unique_ptr<Term>> terms;
   // A rank without sides has a term too: what follows from there being one is collective.

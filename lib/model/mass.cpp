@@ -17,7 +17,7 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
          std::vector<double>& pairs) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
-  const ShapeTable<Element> table;
+  const ShapeTable<Element> table(Element::default_points, block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const int* nodes = &block.nodes[cell_entry(cell, N)];
     const auto scale = cell_scales<Element>(block, cell);

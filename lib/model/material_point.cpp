@@ -43,7 +43,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   std::array<double, N> value;
   std::array<std::array<double, D>, N> gradient;
   for (int iteration = 0; iteration < 30; ++iteration) {
-    Element::evaluate(xi, value, gradient);
+    evaluate_tied<Element>(block.tied, xi, value, gradient);
     const auto tangents = jacobian<D>(mesh.coordinates, nodes, scale, gradient);
     const auto back = inverse(tangents, determinant(tangents));
     std::array<double, D> place{};
@@ -61,7 +61,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   }
   for (double coordinate : xi)
     if (!(std::abs(coordinate) <= 1 + 1e-9)) return false;
-  Element::evaluate(xi, value, gradient);
+  evaluate_tied<Element>(block.tied, xi, value, gradient);
   point.nodes.assign(nodes, nodes + N);
   for (std::size_t a = 0; a < N; ++a) point.weights.push_back(scale[a] * value[a]);
   return true;

@@ -1,6 +1,7 @@
 #include "model/nodal_measure.hpp"
 
 #include <cmath>
+#include <map>
 
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
@@ -41,7 +42,7 @@ void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Eleme
 void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vector<double>& measure) {
   with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
-    const ShapeTable<Element> table;
+    const ShapeTable<Element> table(Element::default_points, block.tied);
     for (int cell = 0; cell < block.cells(); ++cell)
       add<Element, Element::dimension>(mesh, &block.nodes[cell_entry(cell, Element::nodes)],
                                        cell_scales<Element>(block, cell), table, measure);
@@ -53,7 +54,9 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
     const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     with_side_element(block.type, side.side, [&](auto tag) {
       using Element = typename decltype(tag)::type;
-      static const ShapeTable<Element> table;
+      static std::map<unsigned, ShapeTable<Element>> tables;  // by tied edges
+      const unsigned tied = side_ties(block, side.side);
+      const auto& table = tables.try_emplace(tied, Element::default_points, tied).first->second;
       const std::vector<int>& numbers = side_nodes(block.type, side.side);
       std::array<double, Element::nodes> scale;
       for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = node_scale(block, side.cell, numbers[a]);

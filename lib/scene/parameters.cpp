@@ -1,9 +1,9 @@
 #include "scene/parameters.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <limits>
 
+#include "base/one_of.hpp"
 #include "base/range_validator.hpp"
 #include "mesh/spatula.hpp"
 #include "scene/validation.hpp"
@@ -20,10 +20,6 @@ using Counts = Teuchos::Array<int>;
 void require(List& list, const char* name, const char* documentation, const Teuchos::RCP<const RangeValidator>& range) {
   list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
   list.getEntry(name).setValidator(range);
-}
-
-Teuchos::RCP<Teuchos::StringValidator> one_of(const std::vector<std::string>& words) {
-  return Teuchos::rcp(new Teuchos::StringValidator(Teuchos::Array<std::string>(words)));
 }
 
 void add_units(List& list) {
@@ -118,10 +114,13 @@ void add_interaction(List& list) {
   list.set("Side Set", required, "the surface that interacts");
   list.set("Gamma L", 2.5, "L0/r0 [-]", greater_than(0));
   list.set("Gamma W", 25.0, "E0/W0 [-]", greater_than(0));
-  list.set("Contact Element", "Q1C1",
-           "displacement along the side: linear, of order 2, 3 or 4, or cubic Hermite; all but Q1C1 in 2D only",
-           one_of({"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"}));
-  list.set("Bulk Points", 0, "Gauss points along the side in the enriched elements; 0: order + 1", between(0, 64));
+  list.set(
+      "Contact Element", "Q1C1",
+      "displacement along the side, in 3D in both directions: linear, of order 2, 3 or 4, or (2D only) cubic Hermite",
+      one_of({"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"}));
+  list.set("Bulk Points", 0,
+           "Gauss points along the side, in 3D in both directions, in the enriched elements; 0: order + 1",
+           between(0, 64));
   list.set("Surface Points", 0, "Gauss points a direction on each side; 0: 5, but 8 for Q1C3, Q1C4 and Q1CH",
            between(0, 64));
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));
@@ -134,7 +133,7 @@ void add_interaction(List& list) {
            greater_and_less_than(0, 1));
 }
 
-Teuchos::RCP<Teuchos::StringValidator> ramp_shapes() { return one_of({"Linear", "Cosine", "Quintic"}); }
+Teuchos::RCP<const Teuchos::ParameterEntryValidator> ramp_shapes() { return one_of({"Linear", "Cosine", "Quintic"}); }
 
 void add_history(List& list) {
   list.set("Type", "Constant", "the kind of function",

@@ -156,8 +156,8 @@ TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
   expect_refused(2,
                  {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
                   "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
-                  "Interactions/Wall/Contact Element=Q1C2"},
-                 "hexahedra have no enriched contact elements; Q1C1 only");
+                  "Interactions/Wall/Side Set=bottom", "--set", "Interactions/Wall/Contact Element=Q1CH"},
+                 "the Hermite contact element Q1CH is for quadrilaterals; hexahedra have Q1C1 to Q1C4");
 }
 
 TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {

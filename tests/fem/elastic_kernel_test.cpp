@@ -1,6 +1,6 @@
 #include "fem/elastic_kernel.hpp"
 
-#include "fem/contact_elements.hpp"
+#include "fem/contact_hexahedra.hpp"
 #include "fem/reference_elements.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +49,8 @@ struct Body {
           x[a][d] = 0.5 * corner[a][d];
         else if (std::is_same_v<Element, Quad4CH>)
           x[a][d] = d == 0 ? 0.5 : 0.0;
+        else if (D == 3)  // the face of Hex8C2, seen from outside: y first
+          x[a][d] = d == 2 ? -0.5 : 0.5 * LagrangeEdge<2>::node(LagrangeFace<2>::factors(a - 4)[1 - d]);
         else
           x[a][d] = d == 0 ? -0.5 + static_cast<double>(a - 3) / static_cast<double>(N - 3) : -0.5;
       }
@@ -138,9 +140,9 @@ std::vector<Rule> rules() {
 
 template <class B>
 class ElasticKernelTest : public testing::Test {};
-using Bodies =
-    testing::Types<Body<Quad4, NeoHooke>, Body<Hex8, NeoHooke>, Body<Quad4, LinearElastic>, Body<Hex8, LinearElastic>,
-                   Body<Quad4C2, NeoHooke>, Body<Quad4C3, NeoHooke>, Body<Quad4C4, NeoHooke>, Body<Quad4CH, NeoHooke>>;
+using Bodies = testing::Types<Body<Quad4, NeoHooke>, Body<Hex8, NeoHooke>, Body<Quad4, LinearElastic>,
+                              Body<Hex8, LinearElastic>, Body<Hex8C2, NeoHooke>, Body<Quad4C2, NeoHooke>,
+                              Body<Quad4C3, NeoHooke>, Body<Quad4C4, NeoHooke>, Body<Quad4CH, NeoHooke>>;
 TYPED_TEST_SUITE(ElasticKernelTest, Bodies);
 
 TYPED_TEST(ElasticKernelTest, WeightsSumToTheVolume) {

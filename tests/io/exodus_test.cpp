@@ -2,17 +2,24 @@
 
 #include <exodusII.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/small_matrix.hpp"
+#include "fem/jacobian.hpp"
+#include "fem/reference_elements.hpp"
+#include "fem/shape_table.hpp"
 #include "io/exodus_mesh.hpp"
 #include "io/output_mesh.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
@@ -189,6 +196,89 @@ TEST(OutputMeshTest, EnrichedCellsBecomeRowsThatFillTheSameArea) {
     EXPECT_EQ(sides("left"), 2U);
     EXPECT_EQ(sides("top"), 3U);
   }
+}
+
+/// Volume of a hexahedron with planar faces, by its corners.
+double volume_of(const Mesh& mesh, const ElementBlock& block, int cell) {
+  const ShapeTable<Hex8> table;
+  double volume = 0;
+  for (std::size_t q = 0; q < table.size(); ++q)
+    volume += table.weight[q] * determinant(jacobian<3>(mesh.coordinates, &block.nodes[cell_entry(cell, 8)],
+                                                        cell_scales<Hex8>(block, cell), table.gradient[q]));
+  return volume;
+}
+
+// Hexahedra are cut in both directions of their contact face; tied edges make several blocks.
+TEST(OutputMeshTest, EnrichedHexahedraBecomeRowsThatFillTheSameVolume) {
+  for (const auto& [element, n] :
+       {std::pair{ContactElement::Q1C2, 2}, std::pair{ContactElement::Q1C3, 3}, std::pair{ContactElement::Q1C4, 4}})
+    for (const char* side : {"bottom", "right"}) {
+      BoxShape shape;
+      shape.dimension = 3;
+      shape.lengths = {3, 2, 2};
+      shape.divisions = {3, 2, 2};
+      Mesh mesh = box(shape);
+      // Of the bottom the first two columns, of the right side the lower half.
+      const bool bottom = std::string(side) == "bottom";
+      add_side_set(mesh, "patch", side, {{}, bottom ? std::vector{2.0, 2.0, 2.0} : std::vector{3.0, 2.0, 1.0}});
+      const int cells = bottom ? 4 : 2;
+      enrich(mesh, "patch", element);
+      const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+      const OutputMesh output(local, 1);
+      EXPECT_EQ(output.mesh.cells(), 12 + cells * (n * n - 1));
+      double volume = 0;
+      std::set<std::string> names;
+      for (const ElementBlock& block : output.mesh.blocks) {
+        EXPECT_TRUE(names.insert(block.name).second) << block.name;
+        EXPECT_EQ(block.type, CellType::Hex8);
+        for (int cell = 0; cell < block.cells(); ++cell) {
+          EXPECT_GT(volume_of(output.mesh, block, cell), 0);
+          volume += volume_of(output.mesh, block, cell);
+        }
+      }
+      EXPECT_NEAR(volume, 12, 1e-13);
+      const std::set<int> ids(output.description.node_ids.begin(), output.description.node_ids.end());
+      EXPECT_EQ(ids.size(), output.description.node_ids.size());
+      EXPECT_LE(*ids.rbegin(), output.description.global_nodes);
+      // An affine field stays one, and each side set is the sum of its pieces.
+      std::vector<double> field;
+      for (std::size_t k = 0; k < local.coordinates.size(); k += 3)
+        field.push_back(local.coordinates[k] - 2 * local.coordinates[k + 1] + 3 * local.coordinates[k + 2]);
+      const std::vector<double> shown = output.nodal(field);
+      const std::vector<double>& x = output.mesh.coordinates;
+      for (std::size_t k = 0; k < shown.size(); ++k)
+        EXPECT_NEAR(shown[k], x[3 * k] - 2 * x[3 * k + 1] + 3 * x[3 * k + 2], 1e-13);
+      const std::map<std::string, std::pair<std::size_t, double>> planes{{"left", {0, 0}},   {"right", {0, 3}},
+                                                                         {"front", {1, 0}},  {"back", {1, 2}},
+                                                                         {"bottom", {2, 0}}, {"top", {2, 2}}};
+      for (const SideSet& set : output.mesh.side_sets) {
+        if (set.name == "patch") {
+          EXPECT_EQ(set.sides.size(), static_cast<std::size_t>(cells * n * n));
+        }
+        if (planes.count(set.name) == 0) continue;
+        const auto [d, place] = planes.at(set.name);
+        std::size_t on_plane = 0;
+        for (const ElementBlock& block : output.mesh.blocks)
+          for (int cell = 0; cell < block.cells(); ++cell)
+            for (int s = 0; s < 6; ++s) {
+              const std::vector<int>& corner = side_nodes(CellType::Hex8, s);
+              on_plane += std::all_of(corner.begin(), corner.end(),
+                                      [&](int a) {
+                                        const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, 8, a)]);
+                                        return std::abs(x[3 * node + d] - place) < 1e-12;
+                                      })
+                              ? 1U
+                              : 0U;
+            }
+        EXPECT_EQ(set.sides.size(), on_plane) << set.name;
+        for (const Side& one : set.sides)
+          for (int a : side_nodes(CellType::Hex8, one.side)) {
+            const ElementBlock& block = output.mesh.blocks[static_cast<std::size_t>(one.block)];
+            const auto node = static_cast<std::size_t>(block.nodes[cell_entry(one.cell, 8, a)]);
+            EXPECT_NEAR(x[3 * node + d], place, 1e-12) << set.name;
+          }
+      }
+    }
 }
 
 TEST(OutputMeshTest, TheCurvedSideIsTheElementsOwn) {

@@ -2,11 +2,14 @@
 // state.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <tuple>
 
 #include "material/linear_elastic.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/selection.hpp"
 #include "model/nodal_measure.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
@@ -61,6 +64,65 @@ void run(ContactElement element) {
   const double strain = p / (rubber.lame.lambda + 2 * rubber.lame.mu);
   for (std::size_t n = 0; n < u.size() / 2; ++n) u[2 * n + 1] = strain * local.coordinates[2 * n + 1];
   EXPECT_LT(test::distance(integrator.state().u, u), 1e-14);
+}
+
+/// A distorted box under the same tension p on all its sides, held in three corners: u = p X/(3 Lambda + 2 mu). Its
+/// bottom is enriched, or only a part of it, whose rim is then tied.
+void run_hexahedra(ContactElement element, bool patch) {
+  const std::array<double, 3> lengths{4, 3, 2};
+  BoxShape shape;
+  shape.dimension = 3;
+  shape.lengths = lengths;
+  shape.divisions = {4, 3, 2};
+  Mesh mesh = box(shape);
+  for (std::size_t k = 0; k < mesh.coordinates.size(); ++k) {
+    double& x = mesh.coordinates[k];
+    if (x > 0 && x < lengths[k % 3]) x += 0.15 * std::sin(7.0 * static_cast<double>(k));
+  }
+  if (patch) add_side_set(mesh, "patch", "bottom", {{}, {2.5, 1.5, 2}});
+  enrich(mesh, patch ? "patch" : "bottom", element);
+  const Comm comm = world();
+  Material rubber;
+  rubber.block = "body";
+  rubber.law = ElasticLaw::Linear;
+  rubber.lame = lame_constants(1.0, 0.3);
+  Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber},
+              Inertia::None);
+  const LocalMesh& local = model.mesh();
+
+  const double p = 0.02;
+  const std::tuple<const char*, std::size_t, double> sides[] = {{"left", 0, -1}, {"right", 0, 1},   {"front", 1, -1},
+                                                                {"back", 1, 1},  {"bottom", 2, -1}, {"top", 2, 1}};
+  for (const auto& [set, axis, sign] : sides) {
+    std::vector<double> measure(static_cast<std::size_t>(local.nodes()), 0.0), force(3 * measure.size(), 0.0);
+    add_side_measure(local, local.side_sets[local.side_set(set)], measure);
+    for (std::size_t n = 0; n < measure.size(); ++n) force[3 * n + axis] = sign * p * measure[n];
+    model.loads().add(force, constant(1.0));
+  }
+  for (int node = 0; node < local.nodes(); ++node) {
+    const double* x = &local.coordinates[3 * static_cast<std::size_t>(node)];
+    const bool origin = x[0] == 0 && x[1] == 0 && x[2] == 0;
+    const bool on_x = x[0] == 4 && x[1] == 0 && x[2] == 0, on_y = x[0] == 0 && x[1] == 3 && x[2] == 0;
+    if (origin) model.constraints().add(3 * node, 1.0, nullptr);
+    if (origin || on_x) model.constraints().add(3 * node + 1, 1.0, nullptr);
+    if (origin || on_x || on_y) model.constraints().add(3 * node + 2, 1.0, nullptr);
+  }
+  Teuchos::ParameterList linear;
+  linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  Integrator integrator(model, static_equilibrium(), std::make_shared<LinearSolverFactory>(linear), {});
+  std::vector<double> u(static_cast<std::size_t>(model.space().local()), 0.0);
+  integrator.initialize(u, u, 0.0);
+  const StepResult result = integrator.step(1.0);
+  ASSERT_TRUE(result.converged) << result.reason;
+  for (std::size_t k = 0; k < u.size(); ++k)
+    u[k] = p / (3 * rubber.lame.lambda + 2 * rubber.lame.mu) * local.coordinates[k];
+  EXPECT_LT(test::distance(integrator.state().u, u), 1e-13);
+}
+
+TEST(EnrichedPatchTest, UniformTensionThroughFacesAndTiedEdges) {
+  for (ContactElement element :
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4})
+    for (bool patch : {false, true}) run_hexahedra(element, patch);
 }
 
 TEST(EnrichedPatchTest, ConstantStressThroughAFreeContactSide) {

@@ -5,6 +5,7 @@
 
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/selection.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
 #include "time/integrator.hpp"
@@ -15,7 +16,8 @@ namespace {
 
 using test::world;
 
-/// A box whose inner nodes are moved off the grid; in 2D its bottom, of uneven sides, with that contact element.
+/// A box whose inner nodes are moved off the grid; its bottom, of uneven sides, with that contact element. In 3D only
+/// where x <= 2: a tied rim.
 Mesh distorted_box(int dimension, ContactElement element) {
   BoxShape shape;
   shape.dimension = dimension;
@@ -31,8 +33,9 @@ Mesh distorted_box(int dimension, ContactElement element) {
     for (std::size_t i = 0; i < d; ++i)
       mesh.coordinates[n * d + i] += 0.25 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(i));
   }
-  if (element != ContactElement::Q1C1) mesh.coordinates[2] += 0.2;
-  enrich(mesh, "bottom", element);
+  if (element != ContactElement::Q1C1) mesh.coordinates[d] += 0.2;
+  if (dimension == 3) add_side_set(mesh, "patch", "bottom", {{}, {2.5, 3, 3}});
+  enrich(mesh, dimension == 2 ? "bottom" : "patch", element);
   return mesh;
 }
 
@@ -83,6 +86,8 @@ TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
       run_patch(2, ElasticLaw::NeoHooke, table, element);
+  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4})
+    run_patch(3, ElasticLaw::NeoHooke, average_vector_field(4, 8), element);
 }
 
 TEST(PatchTest, AffineMotionOfALinearMaterialIsReproduced) {

@@ -1,0 +1,48 @@
+/// Edges of enriched elements kept straight, so that neighbours which are not enriched conform.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <type_traits>
+
+namespace ixos {
+
+/// An inner node of an enriched edge: where it lies between the edge's ends.
+struct InnerNode {
+  std::size_t edge;  ///< the element's edge, from 0
+  std::size_t node;
+  std::size_t first, second;  ///< the edge's ends
+  double place;               ///< from 0 at the first end to 1 at the second
+};
+
+/// Does the element list inner_nodes() of its edges?
+template <class Element, class = void>
+struct HasInnerNodes : std::false_type {};
+template <class Element>
+struct HasInnerNodes<Element, std::void_t<decltype(Element::inner_nodes())>> : std::true_type {};
+
+/// Shape functions of an element of whose edges some are tied, bit k of `tied` the k-th: the field is linear along
+/// them. Their inner nodes' functions go to the edges' ends in proportion, and are zero: whatever number stands for
+/// such a node in a cell, its field does not count, and it gets no force, mass or stiffness. This is T^T K T for the
+/// linear relation T between tied and free nodes, done once, in the shape functions.
+template <class Element>
+void evaluate_tied(unsigned tied, const std::array<double, Element::dimension>& xi,
+                   std::array<double, Element::nodes>& value,
+                   std::array<std::array<double, Element::dimension>, Element::nodes>& gradient) {
+  Element::evaluate(xi, value, gradient);
+  if constexpr (HasInnerNodes<Element>::value) {
+    if (tied == 0) return;
+    for (const InnerNode& inner : Element::inner_nodes()) {
+      if ((tied >> inner.edge & 1U) == 0) continue;
+      const auto move = [&](std::size_t end, double share) {
+        value[end] += share * value[inner.node];
+        for (std::size_t d = 0; d < gradient[end].size(); ++d) gradient[end][d] += share * gradient[inner.node][d];
+      };
+      move(inner.first, 1 - inner.place);
+      move(inner.second, inner.place);
+      value[inner.node] = 0;
+      gradient[inner.node] = {};
+    }
+  }
+}
+
+}  // namespace ixos

@@ -1,0 +1,382 @@
+// Enriched contact faces of hexahedra: counts, turned cells, ties, conformity.
+#include "mesh/enrich.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "fem/cell_types.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/selection.hpp"
+
+namespace ixos {
+namespace {
+
+const std::pair<ContactElement, int> orders[] = {
+    {ContactElement::Q1C2, 2}, {ContactElement::Q1C3, 3}, {ContactElement::Q1C4, 4}};
+
+/// A box of unit cells, none of whose inner edges is parallel to an axis.
+Mesh brick(const std::array<int, 3>& divisions) {
+  BoxShape shape;
+  shape.dimension = 3;
+  shape.divisions = divisions;
+  for (std::size_t d = 0; d < 3; ++d) shape.lengths[d] = divisions[d];
+  Mesh mesh = box(shape);
+  for (std::size_t n = 0; n < mesh.coordinates.size() / 3; ++n)
+    for (std::size_t d = 0; d < 3; ++d) {
+      double& x = mesh.coordinates[3 * n + d];
+      if (x > 0 && x < divisions[d]) x += 0.15 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(d));
+    }
+  return mesh;
+}
+
+const SideSet& set_of(const Mesh& mesh, const std::string& name) { return side_set_named(mesh, name); }
+
+/// The set `name` of those of the sides that are listed.
+void choose(Mesh& mesh, const std::string& name, const std::string& from, const std::vector<std::size_t>& sides) {
+  SideSet chosen{name, {}};
+  for (std::size_t k : sides) chosen.sides.push_back(set_of(mesh, from).sides.at(k));
+  mesh.side_sets.push_back(chosen);
+}
+
+std::size_t at_node(int node, std::size_t d) { return 3 * static_cast<std::size_t>(node) + d; }
+
+const int* cell_nodes(const ElementBlock& block, int cell) {
+  return &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
+}
+
+/// Values without any order.
+std::vector<double> random_field(const Mesh& mesh) {
+  std::vector<double> field;
+  for (int node = 0; node < mesh.nodes(); ++node) field.push_back(std::sin(12.9898 * node + 1));
+  return field;
+}
+
+using Place = std::array<double, 3>;
+
+/// The field in a cell at a reference point.
+double value_in(const ElementBlock& block, int cell, const Place& xi, const std::vector<double>& field) {
+  return with_element(block.type, [&](auto tag) {
+    using Element = typename decltype(tag)::type;
+    double sum = 0;
+    if constexpr (Element::dimension == 3) {
+      std::array<double, Element::nodes> value;
+      std::array<Place, Element::nodes> gradient;
+      evaluate_tied<Element>(block.tied, xi, value, gradient);
+      for (std::size_t a = 0; a < value.size(); ++a)
+        sum += value[a] * field[static_cast<std::size_t>(cell_nodes(block, cell)[a])];
+    }
+    return sum;
+  });
+}
+
+/// The reference point of a cell that lies between some of its corners, by global node and weight.
+Place between(const ElementBlock& block, int cell, const std::map<int, double>& weights) {
+  Place xi{};
+  const int* nodes = cell_nodes(block, cell);
+  for (std::size_t a = 0; a < 8; ++a) {
+    const auto found = weights.find(nodes[a]);
+    if (found == weights.end()) continue;
+    for (std::size_t d = 0; d < 3; ++d) xi[d] += found->second * corners<3>()[a][d];
+  }
+  return xi;
+}
+
+/// Faces and edges by their sorted corners: the cells that have them.
+using Cells = std::map<std::vector<int>, std::vector<std::pair<std::size_t, int>>>;
+
+Cells faces_and_edges(const Mesh& mesh) {
+  Cells cells;
+  for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
+    for (int cell = 0; cell < mesh.blocks[b].cells(); ++cell) {
+      std::set<std::vector<int>> parts;
+      for (int side = 0; side < 6; ++side) {
+        const std::vector<int>& local = side_nodes(mesh.blocks[b].type, side);
+        const int* nodes = cell_nodes(mesh.blocks[b], cell);
+        std::vector<int> corner;
+        for (std::size_t k = 0; k < 4; ++k) corner.push_back(nodes[local[k]]);
+        for (std::size_t k = 0; k < 4; ++k) {
+          std::vector<int> edge{corner[k], corner[(k + 1) % 4]};
+          std::sort(edge.begin(), edge.end());
+          parts.insert(edge);
+        }
+        parts.insert(corner);
+      }
+      for (std::vector<int> part : parts) {
+        std::sort(part.begin(), part.end());
+        cells[part].emplace_back(b, cell);
+      }
+    }
+  return cells;
+}
+
+/// Every cell at a face or an edge must have the same field there.
+void expect_conforming(const Mesh& mesh, const std::string& what) {
+  const std::vector<double> field = random_field(mesh);
+  int compared = 0;
+  for (const auto& [part, cells] : faces_and_edges(mesh)) {
+    if (cells.size() < 2) continue;
+    const auto& [first_block, first_cell] = cells.front();
+    const ElementBlock& first = mesh.blocks[first_block];
+    // Corners in the order around the face, as its first cell has them.
+    std::vector<int> around;
+    for (int side = 0; side < 6 && around.empty() && part.size() == 4; ++side) {
+      for (std::size_t k = 0; k < 4; ++k)
+        around.push_back(cell_nodes(first, first_cell)[side_nodes(first.type, side)[k]]);
+      std::vector<int> sorted = around;
+      std::sort(sorted.begin(), sorted.end());
+      if (sorted != part) around.clear();
+    }
+    if (part.size() == 2) around = part;
+    for (double s : {0.13, 0.5, 0.81})
+      for (double t : {0.22, 0.7}) {
+        std::map<int, double> weights;
+        if (part.size() == 2)
+          weights = {{around[0], 1 - s}, {around[1], s}};
+        else
+          weights = {
+              {around[0], (1 - s) * (1 - t)}, {around[1], s * (1 - t)}, {around[2], s * t}, {around[3], (1 - s) * t}};
+        const double expected = value_in(first, first_cell, between(first, first_cell, weights), field);
+        for (const auto& [b, cell] : cells)
+          EXPECT_NEAR(value_in(mesh.blocks[b], cell, between(mesh.blocks[b], cell, weights), field), expected, 1e-13)
+              << what;
+        ++compared;
+      }
+  }
+  EXPECT_GT(compared, 0);
+}
+
+/// The element of each side must be the trace of its cell.
+void expect_traces(const Mesh& mesh, const std::string& what) {
+  const std::vector<double> field = random_field(mesh);
+  for (const ElementBlock& block : mesh.blocks)
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (int side = 0; side < 6; ++side)
+        with_side_element(block.type, side, [&](auto tag) {
+          using Element = typename decltype(tag)::type;
+          const std::vector<int>& local = side_nodes(block.type, side);
+          ASSERT_EQ(local.size(), static_cast<std::size_t>(Element::nodes));
+          if constexpr (Element::dimension == 2)
+            for (const std::array<double, 2>& x :
+                 {std::array{-0.7, 0.2}, std::array{0.4, -1.0}, std::array{0.9, 0.6}}) {
+              std::array<double, Element::nodes> value;
+              std::array<std::array<double, 2>, Element::nodes> gradient;
+              evaluate_tied<Element>(side_ties(block, side), x, value, gradient);
+              double sum = 0;
+              for (std::size_t a = 0; a < value.size(); ++a)
+                sum += value[a] * field[static_cast<std::size_t>(cell_nodes(block, cell)[local[a]])];
+              std::array<double, 4> share;
+              std::array<std::array<double, 2>, 4> unused;
+              Quad4::evaluate(x, share, unused);
+              Place xi{};
+              for (std::size_t k = 0; k < 4; ++k)
+                for (std::size_t d = 0; d < 3; ++d)
+                  xi[d] += share[k] * corners<3>()[static_cast<std::size_t>(local[k])][d];
+              EXPECT_NEAR(sum, value_in(block, cell, xi, field), 1e-13) << what << ", side " << side;
+            }
+        });
+}
+
+void expect_sound(Mesh& mesh, const std::string& what) {
+  EXPECT_NO_THROW(check_cells(mesh)) << what;
+  expect_conforming(mesh, what);
+  expect_traces(mesh, what);
+  // Every new node belongs to a cell, and none is there twice.
+  std::vector<char> used(static_cast<std::size_t>(mesh.nodes()), 0);
+  for (const ElementBlock& block : mesh.blocks)
+    for (int node : block.nodes) used[static_cast<std::size_t>(node)] = 1;
+  EXPECT_EQ(std::count(used.begin() + mesh.plain_nodes, used.end(), 0), 0) << what;
+  std::set<Place> places;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    places.insert(
+        {mesh.coordinates[at_node(node, 0)], mesh.coordinates[at_node(node, 1)], mesh.coordinates[at_node(node, 2)]});
+  EXPECT_EQ(places.size(), static_cast<std::size_t>(mesh.nodes())) << what;
+}
+
+TEST(EnrichHexahedraTest, AWholeSideOfABoxGetsTheNodesOfItsEdgesAndFaces) {
+  for (const auto& [element, q] : orders)
+    for (const char* name : {"bottom", "top", "left", "right", "front", "back"}) {
+      const std::array<int, 3> n{3, 2, 4};
+      Mesh mesh = brick(n);
+      const int before = mesh.nodes();
+      enrich(mesh, name, element);
+      const std::string set = name;
+      const int a = set == "left" || set == "right" ? n[1] : n[0];
+      const int b = set == "bottom" || set == "top" ? n[1] : n[2];
+      EXPECT_EQ(mesh.nodes() - before, (q - 1) * (a * (b + 1) + b * (a + 1)) + (q - 1) * (q - 1) * a * b) << name;
+      EXPECT_EQ(mesh.plain_nodes, before);
+      EXPECT_EQ(mesh.cells(), 24);
+      ASSERT_EQ(mesh.blocks.size(), 2U);
+      EXPECT_EQ(mesh.blocks[1].cells(), a * b);
+      EXPECT_EQ(mesh.blocks[1].name, "body");
+      EXPECT_EQ(mesh.blocks[1].tied, 0U);
+      for (const Side& side : set_of(mesh, name).sides) EXPECT_EQ(side.side, contact_side(mesh.blocks[1].type));
+      expect_sound(mesh, name);
+    }
+}
+
+TEST(EnrichHexahedraTest, ExtraNodesLieOnTheBilinearFace) {
+  // Then the map from reference to body stays that of the plain hexahedron.
+  for (const auto& [element, q] : orders) {
+    Mesh mesh = brick({2, 2, 2});
+    mesh.coordinates[at_node(4, 2)] = 0.2;  // warped faces
+    enrich(mesh, "bottom", element);
+    const ElementBlock& block = mesh.blocks[1];
+    for (std::size_t d = 0; d < 3; ++d) {
+      std::vector<double> x;
+      for (int node = 0; node < mesh.nodes(); ++node) x.push_back(mesh.coordinates[at_node(node, d)]);
+      for (int cell = 0; cell < block.cells(); ++cell)
+        for (const Place& xi : {Place{-0.3, 0.4, -1}, {0.8, -0.9, -0.5}, {0.1, 0.2, 0.7}}) {
+          std::array<double, 8> value;
+          std::array<Place, 8> gradient;
+          Hex8::evaluate(xi, value, gradient);
+          double plain = 0;
+          for (std::size_t a = 0; a < 8; ++a)
+            plain += value[a] * x[static_cast<std::size_t>(cell_nodes(block, cell)[a])];
+          EXPECT_NEAR(value_in(block, cell, xi, x), plain, 1e-14);
+        }
+    }
+  }
+}
+
+TEST(EnrichHexahedraTest, SideSetsFollowTheTurnedCells) {
+  for (const char* name : {"bottom", "top", "left", "right", "front", "back"}) {
+    const Mesh before = brick({2, 3, 2});
+    Mesh after = before;
+    enrich(after, name, ContactElement::Q1C2);
+    for (std::size_t s = 0; s < before.side_sets.size(); ++s)
+      for (std::size_t k = 0; k < before.side_sets[s].sides.size(); ++k) {
+        const auto of = [](const Mesh& mesh, const Side& side) {
+          const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+          std::vector<int> corner;
+          for (std::size_t a = 0; a < 4; ++a)
+            corner.push_back(cell_nodes(block, side.cell)[side_nodes(block.type, side.side)[a]]);
+          // From the least on: the order round the side stays, where it starts does not matter.
+          std::rotate(corner.begin(), std::min_element(corner.begin(), corner.end()), corner.end());
+          return corner;
+        };
+        EXPECT_EQ(of(before, before.side_sets[s].sides[k]), of(after, after.side_sets[s].sides[k])) << name;
+      }
+  }
+}
+
+TEST(EnrichHexahedraTest, NodeSetsGetTheNodesBetweenTheirMembers) {
+  Mesh mesh = brick({3, 2, 2});
+  const int before = mesh.nodes();
+  enrich(mesh, "bottom", ContactElement::Q1C3);
+  const std::map<std::string, int> expected{
+      {"bottom", mesh.nodes() - before}, {"surface", mesh.nodes() - before}, {"front", 6}, {"left", 4}, {"top", 0}};
+  for (const NodeSet& set : mesh.node_sets) {
+    const std::set<int> members(set.nodes.begin(), set.nodes.end());
+    EXPECT_EQ(members.size(), set.nodes.size());
+    const auto found = expected.find(set.name);
+    if (found == expected.end()) continue;
+    EXPECT_EQ(std::count_if(members.begin(), members.end(), [&](int node) { return node >= before; }), found->second)
+        << set.name;
+  }
+}
+
+TEST(EnrichHexahedraTest, TheRimOfAPatchIsTiedAndAFreeRimIsNot) {
+  for (const auto& [element, q] : orders) {
+    // 2 x 2 faces inside a bottom of 4 x 4: four edges inside stay, eight on the rim are tied.
+    Mesh inside = brick({4, 4, 2});
+    choose(inside, "patch", "bottom", {5, 6, 9, 10});
+    const int before = inside.nodes();
+    enrich(inside, "patch", element);
+    EXPECT_EQ(inside.nodes() - before, 4 * (q - 1) + 4 * (q - 1) * (q - 1));
+    EXPECT_EQ(inside.blocks.size(), 5U);  // plain, and the four corners of the patch, each with its own two edges
+    for (std::size_t b = 1; b < inside.blocks.size(); ++b) {
+      const unsigned tied = inside.blocks[b].tied;
+      EXPECT_TRUE(tied == 3 || tied == 6 || tied == 12 || tied == 9) << tied;
+      EXPECT_EQ(inside.blocks[b].cells(), 1);
+    }
+    expect_sound(inside, "inside");
+
+    // Half of a bottom of 4 x 3: of the rim only the edges against the other half are tied.
+    Mesh half = brick({4, 3, 1});
+    choose(half, "patch", "bottom", {0, 1, 4, 5, 8, 9});
+    const int nodes = half.nodes();
+    enrich(half, "patch", element);
+    EXPECT_EQ(half.nodes() - nodes, (2 * 4 + 2 * 3) * (q - 1) + 6 * (q - 1) * (q - 1));
+    expect_sound(half, "half");
+  }
+}
+
+TEST(EnrichHexahedraTest, PatchesOfAnyShapeConform) {
+  for (const auto& [element, q] : orders) {
+    const std::vector<std::vector<std::size_t>> shapes = {
+        {0, 5, 10, 15},                          // faces that meet at corners only
+        {0, 1, 2, 3, 4, 8, 12},                  // an L
+        {0, 1, 2, 4, 6, 8, 9, 10},               // a ring
+        {5},                                     // all edges tied
+        {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},  // a strip
+    };
+    for (const auto& shape : shapes)
+      for (const char* from : {"bottom", "left", "back"}) {
+        Mesh mesh = brick({4, 4, 4});
+        choose(mesh, "patch", from, shape);
+        enrich(mesh, "patch", element);
+        expect_sound(mesh, from);
+      }
+  }
+}
+
+TEST(EnrichHexahedraTest, SetsOfDifferentOrdersConform) {
+  Mesh mesh = brick({4, 2, 2});
+  choose(mesh, "one", "bottom", {0, 1, 4, 5});
+  choose(mesh, "other", "bottom", {2, 6});
+  enrich(mesh, "one", ContactElement::Q1C2);
+  enrich(mesh, "other", ContactElement::Q1C4);
+  enrich(mesh, "top", ContactElement::Q1C3);
+  expect_sound(mesh, "three sets");
+}
+
+/// Two cells by two in the plane x, z and one deep, without the upper right one: the sides round the inner edge.
+Mesh step(bool with_far_cell) {
+  Mesh mesh = brick({2, 1, 2});
+  std::vector<int>& nodes = mesh.blocks[0].nodes;
+  nodes.resize(24);
+  if (!with_far_cell) nodes.erase(nodes.begin(), nodes.begin() + 8);
+  mesh.side_sets.clear();
+  mesh.node_sets.clear();
+  const int shift = with_far_cell ? 0 : 1;
+  mesh.side_sets.push_back({"corner", {{0, 1 - shift, 5}, {0, 2 - shift, 1}}});
+  return mesh;
+}
+
+TEST(EnrichHexahedraTest, AnEdgeIsTiedByACellThatTouchesItOnly) {
+  for (const auto& [element, q] : orders) {
+    // Two faces round a re-entrant edge; the cell behind it has the edge, but no face beside it.
+    Mesh behind = step(true);
+    const int before = behind.nodes();
+    enrich(behind, "corner", element);
+    EXPECT_EQ(behind.nodes() - before, 2 * 3 * (q - 1) + 2 * (q - 1) * (q - 1));
+    expect_sound(behind, "cell behind the edge");
+    // Without that cell the edge is enriched in both.
+    Mesh free = step(false);
+    const int nodes = free.nodes();
+    enrich(free, "corner", element);
+    EXPECT_EQ(free.nodes() - nodes, (2 * 4 - 1) * (q - 1) + 2 * (q - 1) * (q - 1));
+    EXPECT_NO_THROW(check_cells(free));
+    expect_conforming(free, "no cell behind the edge");
+  }
+}
+
+TEST(EnrichHexahedraTest, WhatCannotBeEnrichedIsRefused) {
+  Mesh hermite = brick({2, 2, 2});
+  EXPECT_THROW(enrich(hermite, "bottom", ContactElement::Q1CH), InputError);
+  Mesh corner = brick({2, 2, 2});
+  EXPECT_THROW(enrich(corner, "surface", ContactElement::Q1C2), InputError);  // faces of one cell
+  Mesh twice = brick({2, 2, 2});
+  enrich(twice, "bottom", ContactElement::Q1C2);
+  EXPECT_THROW(enrich(twice, "left", ContactElement::Q1C2), InputError);
+  EXPECT_NO_THROW(enrich(twice, "top", ContactElement::Q1C4));
+}
+
+}  // namespace
+}  // namespace ixos
