@@ -235,6 +235,9 @@ void add_time_integrator(List& list) {
 void add_nonlinear_solver(List& list) {
   list.set("Tolerance", 1e-11, "|f| over the largest of |M a|, |f_el|, |f_c|, |f_ext| [-]",
            greater_and_less_than(0, 1));
+  list.set("Linear Tolerance", 0.0,
+           "relative residual of iterative linear solves; 0: Eisenstat and Walker's forcing terms, at most 1e-3 [-]",
+           at_least(0));
   list.set("Maximum Iterations", 100, "more is a failed step", between(1, 10000));
   List& nox = list.sublist(
       "NOX", false,

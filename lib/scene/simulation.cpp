@@ -258,7 +258,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
 void Simulation::build_integrator(Table table) {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
-                              newton.sublist("NOX")};
+                              newton.sublist("NOX"), newton.get<double>("Linear Tolerance")};
   const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
                          is_symmetric(table), all_standard(parameters_.sublist("Materials"))};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;

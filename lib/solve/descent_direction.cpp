@@ -1,6 +1,7 @@
 #include "solve/descent_direction.hpp"
 
 #include <NOX_Abstract_Group.H>
+#include <NOX_Solver_Generic.H>
 
 #include <new>
 
@@ -27,6 +28,11 @@ class Relaxed {
 
 bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group,
                                const NOX::Solver::Generic& solver) {
+  if (tolerance_ > 0)
+    list_->sublist("Newton")
+        .sublist("Linear Solver")
+        .set("Tolerance",
+             forcing_(solver.getNumIterations(), group.getNormF(), problem_.convergence_bound(tolerance_)));
   for (int level = 0; level <= highest_level; ++level) {
     const Relaxed relaxed(problem_, level);
     if (level > 0) group.setX(group.getX());  // forgets the matrix

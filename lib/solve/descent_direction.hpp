@@ -4,20 +4,24 @@
 #include <NOX_Direction_Newton.H>
 #include <NOX_Direction_UserDefinedFactory.H>
 
+#include "solve/forcing_term.hpp"
 #include "solve/nonlinear_problem.hpp"
 
 namespace ixos {
 
-/// NOX's Newton direction, with its forcing terms; prescribed values go the whole way, exactly. Where the residual f is
+/// NOX's Newton direction; where `tolerance`, that of |f|, is not 0, its linear systems are solved as exactly as a
+/// ForcingTerm says. Prescribed values go the whole way, exactly. Where the residual f is
 /// a gradient and f . d >= 0, or the linear solver breaks down, the tangent is not positive definite: the direction is
 /// computed again with the tangent relaxed step by step (see NonlinearProblem::relax_tangent). Fails where the last
 /// step gives no descent either.
 class DescentDirection final : public NOX::Direction::Generic {
  public:
-  DescentDirection(NonlinearProblem& problem, const Teuchos::RCP<NOX::GlobalData>& data, Teuchos::ParameterList& list)
-      : problem_(problem), newton_(data, list) {}
+  DescentDirection(NonlinearProblem& problem, double tolerance, const Teuchos::RCP<NOX::GlobalData>& data,
+                   Teuchos::ParameterList& list)
+      : problem_(problem), tolerance_(tolerance), list_(&list), newton_(data, list) {}
 
   bool reset(const Teuchos::RCP<NOX::GlobalData>& data, Teuchos::ParameterList& list) override {
+    list_ = &list;
     return newton_.reset(data, list);
   }
   bool compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group,
@@ -25,20 +29,24 @@ class DescentDirection final : public NOX::Direction::Generic {
 
  private:
   NonlinearProblem& problem_;
+  double tolerance_;
+  ForcingTerm forcing_;
+  Teuchos::ParameterList* list_;
   NOX::Direction::Newton newton_;
 };
 
 /// Hands NOX the direction for a problem.
 class DescentDirectionFactory final : public NOX::Direction::UserDefinedFactory {
  public:
-  explicit DescentDirectionFactory(NonlinearProblem& problem) : problem_(problem) {}
+  DescentDirectionFactory(NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
   Teuchos::RCP<NOX::Direction::Generic> buildDirection(const Teuchos::RCP<NOX::GlobalData>& data,
                                                        Teuchos::ParameterList& list) const override {
-    return Teuchos::rcp(new DescentDirection(problem_, data, list));
+    return Teuchos::rcp(new DescentDirection(problem_, tolerance_, data, list));
   }
 
  private:
   NonlinearProblem& problem_;
+  double tolerance_;
 };
 
 }  // namespace ixos

@@ -70,13 +70,20 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
     printing.set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
   }
   Teuchos::ParameterList& direction = list->sublist("Direction");
+  Teuchos::ParameterList& newton = direction.sublist("Newton");
   if (!direction.isParameter("Method")) {
+    // A user who tells NOX how exactly to solve has his way.
+    Teuchos::ParameterList& linear = newton.sublist("Linear Solver");
+    const bool told = newton.isParameter("Forcing Term Method") || linear.isParameter("Tolerance");
+    if (!told && options.linear_tolerance > 0) linear.set("Tolerance", options.linear_tolerance);
+    const bool adaptive = !told && options.linear_tolerance == 0;
     direction.set("Method", "User Defined");
-    const Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory = Teuchos::rcp(new DescentDirectionFactory(problem));
+    const Teuchos::RCP<NOX::Direction::UserDefinedFactory> factory =
+        Teuchos::rcp(new DescentDirectionFactory(problem, adaptive ? options.tolerance : 0));
     direction.set("User Defined Direction Factory", factory);
   }
-  direction.sublist("Newton").get("Forcing Term Method", "Constant");
-  direction.sublist("Newton").sublist("Linear Solver").get("Tolerance", 1e-6);
+  newton.get("Forcing Term Method", "Constant");
+  newton.sublist("Linear Solver").get("Tolerance", 1e-6);
   Teuchos::ParameterList& options_list = list->sublist("Solver Options");
   options_list.get("Status Test Check Type", "Minimal");
   if (!options_list.isParameter("User Defined Merit Function")) {

@@ -14,6 +14,7 @@ struct NewtonOptions {
   double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
   int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
   Teuchos::ParameterList nox;    ///< overrides of NOX's own list
+  double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: as a ForcingTerm says
 };
 
 /// How a solve ended. A failure is a status, not an exception.

@@ -1,0 +1,165 @@
+// The tangent without a matrix is the assembled one: in its action, its diagonal and its constrained columns, for every
+// rule and element; a run with either ends in the same place.
+#include "solve/tangent_operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "scene/simulation.hpp"
+#include "support/bodies.hpp"
+#include "support/comparison.hpp"
+#include "support/scene_text.hpp"
+#include "time/stage_problem.hpp"
+
+namespace ixos {
+namespace {
+
+using test::world;
+
+/// A damped block whose bottom sticks to a wall and whose left side is held; a contact patch in the bottom's middle.
+std::string block(int dimension, const std::string& element, const std::string& material) {
+  const bool flat = dimension == 2;
+  const std::vector<double> up = flat ? std::vector<double>{0, 1} : std::vector<double>{0, 0, 1};
+  std::vector<double> below(up);
+  for (double& x : below) x *= -0.3;
+  return test::list(
+             "Mesh",
+             test::word("Type", "Box") +
+                 test::list(
+                     "Box",
+                     test::count("Dimension", dimension) +
+                         test::numbers("Lengths", flat ? std::vector<double>{4, 2} : std::vector<double>{4, 3, 2}) +
+                         test::counts("Divisions", flat ? std::vector<int>{5, 3} : std::vector<int>{4, 3, 2})) +
+                 test::list("Sets",
+                            test::list("patch", test::word("From", "bottom") +
+                                                    test::numbers("Upper", flat ? std::vector<double>{3, 1}
+                                                                                : std::vector<double>{3, 2, 1})))) +
+         test::list("Materials", test::list("Body", test::word("Model", material) + test::number("Density", 0.7) +
+                                                        test::number("Mass Damping", 0.3) +
+                                                        test::number("Stiffness Damping", 0.2))) +
+         test::list("Interactions",
+                    test::list("Wall", test::word("Side Set", "patch") + test::word("Contact Element", element) +
+                                           test::numbers("Point", below))) +
+         test::list("Boundary Conditions", test::list("Held", test::word("Node Set", "left")));
+}
+
+/// A smooth field of the place: ghosts agree with their owners.
+std::vector<double> wave(const Model& model, double amplitude, double phase) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> field(static_cast<std::size_t>(model.space().local()));
+  for (std::size_t i = 0; i < field.size(); ++i)
+    for (std::size_t j = 0; j < d; ++j)
+      field[i] += amplitude * std::sin(1.3 * mesh.coordinates[i / d * d + j] + phase + static_cast<double>(i % d + j));
+  return field;
+}
+
+Vector owned(const Model& model, const std::vector<double>& local) {
+  Vector result(model.space().owned_map());
+  const auto view = result.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy_n(local.data(), view.extent(0), view.data());
+  return result;
+}
+
+double distance(const Vector& a, const Vector& b) {
+  Vector difference(a, Teuchos::Copy);
+  difference.update(-1.0, b, 1.0);
+  return difference.norm2() / b.norm2();
+}
+
+struct Case {
+  int dimension;
+  const char* element;
+  const char* material;
+};
+
+class TangentOperatorTest : public testing::TestWithParam<Case> {};
+
+TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
+  const auto [dimension, element, material] = GetParam();
+  for (const char* scheme :
+       {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Midpoint"})
+    for (int level : {0, 1, 3}) {
+      const Simulation s(test::scene(block(dimension, element, material) + test::time_integrator(scheme, 0.1, 1)),
+                         world());
+      const Model& model = s.model();
+      const Table& table = s.integrator().table();
+      std::vector<State> states(table.stages.size());
+      for (std::size_t k = 0; k < states.size(); ++k) {
+        const double phase = static_cast<double>(k);
+        states[k].u = wave(model, 0.02, phase);
+        states[k].v = wave(model, 0.02, phase + 1);
+        states[k].a = wave(model, 0.02, phase + 2);
+      }
+      const Vector x = owned(model, wave(model, 0.03, 0.5)), direction = owned(model, wave(model, 1, 7));
+      Vector f(model.space().owned_map()), free_f(f), product(f), free_product(f), diagonal(f), free_diagonal(f);
+      StageProblem assembled(model, table.stages.back(), false), matrix_free(model, table.stages.back(), false, true);
+      for (StageProblem* problem : {&assembled, &matrix_free}) {
+        problem->arm(states, 0.0, 0.1);
+        problem->relax_tangent(level);
+      }
+      ASSERT_TRUE(assembled.residual(x, f));
+      ASSERT_TRUE(matrix_free.residual(x, free_f));
+      // Prescribed values are still on their way: the residual needs the constrained columns.
+      EXPECT_LT(distance(free_f, f), 1e-12) << scheme;
+      const auto w = assembled.create_operator(), free_w = matrix_free.create_operator();
+      assembled.tangent(x, *w);
+      matrix_free.tangent(x, *free_w);
+      w->apply(direction, product);
+      free_w->apply(direction, free_product);
+      EXPECT_LT(distance(free_product, product), 1e-13) << scheme << ", level " << level;
+      product.update(2.0, direction, 1.0);
+      free_product.assign(direction);
+      free_w->apply(direction, free_product, Teuchos::NO_TRANS, 1.0, 2.0);
+      EXPECT_LT(distance(free_product, product), 1e-13) << scheme << ", level " << level;
+      dynamic_cast<CrsMatrix&>(*w).getLocalDiagCopy(diagonal);
+      dynamic_cast<TangentOperator&>(*free_w).diagonal(free_diagonal);
+      EXPECT_LT(distance(free_diagonal, diagonal), 1e-13) << scheme << ", level " << level;
+      dynamic_cast<TangentOperator&>(*free_w).matrix()->apply(direction, free_product);
+      w->apply(direction, product);
+      EXPECT_LT(distance(free_product, product), 1e-14) << scheme << ", level " << level;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, TangentOperatorTest,
+                         testing::Values(Case{2, "Q1C1", "Neo-Hooke"}, Case{2, "Q1C4", "Neo-Hooke"},
+                                         Case{2, "Q1CH", "Neo-Hooke"}, Case{3, "Q1C1", "Neo-Hooke"},
+                                         Case{3, "Q1C2", "Neo-Hooke"}, Case{3, "Q1C1", "Linear Elastic"}));
+
+TEST(MatrixFreeRunTest, EndsWhereTheAssembledOneEnds) {
+  for (const char* scheme : {"Gautam-Sauer Composite", "Bathe Composite"}) {
+    std::vector<double> reference;
+    for (const char* op : {"Assembled", "Matrix-Free"})
+      for (const char* preconditioner : {"MueLu", "Direct"}) {
+        Simulation s(test::scene(block(3, "Q1C2", "Neo-Hooke") + test::time_integrator(scheme, 0.05, 1) +
+                                 test::list("Linear Solver", test::word("Linear Solver Type", "Belos") +
+                                                                 test::word("Preconditioner Type", preconditioner) +
+                                                                 test::word("Operator", op))),
+                     world());
+        for (int step = 0; step < 5; ++step) {
+          const StepResult result = s.integrator().step(0.05);
+          ASSERT_TRUE(result.converged) << result.reason;
+        }
+        const std::vector<double> u = test::gathered(s.model(), s.integrator().state().u);
+        if (reference.empty()) reference = u;
+        ASSERT_EQ(u.size(), reference.size());
+        for (std::size_t i = 0; i < u.size(); ++i)
+          ASSERT_NEAR(u[i], reference[i], 1e-10) << op << ' ' << preconditioner;
+      }
+  }
+}
+
+TEST(MatrixFreeRunTest, IsRefusedWhereThereIsNoSuchTangent) {
+  const std::string op =
+      test::list("Linear Solver", test::word("Operator", "Matrix-Free") + test::word("Linear Solver Type", "Belos"));
+  for (const char* scheme : {"Energy-Momentum"})
+    EXPECT_THROW(Simulation(test::scene(test::block_3d(0) + test::time_integrator(scheme, 0.1, 1) + op), world()),
+                 InputError);
+}
+
+}  // namespace
+}  // namespace ixos
