@@ -8,7 +8,9 @@
 namespace ixos {
 
 std::unique_ptr<Factorization> make_factorization(const std::string& type) {
-  return type == "KLU" ? make_klu() : make_cholmod();
+  if (type == "KLU") return make_klu();
+  if (type == "CHOLMOD") return make_cholmod();
+  return make_mumps(type == "MUMPS Single");
 }
 
 void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type) {
@@ -33,8 +35,11 @@ void KeptFactorization::transfer(Record& record) {
 
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
-  valid->set("Solver Type", "CHOLMOD", "\"CHOLMOD\" (symmetric matrices) or \"KLU\" (any), both on the first rank",
-             one_of({"CHOLMOD", "KLU"}));
+  valid->set(
+      "Solver Type", "CHOLMOD",
+      "\"CHOLMOD\" (symmetric matrices) or \"KLU\" (any), both on the first rank; \"MUMPS\" (symmetric matrices), on "
+      "all ranks; \"MUMPS Single\", in single precision: a preconditioner",
+      one_of({"CHOLMOD", "KLU", "MUMPS", "MUMPS Single"}));
   return valid;
 }
 

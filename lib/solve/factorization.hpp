@@ -42,7 +42,12 @@ std::unique_ptr<Factorization> make_cholmod();
 /// the next as long as they can.
 std::unique_ptr<Factorization> make_klu();
 
-/// The factorisation of that name: "CHOLMOD" or "KLU".
+/// MUMPS (Amestoy, Duff, L'Excellent and Koster 2001): symmetric matrices, L D L^T without pivoting, on all ranks. On
+/// several ranks it decides as messages come in: results repeat up to rounding only. In single precision it takes half
+/// the memory and time: a preconditioner.
+std::unique_ptr<Factorization> make_mumps(bool single_precision);
+
+/// The factorisation of that name: "CHOLMOD", "KLU", "MUMPS" or "MUMPS Single".
 std::unique_ptr<Factorization> make_factorization(const std::string& type);
 
 /// A factorisation and the matrix that it belongs to.

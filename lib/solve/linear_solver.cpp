@@ -126,12 +126,23 @@ struct LinearSystem::Implementation {
   bool fresh = false;
 };
 
-LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const CrsMatrix>& matrix)
+Teuchos::ParameterList plain_conjugate_gradients() {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Belos");
+  list.set("Preconditioner Type", "None");
+  list.set("Operator", "Assembled");
+  Teuchos::ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
+  belos.set("Solver Type", "Pseudo Block CG");
+  belos.sublist("Solver Types").sublist("Pseudo Block CG").set("Maximum Iterations", 500).set("Verbosity", 0);
+  belos.sublist("VerboseObject").set("Verbosity Level", "none");
+  return list;
+}
+
+LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const Operator>& op)
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->factory = factory.strategy();
-  implementation_->space = vector_space(matrix->getRowMap());
-  const Teuchos::RCP<const Operator> as_operator = matrix;
-  implementation_->op = const_linear_op(as_operator, implementation_->space);
+  implementation_->space = vector_space(op->getRangeMap());
+  implementation_->op = const_linear_op(op, implementation_->space);
 }
 
 LinearSystem::~LinearSystem() = default;

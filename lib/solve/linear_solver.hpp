@@ -50,11 +50,14 @@ class LinearSolverFactory {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// One matrix and its solver, outside Newton's method: initial accelerations, collocated accelerations.
+/// CG without a preconditioner, for operators that need none.
+Teuchos::ParameterList plain_conjugate_gradients();
+
+/// One operator and its solver, outside Newton's method: initial accelerations, collocated accelerations.
 class LinearSystem {
  public:
-  /// The matrix must be fill-complete; its values are read at the first solve and after every refresh().
-  LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const CrsMatrix>& matrix);
+  /// A matrix must be fill-complete; its values are read at the first solve and after every refresh().
+  LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const Operator>& op);
   ~LinearSystem();
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/mass_operator.hpp"
+
 namespace ixos {
 
 Acceleration::Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver)
@@ -56,13 +58,9 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
       if (i < owned) rhs_values[i] = a[i];
     }
   }
-  if (!mass_system_) {
-    const auto matrix = model_.pattern().create_matrix(model_.space());
-    double* values = matrix->getLocalMatrixHost().values.data();
-    model_.mass()->add_to(1.0, values);
-    model_.constrain_matrix(1.0, values);
-    mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
-  }
+  if (!mass_system_) prepare_mass_system();
+  if (!scale_.empty())
+    for (std::size_t i = 0; i < owned; ++i) rhs_values[i] *= scale_[i];
   Vector rhs(model_.space().owned_map());
   Vector solution(model_.space().owned_map());
   {
@@ -70,8 +68,27 @@ bool Acceleration::solve_consistent(double time, std::vector<double>& a) {
     std::copy_n(rhs_values.data(), view.extent(0), view.data());
   }
   if (!mass_system_->solve(rhs, solution) || !std::isfinite(solution.norm2())) return false;
+  if (!scale_.empty()) {
+    const auto view = solution.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (std::size_t i = 0; i < owned; ++i) view(i, 0) *= scale_[i];
+  }
   model_.space().import(solution, a.data());
   return true;
+}
+
+void Acceleration::prepare_mass_system() {
+  if (linear_solver_->matrix_free()) {
+    const auto mass = Teuchos::rcp(new ScaledMass(model_));
+    scale_ = mass->scale();
+    mass_solver_ = std::make_unique<LinearSolverFactory>(plain_conjugate_gradients());
+    mass_system_ = std::make_unique<LinearSystem>(*mass_solver_, mass);
+    return;
+  }
+  const auto matrix = model_.pattern().create_matrix(model_.space());
+  double* values = matrix->getLocalMatrixHost().values.data();
+  model_.mass()->add_to(1.0, values);
+  model_.constrain_matrix(1.0, values);
+  mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
 }
 
 void Acceleration::record_forces(double time, State& state) const {

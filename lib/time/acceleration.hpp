@@ -10,7 +10,8 @@
 namespace ixos {
 
 /// M a = f_ext(t) - C v - f(u), constrained degrees of freedom taking the acceleration of their motion. A lumped mass
-/// divides; of a consistent one the matrix is made at the first request. The model must outlive it. Collective.
+/// divides; of a consistent one the matrix is made at the first request, or, where tangents are matrix-free, CG
+/// takes its place. The model must outlive it. Collective.
 class Acceleration {
  public:
   Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);
@@ -25,10 +26,13 @@ class Acceleration {
 
  private:
   bool solve_consistent(double time, std::vector<double>& a);
+  void prepare_mass_system();
 
   const Model& model_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
+  std::unique_ptr<LinearSolverFactory> mass_solver_;  ///< of a mass that is applied without a matrix
   std::unique_ptr<LinearSystem> mass_system_;
+  std::vector<double> scale_;    ///< see ScaledMass; empty where the mass is a matrix
   std::vector<double> balance_;  ///< local, valid for owned entries
   std::vector<double> force_;    ///< scratch
 };
