@@ -10,6 +10,7 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "checkpoint/fingerprint.hpp"
+#include "mesh/level_width.hpp"
 #include "model/half_space_term.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
@@ -226,6 +227,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     enrich_surfaces(parameters_.sublist("Interactions"), mesh);
   });
   mesh_fingerprint_ = fingerprint(mesh);
+  if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   std::vector<Material> materials;
   const List& list = parameters_.sublist("Materials");
@@ -259,8 +261,12 @@ void Simulation::build_integrator(Table table) {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX"), newton.get<double>("Linear Tolerance")};
-  const ProblemSize size{model_->mesh().dimension, model_->space().global(), model_->space().comm()->getSize(),
-                         is_symmetric(table), all_standard(parameters_.sublist("Materials"))};
+  const ProblemSize size{model_->mesh().dimension,
+                         model_->space().global(),
+                         model_->space().comm()->getSize(),
+                         is_symmetric(table),
+                         all_standard(parameters_.sublist("Materials")),
+                         level_width_};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

@@ -45,6 +45,7 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
+  double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };
 

@@ -56,6 +56,15 @@ TEST(DirectSolverTest, KluSolvesOnAnyNumberOfRanks) {
   EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "KLU"), 1e-13);
 }
 
+TEST(DirectSolverTest, MumpsSolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0, world()), "MUMPS"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0, world()), "MUMPS"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(50, 0.3, 0, world()), "MUMPS"), 1e-9);  // indefinite, without pivoting
+  const double single = relative_residual(*tridiagonal(200, 2.5, 0, world()), "MUMPS Single");
+  EXPECT_LT(single, 1e-5);
+  EXPECT_GT(single, 1e-9);
+}
+
 TEST(DirectSolverTest, KluChoosesNewPivotsWhereTheOldOnesVanish) {
   const auto a = tridiagonal(50, 2.5, 0, world());
   Teuchos::ParameterList list;
