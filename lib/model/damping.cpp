@@ -34,6 +34,7 @@ void Damping::add_stiffness(double alpha_2, const Term& term) {
 
 void Damping::drop_matrix() {
   std::vector<double>().swap(values_);
+  keeps_matrix_ = false;
   product_.resize(rest_.size());
   for (StiffnessPart& part : stiffnesses_) {
     part.action = part.term->create_action();
@@ -43,7 +44,7 @@ void Damping::drop_matrix() {
 }
 
 void Damping::multiply_add(double factor, const double* x, double* y) const {
-  if (!values_.empty()) return multiply_add_matrix(factor, x, y);
+  if (keeps_matrix_) return multiply_add_matrix(factor, x, y);
   multiply_add_mass(factor, x, y);
   if (stiffnesses_.empty()) return;
   std::fill(product_.begin(), product_.end(), 0.0);
@@ -97,7 +98,7 @@ void Damping::row_sums(double* sums) const {
 
 void Damping::add_to(double factor, double* values) const {
   for (std::size_t k = 0; k < values_.size(); ++k) values[k] += factor * values_[k];
-  if (!values_.empty()) return;
+  if (keeps_matrix_) return;
   for (const MassPart& part : masses_) part.mass->add_to(factor * part.alpha, values);
   for (const StiffnessPart& part : stiffnesses_)
     part.term->add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(factor * part.alpha), Tangent::Exact, values);

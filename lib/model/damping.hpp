@@ -54,7 +54,8 @@ class Damping {
   std::vector<double> rest_;  ///< the undeformed body, a local array of zeros
   std::vector<MassPart> masses_;
   std::vector<StiffnessPart> stiffnesses_;
-  std::vector<double> values_;           ///< empty after drop_matrix()
+  bool keeps_matrix_ = true;             ///< until drop_matrix()
+  std::vector<double> values_;
   mutable std::vector<double> product_;  ///< scratch
 };
 
