@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "base/pack.hpp"
@@ -128,7 +129,11 @@ struct ElasticKernel {
                           const Rule& rule, Tangent<T>& k) {
     // One time point in three dimensions: the spatial form is twice as fast. Several share the contraction of their
     // mean moduli.
-    if (D == 3 && rule.points.size() == 1) return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
+    if (has_spatial_tangent(rule))
+      return for_each_node_pair(material, geometry, segment, rule, [&k](std::size_t a, std::size_t b, const auto& block) {
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) k[a * D + i][b * D + j] += block[i][j];
+      });
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
@@ -148,6 +153,25 @@ struct ElasticKernel {
         add_contraction<true>(dn, mean, k);
       else
         add_contraction<false>(dn, mean, k);
+    }
+  }
+
+  /// Does for_each_node_pair() know the rule's tangent?
+  static bool has_spatial_tangent(const Rule& rule) {
+    return D == 3 && rule.points.size() == 1 && rule.mean == Mean::Points;
+  }
+
+  /// sink(a, b, block) adds a part of the rule's tangent, rows of node a and columns of node b: nodes' blocks go to the
+  /// matrix as they are made.
+  template <class T, class Sink>
+  static void for_each_node_pair(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                                 const Rule& rule, const Sink& sink) {
+    for (std::size_t q = 0; q < geometry.points.size(); q += chunk) {
+      const std::size_t count = std::min(chunk, geometry.points.size() - q);
+      std::array<Linearized<T>, chunk> linearized;
+      for (std::size_t i = 0; i < count; ++i)
+        linearize(material, geometry, segment, rule.points[0], q + i, linearized[i]);
+      add_products(linearized, count, sink);
     }
   }
 
@@ -249,11 +273,11 @@ struct ElasticKernel {
       }
   }
 
-  /// k_ai,bk += sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
+  /// k_ai,bk = sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
   /// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
   /// in registers; one triangle is computed and mirrored.
-  template <class T>
-  static void add_products(const std::array<Linearized<T>, chunk>& points, std::size_t count, Tangent<T>& k) {
+  template <class T, class Sink>
+  static void add_products(const std::array<Linearized<T>, chunk>& points, std::size_t count, const Sink& sink) {
     for (std::size_t b = 0; b < N; ++b) {
       std::array<std::array<T, D>, chunk> n, c, l;
       for (std::size_t q = 0; q < count; ++q)
@@ -274,23 +298,12 @@ struct ElasticKernel {
           }
         }
         for (std::size_t i = 0; i < D; ++i) sum[i][i] += along;
+        sink(a, b, sum);
+        if (a == b) continue;
         for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) {
-            k[a * D + i][b * D + j] += sum[i][j];
-            if (a != b) k[b * D + j][a * D + i] += sum[i][j];
-          }
+          for (std::size_t j = 0; j < i; ++j) std::swap(sum[i][j], sum[j][i]);
+        sink(b, a, sum);
       }
-    }
-  }
-
-  template <class T>
-  static void add_spatial_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                                  const RulePoint& point, Tangent<T>& k) {
-    for (std::size_t q = 0; q < geometry.points.size(); q += chunk) {
-      const std::size_t count = std::min(chunk, geometry.points.size() - q);
-      std::array<Linearized<T>, chunk> linearized;
-      for (std::size_t i = 0; i < count; ++i) linearize(material, geometry, segment, point, q + i, linearized[i]);
-      add_products(linearized, count, k);
     }
   }
 

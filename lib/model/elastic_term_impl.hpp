@@ -20,6 +20,7 @@ class ElasticTerm final : public Term {
   using Material = typename Kernel::Law;
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
+  static constexpr bool is_standard = std::is_same_v<Kernel, ElasticKernel<Element, Material>>;
   using Nodal = typename Kernel::template Nodal<Pack>;
   using Geometry = typename Kernel::template Geometry<Pack>;
 
@@ -59,6 +60,14 @@ class ElasticTerm final : public Term {
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gathered ends(batches_, b, segment);
+      if constexpr (is_standard)
+        if (Kernel::has_spatial_tangent(rule)) {
+          Kernel::for_each_node_pair(material_, geometry_[b], ends.segment(), rule,
+                                     [&](std::size_t a, std::size_t c, const Small<Pack, D>& block) {
+                                       batches_.scatter_block(b, a, c, block, values);
+                                     });
+          continue;
+        }
       typename Kernel::template Tangent<Pack> tangent{};
       Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
       batches_.scatter_tangent(b, tangent, values);
@@ -81,7 +90,7 @@ class ElasticTerm final : public Term {
 
   /// Of the standard kernel only.
   std::unique_ptr<TangentAction> create_action() const override {
-    if constexpr (std::is_same_v<Kernel, ElasticKernel<Element, Material>>) return std::make_unique<Action>(*this);
+    if constexpr (is_standard) return std::make_unique<Action>(*this);
     return nullptr;
   }
 

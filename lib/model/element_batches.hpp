@@ -77,24 +77,31 @@ class ElementBatches {
     scatter_force(batch, values, local);
   }
 
-  /// Adds the rows of owned nodes to the matrix values; k is scratch afterwards.
-  void scatter_tangent(std::size_t batch, Small<Pack, N * D>& k, double* values) const {
+  /// Adds the rows of owned nodes to the matrix values: the block of nodes `a` (rows) and `c`.
+  void scatter_block(std::size_t batch, std::size_t a, std::size_t c, Small<Pack, D> block, double* values) const {
     const Batch& b = batches_[batch];
     if (!scale_.empty())
-      for (std::size_t r = 0; r < N * D; ++r)
-        for (std::size_t c = 0; c < N * D; ++c) k[r][c] *= scale_[batch][r / D] * scale_[batch][c / D];
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) block[i][j] *= scale_[batch][a] * scale_[batch][c];
+    for (std::size_t i = 0; i < D; ++i) {
+      const Rows rows(block[i]);
+      for (std::size_t lane = 0; lane < b.lanes; ++lane) {
+        if (b.offset[a][c][lane] < 0) continue;
+        double* target = values + b.offset[a][c][lane] + static_cast<std::size_t>(b.stride[a][lane]) * i;
+        for (std::size_t j = 0; j < D; ++j) target[j] += rows(lane, j);
+      }
+    }
+  }
+
+  /// The same of all nodes.
+  void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
     for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t c = 0; c < N; ++c)
-        for (std::size_t i = 0; i < D; ++i) {
-          std::array<Pack, D> row;
-          for (std::size_t j = 0; j < D; ++j) row[j] = k[a * D + i][c * D + j];
-          const Rows rows(row);
-          for (std::size_t lane = 0; lane < b.lanes; ++lane) {
-            if (b.offset[a][c][lane] < 0) continue;
-            double* target = values + b.offset[a][c][lane] + static_cast<std::size_t>(b.stride[a][lane]) * i;
-            for (std::size_t j = 0; j < D; ++j) target[j] += rows(lane, j);
-          }
-        }
+      for (std::size_t c = 0; c < N; ++c) {
+        Small<Pack, D> block;
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) block[i][j] = k[a * D + i][c * D + j];
+        scatter_block(batch, a, c, block, values);
+      }
   }
 
  private:

@@ -4,8 +4,6 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_MultiVector.hpp>
-#include <Tpetra_Vector.hpp>
 #include <cmath>
 
 #include "mesh/generators.hpp"
@@ -77,16 +75,6 @@ void interaction_force(benchmark::State& state) {
                           static_cast<long>(x.model.mesh().side_sets[x.model.mesh().side_set("bottom")].size()));
 }
 
-void sparse_product(benchmark::State& state) {
-  Fixture x(3, static_cast<int>(state.range(0)));
-  x.model.add_elastic_tangent(x.here(), ixos::end_rule(), x.matrix->getLocalMatrixHost().values.data());
-  ixos::Vector in(x.matrix->getDomainMap()), out(x.matrix->getRangeMap());
-  in.randomize();
-  for (auto _ : state) x.matrix->apply(in, out);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(in.getGlobalLength()));
-}
-
-BENCHMARK(sparse_product)->ArgName("divisions")->Arg(48)->Unit(benchmark::kMillisecond);
 BENCHMARK(elastic_force)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(elastic_tangent)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(interaction_force)->ArgNames({"D", "points"})->ArgsProduct({{2, 3}, {1, 8}});
