@@ -84,20 +84,25 @@ struct ElasticAction {
                           const Nodal<T>& u, Nodal<T>& f) {
     Small<T, D> gradients[most_points];
     PointGradients<Element>::evaluate(table, u, gradients);
-    for (std::size_t q = 0; q < table.size(); ++q) {
-      const Small<T, D> g = gradients[q];
-      Small<T, D> metric;
-      for (std::size_t d = 0; d < D; ++d)
-        for (std::size_t e = d; e < D; ++e) metric[d][e] = metric[e][d] = *data++;
-      Small<T, D>& t = gradients[q];
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t d = 0; d < D; ++d) {
-          t[i][d] = g[i][0] * metric[0][d];
-          for (std::size_t e = 1; e < D; ++e) t[i][d] += g[i][e] * metric[e][d];
+    constexpr std::size_t usual = 1 << D;
+    if (table.size() == usual && volume_moduli.size() == 1) {
+      const double lambda = volume_moduli[0];
+#pragma GCC unroll 8
+      for (std::size_t q = 0; q < usual; ++q) {
+        const T* point = data + q * (metric_size + time_point_size);
+        const Small<T, D> g = gradients[q];
+        multiply_metric(point, g, gradients[q]);
+        add_time_point(point + metric_size, lambda, g, gradients[q]);
+      }
+    } else {
+      for (std::size_t q = 0; q < table.size(); ++q) {
+        const Small<T, D> g = gradients[q];
+        multiply_metric(data, g, gradients[q]);
+        data += metric_size;
+        for (const double lambda : volume_moduli) {
+          add_time_point(data, lambda, g, gradients[q]);
+          data += time_point_size;
         }
-      for (const double lambda : volume_moduli) {
-        add_time_point(data, lambda, g, t);
-        data += time_point_size;
       }
     }
     PointGradients<Element>::integrate(table, gradients, f);
@@ -131,6 +136,18 @@ struct ElasticAction {
   /// Of the upper triangle, row by row.
   static constexpr std::size_t metric_index(std::size_t d, std::size_t e) {
     return d > e ? metric_index(e, d) : d * D - d * (d + 1) / 2 + e;
+  }
+
+  template <class T>
+  static void multiply_metric(const T* data, const Small<T, D>& g, Small<T, D>& t) {
+    Small<T, D> metric;
+    for (std::size_t d = 0; d < D; ++d)
+      for (std::size_t e = d; e < D; ++e) metric[d][e] = metric[e][d] = *data++;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t d = 0; d < D; ++d) {
+        t[i][d] = g[i][0] * metric[0][d];
+        for (std::size_t e = 1; e < D; ++e) t[i][d] += g[i][e] * metric[e][d];
+      }
   }
 
   template <class T>

@@ -19,38 +19,38 @@ class ElementBatches {
   /// `nodes`: cells x N local node numbers. `scale`: empty, or cells x N factors of the nodes' shape functions.
   ElementBatches(const std::vector<int>& nodes, const Pattern& pattern, const std::vector<double>& scale = {})
       : cells_(nodes.size() / N) {
-    batches_.resize((cells_ + width - 1) / width);
-    for (std::size_t e = 0; e < batches_.size() * width; ++e) {
-      Batch& batch = batches_[e / width];
+    dofs_.resize((cells_ + width - 1) / width);
+    places_.resize(dofs_.size());
+    for (std::size_t e = 0; e < dofs_.size() * width; ++e) {
+      Places& places = places_[e / width];
       const std::size_t lane = e % width;
       const int* cell = &nodes[(e < cells_ ? e : (e / width) * width) * N];
-      if (e < cells_) batch.lanes = lane + 1;
       for (std::size_t a = 0; a < N; ++a) {
-        batch.dof[a][lane] = cell[a] * static_cast<int>(D);
-        batch.stride[a][lane] = cell[a] < pattern.rows() ? pattern.stride(cell[a]) : 0;
-        for (std::size_t b = 0; b < N; ++b) batch.offset[a][b][lane] = pattern.offset(cell[a], cell[b]);
+        dofs_[e / width][a][lane] = cell[a] * static_cast<int>(D);
+        places.stride[a][lane] = cell[a] < pattern.rows() ? pattern.stride(cell[a]) : 0;
+        for (std::size_t b = 0; b < N; ++b) places.offset[a][b][lane] = pattern.offset(cell[a], cell[b]);
       }
     }
     if (scale.empty()) return;
-    scale_.resize(batches_.size());
-    for (std::size_t e = 0; e < batches_.size() * width; ++e)
+    scale_.resize(dofs_.size());
+    for (std::size_t e = 0; e < dofs_.size() * width; ++e)
       for (std::size_t a = 0; a < N; ++a)
         scale_[e / width][a][e % width] = scale[(e < cells_ ? e : (e / width) * width) * N + a];
   }
 
   static constexpr std::size_t width = static_cast<std::size_t>(pack_width);
   std::size_t cells() const { return cells_; }
-  std::size_t size() const { return batches_.size(); }
-  std::size_t lanes(std::size_t batch) const { return batches_[batch].lanes; }
+  std::size_t size() const { return dofs_.size(); }
+  std::size_t lanes(std::size_t batch) const { return std::min(width, cells_ - batch * width); }
 
   /// First local degree of freedom of a node.
-  int first_dof(std::size_t batch, std::size_t node, std::size_t lane) const { return batches_[batch].dof[node][lane]; }
+  int first_dof(std::size_t batch, std::size_t node, std::size_t lane) const { return dofs_[batch][node][lane]; }
 
   void gather(std::size_t batch, const double* local, Small<Pack, N, D>& values) const {
-    const Batch& b = batches_[batch];
+    const Dofs& dof = dofs_[batch];
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d)
-        values[a][d] = Pack([&](auto lane) { return local[static_cast<std::size_t>(b.dof[a][lane]) + d]; });
+        values[a][d] = Pack([&](auto lane) { return local[static_cast<std::size_t>(dof[a][lane]) + d]; });
     scale(batch, values);
   }
 
@@ -60,12 +60,13 @@ class ElementBatches {
   }
 
   void scatter_force(std::size_t batch, Small<Pack, N, D> values, double* local) const {
-    const Batch& b = batches_[batch];
+    const Dofs& dof = dofs_[batch];
+    const std::size_t used = lanes(batch);
     scale(batch, values);
     for (std::size_t a = 0; a < N; ++a) {
       const Rows rows(values[a]);
-      for (std::size_t lane = 0; lane < b.lanes; ++lane) {
-        double* target = local + b.dof[a][lane];
+      for (std::size_t lane = 0; lane < used; ++lane) {
+        double* target = local + dof[a][lane];
         for (std::size_t d = 0; d < D; ++d) target[d] += rows(lane, d);
       }
     }
@@ -79,15 +80,16 @@ class ElementBatches {
 
   /// Adds the rows of owned nodes to the matrix values: the block of nodes `a` (rows) and `c`.
   void scatter_block(std::size_t batch, std::size_t a, std::size_t c, Small<Pack, D> block, double* values) const {
-    const Batch& b = batches_[batch];
+    const Places& places = places_[batch];
+    const std::size_t used = lanes(batch);
     if (!scale_.empty())
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) block[i][j] *= scale_[batch][a] * scale_[batch][c];
     for (std::size_t i = 0; i < D; ++i) {
       const Rows rows(block[i]);
-      for (std::size_t lane = 0; lane < b.lanes; ++lane) {
-        if (b.offset[a][c][lane] < 0) continue;
-        double* target = values + b.offset[a][c][lane] + static_cast<std::size_t>(b.stride[a][lane]) * i;
+      for (std::size_t lane = 0; lane < used; ++lane) {
+        if (places.offset[a][c][lane] < 0) continue;
+        double* target = values + places.offset[a][c][lane] + static_cast<std::size_t>(places.stride[a][lane]) * i;
         for (std::size_t j = 0; j < D; ++j) target[j] += rows(lane, j);
       }
     }
@@ -127,14 +129,14 @@ class ElementBatches {
       for (std::size_t d = 0; d < D; ++d) values[a][d] *= scale_[batch][a];
   }
 
-  struct Batch {
-    std::size_t lanes = 0;                                        ///< cells in use
-    std::array<std::array<int, width>, N> dof;                    ///< first local degree of freedom of each node
+  using Dofs = std::array<std::array<int, width>, N>;  ///< first local degree of freedom of each node
+  struct Places {
     std::array<std::array<int, width>, N> stride;                 ///< see Pattern::stride
     std::array<std::array<std::array<int, width>, N>, N> offset;  ///< see Pattern::offset
   };
   std::size_t cells_;
-  std::vector<Batch> batches_;
+  std::vector<Dofs> dofs_;  ///< apart from the places, which products without a matrix do not need
+  std::vector<Places> places_;
   std::vector<std::array<Pack, N>> scale_;  ///< empty where all factors are 1
 };
 

@@ -42,13 +42,18 @@ void multiply_rows(const Pattern& pattern, const std::vector<double>& pairs, con
   const std::vector<int>& start = pattern.row_start();
   const std::vector<int>& column = pattern.columns();
   for (std::size_t row = 0; row + 1 < start.size(); ++row) {
-    std::array<double, D> sum{};
-    for (int p = start[row]; p < start[row + 1]; ++p) {
-      const double m = pairs[static_cast<std::size_t>(p)];
-      const double* source = x + static_cast<std::size_t>(column[static_cast<std::size_t>(p)]) * D;
-      for (std::size_t d = 0; d < D; ++d) sum[d] += m * source[d];
-    }
-    for (std::size_t d = 0; d < D; ++d) y[row * D + d] = sum[d];
+    // Four sums in turn: one would wait for itself.
+    std::array<std::array<double, D>, 4> sum{};
+    auto p = static_cast<std::size_t>(start[row]);
+    const auto end = static_cast<std::size_t>(start[row + 1]);
+    const auto add = [&](std::size_t turn) {
+      const double* source = x + static_cast<std::size_t>(column[p + turn]) * D;
+      for (std::size_t d = 0; d < D; ++d) sum[turn][d] += pairs[p + turn] * source[d];
+    };
+    for (; p + 4 <= end; p += 4)
+      for (std::size_t turn = 0; turn < 4; ++turn) add(turn);
+    for (; p < end; ++p) add(0);
+    for (std::size_t d = 0; d < D; ++d) y[row * D + d] = (sum[0][d] + sum[1][d]) + (sum[2][d] + sum[3][d]);
   }
 }
 
