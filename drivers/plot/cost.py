@@ -39,7 +39,7 @@ def draw_bars(axes, runs, schemes, elements, cost):
     width = min(0.8 / len(schemes), 0.3)
     for number, scheme in enumerate(schemes):
         for place, element in enumerate(elements):
-            repeats = [run for run in runs if (run.scheme, run.element) == (scheme, element)]
+            repeats = [run for run in runs if (run.scheme, run.element or "") == (scheme, element)]
             if not repeats:
                 continue
             costs, x = [cost(run) for run in repeats], place + width * (number - (len(schemes) - 1) / 2)
@@ -63,7 +63,7 @@ def main():
     runs = [checked(folder) for folder in arguments.folders]
     schemes = list(dict.fromkeys(run.scheme for run in runs))
     steps = sorted({run.time_step for run in runs}, reverse=True)
-    elements = {step: sorted({run.element for run in runs if run.time_step == step}) for step in steps}
+    elements = {step: sorted({run.element or "" for run in runs if run.time_step == step}) for step in steps}
     groups = [len(elements[step]) for step in steps]
     figure, grid = plt.subplots(len(ROWS), len(steps), sharex="col", sharey="row", squeeze=False, layout="constrained",
                                 figsize=(min(2.2 + 0.25 * len(schemes) * sum(groups), 7.2), 4.2), width_ratios=groups)

@@ -104,17 +104,21 @@ def draw_reactions(axes, runs):
     key(axes)
 
 
+def draw_pieces(axes, run, times, values):
+    """A history of single steps: mean and, shaded, range of each piece."""
+    pieces = pieces_of(values)
+    time, mean, low, high = ([function(numbers[piece]) for piece in pieces] for function, numbers in (
+        (np.mean, times), (np.mean, values), (np.min, values), (np.max, values)))
+    axes.plot(time, mean, color=run.color)
+    axes.fill_between(time, low, high, color=run.color, alpha=0.13, linewidth=0)
+
+
 def draw_iterations(axes, runs):
     """Newton iterations a step: mean and, shaded, range of each piece."""
     for run in runs:
-        if not run.has("newton_iterations") or len(run["step"]) < 2:
-            continue
-        count = run["newton_iterations"][1:] / np.maximum(np.diff(run["step"]), 1)
-        pieces = pieces_of(count)
-        time, mean, low, high = ([function(values[piece]) for piece in pieces] for function, values in (
-            (np.mean, run["time"][1:]), (np.mean, count), (np.min, count), (np.max, count)))
-        axes.plot(time, mean, color=run.color)
-        axes.fill_between(time, low, high, color=run.color, alpha=0.13, linewidth=0)
+        if run.has("newton_iterations") and len(run["step"]) > 1:
+            count = run["newton_iterations"][1:] / np.maximum(np.diff(run["step"]), 1)
+            draw_pieces(axes, run, run["time"][1:], count)
     axes.set_ylim(bottom=0)
     axes.yaxis.set_major_locator(MaxNLocator(4, integer=True))
 

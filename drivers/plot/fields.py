@@ -12,6 +12,7 @@ from style import plt
 EPILOG = """examples:
   fields.py ball.results                             six configurations of even spacing -> ball.results/fields.png
   fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
+  fields.py spatula.results --range=-0.125,0.25 --view=0.2,-1,0.2
   fields.py ball.results --frames 8 --field jacobian --range 0.9,1.1 --output volume --format png,svg
 
 The folder must hold fields.e or its series fields.e.N.0 ... A plane body is drawn as its deformed mesh. A body in
@@ -49,7 +50,7 @@ def layout(count, width_to_height):
     return rows, columns, (width * columns + 1.3, (width / width_to_height + 0.3) * rows + 0.5)
 
 
-def draw_plane(fields, frames, values, colors, wall):
+def draw_plane(fields, frames, values, colors, wall, _):
     """The figure of a plane body."""
     outlines = [fields.polygons(frame) for frame in frames]
     limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
@@ -67,10 +68,10 @@ def draw_plane(fields, frames, values, colors, wall):
     return figure, grid, body
 
 
-def draw_space(fields, frames, values, colors, wall):
+def draw_space(fields, frames, values, colors, wall, view):
     """The figure of a body in space, a rendered picture a panel."""
     import render  # VTK's rendering is loaded only where it is needed
-    pictures = render.pictures(fields, frames, values, colors, wall)
+    pictures = render.pictures(fields, frames, values, colors, wall, *([view] if view else []))
     rows, columns, size = layout(len(frames), pictures[0].shape[1] / pictures[0].shape[0])
     figure, grid = plt.subplots(rows, columns, squeeze=False, figsize=size, layout="compressed")
     for axes, frame, picture in zip(grid.flat, frames, pictures):
@@ -94,6 +95,8 @@ def main():
     wall_options = parser.add_mutually_exclusive_group()
     wall_options.add_argument("--wall", type=float, metavar="HEIGHT", help="height of the wall (default: the scene's)")
     wall_options.add_argument("--no-wall", action="store_true", help="draw no wall")
+    parser.add_argument("--view", type=options.direction, metavar="X,Y,Z",
+                        help="where a body in space is seen from (default: 0.6,-1,0.4)")
     parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: FOLDER/fields)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
@@ -108,7 +111,7 @@ def main():
         raise ResultsError(f"{fields.path}: '{arguments.field}' is not finite at all frames asked for")
     colors = style.color_scale(arguments.field, np.array(values), arguments.range)
     draw = draw_plane if fields.dimension == 2 else draw_space
-    figure, grid, body = draw(fields, frames, values, colors, wall)
+    figure, grid, body = draw(fields, frames, values, colors, wall, arguments.view)
     for axes in grid.flat[len(frames):]:
         axes.set_visible(False)
     label = style.FIELD_LABELS.get(arguments.field, arguments.field.replace("_", " "))

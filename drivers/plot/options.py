@@ -57,6 +57,22 @@ def interval(text):
     return values
 
 
+def direction(text):
+    """The type of --view: three numbers, not all zero; from straight above or below no picture stands upright."""
+    values = numbers(text)
+    if len(values) != 3 or not any(values[:2]):
+        raise argparse.ArgumentTypeError(f"'{text}' is no direction like 0.6,-1,0.4")
+    return values
+
+
+def scaled_unit(text):
+    """The type of --unit: a number above zero and a name."""
+    factor, _, name = text.partition(",")
+    if not name:
+        raise argparse.ArgumentTypeError(f"'{text}' is no factor and name like 2,nN")
+    return positive(factor), name
+
+
 def zoom(text):
     """The type of --zoom: an interval, and perhaps that of the ordinate."""
     values = numbers(text)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws the pull-off force of peeling runs over time or over the driven displacement, or the speed of a probe: the
-whole curve, and below it a panel for each detail asked for."""
+"""Draws the pull-off force of peeling runs over time or over the driven displacement, or the speed of a probe, or the
+kinetic energy: the whole curve, and below it a panel for each detail asked for."""
 import numpy as np
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
@@ -17,6 +17,8 @@ EPILOG = """examples:
   peeling.py a.results b.results --zoom 36,46 --zoom 120,140    two details of both -> peeling.png
   peeling.py q1c1.results q1c4.results --reference exact.results --against displacement --zoom 10,20,0,0.3
   peeling.py strip.results --speed --probe P --zoom 110,140     -> strip.results/speed.png
+  peeling.py a.results b.results --against applied --unit 2,nN --zoom 290,310
+  peeling.py a.results b.results --kinetic --zoom 330,350       -> kinetic.png
   peeling.py strip.results --marks 0,20,40,130                  letters at the times of configurations (fields.py)
 
 Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over the step and
@@ -34,6 +36,9 @@ class Curve:
             probe = run.probe("v", arguments.probe)
             self.times, self.y = run["time"], run.speed(probe)
             self.y_label = f"speed of {probe} {style.unit('speed', run.dimension)}"
+        elif arguments.kinetic:
+            self.times, self.y = run["time"], run["kinetic_energy"]
+            self.y_label = f"kinetic energy {style.unit('energy', run.dimension)}"
         else:
             name, self.times, self.y = run.reaction(arguments.reaction)
             kind = "pull-off force" if name.endswith("_" + run.up) else name.replace("_", " ")
@@ -43,6 +48,9 @@ class Curve:
             probe = run.probe("u", arguments.displacement)
             self.x = np.interp(self.times, run["time"], run[f"{probe}_u{run.up}"])
             self.x_label = f"displacement of {probe} {style.unit('length', run.dimension)}"
+        elif arguments.against == "applied":
+            self.x = run.applied(self.times)
+            self.x_label = f"applied displacement {style.unit('length', run.dimension)}"
         there = np.isfinite(self.x) & np.isfinite(self.y)
         if not there.any():
             raise ResultsError(f"{run.folder / 'history.csv'} has no values of {self.y_label} over {self.x_label}")
@@ -119,6 +127,11 @@ def draw_marks(axes, line, times):
         note(axes, letter, place, (0, 5), ha="center")
 
 
+def add_unit(axes, factor, name):
+    """A second scale on the right, in another unit."""
+    axes.secondary_yaxis("right", functions=(lambda y: factor * y, lambda y: y / factor)).set_ylabel(f"[{name}]")
+
+
 def draw(lines, marked, arguments):
     """The figure."""
     details = len(arguments.zoom)
@@ -134,10 +147,14 @@ def draw(lines, marked, arguments):
     whole.set_xlim(whole.get_xlim())  # frames of details shall not change it
     whole.set(xlabel=lines[0].x_label, ylabel=lines[0].y_label)
     draw_marks(whole, marked, arguments.marks)
+    if arguments.unit:
+        add_unit(whole, *arguments.unit)
     for number, limits in enumerate(arguments.zoom):
         axes = figure.add_subplot(grid[1 + number // columns, number % columns])
         draw_zoom(axes, whole, lines, limits, number + 1)
         axes.set_xlabel(lines[0].x_label)
+        if arguments.unit and number % columns == columns - 1:
+            add_unit(axes, *arguments.unit)
         if number % columns == 0:
             axes.set_ylabel(lines[0].y_label)
     return figure
@@ -147,13 +164,17 @@ def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
-    parser.add_argument("--against", choices=["time", "displacement"], default="time",
-                        help="the abscissa (default: time)")
+    parser.add_argument("--against", choices=["time", "displacement", "applied"], default="time",
+                        help="the abscissa: time, a probe's displacement, or the scene's driven motion (default: time)")
     parser.add_argument("--displacement", metavar="PROBE", help="the probe whose upward displacement that is (default: "
                         "edge, or the only one)")
     parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
                         "space _z)")
-    parser.add_argument("--speed", action="store_true", help="draw the speed of a probe, not the force")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument("--speed", action="store_true", help="draw the speed of a probe, not the force")
+    kind.add_argument("--kinetic", action="store_true", help="draw the kinetic energy, not the force")
+    parser.add_argument("--unit", type=options.scaled_unit, metavar="FACTOR,NAME",
+                        help="a second scale in another unit, of which E0 L0^2 or E0 L0 are FACTOR")
     parser.add_argument("--probe", metavar="PROBE", help="the probe whose speed that is (default: the only one beside "
                         "edge)")
     parser.add_argument("--zoom", type=options.zoom, action="append", default=[], metavar="X0,X1[,Y0,Y1]",
@@ -161,13 +182,14 @@ def main():
     parser.add_argument("--reference", metavar="FOLDER", help="a run to draw broad and grey under the others")
     parser.add_argument("--marks", type=options.numbers, default=[], metavar="T1,T2,...",
                         help="letters at these times on the first curve")
-    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: peeling, or speed; "
-                        "in FOLDER, or in the present folder where several are compared)")
+    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: peeling, speed or "
+                        "kinetic; in FOLDER, or in the present folder where several are compared)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
     for name, needed, given in (("probe", "--speed", arguments.speed),
                                 ("displacement", "--against displacement", arguments.against == "displacement"),
-                                ("reaction", "a force, not --speed", not arguments.speed)):
+                                ("reaction", "a force, not --speed", not arguments.speed),
+                                ("reaction", "a force, not --kinetic", not arguments.kinetic)):
         if getattr(arguments, name) and not given:
             parser.error(f"--{name} needs {needed}")
 
@@ -181,7 +203,7 @@ def main():
     else:
         handles = [plt.Line2D([], [], color=line.run.color, **line.run.look) for line in lines]
         style.legend(figure, handles, [line.run.label for line in lines], common(runs))
-    usual = "speed" if arguments.speed else "peeling"
+    usual = "speed" if arguments.speed else "kinetic" if arguments.kinetic else "peeling"
     usual = usual if len(runs) > 1 else runs[0].folder / usual
     style.save(figure, arguments.output or usual, arguments.format)
 

@@ -10,6 +10,7 @@ from matplotlib import colormaps
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
@@ -18,6 +19,8 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkPolyDataMapper, vtkRendere
 from results import ResultsError
 
 SIZE = (1600, 1200)
+LINES = (0.25, 0.25, 0.25)
+VIEW = (0.6, -1.0, 0.4)  # from the body to the eye
 
 
 def require_screen():
@@ -39,7 +42,7 @@ def require_screen():
 
 
 def body(fields, frame, values, colors):
-    """The deformed body's surface, a colour a cell."""
+    """Actors of the deformed body: its surface, a colour a cell, and the lines of its mesh or, if fine, its edges."""
     points = vtkPoints()
     points.SetData(numpy_to_vtk(fields.coordinates + fields.displacement(frame), deep=True))
     grid = vtkUnstructuredGrid()
@@ -54,7 +57,7 @@ def body(fields, frame, values, colors):
     surface.SetInputData(grid)
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
-    for number, color in enumerate(colormaps[colors[0]](np.linspace(0, 1, 256))):
+    for number, color in enumerate(colormaps.get_cmap(colors[0])(np.linspace(0, 1, 256))):
         table.SetTableValue(number, *color)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(surface.GetOutputPort())
@@ -66,10 +69,25 @@ def body(fields, frame, values, colors):
     look.SetAmbient(0.75)  # mostly flat light: the colours must match the colour bar
     look.SetDiffuse(0.25)
     look.SetInterpolationToFlat()
-    look.SetEdgeVisibility(len(fields.cells) < 50000)
     look.SetLineWidth(2)
-    look.SetEdgeColor(0.25, 0.25, 0.25)
-    return actor
+    look.SetEdgeColor(*LINES)
+    if len(fields.cells) < 5000:
+        look.EdgeVisibilityOn()
+        return [actor]
+    # Of a fine mesh the lines would hide the colours.
+    edges = vtkFeatureEdges()
+    edges.SetInputConnection(surface.GetOutputPort())
+    edges.SetFeatureAngle(50)
+    edges.ColoringOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(edges.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    outline = vtkActor()
+    outline.SetMapper(mapper)
+    outline.GetProperty().SetColor(*LINES)
+    outline.GetProperty().SetLineWidth(3)
+    outline.GetProperty().LightingOff()
+    return [actor, outline]
 
 
 def plate(low, high, height):
@@ -83,13 +101,14 @@ def plate(low, high, height):
     mapper.SetInputConnection(source.GetOutputPort())
     actor = vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetColor(0.82, 0.82, 0.82)
+    actor.GetProperty().SetColor(0.72, 0.72, 0.72)
     actor.GetProperty().LightingOff()
     return actor
 
 
-def pictures(fields, frames, values, colors, wall):
-    """A picture (height, width, 3) of each frame, all from one point of view, without their common white margins."""
+def pictures(fields, frames, values, colors, wall, view=VIEW):
+    """A picture (height, width, 3) of each frame, all seen from the direction `view`, without their common white
+    margins."""
     require_screen()
     positions = np.concatenate([fields.coordinates + fields.displacement(frame) for frame in frames])
     low, high = positions.min(axis=0), positions.max(axis=0)
@@ -103,11 +122,12 @@ def pictures(fields, frames, values, colors, wall):
     for frame, value in zip(frames, values):
         renderer = vtkRenderer()
         renderer.SetBackground(1, 1, 1)
-        renderer.AddActor(body(fields, frame, value, colors))
+        for actor in body(fields, frame, value, colors):
+            renderer.AddActor(actor)
         if wall is not None:
             renderer.AddActor(plate(low, high, wall))
         camera = renderer.GetActiveCamera()
-        camera.SetPosition(0.6, -1.0, 0.4)
+        camera.SetPosition(*view)
         camera.SetViewUp(0, 0, 1)
         camera.ParallelProjectionOn()
         renderer.ResetCamera(low[0], high[0], low[1], high[1], low[2], high[2])

@@ -7,6 +7,8 @@ import xml.etree.ElementTree
 
 import numpy as np
 
+UNDAMPED = "no damping"
+
 # Their reactions are means over the step, so belong to its middle.
 STEP_MEAN_SCHEMES = {"Gautam-Sauer Composite", "Average Vector Field", "Energy-Momentum", "Midpoint"}
 
@@ -22,6 +24,7 @@ class Run:
         self.folder = existing(folder)
         self.columns = read_history(self.folder / "history.csv")
         self.initial_energy = self["total_energy"][0]
+        self._first = {name: values[0] for name, values in self.columns.items()}
         self.whole = not interval or interval[1] >= self["time"][-1]  # nothing cut off the end
         if interval:
             inside = within(self["time"], interval)
@@ -51,9 +54,11 @@ class Run:
         return bool(np.isfinite(self[name]).any())
 
     def energy_error(self):
-        """|E - E0 - external work + dissipated energy|, row by row."""
-        balance = self["total_energy"] - self.initial_energy
-        return np.abs(balance - np.nan_to_num(self["external_work"]) + np.nan_to_num(self["dissipated_energy"]))
+        """|E - E0 - external work + dissipated energy|, row by row; of work and dissipation what came after the first
+        row, where a restart in another folder has a past."""
+        work, lost = (np.nan_to_num(self[name] - np.nan_to_num(self._first[name]))
+                      for name in ("external_work", "dissipated_energy"))
+        return np.abs(self["total_energy"] - self.initial_energy - work + lost)
 
     def reactions(self):
         """(name, times, values) of each reaction column, at the times that the values belong to."""
@@ -113,12 +118,39 @@ class Run:
 
     @property
     def element(self):
-        """The contact element of the scene's first interaction; Q1C1 where it names none; None without a scene."""
-        return None if self.scene is None else self.setting("Interactions/*/Contact Element") or "Q1C1"
+        """The contact element of the scene's first interaction; Q1C1 where it names none; None without any."""
+        has_one = find(self.scene, "Interactions/*") is not None
+        return self.setting("Interactions/*/Contact Element") or "Q1C1" if has_one else None
+
+    @property
+    def damping(self):
+        """The stiffness damping of the scene's first material as words, or None where it names none."""
+        value = self.setting("Materials/*/Stiffness Damping")
+        return value and (f"α₂ = {float(value):g} T₀" if float(value) else UNDAMPED)
+
+    def applied(self, times):
+        """The displacement that the scene's driven motion, a Rate Ramp, has at some times."""
+        conditions = find(self.scene, "Boundary Conditions")
+        names = [] if conditions is None else [find(condition, "History") for condition in conditions]
+        names = [entry.get("value") for entry in names if entry is not None]
+        name = next((name for name in names if self.setting(f"Histories/{name}/Type") == "Rate Ramp"), None)
+        if name is None:
+            raise ResultsError(f"{self.folder / 'effective.xml'} tells no motion that follows a Rate Ramp")
+        path = f"Histories/{name}/Rate Ramp"
+        rate, start, length = (float(self.setting(f"{path}/{word}") or 0) for word in ("Rate", "Start", "Length"))
+        return rate * ramp_integral(np.asarray(times) - start, length, self.setting(f"{path}/Shape") or "Cosine")
 
     def traits(self):
-        """What tells runs apart, as words: scheme, contact element, time step."""
-        return self.scheme, self.element, self.time_step and f"Δt = {self.time_step:g} T₀"
+        """What tells runs apart, as words: scheme, contact element, time step, damping."""
+        return self.scheme, self.element, self.time_step and f"Δt = {self.time_step:g} T₀", self.damping
+
+
+def ramp_integral(times, length, shape):
+    """The integral of a ramp from 0 to 1 over a length of time, from its start."""
+    s = np.clip(times / length, 0, 1) if length > 0 else np.ones_like(times)
+    grown = {"Linear": s ** 2 / 2, "Cosine": s / 2 - np.sin(np.pi * s) / (2 * np.pi),
+             "Quintic": s ** 4 * (2.5 - 3 * s + s ** 2)}[shape]
+    return length * grown + np.maximum(times - length, 0)
 
 
 def within(times, interval):
@@ -164,7 +196,7 @@ def labels(runs):
 def common(runs):
     """The traits that all runs share, as a title."""
     columns = zip(*(run.traits() for run in runs))
-    return ", ".join(values[0] for values in columns if values[0] and len(set(values)) == 1)
+    return ", ".join(values[0] for values in columns if values[0] not in (None, UNDAMPED) and len(set(values)) == 1)
 
 
 def read_scene(folder):

@@ -6,6 +6,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (after the choice of the backend)
 import numpy as np  # noqa: E402
+from matplotlib.colors import ListedColormap  # noqa: E402
 
 from results import ResultsError  # noqa: E402
 
@@ -43,14 +44,20 @@ def unit(quantity, dimension):
 
 
 def color_scale(field, values, limits=None):
-    """The colour map of an element field and its limits: stress diverges about zero, other fields are sequential."""
+    """The colour map of an element field and its limits: stress diverges about zero, other fields are sequential.
+
+    Zero stress stays white, and shades mean the same on both sides of it, where limits are not even about it."""
     low, high = limits or (float(np.nanmin(values)), float(np.nanmax(values)))
     if "stress" in field and limits is None:
         high = max(abs(low), abs(high))
         low = -high
     if not high > low:
         low, high = low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1)
-    return ("RdBu_r" if "stress" in field else "YlGnBu"), plt.Normalize(low, high)
+    if "stress" not in field:
+        return "YlGnBu", plt.Normalize(low, high)
+    bound = max(abs(low), abs(high))
+    shades = plt.get_cmap("RdBu_r", 1024)(np.linspace(0.5 + 0.5 * low / bound, 0.5 + 0.5 * high / bound, 256))
+    return ("RdBu_r" if low == -high else ListedColormap(shades)), plt.Normalize(low, high)
 
 
 def legend(figure, handles, names, title=None):

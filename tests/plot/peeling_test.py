@@ -103,7 +103,7 @@ class PeelingTest(ScriptTest):
         return lines[0], lines[2:]
 
     def curve(self, folder, **choices):
-        usual = {"speed": False, "probe": None, "reaction": None, "against": "time", "displacement": None}
+        usual = {"speed": False, "kinetic": False, "probe": None, "reaction": None, "against": "time", "displacement": None}
         return peeling.Curve(Run(folder), argparse.Namespace(**{**usual, **choices}))
 
     def test_traits_of_runs(self):

@@ -137,7 +137,20 @@ class PlotTest(ScriptTest):
         simulate(self.folder / "cube", CUBE)
         png, = self.draw("fields.py", self.folder / "cube", "--frames", 2)
         self.assert_picture(png, "PNG", 1000, 1600)
+        png, = self.draw("fields.py", self.folder / "cube", "--frames", 2, "--view=0.2,-1,0.2", "--range=-0.1,0.2",
+                         "--output", self.folder / "other")
+        self.assert_picture(png, "PNG", 1000, 1600)
+        self.assert_refused("no direction", "fields.py", self.folder / "cube", "--view=0,0,1")
         self.assert_refused("not plane", "animate.py", self.folder / "cube")
+
+    @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
+    def test_a_fine_mesh_shows_its_edges_only(self):
+        simulate(self.folder / "fine", [*CUBE, "Mesh/Box/Divisions={18,18,18}",
+                                        "Time Integrator/Time Step Control/Final Time=0.001"])
+        png, = self.draw("fields.py", self.folder / "fine", "--frames", 1, "--no-wall", "--range=-9,9")
+        with Image.open(png) as image:
+            dark = np.asarray(image.convert("L"))[:, :image.width * 3 // 4] < 128
+        self.assertTrue(0.001 < dark.mean() < 0.1, dark.mean())
 
     def test_space_without_display(self):
         simulate(self.folder / "cube2", CUBE)

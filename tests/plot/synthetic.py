@@ -34,13 +34,13 @@ def contact(time):
     return np.clip(150 * (END - time) / (END - START), 0, 150)
 
 
-def write_history(folder, known):
+def write_history(folder, known, columns=COLUMNS):
     """Writes history.csv; columns that are not known stay empty."""
     with open(folder / "history.csv", "w", newline="") as file:
         writer = csv.writer(file)
-        writer.writerow(COLUMNS)
+        writer.writerow(columns)
         for row in range(len(known["time"])):
-            cells = [known[name][row] if name in known else np.nan for name in COLUMNS]
+            cells = [known[name][row] if name in known else np.nan for name in columns]
             writer.writerow(["" if np.isnan(cell) else format(float(cell), ".17g") for cell in cells])
 
 
