@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,11 @@ namespace {
 
 using KrylovFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 using Status = Thyra::SolveStatus<double>;
+
+/// Belos' CG says so in words only.
+bool shows_negative_curvature(const std::exception& error) {
+  return std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
+}
 
 class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
  public:
@@ -51,6 +57,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     record.number("stale", stale_);
     record.number("least iterations", least_iterations_);
     record.number("excess", excess_);
+    record.number("refused", refused_);
     const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
     if (nonnull(inner)) inner->transfer(record);
     loaded_ = record.loading();
@@ -138,6 +145,13 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       Status status = attempt(b, x, criteria);
       if (status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED || !old) return status;
     } catch (const std::exception& error) {
+      const bool indefinite = shows_negative_curvature(error);
+      // A new preconditioner would not change the matrix. Should the old one be to blame, it goes at the second time.
+      if (old && indefinite && !refused_) {
+        refused_ = true;
+        stale_ = false;
+        throw std::runtime_error("the matrix is not positive definite");
+      }
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
     if (options_.from_scratch) {
@@ -165,6 +179,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
         status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
     statistics_->iterations += iterations;
     if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return status;
+    refused_ = false;
     least_iterations_ = first ? iterations : std::min(least_iterations_, iterations);
     excess_ += iterations - least_iterations_;
     stale_ = excess_ > options_.setup_cost;
@@ -182,6 +197,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   mutable bool fresh_ = false;                         ///< renewed, and not used since
   mutable int least_iterations_ = 0;                   ///< of the solves with this preconditioner
   mutable double excess_ = 0;                          ///< iterations beyond the least, summed
+  mutable bool refused_ = false;                       ///< the last matrix was found not positive definite
   mutable bool loaded_ = false;                        ///< from a checkpoint: the preconditioner is yet to be made
   mutable int matrices_ = 0;                           ///< kept: none, the last one, or the first and the last one
   mutable std::vector<double> first_matrix_, matrix_;  ///< values

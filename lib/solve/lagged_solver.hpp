@@ -20,7 +20,8 @@ struct LaggedOptions {
 /// the rule that spends least when iterations grow steadily. It counts iterations and reads no clock, so runs repeat. A
 /// solve that fails with an old preconditioner is tried once more with a new one, with `from_scratch` a new object (a
 /// renewed multigrid keeps the prolongators of its first matrix); one that breaks down with a new one
-/// (Belos throws where CG meets negative curvature) throws std::runtime_error. The C library's random numbers, from
+/// throws std::runtime_error, and so does one where CG meets negative curvature (Belos throws): the matrix is not
+/// positive definite, and the old preconditioner is kept for the next matrix. The C library's random numbers, from
 /// which Tpetra's are seeded and so the smoothers' estimates of eigenvalues, begin anew with each preconditioner.
 class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double>, public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;

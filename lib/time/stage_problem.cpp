@@ -146,8 +146,10 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
 
   bool admissible = model_.elastic_force(segment(stage_.elastic), stage_.elastic, elastic_.data());
-  // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way.
-  double sums[5] = {has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0};
+  // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way, and the
+  // norm of u.
+  double sums[6] = {
+      has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
   if (model_.has_interactions()) {
     admissible =
         model_.interaction_force(segment(stage_.interaction), stage_.interaction, interaction_.data()) && admissible;
@@ -158,8 +160,10 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
     const auto i = static_cast<std::size_t>(dof);
     if (!is_reached(i, u_[i])) sums[4] += 1;
   }
-  model_.space().sum(sums, 5);
+  model_.space().sum(sums, 6);
   moving_ = sums[4] > 0;
+  // A step that leads far rounds more than its start.
+  rounding_ = std::max(rounding_, 2 * std::numeric_limits<double>::epsilon() * diagonal_ * std::sqrt(sums[5]));
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
