@@ -130,10 +130,11 @@ struct ElasticKernel {
     // One time point in three dimensions: the spatial form is twice as fast. Several share the contraction of their
     // mean moduli.
     if (has_spatial_tangent(rule))
-      return for_each_node_pair(material, geometry, segment, rule, [&k](std::size_t a, std::size_t b, const auto& block) {
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) k[a * D + i][b * D + j] += block[i][j];
-      });
+      return for_each_node_pair(material, geometry, segment, rule,
+                                [&k](std::size_t a, std::size_t b, const auto& block) {
+                                  for (std::size_t i = 0; i < D; ++i)
+                                    for (std::size_t j = 0; j < D; ++j) k[a * D + i][b * D + j] += block[i][j];
+                                });
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
@@ -259,8 +260,9 @@ struct ElasticKernel {
   };
 
   template <class T>
-  static void linearize(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                        const RulePoint& point, std::size_t q, Linearized<T>& result) {
+  [[gnu::always_inline]] static void linearize(const Material& material, const Geometry<T>& geometry,
+                                               const Segment<T>& segment, const RulePoint& point, std::size_t q,
+                                               Linearized<T>& result) {
     result.reference = shape_gradients(geometry, q);
     const Ends<T> ends(segment, result.reference);
     Small<T, D> inverse_deformation;

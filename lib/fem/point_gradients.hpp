@@ -82,7 +82,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   };
 
   template <class T>
-  static Coefficients<T> coefficients(const Small<T, N, D>& u, std::size_t i) {
+  [[gnu::always_inline]] static Coefficients<T> coefficients(const Small<T, N, D>& u, std::size_t i) {
     const T s0 = u[0][i] + u[1][i], d0 = u[1][i] - u[0][i], s1 = u[3][i] + u[2][i], d1 = u[2][i] - u[3][i];
     const T s2 = u[4][i] + u[5][i], d2 = u[5][i] - u[4][i], s3 = u[7][i] + u[6][i], d3 = u[6][i] - u[7][i];
     const T bottom = s0 + s1, bottom_y = s1 - s0, bottom_x = d0 + d1, bottom_xy = d1 - d0;
@@ -98,7 +98,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
 
   /// The transpose.
   template <class T>
-  static void add_nodal(const Coefficients<T>& c, std::size_t i, Small<T, N, D>& f) {
+  [[gnu::always_inline]] static void add_nodal(const Coefficients<T>& c, std::size_t i, Small<T, N, D>& f) {
     const T x = 0.125 * c.x, y = 0.125 * c.y, z = 0.125 * c.z;
     const T xy = (0.125 * g) * c.xy, xz = (0.125 * g) * c.xz, yz = (0.125 * g) * c.yz, xyz = (0.125 * g * g) * c.xyz;
     const T bottom_x = x - xz, top_x = x + xz, bottom_y = y - yz, top_y = y + yz, bottom_xy = xy - xyz;
@@ -125,7 +125,8 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
 
   /// c + a s + b t + ab s t at the signs s, t of the two other coordinates, for both points along the direction.
   template <std::size_t Along, class T>
-  static void spread(const T& c, const T& a, const T& b, const T& ab, std::size_t i, Small<T, D>* gradients) {
+  [[gnu::always_inline]] static void spread(const T& c, const T& a, const T& b, const T& ab, std::size_t i,
+                                            Small<T, D>* gradients) {
     const T low = c - b, high = c + b, low_slope = a - ab, high_slope = a + ab;
     const T values[2][2] = {{low - low_slope, low + low_slope}, {high - high_slope, high + high_slope}};
     for (std::size_t second = 0; second < 2; ++second)
@@ -135,7 +136,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   }
 
   template <std::size_t Along, class T>
-  static void collect(const Small<T, D>* stresses, std::size_t i, T& c, T& a, T& b, T& ab) {
+  [[gnu::always_inline]] static void collect(const Small<T, D>* stresses, std::size_t i, T& c, T& a, T& b, T& ab) {
     T values[2][2];
     for (std::size_t second = 0; second < 2; ++second)
       for (std::size_t first = 0; first < 2; ++first)

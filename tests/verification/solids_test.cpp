@@ -381,7 +381,8 @@ TEST(SolidsTest, ASpatulaInUniformMotionKeepsItsMomentaAndItsShape) {
         world());
     const Momenta before = momenta(s);
     const double mass = before.linear[0] / velocity[0];
-    fly(s, scheme);
+    // In steps of a thousand times the elastic time: nothing but rounding moves in the body.
+    for (int step = 0; step < 3; ++step) ASSERT_TRUE(s.integrator().step(1.0).converged) << scheme;
     const Momenta after = momenta(s);
     EXPECT_NEAR(before.kinetic_energy, mass * 5.25 / 2, 1e-12 * mass);
     EXPECT_NEAR(after.kinetic_energy, before.kinetic_energy, 1e-10 * before.kinetic_energy) << scheme;
