@@ -32,6 +32,7 @@
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
 #include "solve/klu2_repair.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
 namespace {
@@ -91,13 +92,10 @@ void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
   const auto& integrator = simulation.parameters().sublist("Time Integrator");
   const auto& linear = simulation.parameters().sublist("Linear Solver");
-  fmt::print(
-      "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}, "
-      "preconditioner {}\n",
-      simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
-      simulation.step_control().final_time, linear.get<std::string>("Linear Solver Type"),
-      linear.get<std::string>("Preconditioner Type"));
+  fmt::print("{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
+             simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
+             model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
+             simulation.step_control().final_time, ixos::linear_solver_in_words(linear));
   std::fflush(stdout);
 }
 

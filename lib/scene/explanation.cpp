@@ -9,6 +9,7 @@
 #include "base/parameter_entries.hpp"
 #include "interaction/cut_off.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
 namespace ixos {
@@ -79,11 +80,10 @@ std::string solution(const Simulation& simulation) {
   const StepControlOptions control = simulation.step_control();
   return fmt::format(
       "Scheme: {}, order {}; conserves {}\nTime: to {} T0 in steps of {} T0, about {:.0f} steps\n"
-      "Newton: NOX, tolerance {}; linear solver {}, preconditioner {}\n",
+      "Newton: NOX, tolerance {}; linear solver {}\n",
       chosen.name, chosen.order, chosen.conserves, control.final_time, control.time_step,
       (control.final_time - control.initial_time) / control.time_step,
-      simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"),
-      linear.get<std::string>("Linear Solver Type"), linear.get<std::string>("Preconditioner Type"));
+      simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"), linear_solver_in_words(linear));
 }
 
 std::string memory(const Simulation& simulation) {

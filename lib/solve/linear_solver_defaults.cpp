@@ -139,4 +139,21 @@ ParameterList completed_linear_solver(const ParameterList& user, const ProblemSi
   }
 }
 
+std::string linear_solver_in_words(const ParameterList& completed) {
+  const auto named = [&completed](const char* lists, const std::string& type) {
+    const ParameterList& all = completed.sublist(lists);
+    if (!all.isSublist(type) || !all.sublist(type).isType<std::string>("Solver Type")) return type;
+    return type + " (" + all.sublist(type).get<std::string>("Solver Type") + ")";
+  };
+  const auto solver = completed.get<std::string>("Linear Solver Type");
+  const auto preconditioner = completed.get<std::string>("Preconditioner Type");
+  std::string text = completed.isSublist("Linear Solver Types") ? named("Linear Solver Types", solver) : solver;
+  if (preconditioner != "None")
+    text +=
+        ", preconditioner " +
+        (completed.isSublist("Preconditioner Types") ? named("Preconditioner Types", preconditioner) : preconditioner);
+  const bool matrix_free = completed.get<std::string>("Operator") == "Matrix-Free";
+  return text + (matrix_free ? ", tangents matrix-free" : ", tangents assembled");
+}
+
 }  // namespace ixos

@@ -1,6 +1,7 @@
 /// The linear solver that a scene gets when it asks for none.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <string>
 
 namespace ixos {
 
@@ -22,5 +23,8 @@ struct ProblemSize {
 /// that suit elasticity. An unsymmetric tangent gets LU in place of Cholesky and GMRES in place of CG; asking for
 /// CHOLMOD or a CG method is then refused (InputError), but as a preconditioner CHOLMOD serves. Same on all ranks.
 Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
+
+/// A completed list in words: "Belos (Pseudo Block CG), preconditioner Direct (CHOLMOD), tangents assembled".
+std::string linear_solver_in_words(const Teuchos::ParameterList& completed);
 
 }  // namespace ixos

@@ -19,8 +19,9 @@ using test::world;
 bool second_run() { return world()->getSize() > 1; }
 
 Teuchos::ParameterList scene(const std::string& scheme, std::vector<std::string> settings = {}) {
-  settings.insert(settings.begin(), {"Mesh/Spatula/Target Cells=400", "Time Integrator/Type=" + scheme,
-                                     "Time Integrator/Time Step Control/Time Step=1"});
+  settings.insert(settings.begin(),
+                  {"Mesh/Spatula/Target Cells=400", "Nonlinear Solver/Tolerance=1e-11",
+                   "Time Integrator/Type=" + scheme, "Time Integrator/Time Step Control/Time Step=1"});
   return test::scene_file("spatula.xml", settings);
 }
 
