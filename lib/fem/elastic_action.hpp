@@ -23,8 +23,6 @@ struct ElasticAction {
   static constexpr std::size_t N = Kernel::N;
   static constexpr std::size_t metric_size = D * (D + 1) / 2;
   static constexpr std::size_t time_point_size = D * D + 1;
-  /// Elements have at most so many quadrature points.
-  static constexpr std::size_t most_points = 64;
   template <class T>
   using Nodal = typename Kernel::template Nodal<T>;
 
@@ -78,23 +76,17 @@ struct ElasticAction {
     return moduli;
   }
 
-  /// f += K u.
+  /// f += K u. `gradients`: scratch for as many points as the table has.
   template <class T>
   static void add_product(const ShapeTable<Element>& table, const std::vector<double>& volume_moduli, const T* data,
-                          const Nodal<T>& u, Nodal<T>& f) {
-    Small<T, D> gradients[most_points];
+                          const Nodal<T>& u, Small<T, D>* gradients, Nodal<T>& f) {
     PointGradients<Element>::evaluate(table, u, gradients);
     constexpr std::size_t usual = 1 << D;
-    if (table.size() == usual && volume_moduli.size() == 1) {
-      const double lambda = volume_moduli[0];
-#pragma GCC unroll 8
-      for (std::size_t q = 0; q < usual; ++q) {
-        const T* point = data + q * (metric_size + time_point_size);
-        const Small<T, D> g = gradients[q];
-        multiply_metric(point, g, gradients[q]);
-        add_time_point(point + metric_size, lambda, g, gradients[q]);
-      }
-    } else {
+    if (table.size() == usual && volume_moduli.size() == 1)
+      multiply_points<usual, 1>(volume_moduli, data, gradients);
+    else if (table.size() == usual && volume_moduli.size() == 2)
+      multiply_points<usual, 2>(volume_moduli, data, gradients);
+    else
       for (std::size_t q = 0; q < table.size(); ++q) {
         const Small<T, D> g = gradients[q];
         multiply_metric(data, g, gradients[q]);
@@ -104,7 +96,6 @@ struct ElasticAction {
           data += time_point_size;
         }
       }
-    }
     PointGradients<Element>::integrate(table, gradients, f);
   }
 
@@ -175,6 +166,20 @@ struct ElasticAction {
         for (std::size_t e = 1; e < D; ++e) sum += s[d][e] * data[e * D + i];
         t[i][d] += sum;
       }
+  }
+
+  /// The same for numbers of points and time points that the compiler knows.
+  template <std::size_t Points, std::size_t TimePoints, class T>
+  [[gnu::always_inline]] static void multiply_points(const std::vector<double>& volume_moduli, const T* data,
+                                                     Small<T, D>* gradients) {
+#pragma GCC unroll 8
+    for (std::size_t q = 0; q < Points; ++q) {
+      const T* point = data + q * (metric_size + TimePoints * time_point_size);
+      const Small<T, D> g = gradients[q];
+      multiply_metric(point, g, gradients[q]);
+      for (std::size_t p = 0; p < TimePoints; ++p)
+        add_time_point(point + metric_size + p * time_point_size, volume_moduli[p], g, gradients[q]);
+    }
   }
 };
 

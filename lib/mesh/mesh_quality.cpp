@@ -73,7 +73,7 @@ MeshQuality mesh_quality(const Mesh& mesh) {
     for (int c = 0; c < block.cells(); ++c) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
       const CellQuality cell =
-          block.type == CellType::Hex8 ? cell_quality<Hex8>(mesh, nodes) : cell_quality<Quad4>(mesh, nodes);
+          plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh, nodes) : cell_quality<Quad4>(mesh, nodes);
       scaled.push_back(cell.scaled_jacobian);
       all.largest_aspect_ratio = std::max(all.largest_aspect_ratio, cell.longest / cell.shortest);
       all.volume += cell.volume;

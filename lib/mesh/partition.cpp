@@ -30,7 +30,13 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
       // Eight time points on a plain side cost as much as the cell behind it.
       share(nodes.data(), static_cast<int>(nodes.size()), 6.0 * static_cast<double>(nodes.size()));
     }
-  return {work.begin(), work.end()};
+  // METIS adds them up in 32 bits.
+  double total = 0;
+  for (double units : work) total += units;
+  const double scale = std::min(1.0, 1e9 / total);
+  std::vector<int> weights;
+  for (double units : work) weights.push_back(std::max(1, static_cast<int>(scale * units)));
+  return weights;
 }
 
 std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<int>& work) {

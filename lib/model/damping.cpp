@@ -86,6 +86,7 @@ void Damping::multiply_add_matrix(double factor, const double* x, double* y) con
 }
 
 void Damping::row_sums(double* sums) const {
+  if (!keeps_matrix_) throw std::logic_error("the damping has dropped its matrix");
   const std::vector<int>& start = pattern_.row_start();
   const double* value = values_.data();
   for (std::size_t row = 0; row + 1 < start.size(); ++row)

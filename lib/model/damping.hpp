@@ -54,7 +54,7 @@ class Damping {
   std::vector<double> rest_;  ///< the undeformed body, a local array of zeros
   std::vector<MassPart> masses_;
   std::vector<StiffnessPart> stiffnesses_;
-  bool keeps_matrix_ = true;             ///< until drop_matrix()
+  bool keeps_matrix_ = true;  ///< until drop_matrix()
   std::vector<double> values_;
   mutable std::vector<double> product_;  ///< scratch
 };

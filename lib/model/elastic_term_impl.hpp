@@ -138,10 +138,11 @@ class ElasticTerm final : public Term {
     }
 
     void add_product(const double* x, double* y) const override {
+      std::vector<Small<Pack, D>> gradients(term_.table_.size());
       for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
         Nodal u, f{};
         term_.batches_.gather(b, x, u);
-        Kept::add_product(term_.table_, volume_moduli_, &data_[b * size_], u, f);
+        Kept::add_product(term_.table_, volume_moduli_, &data_[b * size_], u, gradients.data(), f);
         term_.batches_.scatter_force(b, f, y);
       }
     }

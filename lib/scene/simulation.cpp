@@ -280,7 +280,8 @@ void Simulation::build_integrator(Table table) {
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
-  if (linear.get<std::string>("Operator") == "Matrix-Free") model_->drop_matrices();
+  // An explicit step has no tangent; its stable length asks for the damping's matrix.
+  if (linear.get<std::string>("Operator") == "Matrix-Free" && !is_explicit(table)) model_->drop_matrices();
   integrator_ = std::make_unique<Integrator>(
       *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
 }

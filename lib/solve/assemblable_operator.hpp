@@ -11,6 +11,8 @@ class AssemblableOperator : public Operator {
   /// The matrix of the operator as it is now: values are computed at the first request after a change. One object for
   /// the whole life, fill-complete. Collective.
   virtual Teuchos::RCP<CrsMatrix> matrix() const = 0;
+  /// Somebody has put other values into the matrix: they are computed anew at the next request.
+  virtual void forget_values() const = 0;
 };
 
 }  // namespace ixos

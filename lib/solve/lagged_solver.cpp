@@ -8,6 +8,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -119,7 +120,14 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     // They could be made once, so they can again. Where the last one is stale only the first one's traces count.
     if (matrices_ > 1) make_from(first_matrix_);
     if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
-    std::copy(present.begin(), present.end(), here.data());
+    // A multigrid's finest level is the matrix itself. Where only preconditioners have a matrix it goes on with the
+    // values that they were made from, as in a run that nobody stopped.
+    const auto assemblable =
+        Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
+    if (nonnull(assemblable))
+      assemblable->forget_values();
+    else
+      std::copy(present.begin(), present.end(), here.data());
   }
   void attach() const {
     krylov_factory_->initializePreconditionedOp(source_, preconditioner_, krylov_.get(),
@@ -144,6 +152,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     try {
       Status status = attempt(b, x, criteria);
       if (status.solveStatus == Thyra::SOLVE_STATUS_CONVERGED || !old) return status;
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       const bool indefinite = shows_negative_curvature(error);
       // A new preconditioner would not change the matrix. Should the old one be to blame, it goes at the second time.

@@ -10,8 +10,8 @@
 namespace ixos {
 
 /// M a = f_ext(t) - C v - f(u), constrained degrees of freedom taking the acceleration of their motion. A lumped mass
-/// divides; of a consistent one the matrix is made at the first request, or, where tangents are matrix-free, CG
-/// takes its place. The model must outlive it. Collective.
+/// divides; of a consistent one the matrix is made at the first request, or, where tangents are matrix-free, plain
+/// CG (to 1e-12, whatever the scene's linear solver) takes its place. The model must outlive it. Collective.
 class Acceleration {
  public:
   Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);

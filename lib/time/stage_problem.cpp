@@ -162,9 +162,9 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
   model_.space().sum(sums, 6);
   moving_ = sums[4] > 0;
-  // A step that leads far rounds more than its start.
-  rounding_ = std::max(rounding_, 2 * std::numeric_limits<double>::epsilon() * diagonal_ * std::sqrt(sums[5]));
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
+  // A step that leads far rounds more than its start.
+  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * diagonal_ * std::sqrt(sums[5]);
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -288,6 +288,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   const bool known = u_ == tangent_at_;
   if (nonnull(matrix_free_)) {
     if (!known) linearize();
+    tangent_at_ = u_;
     return;
   }
   const auto matrix = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost();
@@ -310,7 +311,7 @@ double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
 }
 
 double StageProblem::convergence_bound(double relative_tolerance) const {
-  return std::max(relative_tolerance * scale_, rounding_);
+  return std::max({relative_tolerance * scale_, rounding_, rounding_here_});
 }
 
 }  // namespace ixos

@@ -77,8 +77,9 @@ class StageProblem final : public NonlinearProblem {
   std::vector<double> kept_;  ///< kept parts of the rules less the mean load, local
   std::vector<double> load_;  ///< mean load, local
   std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
-  double rounding_ = 0;  ///< force by which the last digits of u change the balance
-  double diagonal_ = 0;  ///< kappa
+  double rounding_ = 0;       ///< force by which the last digits of u change the balance
+  double rounding_here_ = 0;  ///< the same of u at the last residual
+  double diagonal_ = 0;       ///< kappa
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual

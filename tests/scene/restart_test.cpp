@@ -54,11 +54,12 @@ double matrices(const std::string& path) {
 }
 
 TEST_F(RestartTest, LaggedPreconditionersGoOn) {
-  const auto scene = [](const std::string& preconditioner, const std::string& scheme, double setup_cost) {
+  const auto scene = [](const std::string& preconditioner, const std::string& scheme, double setup_cost,
+                        const std::string& op = "Assembled") {
     return drawn(
         word("Type", scheme) + steps(0.02, 1), checkpoints(5, 100),
         list("Linear Solver", word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) +
-                                  list("Reuse", number("Setup Cost", setup_cost)) +
+                                  word("Operator", op) + list("Reuse", number("Setup Cost", setup_cost)) +
                                   list("Preconditioner Types",
                                        list("MueLu", count("coarse: max size", 10) + word("verbosity", "none")))));
   };
@@ -70,6 +71,11 @@ TEST_F(RestartTest, LaggedPreconditionersGoOn) {
   for (const char* preconditioner : {"Ifpack2", "Direct"}) {
     SCOPED_TRACE(preconditioner);
     expect_goes_on(scene(preconditioner, "Newmark", 3), {5, 25});
+  }
+  // A multigrid's finest level is the operator's own matrix, which only a new preconditioner changes.
+  for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct"}) {
+    SCOPED_TRACE(std::string("matrix-free, ") + preconditioner);
+    expect_goes_on(scene(preconditioner, "Newmark", 3, "Matrix-Free"), {5, 25});
   }
   // KLU as a preconditioner: the order of its pivots is older than its matrix.
   SCOPED_TRACE("KLU");

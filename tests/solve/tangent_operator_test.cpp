@@ -21,7 +21,8 @@ namespace {
 using test::world;
 
 /// A damped block whose bottom sticks to a wall and whose left side is held; a contact patch in the bottom's middle.
-std::string block(int dimension, const std::string& element, const std::string& material) {
+std::string block(int dimension, const std::string& element, const std::string& material, int points = 2,
+                  int bulk_points = 0) {
   const bool flat = dimension == 2;
   const std::vector<double> up = flat ? std::vector<double>{0, 1} : std::vector<double>{0, 0, 1};
   std::vector<double> below(up);
@@ -38,12 +39,13 @@ std::string block(int dimension, const std::string& element, const std::string& 
                             test::list("patch", test::word("From", "bottom") +
                                                     test::numbers("Upper", flat ? std::vector<double>{3, 1}
                                                                                 : std::vector<double>{3, 2, 1})))) +
-         test::list("Materials", test::list("Body", test::word("Model", material) + test::number("Density", 0.7) +
-                                                        test::number("Mass Damping", 0.3) +
-                                                        test::number("Stiffness Damping", 0.2))) +
+         test::list("Materials",
+                    test::list("Body", test::word("Model", material) + test::number("Density", 0.7) +
+                                           test::number("Mass Damping", 0.3) + test::number("Stiffness Damping", 0.2) +
+                                           test::count("Quadrature Points", points))) +
          test::list("Interactions",
                     test::list("Wall", test::word("Side Set", "patch") + test::word("Contact Element", element) +
-                                           test::numbers("Point", below))) +
+                                           test::count("Bulk Points", bulk_points) + test::numbers("Point", below))) +
          test::list("Boundary Conditions", test::list("Held", test::word("Node Set", "left")));
 }
 
@@ -75,17 +77,20 @@ struct Case {
   int dimension;
   const char* element;
   const char* material;
+  int points = 2;
+  int bulk_points = 0;
 };
 
 class TangentOperatorTest : public testing::TestWithParam<Case> {};
 
 TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
-  const auto [dimension, element, material] = GetParam();
+  const auto [dimension, element, material, points, bulk_points] = GetParam();
   for (const char* scheme :
        {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Midpoint"})
     for (int level : {0, 1, 3}) {
-      const Simulation s(test::scene(block(dimension, element, material) + test::time_integrator(scheme, 0.1, 1)),
-                         world());
+      const Simulation s(
+          test::scene(block(dimension, element, material, points, bulk_points) + test::time_integrator(scheme, 0.1, 1)),
+          world());
       const Model& model = s.model();
       const Table& table = s.integrator().table();
       std::vector<State> states(table.stages.size());
@@ -128,7 +133,8 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
 INSTANTIATE_TEST_SUITE_P(Elements, TangentOperatorTest,
                          testing::Values(Case{2, "Q1C1", "Neo-Hooke"}, Case{2, "Q1C4", "Neo-Hooke"},
                                          Case{2, "Q1CH", "Neo-Hooke"}, Case{3, "Q1C1", "Neo-Hooke"},
-                                         Case{3, "Q1C2", "Neo-Hooke"}, Case{3, "Q1C1", "Linear Elastic"}));
+                                         Case{3, "Q1C2", "Neo-Hooke"}, Case{3, "Q1C1", "Linear Elastic"},
+                                         Case{3, "Q1C2", "Neo-Hooke", 5, 6}));
 
 TEST(MatrixFreeRunTest, EndsWhereTheAssembledOneEnds) {
   for (const char* scheme : {"Gautam-Sauer Composite", "Bathe Composite"}) {
@@ -151,6 +157,14 @@ TEST(MatrixFreeRunTest, EndsWhereTheAssembledOneEnds) {
           ASSERT_NEAR(u[i], reference[i], 1e-10) << op << ' ' << preconditioner;
       }
   }
+}
+
+TEST(MatrixFreeRunTest, AnExplicitSchemeNeedsNone) {
+  Simulation s(test::scene(block(3, "Q1C1", "Neo-Hooke") + test::time_integrator("Central Difference", 1e-3, 1) +
+                           test::list("Linear Solver", test::word("Linear Solver Type", "Belos") +
+                                                           test::word("Operator", "Matrix-Free"))),
+               world());
+  EXPECT_TRUE(s.integrator().step(s.integrator().stable_step(1e-3)).converged);
 }
 
 TEST(MatrixFreeRunTest, IsRefusedWhereThereIsNoSuchTangent) {
