@@ -34,8 +34,9 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
   double total = 0;
   for (double units : work) total += units;
   const double scale = std::min(1.0, 1e9 / total);
-  std::vector<int> weights;
-  for (double units : work) weights.push_back(std::max(1, static_cast<int>(scale * units)));
+  std::vector<int> weights(work.size());
+  std::transform(work.begin(), work.end(), weights.begin(),
+                 [scale](double units) { return std::max(1, static_cast<int>(scale * units)); });
   return weights;
 }
 
