@@ -17,23 +17,13 @@ Rule rest_rule(double factor) {
 }  // namespace
 
 Damping::Damping(const Pattern& pattern, int dimension, int local)
-    : pattern_(pattern),
-      dimension_(static_cast<std::size_t>(dimension)),
-      rest_(static_cast<std::size_t>(local), 0.0),
-      values_(static_cast<std::size_t>(pattern.pairs()) * dimension_ * dimension_, 0.0) {}
+    : pattern_(pattern), dimension_(static_cast<std::size_t>(dimension)), rest_(static_cast<std::size_t>(local), 0.0) {}
 
-void Damping::add_mass(double alpha_1, std::unique_ptr<Mass> mass) {
-  mass->add_to(alpha_1, values_.data());
-  masses_.push_back({alpha_1, std::move(mass)});
-}
+void Damping::add_mass(double alpha_1, std::unique_ptr<Mass> mass) { masses_.push_back({alpha_1, std::move(mass)}); }
 
-void Damping::add_stiffness(double alpha_2, const Term& term) {
-  term.add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(alpha_2), Tangent::Exact, values_.data());
-  stiffnesses_.push_back({alpha_2, &term, nullptr});
-}
+void Damping::add_stiffness(double alpha_2, const Term& term) { stiffnesses_.push_back({alpha_2, &term, nullptr}); }
 
-void Damping::drop_matrix() {
-  std::vector<double>().swap(values_);
+void Damping::do_without_matrix() {
   keeps_matrix_ = false;
   product_.resize(rest_.size());
   for (StiffnessPart& part : stiffnesses_) {
@@ -73,7 +63,7 @@ double Damping::stiffness_factor(const Term& term) const {
 
 void Damping::multiply_add_matrix(double factor, const double* x, double* y) const {
   const std::vector<int>& start = pattern_.row_start();
-  const double* value = values_.data();
+  const double* value = matrix().data();
   for (std::size_t row = 0; row + 1 < start.size(); ++row)
     for (std::size_t i = 0; i < dimension_; ++i) {
       double sum = 0;
@@ -86,9 +76,9 @@ void Damping::multiply_add_matrix(double factor, const double* x, double* y) con
 }
 
 void Damping::row_sums(double* sums) const {
-  if (!keeps_matrix_) throw std::logic_error("the damping has dropped its matrix");
+  if (!keeps_matrix_) throw std::logic_error("the damping does without its matrix");
   const std::vector<int>& start = pattern_.row_start();
-  const double* value = values_.data();
+  const double* value = matrix().data();
   for (std::size_t row = 0; row + 1 < start.size(); ++row)
     for (std::size_t i = 0; i < dimension_; ++i) {
       sums[row * dimension_ + i] = 0;
@@ -98,8 +88,19 @@ void Damping::row_sums(double* sums) const {
 }
 
 void Damping::add_to(double factor, double* values) const {
-  for (std::size_t k = 0; k < values_.size(); ++k) values[k] += factor * values_[k];
-  if (keeps_matrix_) return;
+  if (!keeps_matrix_) return assemble(factor, values);
+  const std::vector<double>& kept = matrix();
+  for (std::size_t k = 0; k < kept.size(); ++k) values[k] += factor * kept[k];
+}
+
+const std::vector<double>& Damping::matrix() const {
+  if (!matrix_.empty()) return matrix_;
+  matrix_.assign(static_cast<std::size_t>(pattern_.pairs()) * dimension_ * dimension_, 0.0);
+  assemble(1.0, matrix_.data());
+  return matrix_;
+}
+
+void Damping::assemble(double factor, double* values) const {
   for (const MassPart& part : masses_) part.mass->add_to(factor * part.alpha, values);
   for (const StiffnessPart& part : stiffnesses_)
     part.term->add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(factor * part.alpha), Tangent::Exact, values);

@@ -20,9 +20,9 @@ class Damping {
   void add_mass(double alpha_1, std::unique_ptr<Mass> mass);
   /// The term must outlive the damping.
   void add_stiffness(double alpha_2, const Term& term);
-  /// From here on C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent
-  /// is applied so too.
-  void drop_matrix();
+  /// C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent is applied so
+  /// too. Else its matrix is made at the first use, and kept.
+  void do_without_matrix();
 
   /// y += factor C x: x local, y the rows of owned nodes.
   void multiply_add(double factor, const double* x, double* y) const;
@@ -32,7 +32,7 @@ class Damping {
   void add_mass_diagonal(double factor, double* d) const;
   /// alpha_2 of that elastic term, 0 where it has none.
   double stiffness_factor(const Term& term) const;
-  /// sums_r = sum over columns of |C_rc|, rows of owned nodes. Not after drop_matrix().
+  /// sums_r = sum over columns of |C_rc|, rows of owned nodes. Needs the matrix.
   void row_sums(double* sums) const;
   /// values += factor C, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
@@ -45,17 +45,19 @@ class Damping {
   struct StiffnessPart {
     double alpha;
     const Term* term;
-    std::unique_ptr<TangentAction> action;  ///< null while the matrix is kept
+    std::unique_ptr<TangentAction> action;  ///< null where the matrix is kept
   };
   void multiply_add_matrix(double factor, const double* x, double* y) const;
+  void assemble(double factor, double* values) const;
+  const std::vector<double>& matrix() const;
 
   const Pattern& pattern_;
   std::size_t dimension_;
   std::vector<double> rest_;  ///< the undeformed body, a local array of zeros
   std::vector<MassPart> masses_;
   std::vector<StiffnessPart> stiffnesses_;
-  bool keeps_matrix_ = true;  ///< until drop_matrix()
-  std::vector<double> values_;
+  bool keeps_matrix_ = true;
+  mutable std::vector<double> matrix_;   ///< values, empty before the first use
   mutable std::vector<double> product_;  ///< scratch
 };
 

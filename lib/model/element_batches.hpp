@@ -111,15 +111,17 @@ class ElementBatches {
   class Rows {
    public:
     explicit Rows(const std::array<Pack, D>& vector) {
-      if constexpr (D == 3)
+      if constexpr (by_lane)
         interleave(vector[0], vector[1], vector[2], values_.data());
       else
-        for (std::size_t d = 0; d < D; ++d)
-          for (std::size_t lane = 0; lane < width; ++lane) values_[4 * lane + d] = vector[d][lane];
+        for (std::size_t d = 0; d < D; ++d) vector[d].copy_to(&values_[d * width], std::experimental::element_aligned);
     }
-    double operator()(std::size_t lane, std::size_t d) const { return values_[4 * lane + d]; }
+    double operator()(std::size_t lane, std::size_t d) const {
+      return values_[by_lane ? 4 * lane + d : d * width + lane];
+    }
 
    private:
+    static constexpr bool by_lane = D == 3;
     alignas(64) std::array<double, 4 * width> values_;
   };
 

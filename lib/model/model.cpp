@@ -69,8 +69,8 @@ std::vector<double> Model::rest_factors() const {
   return factors;
 }
 
-void Model::drop_matrices() {
-  if (damping_) damping_->drop_matrix();
+void Model::do_without_matrices() {
+  if (damping_) damping_->do_without_matrix();
 }
 
 double Model::elastic_trace() const {

@@ -70,8 +70,8 @@ class Model {
   std::vector<std::unique_ptr<TangentAction>> interaction_actions() const;
   /// Of each elastic term, the factor of its tangent at rest in the damping.
   std::vector<double> rest_factors() const;
-  /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::drop_matrix.
-  void drop_matrices();
+  /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
+  void do_without_matrices();
   /// See Term::add_row_sums.
   void add_elastic_row_sums(const Segment& segment, double* sums) const;
   bool add_interaction_row_sums(const Segment& segment, double* sums) const;

@@ -281,7 +281,7 @@ void Simulation::build_integrator(Table table) {
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
   // An explicit step has no tangent; its stable length asks for the damping's matrix.
-  if (linear.get<std::string>("Operator") == "Matrix-Free" && !is_explicit(table)) model_->drop_matrices();
+  if (linear.get<std::string>("Operator") == "Matrix-Free" && !is_explicit(table)) model_->do_without_matrices();
   integrator_ = std::make_unique<Integrator>(
       *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
 }

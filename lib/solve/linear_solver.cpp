@@ -126,18 +126,6 @@ struct LinearSystem::Implementation {
   bool fresh = false;
 };
 
-Teuchos::ParameterList plain_conjugate_gradients() {
-  Teuchos::ParameterList list;
-  list.set("Linear Solver Type", "Belos");
-  list.set("Preconditioner Type", "None");
-  list.set("Operator", "Assembled");
-  Teuchos::ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
-  belos.set("Solver Type", "Pseudo Block CG");
-  belos.sublist("Solver Types").sublist("Pseudo Block CG").set("Maximum Iterations", 500).set("Verbosity", 0);
-  belos.sublist("VerboseObject").set("Verbosity Level", "none");
-  return list;
-}
-
 LinearSystem::LinearSystem(const LinearSolverFactory& factory, const Teuchos::RCP<const Operator>& op)
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->factory = factory.strategy();

@@ -50,9 +50,6 @@ class LinearSolverFactory {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// CG without a preconditioner, for operators that need none.
-Teuchos::ParameterList plain_conjugate_gradients();
-
 /// One operator and its solver, outside Newton's method: initial accelerations, collocated accelerations.
 class LinearSystem {
  public:

@@ -140,20 +140,16 @@ ParameterList completed_linear_solver(const ParameterList& user, const ProblemSi
 }
 
 std::string linear_solver_in_words(const ParameterList& completed) {
-  const auto named = [&completed](const char* lists, const std::string& type) {
-    const ParameterList& all = completed.sublist(lists);
-    if (!all.isSublist(type) || !all.sublist(type).isType<std::string>("Solver Type")) return type;
-    return type + " (" + all.sublist(type).get<std::string>("Solver Type") + ")";
+  ParameterList list(completed);  // asking it for a list that is not there adds one
+  const auto named = [&list](const char* lists, const std::string& type) {
+    const std::string kind = list.sublist(lists).sublist(type).get("Solver Type", "");
+    return kind.empty() ? type : type + " (" + kind + ")";
   };
-  const auto solver = completed.get<std::string>("Linear Solver Type");
-  const auto preconditioner = completed.get<std::string>("Preconditioner Type");
-  std::string text = completed.isSublist("Linear Solver Types") ? named("Linear Solver Types", solver) : solver;
-  if (preconditioner != "None")
-    text +=
-        ", preconditioner " +
-        (completed.isSublist("Preconditioner Types") ? named("Preconditioner Types", preconditioner) : preconditioner);
-  const bool matrix_free = completed.get<std::string>("Operator") == "Matrix-Free";
-  return text + (matrix_free ? ", tangents matrix-free" : ", tangents assembled");
+  std::string text = named("Linear Solver Types", list.get<std::string>("Linear Solver Type"));
+  const auto preconditioner = list.get<std::string>("Preconditioner Type");
+  if (preconditioner != "None") text += ", preconditioner " + named("Preconditioner Types", preconditioner);
+  return text +
+         (list.get<std::string>("Operator") == "Matrix-Free" ? ", tangents matrix-free" : ", tangents assembled");
 }
 
 }  // namespace ixos

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/linear_solver_defaults.hpp"
 #include "solve/mass_operator.hpp"
 
 namespace ixos {
@@ -80,7 +81,9 @@ void Acceleration::prepare_mass_system() {
   if (linear_solver_->matrix_free()) {
     const auto mass = Teuchos::rcp(new ScaledMass(model_));
     scale_ = mass->scale();
-    mass_solver_ = std::make_unique<LinearSolverFactory>(plain_conjugate_gradients());
+    Teuchos::ParameterList conjugate_gradients;
+    conjugate_gradients.set("Linear Solver Type", "Belos").set("Preconditioner Type", "None");
+    mass_solver_ = std::make_unique<LinearSolverFactory>(completed_linear_solver(conjugate_gradients, {}));
     mass_system_ = std::make_unique<LinearSystem>(*mass_solver_, mass);
     return;
   }
