@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <experimental/simd>
+#include <type_traits>
 
 namespace ixos {
 
@@ -12,6 +13,25 @@ namespace ixos {
 /// hardware is several times slower than a narrow one, so the width is never chosen by hand.
 using Pack = std::experimental::native_simd<double>;
 inline constexpr int pack_width = static_cast<int>(Pack::size());
+
+/// A pack's lanes in single precision: half the memory, for what is kept. Arithmetic is done on packs.
+using NarrowPack = std::experimental::rebind_simd_t<float, Pack>;
+
+/// To and from the type that a scalar or pack is kept in.
+template <class Kept, class T>
+Kept narrow(const T& x) {
+  if constexpr (std::is_same_v<Kept, NarrowPack>)
+    return std::experimental::static_simd_cast<NarrowPack>(x);
+  else
+    return static_cast<Kept>(x);
+}
+template <class T, class Kept>
+[[gnu::always_inline]] inline T widen(const Kept& x) {
+  if constexpr (std::is_same_v<Kept, NarrowPack>)
+    return std::experimental::static_simd_cast<Pack>(x);
+  else
+    return static_cast<T>(x);
+}
 
 /// `yes` where the condition holds, `no` elsewhere; both are evaluated.
 template <class T>

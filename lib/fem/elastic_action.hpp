@@ -12,10 +12,16 @@ namespace ixos {
 /// K u from data kept at the quadrature points. With G = dxi/dx at a time point of the rule (J0^-1 F^-1, times the root
 /// of the quadrature weight), the spatial tangent (see SpatialTangent) acts on g = du/dxi as
 ///
-///   t = g M + sum over time points of (c S^T + lambda tr(S) I) G,  S = G g,
+///   t = g M + sum over time points of (c (h + h^T) + lambda tr(h) I) G^T,  h = g G,
 ///
-/// where the metric M = sum of mu w J0^-1 J0^-T does not know the deformation: D (D + 1)/2 numbers a point and D^2 + 1
-/// for each time point, 16 in three dimensions for one. Data of an element: points x packs_per_point, T each.
+/// where the metric M = sum of G tau G^T, tau = mu b - c I the Kirchhoff stress, is summed over the time points:
+/// D (D + 1)/2 numbers a point and D^2 + 1 for each time point, 16 in three dimensions for one; and the point's mass
+/// times a factor, so that W u = (K + factor M) u costs little more than K u. Data of an element: points x
+/// point_size().
+///
+/// They may be kept in single precision, for the product waits for memory: then it is that of a tangent whose entries
+/// are off by 1e-7, symmetric still, and in which a rotation costs no energy, as h + h^T is summed in double precision.
+/// The type of `data` chooses.
 template <class Element, class Material>
 struct ElasticAction {
   using Kernel = ElasticKernel<Element, Material>;
@@ -26,104 +32,127 @@ struct ElasticAction {
   template <class T>
   using Nodal = typename Kernel::template Nodal<T>;
 
-  static std::size_t size(std::size_t points, std::size_t time_points) {
-    return points * (metric_size + time_points * time_point_size);
-  }
+  /// Of what data is kept: lambda times the weight of each time point (those of the rule, and one for the undeformed
+  /// body if that counts), and whether there is mass.
+  struct Layout {
+    Layout() = default;
+    Layout(const Material& material, const Rule& rule, double rest, double inertia) : has_mass(inertia != 0) {
+      for (const RulePoint& time : rule.points) volume_moduli.push_back(material.lame.lambda * time.weight * time.to);
+      if (rest != 0) volume_moduli.push_back(material.lame.lambda * rest);
+    }
+    std::size_t point_size() const { return metric_size + volume_moduli.size() * time_point_size + (has_mass ? 1 : 0); }
+    std::vector<double> volume_moduli;
+    bool has_mass = false;
+  };
 
-  /// Fills `data` for the rule's tangent at the segment, plus `rest` times the tangent of the undeformed body. The time
-  /// points are those of the rule, and one for the rest if `rest` is not 0.
+  /// Of as many points as the table has.
   template <class T>
+  struct Scratch {
+    explicit Scratch(std::size_t points) : gradients(points), values(points) {}
+    std::vector<Small<T, D>> gradients;
+    std::vector<std::array<T, D>> values;
+  };
+
+  /// Fills `data` for the rule's tangent at the segment, plus `rest` times the tangent of the undeformed body, plus
+  /// `inertia` (a factor times the density) times the mass of unit density.
+  template <class T, class Kept>
   static void linearize(const Material& material, const typename Kernel::template Geometry<T>& geometry,
-                        const typename Kernel::template Segment<T>& segment, const Rule& rule, double rest, T* data) {
+                        const typename Kernel::template Segment<T>& segment, const Rule& rule, double rest,
+                        double inertia, Kept* data) {
     using std::sqrt;
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const auto& point = geometry.points[q];
       const Small<T, D>& to_reference = point.inverse_jacobian;
-      T* metric = data;
-      data += metric_size;
       const T root = sqrt(point.weight);
       const auto dn = Kernel::shape_gradients(geometry, q);
       const typename Kernel::template Ends<T> ends(segment, dn);
-      double mu = 0;
+      Small<T, D> metric{};
+      Kept* time_point = data + metric_size;
       const auto add = [&](const Small<T, D>& h, double weight) {
-        Small<T, D> inverse_deformation;
-        const SpatialTangent<T> moduli = material.spatial_tangent(h, inverse_deformation);
+        Small<T, D> inverse_deformation, gradient;
+        SpatialTangent<T> moduli = material.spatial_tangent(h, inverse_deformation);
+        moduli.scale(weight);
         for (std::size_t d = 0; d < D; ++d)
           for (std::size_t i = 0; i < D; ++i) {
             T sum = to_reference[d][0] * inverse_deformation[0][i];
             for (std::size_t j = 1; j < D; ++j) sum += to_reference[d][j] * inverse_deformation[j][i];
-            *data++ = root * sum;
+            gradient[d][i] = root * sum;
+            *time_point++ = narrow<Kept>(gradient[d][i]);
           }
-        *data++ = weight * moduli.c;
-        mu += weight * material.lame.mu;
+        *time_point++ = narrow<Kept>(moduli.c);
+        for (std::size_t d = 0; d < D; ++d)
+          for (std::size_t e = d; e < D; ++e)
+            for (std::size_t j = 0; j < D; ++j)
+              metric[d][e] += moduli.mu * point.weight * to_reference[d][j] * to_reference[e][j] -
+                              moduli.c * gradient[d][j] * gradient[e][j];
       };
       for (const RulePoint& time : rule.points) add(ends.at(time), time.weight * time.to);
       if (rest != 0) add({}, rest);
       for (std::size_t d = 0; d < D; ++d)
-        for (std::size_t e = d; e < D; ++e) {
-          T sum = to_reference[d][0] * to_reference[e][0];
-          for (std::size_t j = 1; j < D; ++j) sum += to_reference[d][j] * to_reference[e][j];
-          *metric++ = mu * point.weight * sum;
-        }
+        for (std::size_t e = d; e < D; ++e) *data++ = narrow<Kept>(metric[d][e]);
+      data = time_point;
+      if (inertia != 0) *data++ = narrow<Kept>(T(inertia * point.weight));
     }
   }
 
-  /// lambda times the weights of the time points that linearize() was given.
-  static std::vector<double> volume_moduli(const Material& material, const Rule& rule, double rest) {
-    std::vector<double> moduli;
-    for (const RulePoint& time : rule.points) moduli.push_back(material.lame.lambda * time.weight * time.to);
-    if (rest != 0) moduli.push_back(material.lame.lambda * rest);
-    return moduli;
-  }
-
-  /// f += K u. `gradients`: scratch for as many points as the table has.
-  template <class T>
-  static void add_product(const ShapeTable<Element>& table, const std::vector<double>& volume_moduli, const T* data,
-                          const Nodal<T>& u, Small<T, D>* gradients, Nodal<T>& f) {
-    PointGradients<Element>::evaluate(table, u, gradients);
-    constexpr std::size_t usual = 1 << D;
-    if (table.size() == usual && volume_moduli.size() == 1)
-      multiply_points<usual, 1>(volume_moduli, data, gradients);
-    else if (table.size() == usual && volume_moduli.size() == 2)
-      multiply_points<usual, 2>(volume_moduli, data, gradients);
+  /// f += W u.
+  template <class T, class Kept>
+  static void add_product(const ShapeTable<Element>& table, const Layout& layout, const Kept* data, const Nodal<T>& u,
+                          Scratch<T>& scratch, Nodal<T>& f) {
+    if (layout.has_mass)
+      add_product<true>(table, layout, data, u, scratch, f);
     else
-      for (std::size_t q = 0; q < table.size(); ++q) {
-        const Small<T, D> g = gradients[q];
-        multiply_metric(data, g, gradients[q]);
-        data += metric_size;
-        for (const double lambda : volume_moduli) {
-          add_time_point(data, lambda, g, gradients[q]);
-          data += time_point_size;
-        }
-      }
-    PointGradients<Element>::integrate(table, gradients, f);
+      add_product<false>(table, layout, data, u, scratch, f);
   }
 
-  /// d += the diagonal of K.
-  template <class T>
-  static void add_diagonal(const ShapeTable<Element>& table, const std::vector<double>& volume_moduli, const T* data,
+  /// d += the diagonal of K; the mass's is not added.
+  template <class T, class Kept>
+  static void add_diagonal(const ShapeTable<Element>& table, const Layout& layout, const Kept* data,
                            Nodal<T>& diagonal) {
     for (std::size_t q = 0; q < table.size(); ++q) {
       for (std::size_t a = 0; a < N; ++a) {
         const auto& dn = table.gradient[q][a];
         T along(0.0);
         for (std::size_t d = 0; d < D; ++d)
-          for (std::size_t e = 0; e < D; ++e) along += (dn[d] * dn[e]) * data[metric_index(d, e)];
-        for (std::size_t p = 0; p < volume_moduli.size(); ++p) {
-          const T* point = data + metric_size + p * time_point_size;
+          for (std::size_t e = 0; e < D; ++e) along += (dn[d] * dn[e]) * widen<T>(data[metric_index(d, e)]);
+        for (std::size_t p = 0; p < layout.volume_moduli.size(); ++p) {
+          const Kept* point = data + metric_size + p * time_point_size;
+          const T c = widen<T>(point[D * D]);
+          Small<T, 1, D> current{};
+          T square(0.0);
           for (std::size_t i = 0; i < D; ++i) {
-            T current = dn[0] * point[i];
-            for (std::size_t d = 1; d < D; ++d) current += dn[d] * point[d * D + i];
-            diagonal[a][i] += (point[D * D] + volume_moduli[p]) * current * current;
+            for (std::size_t d = 0; d < D; ++d) current[0][i] += dn[d] * widen<T>(point[d * D + i]);
+            square += current[0][i] * current[0][i];
           }
+          for (std::size_t i = 0; i < D; ++i)
+            diagonal[a][i] += c * square + (c + layout.volume_moduli[p]) * current[0][i] * current[0][i];
         }
         for (std::size_t i = 0; i < D; ++i) diagonal[a][i] += along;
       }
-      data += metric_size + volume_moduli.size() * time_point_size;
+      data += layout.point_size();
     }
   }
 
  private:
+  template <bool HasMass, class T, class Kept>
+  static void add_product(const ShapeTable<Element>& table, const Layout& layout, const Kept* data, const Nodal<T>& u,
+                          Scratch<T>& scratch, Nodal<T>& f) {
+    const std::vector<double>& moduli = layout.volume_moduli;
+    Small<T, D>* gradients = scratch.gradients.data();
+    std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
+    PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
+    constexpr std::size_t usual = 1 << D;
+    if (table.size() == usual && moduli.size() == 1)
+      multiply_points<usual, 1, HasMass>(moduli, data, gradients, values);
+    else if (table.size() == usual && moduli.size() == 2)
+      multiply_points<usual, 2, HasMass>(moduli, data, gradients, values);
+    else
+      for (std::size_t q = 0; q < table.size(); ++q)
+        multiply_point<HasMass>(moduli, moduli.size(), data + q * layout.point_size(), gradients[q],
+                                HasMass ? values + q : nullptr);
+    PointGradients<Element>::template integrate<HasMass>(table, gradients, values, f);
+  }
+
   // The compiler would call these for each point, through memory: half the speed.
 
   /// Of the upper triangle, row by row.
@@ -131,11 +160,11 @@ struct ElasticAction {
     return d > e ? metric_index(e, d) : d * D - d * (d + 1) / 2 + e;
   }
 
-  template <class T>
-  [[gnu::always_inline]] static void multiply_metric(const T* data, const Small<T, D>& g, Small<T, D>& t) {
+  template <class T, class Kept>
+  [[gnu::always_inline]] static void multiply_metric(const Kept* data, const Small<T, D>& g, Small<T, D>& t) {
     Small<T, D> metric;
     for (std::size_t d = 0; d < D; ++d)
-      for (std::size_t e = d; e < D; ++e) metric[d][e] = metric[e][d] = *data++;
+      for (std::size_t e = d; e < D; ++e) metric[d][e] = metric[e][d] = widen<T>(*data++);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t d = 0; d < D; ++d) {
         t[i][d] = g[i][0] * metric[0][d];
@@ -143,43 +172,53 @@ struct ElasticAction {
       }
   }
 
-  template <class T>
-  [[gnu::always_inline]] static void add_time_point(const T* data, double lambda, const Small<T, D>& g,
+  template <class T, class Kept>
+  [[gnu::always_inline]] static void add_time_point(const Kept* data, double lambda, const Small<T, D>& g,
                                                     Small<T, D>& t) {
-    const T& c = data[D * D];
-    Small<T, D> s;
+    Small<T, D> gradient, h, s;
     for (std::size_t d = 0; d < D; ++d)
-      for (std::size_t e = 0; e < D; ++e) {
-        s[d][e] = data[d * D] * g[0][e];
-        for (std::size_t i = 1; i < D; ++i) s[d][e] += data[d * D + i] * g[i][e];
+      for (std::size_t i = 0; i < D; ++i) gradient[d][i] = widen<T>(*data++);
+    const T c = widen<T>(*data);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        h[i][j] = g[i][0] * gradient[0][j];
+        for (std::size_t d = 1; d < D; ++d) h[i][j] += g[i][d] * gradient[d][j];
       }
-    T trace = s[0][0];
-    for (std::size_t d = 1; d < D; ++d) trace += s[d][d];
+    T trace = h[0][0];
+    for (std::size_t d = 1; d < D; ++d) trace += h[d][d];
     trace *= lambda;
-    for (std::size_t d = 0; d < D; ++d) {
-      for (std::size_t e = 0; e < D; ++e) s[d][e] *= c;
-      s[d][d] += trace;
+    for (std::size_t i = 0; i < D; ++i) {
+      s[i][i] = (c + c) * h[i][i] + trace;
+      for (std::size_t j = i + 1; j < D; ++j) s[i][j] = s[j][i] = c * (h[i][j] + h[j][i]);
     }
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t d = 0; d < D; ++d) {
-        T sum = s[d][0] * data[i];
-        for (std::size_t e = 1; e < D; ++e) sum += s[d][e] * data[e * D + i];
+        T sum = s[i][0] * gradient[d][0];
+        for (std::size_t j = 1; j < D; ++j) sum += s[i][j] * gradient[d][j];
         t[i][d] += sum;
       }
   }
 
-  /// The same for numbers of points and time points that the compiler knows.
-  template <std::size_t Points, std::size_t TimePoints, class T>
-  [[gnu::always_inline]] static void multiply_points(const std::vector<double>& volume_moduli, const T* data,
-                                                     Small<T, D>* gradients) {
+  template <bool HasMass, class T, class Kept>
+  [[gnu::always_inline]] static void multiply_point(const std::vector<double>& volume_moduli, std::size_t time_points,
+                                                    const Kept* data, Small<T, D>& gradient, std::array<T, D>* value) {
+    const Small<T, D> g = gradient;
+    multiply_metric(data, g, gradient);
+    data += metric_size;
+    for (std::size_t p = 0; p < time_points; ++p, data += time_point_size)
+      add_time_point(data, volume_moduli[p], g, gradient);
+    if constexpr (HasMass)
+      for (T& v : *value) v *= widen<T>(*data);
+  }
+
+  /// For numbers of points and time points that the compiler knows.
+  template <std::size_t Points, std::size_t TimePoints, bool HasMass, class T, class Kept>
+  [[gnu::always_inline]] static void multiply_points(const std::vector<double>& volume_moduli, const Kept* data,
+                                                     Small<T, D>* gradients, std::array<T, D>* values) {
+    constexpr std::size_t size = metric_size + TimePoints * time_point_size + (HasMass ? 1 : 0);
 #pragma GCC unroll 8
-    for (std::size_t q = 0; q < Points; ++q) {
-      const T* point = data + q * (metric_size + TimePoints * time_point_size);
-      const Small<T, D> g = gradients[q];
-      multiply_metric(point, g, gradients[q]);
-      for (std::size_t p = 0; p < TimePoints; ++p)
-        add_time_point(point + metric_size + p * time_point_size, volume_moduli[p], g, gradients[q]);
-    }
+    for (std::size_t q = 0; q < Points; ++q)
+      multiply_point<HasMass>(volume_moduli, TimePoints, data + q * size, gradients[q], HasMass ? values + q : nullptr);
   }
 };
 

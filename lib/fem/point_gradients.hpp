@@ -1,4 +1,4 @@
-/// From nodal values to gradients at an element's quadrature points, and back.
+/// From nodal values to gradients and values at an element's quadrature points, and back.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -9,29 +9,37 @@
 
 namespace ixos {
 
-/// du_i/dxi_d = sum_a u_ai dN_a/dxi_d at every point of the table, and its transpose f_ai += sum_q t_q,id dN_a/dxi_d.
-/// Nodal arrays are [node][component], gradients [point][component][reference direction].
+/// du_i/dxi_d = sum_a u_ai dN_a/dxi_d at every point of the table, and its transpose f_ai += sum_q t_q,id dN_a/dxi_d;
+/// with WithValues also u_i = sum_a u_ai N_a and its transpose. Nodal arrays are [node][component], gradients
+/// [point][component][reference direction], values [point][component].
 template <class Element>
 struct TabulatedGradients {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
 
-  template <class T>
-  static void evaluate(const ShapeTable<Element>& table, const Small<T, N, D>& u, Small<T, D>* gradients) {
+  template <bool WithValues, class T>
+  static void evaluate(const ShapeTable<Element>& table, const Small<T, N, D>& u, Small<T, D>* gradients,
+                       std::array<T, D>* values) {
     for (std::size_t q = 0; q < table.size(); ++q) {
       gradients[q] = {};
+      if constexpr (WithValues) values[q] = {};
       for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t i = 0; i < D; ++i) {
           for (std::size_t d = 0; d < D; ++d) gradients[q][i][d] += u[a][i] * table.gradient[q][a][d];
+          if constexpr (WithValues) values[q][i] += u[a][i] * table.value[q][a];
+        }
     }
   }
 
-  template <class T>
-  static void integrate(const ShapeTable<Element>& table, const Small<T, D>* stresses, Small<T, N, D>& f) {
+  template <bool WithValues, class T>
+  static void integrate(const ShapeTable<Element>& table, const Small<T, D>* stresses, const std::array<T, D>* values,
+                        Small<T, N, D>& f) {
     for (std::size_t q = 0; q < table.size(); ++q)
       for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t i = 0; i < D; ++i) {
           for (std::size_t d = 0; d < D; ++d) f[a][i] += stresses[q][i][d] * table.gradient[q][a][d];
+          if constexpr (WithValues) f[a][i] += values[q][i] * table.value[q][a];
+        }
   }
 };
 
@@ -48,22 +56,26 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   static constexpr std::size_t D = 3;
   static constexpr std::size_t N = 8;
 
-  template <class T>
-  static void evaluate(const ShapeTable<Hex8>& table, const Small<T, N, D>& u, Small<T, D>* gradients) {
-    if (table.size() != 8) return Tabulated::evaluate(table, u, gradients);
+  template <bool WithValues, class T>
+  static void evaluate(const ShapeTable<Hex8>& table, const Small<T, N, D>& u, Small<T, D>* gradients,
+                       std::array<T, D>* values) {
+    if (table.size() != 8) return Tabulated::evaluate<WithValues>(table, u, gradients, values);
     for (std::size_t i = 0; i < D; ++i) {
       const Coefficients<T> c = coefficients(u, i);
       spread<0>(c.x, c.xy, c.xz, c.xyz, i, gradients);
       spread<1>(c.y, c.xy, c.yz, c.xyz, i, gradients);
       spread<2>(c.z, c.xz, c.yz, c.xyz, i, gradients);
+      if constexpr (WithValues) spread_values(c, i, values);
     }
   }
 
-  template <class T>
-  static void integrate(const ShapeTable<Hex8>& table, const Small<T, D>* stresses, Small<T, N, D>& f) {
-    if (table.size() != 8) return Tabulated::integrate(table, stresses, f);
+  template <bool WithValues, class T>
+  static void integrate(const ShapeTable<Hex8>& table, const Small<T, D>* stresses, const std::array<T, D>* values,
+                        Small<T, N, D>& f) {
+    if (table.size() != 8) return Tabulated::integrate<WithValues>(table, stresses, values, f);
     for (std::size_t i = 0; i < D; ++i) {
       Coefficients<T> c{};
+      if constexpr (WithValues) collect_values(values, i, c);
       collect<0>(stresses, i, c.x, c.xy, c.xz, c.xyz);
       collect<1>(stresses, i, c.y, c.xy, c.yz, c.xyz);
       collect<2>(stresses, i, c.z, c.xz, c.yz, c.xyz);
@@ -74,11 +86,11 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
  private:
   static constexpr double g = 0.57735026918962576451;  ///< the Gauss points are +-g
 
-  /// Of u = ... + (x xi + y eta + z zeta)/8 + (xy xi eta + ...)/8, the products' already times g or g^2 and all over 8,
-  /// so that with signs for coordinates they are values at the Gauss points.
+  /// Of u = mean/8 + (x xi + y eta + z zeta)/8 + (xy xi eta + ...)/8, the products' already times g or g^2 and all over
+  /// 8, so that with signs for coordinates they are values at the Gauss points.
   template <class T>
   struct Coefficients {
-    T x, y, z, xy, xz, yz, xyz;
+    T x, y, z, xy, xz, yz, xyz, mean;
   };
 
   template <class T>
@@ -93,18 +105,20 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
             (0.125 * g) * (bottom_xy + top_xy),
             (0.125 * g) * (top_x - bottom_x),
             (0.125 * g) * (top_y - bottom_y),
-            (0.125 * g * g) * (top_xy - bottom_xy)};
+            (0.125 * g * g) * (top_xy - bottom_xy),
+            0.125 * (bottom + top)};
   }
 
   /// The transpose.
   template <class T>
   [[gnu::always_inline]] static void add_nodal(const Coefficients<T>& c, std::size_t i, Small<T, N, D>& f) {
-    const T x = 0.125 * c.x, y = 0.125 * c.y, z = 0.125 * c.z;
+    const T x = 0.125 * c.x, y = 0.125 * c.y, z = 0.125 * c.z, mean = 0.125 * c.mean;
     const T xy = (0.125 * g) * c.xy, xz = (0.125 * g) * c.xz, yz = (0.125 * g) * c.yz, xyz = (0.125 * g * g) * c.xyz;
     const T bottom_x = x - xz, top_x = x + xz, bottom_y = y - yz, top_y = y + yz, bottom_xy = xy - xyz;
     const T top_xy = xy + xyz;
-    const T s0 = -z - bottom_y, s1 = bottom_y - z, d0 = bottom_x - bottom_xy, d1 = bottom_x + bottom_xy;
-    const T s2 = z - top_y, s3 = z + top_y, d2 = top_x - top_xy, d3 = top_x + top_xy;
+    const T bottom = mean - z, top = mean + z;
+    const T s0 = bottom - bottom_y, s1 = bottom + bottom_y, d0 = bottom_x - bottom_xy, d1 = bottom_x + bottom_xy;
+    const T s2 = top - top_y, s3 = top + top_y, d2 = top_x - top_xy, d3 = top_x + top_xy;
     f[0][i] += s0 - d0;
     f[1][i] += s0 + d0;
     f[2][i] += s1 + d1;
@@ -113,6 +127,34 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
     f[5][i] += s2 + d2;
     f[6][i] += s3 + d3;
     f[7][i] += s3 - d3;
+  }
+
+  /// mean + g (x s + y t + z r + xy s t + ... + xyz s t r) at the points' signs s, t, r: each pass takes one direction.
+  template <class T>
+  [[gnu::always_inline]] static void spread_values(const Coefficients<T>& c, std::size_t i, std::array<T, D>* values) {
+    T v[8] = {c.mean, g * c.x, g * c.y, g * c.xy, g * c.z, g * c.xz, g * c.yz, g * c.xyz};
+    add_and_subtract(v);
+    for (std::size_t q = 0; q < 8; ++q) values[q][i] = v[q];
+  }
+
+  template <class T>
+  [[gnu::always_inline]] static void collect_values(const std::array<T, D>* values, std::size_t i, Coefficients<T>& c) {
+    T v[8];
+    for (std::size_t q = 0; q < 8; ++q) v[q] = values[q][i];
+    add_and_subtract(v);  // the transpose, but that sums and differences have changed places, and the latter their sign
+    c = {-g * v[6], -g * v[5], -g * v[3], g * v[4], g * v[2], g * v[1], -g * v[0], v[7]};
+  }
+
+  /// v_k, v_k+n become v_k - v_k+n, v_k + v_k+n: for n = 1, 2, 4 in turn.
+  template <class T>
+  [[gnu::always_inline]] static void add_and_subtract(T (&v)[8]) {
+    for (std::size_t n = 1; n < 8; n *= 2)
+      for (std::size_t k = 0; k < 8; ++k)
+        if ((k & n) == 0) {
+          const T low = v[k], high = v[k + n];
+          v[k] = low - high;
+          v[k + n] = low + high;
+        }
   }
 
   /// Number of the point whose first, second coordinates beside direction `Along` have these signs (0 or 1).

@@ -29,7 +29,7 @@ void Damping::do_without_matrix() {
   for (StiffnessPart& part : stiffnesses_) {
     part.action = part.term->create_action();
     if (!part.action) throw std::logic_error("a term of the damping cannot be applied without a matrix");
-    part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, 0);
+    part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, {});
   }
 }
 
@@ -53,12 +53,6 @@ void Damping::multiply_add_mass(double factor, const double* x, double* y) const
 
 void Damping::add_mass_diagonal(double factor, double* d) const {
   for (const MassPart& part : masses_) part.mass->add_diagonal(factor * part.alpha, d);
-}
-
-double Damping::stiffness_factor(const Term& term) const {
-  for (const StiffnessPart& part : stiffnesses_)
-    if (part.term == &term) return part.alpha;
-  return 0;
 }
 
 void Damping::multiply_add_matrix(double factor, const double* x, double* y) const {

@@ -30,8 +30,6 @@ class Damping {
   void multiply_add_mass(double factor, const double* x, double* y) const;
   /// d += factor times the diagonal of that part, rows of owned nodes.
   void add_mass_diagonal(double factor, double* d) const;
-  /// alpha_2 of that elastic term, 0 where it has none.
-  double stiffness_factor(const Term& term) const;
   /// sums_r = sum over columns of |C_rc|, rows of owned nodes. Needs the matrix.
   void row_sums(double* sums) const;
   /// values += factor C, in the layout of Pattern::create_matrix.

@@ -30,7 +30,8 @@ class ElasticTerm final : public Term {
       : material_(material),
         youngs_modulus_(youngs_modulus(material.lame)),
         batches_(block.nodes, pattern, node_scales(block)),
-        table_(cell_points<Element>(block, points), block.tied) {
+        table_(cell_points<Element>(block, points), block.tied),
+        has_default_points_(cell_points<Element>(block, points) == Element::default_points) {
     geometry_.reserve(batches_.size());
     owned_.reserve(batches_.size());
     for (std::size_t b = 0; b < batches_.size(); ++b) {
@@ -123,26 +124,31 @@ class ElasticTerm final : public Term {
  private:
   class Action final : public TangentAction {
     using Kept = ElasticAction<Element, Material>;
+    using Layout = typename Kept::Layout;
 
    public:
     explicit Action(const ElasticTerm& term) : term_(term) {}
 
-    void linearize(const Segment& segment, const Rule& rule, Tangent, double rest) override {
-      volume_moduli_ = Kept::volume_moduli(term_.material_, rule, rest);
-      size_ = Kept::size(term_.table_.size(), volume_moduli_.size());
+    void linearize(const Segment& segment, const Rule& rule, Tangent, const LinearPart& linear) override {
+      layout_ = Layout(term_.material_, rule, linear.rest, linear.inertia);
+      size_ = term_.table_.size() * layout_.point_size();
       data_.resize(size_ * term_.batches_.size());
       for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
         const Gathered ends(term_.batches_, b, segment);
-        Kept::linearize(term_.material_, term_.geometry_[b], ends.segment(), rule, rest, &data_[b * size_]);
+        Kept::linearize(term_.material_, term_.geometry_[b], ends.segment(), rule, linear.rest, linear.inertia,
+                        &data_[b * size_]);
       }
     }
 
+    /// Where its points are those of Mass.
+    bool applies_mass() const override { return term_.has_default_points_; }
+
     void add_product(const double* x, double* y) const override {
-      std::vector<Small<Pack, D>> gradients(term_.table_.size());
+      typename Kept::template Scratch<Pack> scratch(term_.table_.size());
       for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
         Nodal u, f{};
         term_.batches_.gather(b, x, u);
-        Kept::add_product(term_.table_, volume_moduli_, &data_[b * size_], u, gradients.data(), f);
+        Kept::add_product(term_.table_, layout_, &data_[b * size_], u, scratch, f);
         term_.batches_.scatter_force(b, f, y);
       }
     }
@@ -150,16 +156,16 @@ class ElasticTerm final : public Term {
     void add_diagonal(double* d) const override {
       for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
         Nodal diagonal{};
-        Kept::add_diagonal(term_.table_, volume_moduli_, &data_[b * size_], diagonal);
+        Kept::add_diagonal(term_.table_, layout_, &data_[b * size_], diagonal);
         term_.batches_.scatter_diagonal(b, diagonal, d);
       }
     }
 
    private:
     const ElasticTerm& term_;
-    std::vector<double> volume_moduli_;
+    Layout layout_;
     std::size_t size_ = 0;  ///< of a batch's data
-    std::vector<Pack> data_;
+    std::vector<NarrowPack> data_;
   };
 
   /// The segment's arrays at one batch; those that are absent stay null.
@@ -184,6 +190,7 @@ class ElasticTerm final : public Term {
   double youngs_modulus_;
   ElementBatches<N, D> batches_;
   typename Kernel::Table table_;
+  bool has_default_points_;
   std::vector<Geometry> geometry_;
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };

@@ -183,7 +183,7 @@ class HalfSpaceTerm final : public Term {
    public:
     explicit Action(const HalfSpaceTerm& term) : term_(term), along_(term.batches_.size()) {}
 
-    void linearize(const Segment& segment, const Rule& rule, Tangent kind, double) override {
+    void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
       for (std::size_t b = 0; b < along_.size(); ++b) {
         const Gaps gaps(term_, b, segment);
         along_[b] = {};

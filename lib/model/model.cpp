@@ -45,6 +45,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
 void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
   elastic_block_.push_back(number);
+  elastic_material_.push_back(material);
   elastic_.push_back(
       make_elastic_term(mesh_, block, pattern_, material.law, material.lame, material.points, material.formulation));
   if (!mass_) return;
@@ -63,10 +64,13 @@ std::vector<std::unique_ptr<TangentAction>> Model::elastic_actions() const { ret
 
 std::vector<std::unique_ptr<TangentAction>> Model::interaction_actions() const { return actions(interactions_); }
 
-std::vector<double> Model::rest_factors() const {
-  std::vector<double> factors(elastic_.size(), 0.0);
-  for (std::size_t i = 0; i < elastic_.size() && damping_; ++i) factors[i] = damping_->stiffness_factor(*elastic_[i]);
-  return factors;
+std::vector<LinearPart> Model::linear_parts(double mass, double damping) const {
+  std::vector<LinearPart> parts(elastic_.size());
+  for (std::size_t i = 0; i < parts.size() && mass_; ++i) {
+    const Material& material = elastic_material_[i];
+    parts[i] = {damping * material.stiffness_damping, (mass + damping * material.mass_damping) * material.density};
+  }
+  return parts;
 }
 
 void Model::do_without_matrices() {

@@ -68,8 +68,8 @@ class Model {
   /// An action of each term; null where a term offers none.
   std::vector<std::unique_ptr<TangentAction>> elastic_actions() const;
   std::vector<std::unique_ptr<TangentAction>> interaction_actions() const;
-  /// Of each elastic term, the factor of its tangent at rest in the damping.
-  std::vector<double> rest_factors() const;
+  /// Of each elastic term, its share of mass M + damping C.
+  std::vector<LinearPart> linear_parts(double mass, double damping) const;
   /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
   void do_without_matrices();
   /// See Term::add_row_sums.
@@ -117,6 +117,7 @@ class Model {
   std::unique_ptr<Damping> damping_;
   std::vector<std::unique_ptr<Term>> elastic_;
   std::vector<std::size_t> elastic_block_;  ///< of each elastic term
+  std::vector<Material> elastic_material_;
   std::vector<std::unique_ptr<Term>> interactions_;
   Constraints constraints_;
   Loads loads_;

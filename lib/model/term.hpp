@@ -34,17 +34,25 @@ struct CellFields {
 /// descent direction where the exact tangent is not positive definite.
 enum class Tangent { Exact, Convex };
 
+/// What an elastic action applies beside the tangent.
+struct LinearPart {
+  double rest = 0;     ///< factor of the undeformed body's tangent: stiffness damping
+  double inertia = 0;  ///< factor times density of the mass: inertia and mass damping
+};
+
 /// A term's tangent applied without a matrix, from what linearize() keeps at the quadrature points. Arrays are local;
 /// entries of ghost rows are scratch. The term must outlive it. None of the functions communicates.
 class TangentAction {
  public:
   virtual ~TangentAction() = default;
-  /// Takes the tangent that Term::add_tangent would add, plus `rest` times that of the undeformed body: stiffness
-  /// damping. Interactions have none at rest. Only rules with is_gradient().
-  virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, double rest) = 0;
+  /// Takes the tangent that Term::add_tangent would add, plus the linear part, which interactions do not have. Only
+  /// rules with is_gradient(). An elastic action keeps single precision, see ElasticAction.
+  virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
+  /// Whether it applies a mass: else the linear part's `inertia` has to be 0.
+  virtual bool applies_mass() const { return false; }
   /// y += K x.
   virtual void add_product(const double* x, double* y) const = 0;
-  /// d += the diagonal of K.
+  /// d += the diagonal of K; a mass's is not added.
   virtual void add_diagonal(double* d) const = 0;
 };
 

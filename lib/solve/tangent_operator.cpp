@@ -13,20 +13,25 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
       assemble_(std::move(assemble)),
       elastic_(model.elastic_actions()),
       interactions_(model.interaction_actions()),
-      rest_factors_(model.rest_factors()) {
+      mass_in_elastic_(model.mass() != nullptr && !model.mass()->is_lumped()) {
   for (const auto* actions : {&elastic_, &interactions_})
     if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))
       throw InputError(
           "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation; use "
           "\"Assembled\"");
+  for (const auto& action : elastic_) mass_in_elastic_ = mass_in_elastic_ && action->applies_mass();
   for (std::vector<double>* array : {&x_, &result_, &part_})
     array->resize(static_cast<std::size_t>(model.space().local()));
 }
 
 void TangentOperator::linearize(const TangentPoint& point) {
-  for (std::size_t i = 0; i < elastic_.size(); ++i)
-    elastic_[i]->linearize(point.elastic, *point.elastic_rule, point.kind, point.damping * rest_factors_[i]);
-  for (const auto& action : interactions_) action->linearize(point.interaction, *point.interaction_rule, point.kind, 0);
+  std::vector<LinearPart> linear = model_.linear_parts(point.mass, point.damping);
+  for (std::size_t i = 0; i < elastic_.size(); ++i) {
+    if (!mass_in_elastic_) linear[i].inertia = 0;
+    elastic_[i]->linearize(point.elastic, *point.elastic_rule, point.kind, linear[i]);
+  }
+  for (const auto& action : interactions_)
+    action->linearize(point.interaction, *point.interaction_rule, point.kind, {});
   mass_ = point.mass;
   damping_ = point.damping;
   shift_ = point.shift;
@@ -39,11 +44,13 @@ void TangentOperator::multiply(const double* x) const {
   std::fill(result_.begin(), result_.end(), 0.0);
   for (const auto& action : elastic_) action->add_product(x, result_.data());
   for (const auto& action : interactions_) action->add_product(x, result_.data());
-  if (model_.mass() != nullptr && mass_ != 0) {
-    model_.mass()->multiply(x, part_.data());
-    for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
+  if (!mass_in_elastic_) {
+    if (model_.mass() != nullptr && mass_ != 0) {
+      model_.mass()->multiply(x, part_.data());
+      for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
+    }
+    if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
   }
-  if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
   if (shift_ != 0)
     for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
 }

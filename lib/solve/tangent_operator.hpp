@@ -54,7 +54,7 @@ class TangentOperator final : public AssemblableOperator {
   const Model& model_;
   std::function<void(double*)> assemble_;
   std::vector<std::unique_ptr<TangentAction>> elastic_, interactions_;
-  std::vector<double> rest_factors_;
+  bool mass_in_elastic_;  ///< the elastic actions apply it
   double mass_ = 0, damping_ = 0, shift_ = 0, constrained_diagonal_ = 1;
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;

@@ -81,6 +81,9 @@ struct Case {
   int bulk_points = 0;
 };
 
+/// Relative: elastic actions keep single precision.
+constexpr double single = 1e-6;
+
 class TangentOperatorTest : public testing::TestWithParam<Case> {};
 
 TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
@@ -110,20 +113,20 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
       ASSERT_TRUE(assembled.residual(x, f));
       ASSERT_TRUE(matrix_free.residual(x, free_f));
       // Prescribed values are still on their way: the residual needs the constrained columns.
-      EXPECT_LT(distance(free_f, f), 1e-12) << scheme;
+      EXPECT_LT(distance(free_f, f), single) << scheme;
       const auto w = assembled.create_operator(), free_w = matrix_free.create_operator();
       assembled.tangent(x, *w);
       matrix_free.tangent(x, *free_w);
       w->apply(direction, product);
       free_w->apply(direction, free_product);
-      EXPECT_LT(distance(free_product, product), 1e-13) << scheme << ", level " << level;
+      EXPECT_LT(distance(free_product, product), single) << scheme << ", level " << level;
       product.update(2.0, direction, 1.0);
       free_product.assign(direction);
       free_w->apply(direction, free_product, Teuchos::NO_TRANS, 1.0, 2.0);
-      EXPECT_LT(distance(free_product, product), 1e-13) << scheme << ", level " << level;
+      EXPECT_LT(distance(free_product, product), single) << scheme << ", level " << level;
       dynamic_cast<CrsMatrix&>(*w).getLocalDiagCopy(diagonal);
       dynamic_cast<TangentOperator&>(*free_w).diagonal(free_diagonal);
-      EXPECT_LT(distance(free_diagonal, diagonal), 1e-13) << scheme << ", level " << level;
+      EXPECT_LT(distance(free_diagonal, diagonal), single) << scheme << ", level " << level;
       dynamic_cast<TangentOperator&>(*free_w).matrix()->apply(direction, free_product);
       w->apply(direction, product);
       EXPECT_LT(distance(free_product, product), 1e-14) << scheme << ", level " << level;

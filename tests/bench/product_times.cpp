@@ -1,0 +1,104 @@
+// W x of a distorted block's tangent with mass, as a matrix, matrix-free, and matrix-free with stiffness damping, in
+// turns; on as many ranks as it is started on: product_times [divisions] [rounds]. Least and median time, and how many
+// times faster than the matrix.
+#include <fmt/format.h>
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Core.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <vector>
+
+#include "mesh/generators.hpp"
+#include "model/model.hpp"
+#include "solve/tangent_operator.hpp"
+
+namespace {
+
+ixos::Mesh distorted_block(int divisions) {
+  ixos::BoxShape shape;
+  shape.dimension = 3;
+  shape.lengths = {10, 10, 10};
+  shape.divisions = {divisions, divisions, divisions};
+  ixos::Mesh mesh = ixos::box(shape);
+  for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
+    mesh.coordinates[i] += 1.5 / divisions * std::sin(1.7 * static_cast<double>(i));
+  return mesh;
+}
+
+/// The tangent at a small deformation; the model keeps what it was taken of.
+class Product {
+ public:
+  Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping)
+      : model_(ixos::localize(mesh, ixos::partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()),
+               comm, {{"body", ixos::ElasticLaw::NeoHooke, ixos::lame_constants(1, 0.3), 1.0, 0, damping}}),
+        u_(static_cast<std::size_t>(model_.space().local())),
+        tangent_(model_, [this](double* values) {
+          model_.add_elastic_tangent({nullptr, nullptr, u_.data()}, rule_, values);
+          model_.mass()->add_to(4.0, values);
+        }) {
+    model_.do_without_matrices();
+    for (std::size_t i = 0; i < u_.size(); ++i) u_[i] = 0.01 * std::sin(model_.mesh().coordinates[i]);
+    ixos::TangentPoint point;
+    point.elastic = point.interaction = {nullptr, nullptr, u_.data()};
+    point.elastic_rule = point.interaction_rule = &rule_;
+    point.mass = 4.0;
+    point.damping = 2.0;
+    tangent_.linearize(point);
+  }
+  const ixos::TangentOperator& tangent() const { return tangent_; }
+
+ private:
+  ixos::Model model_;
+  std::vector<double> u_;
+  const ixos::Rule rule_ = ixos::end_rule();
+  ixos::TangentOperator tangent_;
+};
+
+void measure(const ixos::Comm& comm, int divisions, int rounds) {
+  const ixos::Mesh mesh = distorted_block(divisions);
+  const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01);
+  const Teuchos::RCP<ixos::CrsMatrix> matrix = plain.tangent().matrix();
+  ixos::Vector in(matrix->getDomainMap()), out(matrix->getRangeMap());
+  in.randomize();
+  struct Way {
+    const char* name;
+    std::function<void()> apply;
+    std::vector<double> seconds;
+  };
+  std::array<Way, 3> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
+                           {"matrix-free", [&] { plain.tangent().apply(in, out); }, {}},
+                           {"matrix-free, stiffness damping", [&] { damped.tangent().apply(in, out); }, {}}}};
+  for (int round = 0; round < rounds; ++round)
+    for (Way& way : ways) {
+      comm->barrier();
+      const auto start = std::chrono::steady_clock::now();
+      way.apply();
+      comm->barrier();
+      way.seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+  if (comm->getRank() != 0) return;
+  fmt::print("{} degrees of freedom, {} rank(s), {} rounds\n\n", in.getGlobalLength(), comm->getSize(), rounds);
+  fmt::print("| W x | least, ms | median, ms | faster, by the least | by the median |\n|---|---|---|---|---|\n");
+  for (Way& way : ways) {
+    std::sort(way.seconds.begin(), way.seconds.end());
+    const auto& first = ways[0].seconds;
+    fmt::print("| {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} |\n", way.name, 1e3 * way.seconds.front(),
+               1e3 * way.seconds[way.seconds.size() / 2], first.front() / way.seconds.front(),
+               first[first.size() / 2] / way.seconds[way.seconds.size() / 2]);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  measure(Tpetra::getDefaultComm(), argc > 1 ? std::atoi(argv[1]) : 48, argc > 2 ? std::atoi(argv[2]) : 60);
+  return 0;
+}
