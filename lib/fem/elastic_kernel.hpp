@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
+#include "fem/node_pairs.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
-#include "material/spatial_tangent.hpp"
 
 namespace ixos {
 
@@ -61,10 +60,7 @@ struct ElasticKernel {
   static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
     Geometry<T> result{&table, std::vector<Point<T>>(table.size())};
     for (std::size_t q = 0; q < table.size(); ++q) {
-      Small<T, D> jacobian{};
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += x[a][i] * table.gradient[q][a][d];
+      const Small<T, D> jacobian = gradient(x, table.gradient[q]);
       const T det = determinant(jacobian);
       result.points[q].inverse_jacobian = inverse(jacobian, det);
       result.points[q].weight = det * table.weight[q];
@@ -85,15 +81,7 @@ struct ElasticKernel {
   /// the stress out of the plane.
   template <class T>
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
-    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
-    T volume(0.0);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const T& w = geometry.points[q].weight;
-      add_means(material, gradient(u, shape_gradients(geometry, q)), w, sums);
-      volume += w;
-    }
-    for (T& sum : sums) sum = sum / volume;
-    return sums;
+    return means_of(material, geometry, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); });
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane
@@ -151,9 +139,9 @@ struct ElasticKernel {
       for (std::size_t r = 0; r < D * D; ++r)
         for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry.points[q].weight;
       if (rule.is_gradient())
-        add_contraction<true>(dn, mean, k);
+        add_contraction<true>(dn, dn, mean, k);
       else
-        add_contraction<false>(dn, mean, k);
+        add_contraction<false>(dn, dn, mean, k);
     }
   }
 
@@ -167,9 +155,9 @@ struct ElasticKernel {
   template <class T, class Sink>
   static void for_each_node_pair(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                                  const Rule& rule, const Sink& sink) {
-    for (std::size_t q = 0; q < geometry.points.size(); q += chunk) {
-      const std::size_t count = std::min(chunk, geometry.points.size() - q);
-      std::array<Linearized<T>, chunk> linearized;
+    for (std::size_t q = 0; q < geometry.points.size(); q += points_at_once) {
+      const std::size_t count = std::min(points_at_once, geometry.points.size() - q);
+      std::array<SpatialPoint<T, N, D>, points_at_once> linearized;
       for (std::size_t i = 0; i < count; ++i)
         linearize(material, geometry, segment, rule.points[0], q + i, linearized[i]);
       add_products(linearized, count, sink);
@@ -220,9 +208,9 @@ struct ElasticKernel {
     return dn;
   }
 
-  /// H_iJ = sum_a u_ai dN_a/dX_J.
-  template <class T>
-  static Small<T, D> gradient(const Nodal<T>& u, const Nodal<T>& dn) {
+  /// H_iJ = sum_a u_ai dN_a/dX_J; of reference gradients dN_a/dxi_d the derivative by xi.
+  template <class T, class S>
+  static Small<T, D> gradient(const Nodal<T>& u, const Nodal<S>& dn) {
     Small<T, D> h{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t i = 0; i < D; ++i)
@@ -231,38 +219,45 @@ struct ElasticKernel {
   }
 
  protected:
-  /// Adds weight times the values of means() at a point with displacement gradient h.
-  template <class T>
-  static void add_means(const Material& material, const Small<T, D>& h, const T& weight, std::array<T, 3>& sums) {
-    Small<T, D> p;
-    const T jacobian = material.stress(h, p);
-    T trace(0.0);
-    for (std::size_t i = 0; i < D; ++i) {
-      trace += p[i][i];
-      for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+  /// means() of the displacement gradients that gradient_at(q) gives for the quadrature points.
+  template <class T, class GradientAt>
+  static std::array<T, 3> means_of(const Material& material, const Geometry<T>& geometry,
+                                   const GradientAt& gradient_at) {
+    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Small<T, D> h = gradient_at(q);
+      const T& weight = geometry.points[q].weight;
+      Small<T, D> p;
+      const T jacobian = material.stress(h, p);
+      T trace(0.0);
+      for (std::size_t i = 0; i < D; ++i) {
+        trace += p[i][i];
+        for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+      }
+      trace = trace / jacobian;
+      if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+      sums[0] += weight * trace;
+      sums[1] += weight * jacobian;
+      sums[2] += weight * material.energy(h);
     }
-    trace = trace / jacobian;
-    if constexpr (D == 2) trace += material.out_of_plane_stress(h);
-    sums[0] += weight * trace;
-    sums[1] += weight * jacobian;
-    sums[2] += weight * material.energy(h);
+    const T reference = volume(geometry);
+    for (T& sum : sums) sum = sum / reference;
+    return sums;
   }
 
-  /// Points that add_products() takes at once: their gradients stay in the nearest cache.
-  static constexpr std::size_t chunk = 8;
-
-  /// The tangent at one quadrature and time point: shape gradients in the reference and in the deformed body, and the
-  /// material's coefficients times the weights.
+  /// The reference volume.
   template <class T>
-  struct Linearized {
-    Nodal<T> reference, current;
-    SpatialTangent<T> moduli;
-  };
+  static T volume(const Geometry<T>& geometry) {
+    T sum(0.0);
+    for (const Point<T>& point : geometry.points) sum += point.weight;
+    return sum;
+  }
 
+ private:
   template <class T>
   [[gnu::always_inline]] static void linearize(const Material& material, const Geometry<T>& geometry,
                                                const Segment<T>& segment, const RulePoint& point, std::size_t q,
-                                               Linearized<T>& result) {
+                                               SpatialPoint<T, N, D>& result) {
     result.reference = shape_gradients(geometry, q);
     const Ends<T> ends(segment, result.reference);
     Small<T, D> inverse_deformation;
@@ -273,59 +268,6 @@ struct ElasticKernel {
         result.current[a][i] = result.reference[a][0] * inverse_deformation[0][i];
         for (std::size_t j = 1; j < D; ++j) result.current[a][i] += result.reference[a][j] * inverse_deformation[j][i];
       }
-  }
-
-  /// k_ai,bk = sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
-  /// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
-  /// in registers; one triangle is computed and mirrored.
-  template <class T, class Sink>
-  static void add_products(const std::array<Linearized<T>, chunk>& points, std::size_t count, const Sink& sink) {
-    for (std::size_t b = 0; b < N; ++b) {
-      std::array<std::array<T, D>, chunk> n, c, l;
-      for (std::size_t q = 0; q < count; ++q)
-        for (std::size_t i = 0; i < D; ++i) {
-          n[q][i] = points[q].moduli.mu * points[q].reference[b][i];
-          c[q][i] = points[q].moduli.c * points[q].current[b][i];
-          l[q][i] = points[q].moduli.lambda * points[q].current[b][i];
-        }
-      for (std::size_t a = 0; a <= b; ++a) {
-        Small<T, D> sum{};
-        T along(0.0);
-        for (std::size_t q = 0; q < count; ++q) {
-          const auto& reference = points[q].reference[a];
-          const auto& current = points[q].current[a];
-          for (std::size_t i = 0; i < D; ++i) {
-            along += reference[i] * n[q][i];
-            for (std::size_t j = 0; j < D; ++j) sum[i][j] += c[q][i] * current[j] + current[i] * l[q][j];
-          }
-        }
-        for (std::size_t i = 0; i < D; ++i) sum[i][i] += along;
-        sink(a, b, sum);
-        if (a == b) continue;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < i; ++j) std::swap(sum[i][j], sum[j][i]);
-        sink(b, a, sum);
-      }
-    }
-  }
-
-  /// k_ai,bk += dN_a,J A_iJkL dN_b,L; of symmetric moduli the upper triangle of node pairs is computed and mirrored.
-  template <bool symmetric, class T, std::size_t M>
-  static void add_contraction(const Small<T, M, D>& dn, const Small<T, D * D>& moduli, Small<T, M * D>& k) {
-    for (std::size_t b = 0; b < M; ++b) {
-      Small<T, D * D, D> right{};  // A_iJkL dN_b,L
-      for (std::size_t r = 0; r < D * D; ++r)
-        for (std::size_t c = 0; c < D; ++c)
-          for (std::size_t l = 0; l < D; ++l) right[r][c] += moduli[r][c * D + l] * dn[b][l];
-      for (std::size_t a = 0; a < (symmetric ? b + 1 : M); ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t c = 0; c < D; ++c) {
-            T sum = dn[a][0] * right[i * D][c];
-            for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * right[i * D + j][c];
-            k[a * D + i][b * D + c] += sum;
-            if (symmetric && a != b) k[b * D + c][a * D + i] += sum;
-          }
-    }
   }
 };
 

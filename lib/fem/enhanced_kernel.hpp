@@ -54,10 +54,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     std::array<double, N> value;
     std::array<std::array<double, D>, N> slope;
     Element::evaluate({}, value, slope);
-    Small<T, D> jacobian{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t d = 0; d < D; ++d) jacobian[i][d] += x[a][i] * slope[a][d];
+    const Small<T, D> jacobian = Base::gradient(x, slope);
     const T det = determinant(jacobian);
     Geometry<T> result{Base::geometry(table, x), inverse(jacobian, det)};
     for (auto& row : result.center)
@@ -79,14 +76,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   template <class T>
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     const Relaxed<T> state(material, geometry, u);
-    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
-    T volume(0.0);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      Base::add_means(material, state.gradient[q], geometry.points[q].weight, sums);
-      volume += geometry.points[q].weight;
-    }
-    for (T& sum : sums) sum = sum / volume;
-    return sums;
+    return Base::means_of(material, geometry, [&](std::size_t q) { return state.gradient[q]; });
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, or 0 where alpha was
@@ -136,9 +126,9 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
         const T w = factor * geometry.points[q].weight;
         for (auto& row : moduli)
           for (T& value : row) value *= w;
-        Base::template add_contraction<true>(dn, moduli, k);
-        Base::template add_contraction<true>(modes, moduli, inner);
-        add_mixed(dn, modes, moduli, mixed);
+        add_contraction<true>(dn, dn, moduli, k);
+        add_contraction<true>(modes, modes, moduli, inner);
+        add_contraction<false>(dn, modes, moduli, mixed);
       }
       // Both blocks carry the factor, so one of it is left.
       const Ldl<T, D * D> ldl(inner);
@@ -196,7 +186,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
           }
         for (auto& row : moduli)
           for (T& value : row) value *= w;
-        Base::template add_contraction<true>(modes, moduli, tangent);
+        add_contraction<true>(modes, modes, moduli, tangent);
       }
       const Ldl<T, D * D> ldl(tangent);
       ldl.solve(step);
@@ -244,25 +234,6 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
         if (segment.velocity != nullptr) u[a][i] += point.velocity * (*segment.velocity)[a][i];
       }
     return u;
-  }
-
-  /// k_ai,dk += dN_a,J A_iJkL g_d,L.
-  template <class T>
-  static void add_mixed(const Nodal<T>& dn, const Small<T, D>& modes, const Small<T, D * D>& moduli,
-                        Small<T, N * D, D * D>& k) {
-    for (std::size_t d = 0; d < D; ++d) {
-      Small<T, D * D, D> right{};  // A_iJkL g_d,L
-      for (std::size_t r = 0; r < D * D; ++r)
-        for (std::size_t c = 0; c < D; ++c)
-          for (std::size_t l = 0; l < D; ++l) right[r][c] += moduli[r][c * D + l] * modes[d][l];
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t c = 0; c < D; ++c) {
-            T sum = dn[a][0] * right[i * D][c];
-            for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * right[i * D + j][c];
-            k[a * D + i][d * D + c] += sum;
-          }
-    }
   }
 };
 

@@ -1,8 +1,7 @@
 /// A cure of volumetric locking that derives from an energy: one mean dilatation for the whole element.
 #pragma once
-#include <cmath>
-
 #include "fem/elastic_kernel.hpp"
+#include "fem/mean_dilatation_point.hpp"
 
 namespace ixos {
 
@@ -49,12 +48,8 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     const T mean = mean_dilatation(geometry, u);
-    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
-    for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      Base::add_means(material, State<T>(gradient_at(geometry, q, u), mean).scaled, geometry.points[q].weight, sums);
-    const T reference = volume(geometry);
-    for (T& sum : sums) sum = sum / reference;
-    return sums;
+    return Base::means_of(material, geometry,
+                          [&](std::size_t q) { return State<T>(gradient_at(geometry, q, u), mean).scaled; });
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; where
@@ -84,7 +79,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) f[a][i] += w * local[i][j] * dn[a][j];
     }
-    const T reference = volume(geometry);
+    const T reference = Base::volume(geometry);
     for (std::size_t k = 0; k < means.size(); ++k) {
       const T factor = rule.points[k].weight * means[k].pressure / means[k].volume(reference);
       for (std::size_t a = 0; a < N; ++a)
@@ -102,7 +97,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     T least_jacobian(1e300);
     std::vector<Mean<T>> means = dilatations(geometry, segment, rule, least_jacobian);
     if constexpr (finite) add_pressures(material, geometry, segment, rule, means);
-    const T reference = volume(geometry);
+    const T reference = Base::volume(geometry);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const T& w = geometry.points[q].weight;
       const Nodal<T> dn = Base::shape_gradients(geometry, q);
@@ -124,89 +119,21 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
       }
       for (auto& row : sum)
         for (T& value : row) value *= w;
-      Base::template add_contraction<true>(dn, sum, k);
+      add_contraction<true>(dn, dn, sum, k);
     }
     for (std::size_t point = 0; point < means.size(); ++point)
       means[point].add_to(rule.points[point].weight * rule.points[point].to, reference, k);
   }
 
  private:
-  /// Small-strain laws can take any F; their J is 1.
-  static constexpr bool finite = Material::can_invert;
-
+  using AtPoint = MeanDilatationPoint<Material, D>;
+  static constexpr bool finite = AtPoint::finite;
+  template <class T>
+  using State = typename AtPoint::template State<T>;
+  template <class T>
+  using Moduli = typename AtPoint::template Moduli<T>;
   template <class T>
   using Ends = typename Base::template Ends<T>;
-
-  template <class T>
-  static T trace(const Small<T, D>& m) {
-    T sum = m[0][0];
-    for (std::size_t i = 1; i < D; ++i) sum += m[i][i];
-    return sum;
-  }
-
-  /// J - 1; of a linear law its linear part.
-  template <class T>
-  static T dilatation(const Small<T, D>& h) {
-    if constexpr (finite) return determinant_minus_one(h);
-    return trace(h);
-  }
-
-  /// H~ at a point and what its variation needs; of a linear law all but H~ is that at rest.
-  template <class T>
-  struct State {
-    State(const Small<T, D>& h, const T& mean_dilatation) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
-      T change;  // of the diagonal
-      if constexpr (finite) {
-        Small<T, D> f = h;
-        for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
-        jacobian = determinant(f);
-        inverse = ixos::inverse(f, jacobian);
-        change = root_minus_one(T((mean_dilatation - dilatation(h)) / jacobian));
-        scale = 1.0 + change;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) scaled[i][j] *= scale;
-      } else {
-        change = (mean_dilatation - dilatation(h)) * (1.0 / D);
-        for (std::size_t i = 0; i < D; ++i) inverse[i][i] = T(1.0);
-      }
-      for (std::size_t i = 0; i < D; ++i) scaled[i][i] += change;
-    }
-
-    /// m:F~; of a linear law the trace.
-    T product(const Small<T, D>& m) const {
-      T sum = trace(m);
-      if constexpr (finite)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * scaled[i][j];
-      return sum;
-    }
-
-    /// Adds w dJ/du.
-    void add_volume_gradient(const Nodal<T>& dn, const T& w, Nodal<T>& result) const {
-      const T factor = w * jacobian;
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i) {
-          T sum = dn[a][0] * inverse[0][i];
-          for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * inverse[j][i];
-          result[a][i] += factor * sum;
-        }
-    }
-
-    Small<T, D> scaled;   ///< H~ = F~ - I
-    T scale;              ///< (Jm/J)^(1/D)
-    T jacobian;           ///< J
-    Small<T, D> inverse;  ///< F^-1
-
-   private:
-    /// (1 + x)^(1/D) - 1 without cancellation.
-    static T root_minus_one(const T& x) {
-      using std::cbrt;
-      using std::sqrt;
-      if constexpr (D == 2) return x / (1.0 + sqrt(T(1.0 + x)));
-      const T root = cbrt(T(1.0 + x));
-      return x / (1.0 + root + root * root);
-    }
-  };
 
   /// What one time point sums over the quadrature points.
   template <class T>
@@ -242,68 +169,9 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     }
   };
 
-  /// Second derivatives at a point, with the law's moduli A, P = P~, B = A:F~, t = P:F~, G = F^-T, c = scale:
-  ///   phi_FF = c^2 A - (Q (x) G + G (x) Q)/D + z/D G (x) G + t/D G x G,  phi_Ft = (Q - z G)/D,  phi_tt = z/D,
-  /// Q = c (P + B), z = (F~:B + t)/D, (G x G)_iJkL = G_iL G_kJ; of a linear law without the terms in P. To phi_FF is
-  /// added sigma (G (x) G - G x G), sigma = J S/(V Jm), of the second derivative of Jm.
-  template <class T>
-  struct Moduli {
-    Moduli(const Material& material, const State<T>& s, const T& sigma) {
-      Small<T, D> p;
-      Small<T, D * D> a;
-      material.stress_and_moduli(s.scaled, p, a);
-      Small<T, D> q;
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) {
-          const auto& row = a[i * D + j];
-          T sum = row[0];
-          for (std::size_t m = 1; m < D; ++m) sum += row[m * D + m];
-          if constexpr (finite)
-            for (std::size_t m = 0; m < D * D; ++m) sum += row[m] * s.scaled[m / D][m % D];
-          q[i][j] = sum;
-        }
-      T t(0.0);
-      T z = s.product(q) * (1.0 / D);
-      if constexpr (finite) {
-        t = s.product(p) * (1.0 / D);
-        z += t;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) q[i][j] = s.scale * (p[i][j] + q[i][j]);
-      }
-      second = z * (1.0 / D);
-      const T parallel = second + sigma, crossed = t - sigma, square = s.scale * s.scale;
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) coupling[i][j] = (q[i][j] - z * s.inverse[j][i]) * (1.0 / D);
-      // -(Q (x) G + G (x) Q)/D + parallel G (x) G = G (x) R + R (x) G
-      Small<T, D> r;
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) r[i][j] = 0.5 * parallel * s.inverse[j][i] - (1.0 / D) * q[i][j];
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j)
-          for (std::size_t m = 0; m < D; ++m)
-            for (std::size_t n = 0; n < D; ++n) {
-              T value = square * a[i * D + j][m * D + n] + s.inverse[j][i] * r[m][n] + r[i][j] * s.inverse[n][m];
-              if constexpr (finite) value += crossed * (s.inverse[n][i] * s.inverse[j][m]);
-              local[i * D + j][m * D + n] = value;
-            }
-    }
-
-    Small<T, D * D> local;
-    Small<T, D> coupling;
-    T second;
-  };
-
   template <class T>
   static Small<T, D> gradient_at(const Geometry<T>& geometry, std::size_t q, const Nodal<T>& u) {
     return Base::gradient(u, Base::shape_gradients(geometry, q));
-  }
-
-  /// The reference volume.
-  template <class T>
-  static T volume(const Geometry<T>& geometry) {
-    T sum(0.0);
-    for (const auto& point : geometry.points) sum += point.weight;
-    return sum;
   }
 
   /// Jm - 1.
@@ -311,8 +179,8 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   static T mean_dilatation(const Geometry<T>& geometry, const Nodal<T>& u) {
     T sum(0.0);
     for (std::size_t q = 0; q < geometry.points.size(); ++q)
-      sum += geometry.points[q].weight * dilatation(gradient_at(geometry, q, u));
-    return sum / volume(geometry);
+      sum += geometry.points[q].weight * AtPoint::dilatation(gradient_at(geometry, q, u));
+    return sum / Base::volume(geometry);
   }
 
   /// One Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
@@ -323,13 +191,13 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Ends<T> ends(segment, Base::shape_gradients(geometry, q));
       for (std::size_t k = 0; k < means.size(); ++k) {
-        const T change = dilatation(ends.at(rule.points[k]));
+        const T change = AtPoint::dilatation(ends.at(rule.points[k]));
         means[k].dilatation += geometry.points[q].weight * change;
         if constexpr (finite) least_jacobian = smaller(least_jacobian, T(1.0 + change));
       }
       if constexpr (finite) least_jacobian = smaller(least_jacobian, ends.jacobian());
     }
-    const T reference = volume(geometry);
+    const T reference = Base::volume(geometry);
     for (Mean<T>& mean : means) mean.dilatation = mean.dilatation / reference;
     return means;
   }

@@ -1,0 +1,142 @@
+/// What a mean dilatation makes of the deformation at one quadrature point.
+#pragma once
+#include <cmath>
+#include <cstddef>
+
+#include "base/small_matrix.hpp"
+
+namespace ixos {
+
+/// Of the energy W(F~), F~ = (Jm/J)^(1/D) F, see MeanDilatationKernel: a point's part and its derivatives by F and by
+/// theta = ln Jm. Of a linear law the limit of small strains.
+template <class Material, std::size_t D>
+struct MeanDilatationPoint {
+  /// Small-strain laws can take any F; their J is 1.
+  static constexpr bool finite = Material::can_invert;
+
+  template <class T>
+  static T trace(const Small<T, D>& m) {
+    T sum = m[0][0];
+    for (std::size_t i = 1; i < D; ++i) sum += m[i][i];
+    return sum;
+  }
+
+  /// J - 1; of a linear law its linear part.
+  template <class T>
+  static T dilatation(const Small<T, D>& h) {
+    if constexpr (finite) return determinant_minus_one(h);
+    return trace(h);
+  }
+
+  /// H~ at a point and what its variation needs; of a linear law all but H~ is that at rest.
+  template <class T>
+  struct State {
+    State(const Small<T, D>& h, const T& mean_dilatation) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
+      T change;  // of the diagonal
+      if constexpr (finite) {
+        Small<T, D> f = h;
+        for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+        jacobian = determinant(f);
+        inverse = ixos::inverse(f, jacobian);
+        change = root_minus_one(T((mean_dilatation - dilatation(h)) / jacobian));
+        scale = 1.0 + change;
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) scaled[i][j] *= scale;
+      } else {
+        change = (mean_dilatation - dilatation(h)) * (1.0 / D);
+        for (std::size_t i = 0; i < D; ++i) inverse[i][i] = T(1.0);
+      }
+      for (std::size_t i = 0; i < D; ++i) scaled[i][i] += change;
+    }
+
+    /// m:F~; of a linear law the trace.
+    T product(const Small<T, D>& m) const {
+      T sum = trace(m);
+      if constexpr (finite)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * scaled[i][j];
+      return sum;
+    }
+
+    /// Adds w dJ/du.
+    template <std::size_t N>
+    void add_volume_gradient(const Small<T, N, D>& dn, const T& w, Small<T, N, D>& result) const {
+      const T factor = w * jacobian;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i) {
+          T sum = dn[a][0] * inverse[0][i];
+          for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * inverse[j][i];
+          result[a][i] += factor * sum;
+        }
+    }
+
+    Small<T, D> scaled;   ///< H~ = F~ - I
+    T scale;              ///< (Jm/J)^(1/D)
+    T jacobian;           ///< J
+    Small<T, D> inverse;  ///< F^-1
+
+   private:
+    /// (1 + x)^(1/D) - 1 without cancellation.
+    static T root_minus_one(const T& x) {
+      using std::cbrt;
+      using std::sqrt;
+      if constexpr (D == 2) return x / (1.0 + sqrt(T(1.0 + x)));
+      const T root = cbrt(T(1.0 + x));
+      return x / (1.0 + root + root * root);
+    }
+  };
+
+  /// Second derivatives at a point, with the law's moduli A, P = P~, B = A:F~, t = P:F~, G = F^-T, c = scale:
+  ///   phi_FF = c^2 A - (Q (x) G + G (x) Q)/D + z/D G (x) G + t/D G x G,  phi_Ft = (Q - z G)/D,  phi_tt = z/D,
+  /// Q = c (P + B), z = (F~:B + t)/D, (G x G)_iJkL = G_iL G_kJ; of a linear law without the terms in P. To phi_FF is
+  /// added sigma (G (x) G - G x G), sigma = J S/(V Jm), of the second derivative of Jm.
+  template <class T>
+  struct Moduli {
+    // A call for each point, through memory, would cost a tenth of a tangent's speed.
+    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& sigma) {
+      Small<T, D> p;
+      Small<T, D * D> a;
+      material.stress_and_moduli(s.scaled, p, a);
+      Small<T, D> q;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) {
+          const auto& row = a[i * D + j];
+          T sum = row[0];
+          for (std::size_t m = 1; m < D; ++m) sum += row[m * D + m];
+          if constexpr (finite)
+            for (std::size_t m = 0; m < D * D; ++m) sum += row[m] * s.scaled[m / D][m % D];
+          q[i][j] = sum;
+        }
+      T t(0.0);
+      T z = s.product(q) * (1.0 / D);
+      if constexpr (finite) {
+        t = s.product(p) * (1.0 / D);
+        z += t;
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) q[i][j] = s.scale * (p[i][j] + q[i][j]);
+      }
+      second = z * (1.0 / D);
+      const T parallel = second + sigma, crossed = t - sigma, square = s.scale * s.scale;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) coupling[i][j] = (q[i][j] - z * s.inverse[j][i]) * (1.0 / D);
+      // -(Q (x) G + G (x) Q)/D + parallel G (x) G = G (x) R + R (x) G
+      Small<T, D> r;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) r[i][j] = 0.5 * parallel * s.inverse[j][i] - (1.0 / D) * q[i][j];
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j)
+          for (std::size_t m = 0; m < D; ++m)
+            for (std::size_t n = 0; n < D; ++n) {
+              T value = square * a[i * D + j][m * D + n] + s.inverse[j][i] * r[m][n] + r[i][j] * s.inverse[n][m];
+              if constexpr (finite) value += crossed * (s.inverse[n][i] * s.inverse[j][m]);
+              local[i * D + j][m * D + n] = value;
+            }
+    }
+
+    Small<T, D * D> local;
+    Small<T, D> coupling;
+    T second;
+  };
+};
+
+}  // namespace ixos

@@ -1,0 +1,81 @@
+/// Tangents from shape gradients and moduli, pair by pair of nodes.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "base/small_matrix.hpp"
+#include "material/spatial_tangent.hpp"
+
+namespace ixos {
+
+/// k_ai,bk += dN_a,J A_iJkL dM_b,L, `left` dN_a/dX_J and `right` dM_b/dX_L. If `symmetric`, left is right and A is
+/// symmetric: the upper triangle of pairs is computed and mirrored. A call for each point, through memory, would cost
+/// small elements up to a third of their speed.
+template <bool symmetric, class T, std::size_t L, std::size_t R, std::size_t D>
+[[gnu::always_inline]] inline void add_contraction(const Small<T, L, D>& left, const Small<T, R, D>& right,
+                                                   const Small<T, D * D>& moduli, Small<T, L * D, R * D>& k) {
+  static_assert(!symmetric || L == R, "the same on both sides");
+  for (std::size_t b = 0; b < R; ++b) {
+    Small<T, D * D, D> product{};  // A_iJkL dM_b,L
+    for (std::size_t r = 0; r < D * D; ++r)
+      for (std::size_t c = 0; c < D; ++c)
+        for (std::size_t l = 0; l < D; ++l) product[r][c] += moduli[r][c * D + l] * right[b][l];
+    for (std::size_t a = 0; a < (symmetric ? b + 1 : L); ++a)
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t c = 0; c < D; ++c) {
+          T sum = left[a][0] * product[i * D][c];
+          for (std::size_t j = 1; j < D; ++j) sum += left[a][j] * product[i * D + j][c];
+          k[a * D + i][b * D + c] += sum;
+          if (symmetric && a != b) k[b * D + c][a * D + i] += sum;
+        }
+  }
+}
+
+/// The tangent at one quadrature and time point: shape gradients in the reference and in the deformed body, and the
+/// material's coefficients times the weights.
+template <class T, std::size_t N, std::size_t D>
+struct SpatialPoint {
+  Small<T, N, D> reference, current;
+  SpatialTangent<T> moduli;
+};
+
+/// Points that add_products() takes at once: their gradients stay in the nearest cache.
+constexpr std::size_t points_at_once = 8;
+
+/// k_ai,bk = sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
+/// g are the shape gradients in the reference and the deformed body. sink(a, b, block) takes rows of node a and columns
+/// of node b. Node pairs are the outer loop, so that sums stay in registers; one triangle is computed and mirrored.
+template <class T, std::size_t N, std::size_t D, class Sink>
+inline void add_products(const std::array<SpatialPoint<T, N, D>, points_at_once>& points, std::size_t count,
+                         const Sink& sink) {
+  for (std::size_t b = 0; b < N; ++b) {
+    std::array<std::array<T, D>, points_at_once> n, c, l;
+    for (std::size_t q = 0; q < count; ++q)
+      for (std::size_t i = 0; i < D; ++i) {
+        n[q][i] = points[q].moduli.mu * points[q].reference[b][i];
+        c[q][i] = points[q].moduli.c * points[q].current[b][i];
+        l[q][i] = points[q].moduli.lambda * points[q].current[b][i];
+      }
+    for (std::size_t a = 0; a <= b; ++a) {
+      Small<T, D> sum{};
+      T along(0.0);
+      for (std::size_t q = 0; q < count; ++q) {
+        const auto& reference = points[q].reference[a];
+        const auto& current = points[q].current[a];
+        for (std::size_t i = 0; i < D; ++i) {
+          along += reference[i] * n[q][i];
+          for (std::size_t j = 0; j < D; ++j) sum[i][j] += c[q][i] * current[j] + current[i] * l[q][j];
+        }
+      }
+      for (std::size_t i = 0; i < D; ++i) sum[i][i] += along;
+      sink(a, b, sum);
+      if (a == b) continue;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < i; ++j) std::swap(sum[i][j], sum[j][i]);
+      sink(b, a, sum);
+    }
+  }
+}
+
+}  // namespace ixos
