@@ -5,16 +5,17 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
-#include <cmath>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "checkpoint/fingerprint.hpp"
 #include "mesh/level_width.hpp"
-#include "model/half_space_term.hpp"
+#include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
+#include "scene/interactions.hpp"
 #include "scene/list_access.hpp"
+#include "scene/materials.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
@@ -26,49 +27,9 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-Formulation formulation(const List& material) {
-  const auto& name = material.get<std::string>("Element Formulation");
-  if (name == "Mean Dilatation") return Formulation::MeanDilatation;
-  return name == "Enhanced" ? Formulation::Enhanced : Formulation::Standard;
-}
-
-bool all_standard(const List& materials) {
-  const std::vector<std::string> names = sublists(materials);
-  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return formulation(materials.sublist(name)) == Formulation::Standard;
-  });
-}
-
-Material material(const List& list) {
-  Material m;
-  m.block = list.get<std::string>("Block");
-  m.law = list.get<std::string>("Model") == "Neo-Hooke" ? ElasticLaw::NeoHooke : ElasticLaw::Linear;
-  m.lame = lame_constants(list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"));
-  m.density = list.get<double>("Density");
-  m.mass_damping = list.get<double>("Mass Damping");
-  m.stiffness_damping = list.get<double>("Stiffness Damping");
-  m.points = list.get<int>("Quadrature Points");
-  m.formulation = formulation(list);
-  return m;
-}
-
-HalfSpace half_space(const List& list, const std::string& path, std::size_t dimension) {
-  HalfSpace wall;
-  wall.normal = {};
-  const auto point = numbers(list, path, "Point", dimension, std::vector<double>(dimension, 0.0));
-  std::vector<double> up(dimension, 0.0);
-  up.back() = 1;
-  const auto normal = numbers(list, path, "Normal", dimension, up);
-  double largest = 0;
-  for (double n : normal) largest = std::max(largest, std::abs(n));
-  if (!(largest > 0)) throw InputError(path + "/Normal is zero: it must point out of the wall");
-  double square = 0;
-  for (double n : normal) square += n / largest * (n / largest);
-  for (std::size_t d = 0; d < dimension; ++d) {
-    wall.point[d] = point[d];
-    wall.normal[d] = normal[d] / largest / std::sqrt(square);
-  }
-  return wall;
+bool all_standard(const std::vector<Material>& materials) {
+  return std::all_of(materials.begin(), materials.end(),
+                     [](const Material& material) { return material.formulation == Formulation::Standard; });
 }
 
 void set_predictor(const std::string& name, Table& table) {
@@ -77,34 +38,6 @@ void set_predictor(const std::string& name, Table& table) {
   if (name == "Constant Acceleration") table.predictor = Predictor::ConstantAcceleration;
   if (name == "Newmark") table.predictor = Predictor::Newmark;
   if (name == "Extrapolation") table.predictor = Predictor::Extrapolation;
-}
-
-void add_interaction(const List& list, const std::string& path, Model& model) {
-  const LocalMesh& mesh = model.mesh();
-  const std::size_t set = at(path + "/Side Set", [&] { return mesh.side_set(list.get<std::string>("Side Set")); });
-  const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
-  if (!std::isfinite(law.c1()) || !(law.c1() > 0) || !std::isfinite(law.c2()) || !(law.c2() > 0))
-    throw InputError(
-        fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {}, c2 = {}", path, law.c1(), law.c2()));
-  const auto cutoff = list.get<double>("Cutoff");
-  if (cutoff > 0 && !(cutoff > law.adhesion_gap()))
-    throw InputError(
-        fmt::format("{}/Cutoff: {} cuts the attraction off; it must be greater than the gap of largest "
-                    "attraction, {:.6g}, or 0",
-                    path, cutoff, law.adhesion_gap()));
-  const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
-  auto terms = make_half_space_terms(mesh, mesh.side_sets[set], model.pattern(), law, wall,
-                                     {list.get<int>("Surface Points"), cutoff, list.get<double>("Step Margin")});
-  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  InteractionReport report;
-  for (const auto& term : terms) term->report(rest.data(), report);
-  const double gap = model.space().minimum(report.least_gap);
-  if (!(gap > 0))
-    throw InputError(
-        fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; it must be "
-                    "positive",
-                    path, list.get<std::string>("Side Set"), gap));
-  for (auto& term : terms) model.add_interaction(std::move(term));
 }
 
 }  // namespace
@@ -123,9 +56,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
                     "to {}",
                     control.time_step, control.initial_time, control.final_time));
   Table table = chosen_table();
-  check_adaptive(table);
-  check_cutoff(table);
-  check_formulations(table);
+  check_compatibility(parameters_, control.adaptive, table);
   build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
@@ -153,49 +84,6 @@ StepControlOptions Simulation::step_control() const {
                       adaptive.get<double>("Largest Growth")};
   if (const double longest = adaptive.get<double>("Maximum Time Step"); longest > 0) options.maximum_step = longest;
   return options;
-}
-
-void Simulation::check_adaptive(const Table& table) const {
-  const AdaptiveOptions asked = step_control().adaptive;
-  const std::string path = "Time Integrator/Time Step Control/Adaptive";
-  if (!asked.on) return;
-  if (asked.tolerance == 0 && asked.gap_ratio == 0)
-    throw InputError(path + ": neither Tolerance nor Maximum Gap Ratio is given; one must be greater than 0");
-  if (asked.gap_ratio > 0 && !(asked.gap_ratio > 1))
-    throw InputError(path + "/Maximum Gap Ratio: must be greater than 1");
-  if (asked.tolerance > 0 && table.error_constant == 0)
-    throw InputError(path + "/Tolerance: the scheme \"" + table.name + "\" has no estimate of its local error; use 0");
-  if (asked.gap_ratio > 0 && sublists(parameters_.sublist("Interactions")).empty())
-    throw InputError(path + "/Maximum Gap Ratio: the scene has no interaction; use 0");
-  if (asked.time_points && table.interaction_points == 0)
-    throw InputError(path + "/Choose Time Points: the scheme \"" + table.name +
-                     "\", as it is set, has no points in time of the interaction that could be chosen");
-}
-
-void Simulation::check_cutoff(const Table& table) const {
-  const bool exact = std::any_of(table.stages.begin(), table.stages.end(),
-                                 [](const Stage& stage) { return stage.interaction.mean == Mean::Exact; });
-  for (const std::string& name : sublists(parameters_.sublist("Interactions")))
-    if (exact && parameters_.sublist("Interactions").sublist(name).get<double>("Cutoff") > 0)
-      throw InputError("Interactions/" + name + "/Cutoff: the scheme \"" + table.name +
-                       "\", as it is set, takes the exact mean of the interaction, which needs its whole range; use 0, "
-                       "or Interaction Points of at least 1");
-}
-
-void Simulation::check_formulations(const Table& table) const {
-  const bool discrete = std::any_of(table.stages.begin(), table.stages.end(),
-                                    [](const Stage& stage) { return stage.elastic.mean == Mean::DiscreteGradient; });
-  for (const std::string& name : sublists(parameters_.sublist("Materials"))) {
-    const List& list = parameters_.sublist("Materials").sublist(name);
-    const Formulation chosen = formulation(list);
-    const std::string path = "Materials/" + name;
-    if (discrete && chosen != Formulation::Standard)
-      throw InputError(path + "/Element Formulation: \"" + list.get<std::string>("Element Formulation") +
-                       "\" has no discrete gradient, which the scheme \"" + table.name +
-                       "\" takes of the elastic energy; use \"Standard\", or the scheme \"Average Vector Field\"");
-    if (chosen == Formulation::Enhanced && list.get<int>("Quadrature Points") < 2)
-      throw InputError(path + "/Quadrature Points: 1 does not see the modes of \"Enhanced\" elements; use at least 2");
-  }
 }
 
 std::vector<std::string> Simulation::reactions() const {
@@ -239,15 +127,12 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   mesh_fingerprint_ = fingerprint(mesh);
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
-  std::vector<Material> materials;
-  const List& list = parameters_.sublist("Materials");
-  for (const std::string& name : sublists(list)) materials.push_back(material(list.sublist(name)));
+  const std::vector<Material> bodies = materials(parameters_.sublist("Materials"));
   model_ = at("Materials", [&] {
     return std::make_unique<Model>(localize(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks), comm,
-                                   materials, inertia);
+                                   bodies, inertia);
   });
-  for (const std::string& name : sublists(parameters_.sublist("Interactions")))
-    add_interaction(parameters_.sublist("Interactions").sublist(name), "Interactions/" + name, *model_);
+  add_interactions(parameters_.sublist("Interactions"), *model_);
   const StepControlOptions control = step_control();
   const Histories histories(parameters_.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(parameters_.sublist("Boundary Conditions"), histories, *model_);
@@ -275,7 +160,7 @@ void Simulation::build_integrator(Table table) {
                          model_->space().global(),
                          model_->space().comm()->getSize(),
                          is_symmetric(table),
-                         all_standard(parameters_.sublist("Materials")),
+                         all_standard(materials(parameters_.sublist("Materials"))),
                          level_width_};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");

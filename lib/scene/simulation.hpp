@@ -33,9 +33,6 @@ class Simulation {
 
  private:
   Table chosen_table() const;
-  void check_adaptive(const Table& table) const;
-  void check_cutoff(const Table& table) const;
-  void check_formulations(const Table& table) const;
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
   void build_model(const Comm& comm, const std::string& folder, Inertia inertia);
   void build_integrator(Table table);

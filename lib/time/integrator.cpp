@@ -4,7 +4,6 @@
 
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -282,62 +281,6 @@ double Integrator::error() {
 }
 
 double Integrator::gap_ratio() const { return model_.gap_ratio(states_.front().u.data(), states_.back().u.data()); }
-
-void Integrator::transfer(Record& record) {
-  const Record::Section section(record, "integrator");
-  State& state = states_.front();
-  record.field("displacement", state.u, Extent::Local);
-  record.field("velocity", state.v, Extent::Local);
-  record.number("time", time_);
-  record.number("time carry", time_carry_);
-  record.number("dissipated energy", dissipated_);
-  record.number("external work", external_work_);
-  if (!record.loading() || record.same_scene()) return transfer_derived(record);
-  refuse_jump();
-  const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
-  initialize(std::vector<double>(state.u), std::vector<double>(state.v), time_);
-  time_carry_ = carry;
-  dissipated_ = dissipated;
-  external_work_ = external_work;
-}
-
-/// A motion that was changed must pass through where its degrees of freedom are.
-void Integrator::refuse_jump() const {
-  const State& state = states_.front();
-  std::vector<double> there(state.u);
-  model_.constraints().set(time_, there.data(), nullptr, nullptr);
-  double jump = 0, size = 0;
-  for (std::size_t i = 0; i < there.size(); ++i) {
-    jump = std::max(jump, std::abs(there[i] - state.u[i]));
-    size = std::max(size, std::abs(state.u[i]));
-  }
-  jump = model_.space().maximum(jump);
-  if (jump > 1e-9 * model_.space().maximum(size))
-    throw InputError(fmt::format("a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, time_));
-}
-
-void Integrator::transfer_derived(Record& record) {
-  State& state = states_.front();
-  record.field("acceleration", state.a, Extent::Local);
-  record.field("load", state.load, Extent::Owned);
-  record.field("reaction", state.reaction, Extent::Owned);
-  record.field("previous displacement", previous_u_, Extent::Local);
-  record.field("previous velocity", previous_.v, Extent::Local);
-  record.number("previous step", previous_.dt);
-  record.number("previous known", previous_.known);
-  record.number("judged", judged_);
-  record.number("acceleration known", acceleration_known_);
-  int points = table_.interaction_points;
-  record.number("interaction points", points);
-  set_interaction_points(points);
-  attempted_dt_ = 0;
-  if (stable_step_) stable_step_->transfer(record);
-  if (record.loading() && !record.exact()) return;
-  for (std::size_t stage = 0; stage < solvers_.size(); ++stage) {
-    const Record::Section solver(record, "stage " + std::to_string(stage + 1));
-    solvers_[stage]->transfer(record);
-  }
-}
 
 void Integrator::set_interaction_points(int points) {
   if (table_.interaction_points == 0 || points == table_.interaction_points) return;

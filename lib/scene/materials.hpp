@@ -1,0 +1,16 @@
+/// Materials of a scene.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace ixos {
+
+/// The element formulation of one material's list.
+Formulation formulation(const Teuchos::ParameterList& material);
+
+/// The materials of the validated list "Materials".
+std::vector<Material> materials(const Teuchos::ParameterList& list);
+
+}  // namespace ixos

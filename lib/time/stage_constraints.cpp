@@ -1,0 +1,64 @@
+// The prescribed degrees of freedom of a stage: their rows, and the way to their values.
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "time/stage_problem.hpp"
+
+namespace ixos {
+
+/// Up to what Newton's steps leave behind by rounding.
+bool StageProblem::is_reached(std::size_t dof, double value) const {
+  const double target = prescribed_[dof];
+  return std::abs(value - target) <= 1e-10 * std::abs(target - (*from_)[dof]) + 1e-15 * std::abs(target);
+}
+
+double StageProblem::way_left(const Vector& x) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  double sum = 0;
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned && !is_reached(i, view(i, 0))) sum += (view(i, 0) - prescribed_[i]) * (view(i, 0) - prescribed_[i]);
+  }
+  model_.space().sum(&sum, 1);
+  return sum;
+}
+
+void StageProblem::complete_direction(const Vector& x, Vector& direction) {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  const auto to = direction.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) to(i, 0) = prescribed_[i] - from(i, 0);
+  }
+}
+
+void StageProblem::constrain_residual(double* out) {
+  if (model_.constraints().empty()) return;
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    bracket_[i] = u_[i] - prescribed_[i];
+    if (i < owned) reaction_[i] = out[i];
+  }
+  if (moving_) {
+    if (nonnull(matrix_free_)) {
+      linearize();
+      matrix_free_->multiply_constrained_columns(bracket_.data(), inertia_.data());
+    } else {
+      const auto d = static_cast<std::size_t>(model_.mesh().dimension);
+      values_.assign(static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
+      assemble(values_.data());
+      model_.multiply_constrained_columns(values_.data(), bracket_.data(), inertia_.data());
+    }
+    tangent_at_ = u_;
+    for (std::size_t i = 0; i < owned; ++i) out[i] -= inertia_[i];
+  }
+  for (int dof : model_.constraints().dofs()) {
+    const auto i = static_cast<std::size_t>(dof);
+    if (i < owned) out[i] = diagonal_ * bracket_[i];
+  }
+}
+
+}  // namespace ixos
