@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "scene/documentation.hpp"
+#include "shell_word.hpp"
 #include "study/child_process.hpp"
 #include "study/study.hpp"
 #include "study/study_result.hpp"
@@ -45,16 +46,6 @@ std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc
 std::string report_script() {
   const std::filesystem::path installed = own_folder() / "../share/ixos/plot/study.py";
   return std::filesystem::exists(installed) ? installed.string() : std::string(IXOS_PLOT_DIRECTORY "/study.py");
-}
-
-/// As a shell takes it for one word.
-std::string quoted(const std::string& word) {
-  if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-") ==
-      std::string::npos)
-    return word;
-  std::string text = "'";
-  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
 }
 
 void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t total, const std::string& measure,
@@ -117,8 +108,8 @@ int run(const Arguments& arguments) {
     fmt::print(stderr, "ixos-study: interrupted; called again, it goes on\n");
     return 5;
   }
-  const std::string command = "ixos-study " + quoted(arguments.study) +
-                              (arguments.output.empty() ? "" : " --output " + quoted(arguments.output));
+  const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
+                              (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
   ixos::write_study(study, results, options.folder, command, options.version);
   if (!arguments.quiet) fmt::print("{}\n", ixos::recommend(study, results).sentence);
   return make_report(options.folder, arguments.quiet);

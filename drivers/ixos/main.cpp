@@ -6,11 +6,8 @@
 
 #include <CLI/CLI.hpp>
 #include <Tpetra_Core.hpp>
-#include <algorithm>
-#include <cctype>
 #include <csignal>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -31,6 +28,7 @@
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
+#include "shell_word.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
@@ -118,21 +116,12 @@ void check_restart(const ixos::Simulation& simulation, const std::string& file, 
   for (const std::string& note : restart.notes()) fmt::print("{}\n", note);
 }
 
-/// A word for the shell.
-std::string quoted(const std::string& word) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || std::strchr("/._-=+,:%@", c) != nullptr; };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
-  std::string text = "'";
-  for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
-}
-
 /// The command that goes on from a checkpoint.
 std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
-  std::string command = "ixos " + quoted(arguments.scene);
-  for (const std::string& assignment : arguments.assignments) command += " --set " + quoted(assignment);
-  if (!arguments.output.empty()) command += " --output " + quoted(arguments.output);
-  return command + " --restart " + quoted(checkpoint);
+  std::string command = "ixos " + ixos::shell_word(arguments.scene);
+  for (const std::string& assignment : arguments.assignments) command += " --set " + ixos::shell_word(assignment);
+  if (!arguments.output.empty()) command += " --output " + ixos::shell_word(arguments.output);
+  return command + " --restart " + ixos::shell_word(checkpoint);
 }
 
 /// What the run came to, for a person.
