@@ -5,7 +5,7 @@ import statistics
 import sys
 
 from results import ResultsError
-from study_report import Study
+from study_results import Study
 
 
 def table(study, axis, base):

@@ -11,7 +11,8 @@ import options
 import style
 from peeling import note
 from results import ResultsError
-from study_report import COSTS, ERRORS, Study, write_report
+from study_report import write_report
+from study_results import COSTS, ERRORS, Study
 from style import plt
 
 EPILOG = """examples:

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Tests of the pictures and the report of studies, on folders made from formulas: tests/plot/study_test.py"""
 import csv
-import html.parser
 import itertools
 import json
 import math
@@ -16,110 +15,13 @@ sys.dont_write_bytecode = True
 from scripts import ScriptTest, script  # noqa: E402 (sets the path to the others)
 import study  # noqa: E402
 import style  # noqa: E402
+from report_page import Page  # noqa: E402
 from results import ResultsError  # noqa: E402
-from study_report import ERRORS, Study, command  # noqa: E402
+from study_report import command  # noqa: E402
+from study_results import ERRORS, Study  # noqa: E402
+from synthetic_study import ELEMENTS, REASON, SCHEMES, STEPS, make, write_data, write_rows  # noqa: E402
 
-SCHEMES = ["Newmark", "Generalized-Alpha", "Bathe Composite", "Average Vector Field", "Energy-Momentum",
-           "Gautam-Sauer Composite"]
-ELEMENTS = ["Q1C1", "Q1C4"]
-STEPS = ["0.4", "0.2", "0.1", "0.05", "0.025"]
-LARGEST = [0.06, 0.3, 0.15, 1, 1, 0.3]  # time step with which each scheme still works
-REASON = "Newton's method did not converge"
 PICTURES = [f"work-precision-{word}.{ending}" for word in ERRORS.values() for ending in ("png", "svg")]
-
-
-def run_of(scheme, element, step, largest):
-    """A row of study.csv by column: the finer the dearer and the more exact; Energy-Momentum has no error in energy."""
-    number, size = SCHEMES.index(scheme), float(step)
-    iterations = round(160 / size * (3 + 0.3 * number))
-    failed = size > largest[number]
-    force = 0.9 * size ** 1.8 * (1 + 0.6 * number % 3) * (0.4 if element == "Q1C4" else 1) + 2e-4
-    energy = {3: 3e-12, 4: 0.0}.get(number, 0.3 * force)
-    errors = dict(zip(ERRORS, ("", "", "", "") if failed else (energy, 2 * energy, force, "")))
-    seconds = iterations * (0.004 + 0.0006 * number) * (0.3 if failed else 1)
-    return {"run": f"{scheme}-{element}-{step}".replace(" ", "_"), "scheme": scheme, "element": element,
-            "time step": step, "status": "diverged" if failed else "completed", "reason": REASON if failed else "",
-            **errors, "wall_seconds": seconds, "cpu_seconds": 2 * seconds, "steps": round(160 / size),
-            "rejected_steps": 0, "newton_iterations": iterations, "linear_iterations": 9 * iterations,
-            "peak_memory_bytes": 212000000, "end_time": 31.25 if failed else 160}
-
-
-def cheapest(rows, measure):
-    """Names of the runs that no other beats in cost and in this measure."""
-    known = sorted((row for row in rows if row[measure] != ""), key=lambda row: (row["wall_seconds"], row[measure]))
-    return [row["run"] for place, row in enumerate(known) if row[measure] < min(
-        (before[measure] for before in known[:place]), default=math.inf)]
-
-
-def make(folder, schemes=SCHEMES, elements=ELEMENTS, steps=STEPS, largest=LARGEST):
-    """Writes study.csv and study.json of a synthetic study."""
-    axes = {"scheme": schemes, "element": elements, "time step": steps}
-    rows = [run_of(*labels, largest) for labels in itertools.product(*axes.values())]
-    within = [row for row in rows if row["error_force"] != "" and row["error_force"] < 0.01]
-    best = min(within, key=lambda row: row["wall_seconds"], default=None)
-    folder.mkdir()
-    write_rows(folder, rows)
-    write_data(folder, {
-        "name": "Peeling of a strip", "scene": "xml/strip.xml", "command": "ixos-study strip-study.xml",
-        "version": "1.2", "axes": [{"name": name, "values": labels} for name, labels in axes.items()],
-        "connect": "time step", "cost": "wall_seconds", "measure": "error_force", "tolerance": 0.01,
-        "reference": {"description": "Average Vector Field, time step 0.001", "folder": "strip.study/reference"},
-        "pareto": {measure: cheapest(rows, measure) for measure in ERRORS},
-        "recommendation": {
-            "run": best and best["run"], "settings": best and [f"Time Integrator/Type={best['scheme']}"] or [],
-            "sentence": "This is the cheapest run." if best else "No run reached the end."},
-        "common": ["Output/Fields Interval=0"]})
-    return folder
-
-
-def write_rows(folder, rows):
-    """Writes study.csv."""
-    with open(folder / "study.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
-
-
-def write_data(folder, data):
-    """Writes study.json."""
-    (folder / "study.json").write_text(json.dumps(data))
-
-
-class Page(html.parser.HTMLParser):
-    """A report's tags, balanced, and its text; its tables as rows of cells."""
-
-    def __init__(self, folder):
-        super().__init__()
-        self.open, self.tags, self.words, self.tables = [], [], [], []
-        self.source = (folder / "report.html").read_text(encoding="utf-8")
-        self.feed(self.source)
-        self.close()
-        assert not self.open, self.open
-        self.text = " ".join("".join(self.words).split())
-
-    def handle_starttag(self, tag, attrs):
-        self.tags.append((tag, dict(attrs)))
-        if tag not in ("meta", "img", "br"):
-            self.open.append(tag)
-        if tag == "table":
-            self.tables.append([])
-        elif tag == "tr":
-            self.tables[-1].append([])
-        elif tag in ("td", "th"):
-            self.tables[-1][-1].append("")
-
-    def handle_endtag(self, tag):
-        assert self.open.pop() == tag, tag
-
-    def handle_data(self, data):
-        self.words.append(data if "style" not in self.open else "")
-        if "td" in self.open or "th" in self.open:
-            self.tables[-1][-1][-1] += ("" if "small" not in self.open else "; ") + data
-
-    def table(self, *words):
-        """The only table whose header begins with these words: its other rows."""
-        (_, *rows), = [rows for rows in self.tables if rows[0][:len(words)] == list(words)]
-        return rows
 
 
 class StudyTest(ScriptTest):
