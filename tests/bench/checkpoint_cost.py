@@ -11,20 +11,16 @@ import json
 import os
 import statistics
 import subprocess
+import sys
 import tempfile
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-STEPS = "Time Integrator/Time Step Control/"
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from driver_process import BENCH_ENVIRONMENT, ROOT, STEPS, driver_command  # noqa: E402
 
 
 def seconds(driver, folder, ranks, settings):
-    command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
-    command += [driver, os.path.join(ROOT, "xml/strip.xml"), "--quiet", "--output", folder]
-    for setting in settings:
-        command += ["--set", setting]
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
-                       OMPI_MCA_hwloc_base_binding_policy="none")
-    subprocess.run(command, env=environment, check=True)
+    scene = os.path.join(ROOT, "xml/strip.xml")
+    subprocess.run(driver_command(driver, scene, ["--output", folder], settings, ranks), env=BENCH_ENVIRONMENT, check=True)
     with open(os.path.join(folder, "summary.json")) as file:
         return json.load(file)["wall_seconds"]
 

@@ -10,7 +10,11 @@ import argparse
 import json
 import os
 import subprocess
+import sys
 import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from driver_process import BENCH_ENVIRONMENT, ROOT, driver_command  # noqa: E402
 
 SOLVERS = {
     "default": [],
@@ -31,10 +35,8 @@ def run(build, scene, solver, ranks, cells, steps):
     if SOLVERS[solver]:
         settings += ["Linear Solver/Linear Solver Type=Belos"] + [f"Linear Solver/{s}" for s in SOLVERS[solver]]
     with tempfile.TemporaryDirectory() as folder:
-        command = ["mpirun", "-np", str(ranks), f"{build}/drivers/ixos", scene, "--quiet", "--output", folder]
-        for setting in settings:
-            command += ["--set", setting]
-        subprocess.run(command, check=True)
+        command = driver_command(f"{build}/drivers/ixos", scene, ["--output", folder], settings, ranks)
+        subprocess.run(command, env=BENCH_ENVIRONMENT, check=True)
         with open(f"{folder}/summary.json", encoding="utf-8") as file:
             return json.load(file)
 
@@ -47,7 +49,7 @@ def main():
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--solvers", nargs="+", default=list(SOLVERS), choices=SOLVERS)
     arguments = parser.parse_args()
-    scene = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../xml/spatula.xml")
+    scene = os.path.join(ROOT, "xml/spatula.xml")
     print("| solver | ranks | Newton/increment | CG/Newton | s/Newton | residual | tangent | factorization | linear solve "
           "| memory, GB |\n|---|---|---|---|---|---|---|---|---|---|")
     for solver in arguments.solvers:

@@ -19,7 +19,9 @@ import sys
 import tempfile
 import time
 
-from kill_restart import ENVIRONMENT, ROOT, STEPS, driver_command, fields, history
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from driver_process import ENVIRONMENT, ROOT, STEPS, driver_command  # noqa: E402
+from kill_restart import fields, history  # noqa: E402
 
 BALL = os.path.join(ROOT, "xml/ball.xml")
 SETTINGS = [STEPS + "Final Time=0.4", "Output/Fields Interval=20", "Output/Checkpoint/Interval=50", "Output/Checkpoint/Keep=3"]

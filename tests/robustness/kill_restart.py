@@ -19,10 +19,9 @@ import sys
 import tempfile
 import time
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-STEPS = "Time Integrator/Time Step Control/"
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
-                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_mpi_yield_when_idle="1")
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from driver_process import ENVIRONMENT, ROOT, STEPS, driver_command  # noqa: E402
+
 ITERATIVE = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type="]
 
 
@@ -48,14 +47,6 @@ def scenarios():
         yield "strip, CG with lagged Ifpack2", "strip", strip + [STEPS + "Final Time=20"] + every + \
             preconditioned("Ifpack2") + ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}",
                                          "Histories/Pull/Rate Ramp/Length=10"], ranks
-
-
-def driver_command(driver, scene, arguments, settings, ranks):
-    command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
-    command += [driver, scene, "--quiet"] + arguments
-    for setting in settings:
-        command += ["--set", setting]
-    return command
 
 
 def history(folder):
