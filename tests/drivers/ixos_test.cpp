@@ -1,167 +1,15 @@
-// The driver: what it says and how it ends. Every bad input gets one clear message and leaves nothing half-written.
-#include <gtest/gtest.h>
-
+// The driver: what it says, what it writes, and how it ends.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
-#include "drivers/process.hpp"
+#include "drivers/driver_test.hpp"
 #include "support/files.hpp"
 
 namespace ixos::test {
 namespace {
 
-const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
-
-class DriverTest : public testing::Test {
- protected:
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  /// Refused with this status and message, and without results.
-  void expect_refused(int status, const std::vector<std::string>& arguments, const std::string& message) {
-    const Outcome outcome = ixos(arguments, folder_);
-    EXPECT_EQ(outcome.status, status) << outcome.output;
-    EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
-    EXPECT_FALSE(std::filesystem::exists(folder_ + "/out")) << "something was written";
-  }
-  void expect_refused_setting(const std::string& assignment, const std::string& message) {
-    expect_refused(2, {ball, "--output", "out", "--set", assignment}, message);
-  }
-  std::string write(const std::string& text) {
-    std::ofstream(folder_ + "/scene.xml") << text;
-    return "scene.xml";
-  }
-
-  std::string folder_ = scratch_folder();
-};
-
-TEST_F(DriverTest, BadValuesAreRefused) {
-  expect_refused_setting("Materials/Ball/Density=-5e-7",
-                         "Materials/Ball/Density: -5e-07 is not allowed: it must be greater than 0");
-  expect_refused_setting("Materials/Ball/Poisson's Ratio=0.5",
-                         "0.5 is not allowed: it must be greater than -1 and less than 0.5");
-  expect_refused_setting("Time Integrator/Time Step Control/Time Step=0",
-                         "Time Step: 0 is not allowed: it must be greater than 0");
-  expect_refused_setting("Time Integrator/Time Step Control/Time Step=nan",
-                         "Time Integrator/Time Step Control/Time Step: nan is not allowed");
-  expect_refused_setting("Time Integrator/Time Step Control/Initial Time=-1e20", "is lost in rounding");
-  expect_refused_setting("Interactions/Wall/Gamma L=1e-40", "Gamma L and Gamma W are too extreme");
-  expect_refused_setting("Nonlinear Solver/NOX/Direction/Method=Foo", "Nonlinear Solver/NOX: NOX refuses the list");
-  expect_refused_setting("Nonlinear Solver/NOX/Nonlinear Solver=1", "Nonlinear Solver/NOX: NOX refuses the list");
-  expect_refused_setting("Nonlinear Solver/NOX/Lien Search/Method=Foo", "did you mean \"Line Search\"?");
-  expect_refused_setting("Linear Solver/Linear Solver Type=1", "Linear Solver/Linear Solver Type: must be a string");
-  expect_refused_setting("Materials/Bal/Density=5e-7", "block \"body\" has two materials");
-  expect_refused_setting("Linear Solver/Reuse/Cost=1.0", "allowed: \"Setup Cost\"");
-  expect_refused_setting("Time Integrator/Time Step Control/Final Time=-1", "-1 must be later than Initial Time, 0");
-  expect_refused_setting("Materials/Ball/Young's Modulus=inf", "inf is not allowed");
-  expect_refused_setting("Mesh/Disk/Center={0, nan}", "Mesh/Disk/Center: nan is not allowed");
-  expect_refused_setting("Mesh/Disk/Center={0}", "Mesh/Disk/Center has 1 elements, not 2");
-  expect_refused_setting("Interactions/Wall/Normal={0, 0}", "Interactions/Wall/Normal is zero");
-  expect_refused_setting("Linear Solver/Linear Solver Type=Belso",
-                         "Linear Solver/Linear Solver Type: \"Belso\" does not exist; did you mean \"Belos\"?");
-  expect_refused_setting("Linear Solver/Preconditioner Type=Foo", "\"Foo\" does not exist");
-  expect_refused_setting("Linear Solver/Linear Solver Types=foo", "Linear Solver: ");
-  expect_refused_setting("Linear Solver/Linear Solver Types/Direct/Solver Type=Nonsense",
-                         "Linear Solver: Stratimikos refuses the list");
-}
-
-TEST_F(DriverTest, SolversForSymmetricMatricesAreRefusedForUnsymmetricTangents) {
-  const auto refused = [&](const std::string& solver, const std::string& message) {
-    expect_refused(2,
-                   {ball, "--output", "out", "--set", "Time Integrator/Type=Energy-Momentum", "--set",
-                    "Linear Solver/Linear Solver Type=" + solver.substr(0, solver.find('/')), "--set",
-                    "Linear Solver/Linear Solver Types/" + solver},
-                   message);
-  };
-  refused("Direct/Solver Type=CHOLMOD", "Direct/Solver Type: \"CHOLMOD\" needs a symmetric matrix");
-  refused("Belos/Solver Type=Pseudo Block CG", "tangent is not symmetric; use \"Pseudo Block GMRES\"");
-}
-
-TEST_F(DriverTest, BadStepControlAndCutoffsAreRefused) {
-  const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {
-    std::vector<std::string> arguments{ball, "--output", "out"};
-    for (const std::string& assignment : assignments) arguments.insert(arguments.end(), {"--set", assignment});
-    expect_refused(2, arguments, message);
-  };
-  const std::string control = "Time Integrator/Time Step Control/", adaptive = control + "Type=Adaptive",
-                    list = control + "Adaptive/";
-  refused({control + "Type=Adaptve"}, "did you mean \"Adaptive\"?");
-  refused({adaptive}, "neither Tolerance nor Maximum Gap Ratio is given");
-  refused({adaptive, list + "Tolerance=-1"}, "-1 is not allowed: it must be at least 0");
-  refused({adaptive, list + "Maximum Gap Ratio=0.5"}, "Maximum Gap Ratio: must be greater than 1");
-  refused({adaptive, list + "Tolerance=1e-3", "Time Integrator/Type=Static"}, "has no estimate of its local error");
-  refused({adaptive, list + "Tolerance=1e-3", list + "Choose Time Points=true", "Time Integrator/Type=Newmark"},
-          "has no points in time of the interaction that could be chosen");
-  refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts the attraction off");
-  refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Gautam-Sauer Composite/Interaction Points=0"},
-          "takes the exact mean of the interaction");
-  refused({"Time Integrator/Type=Central Difference", "Interactions/Wall/Contact Element=Q1CH"}, "has no lumped mass");
-  refused({"Time Integrator/Type=Central Difference", "Time Integrator/Central Difference/Safety=1.5"},
-          "1.5 is not allowed: it must be greater than 0 and at most 1");
-}
-
-TEST_F(DriverTest, BadMotionsLoadsAndElementsAreRefused) {
-  const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
-  const auto refused = [&](const std::vector<std::string>& assignments, const std::string& message) {
-    std::vector<std::string> arguments{strip, "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}"};
-    for (const std::string& assignment : assignments) arguments.insert(arguments.end(), {"--set", assignment});
-    expect_refused(2, arguments, message);
-  };
-  const std::string formula = "Histories/Pull/Type=Expression";
-  const std::string value = "Histories/Pull/Expression/Value=", rate = "Histories/Pull/Expression/Velocity=",
-                    acceleration = "Histories/Pull/Expression/Acceleration=";
-  refused({formula, value + "2*s"}, "Histories/Pull/Expression: the value \"2*s\" is not an expression in t");
-  refused({formula, value + "sin(t", rate + "0", acceleration + "0"}, "is not an expression in t");
-  refused({formula, value + "1/(t-1)", rate + "-1/(t-1)^2", acceleration + "2/(t-1)^3"}, "not finite at t = 1");
-  refused({formula, value + "t^2", rate + "t", acceleration + "1"}, "the rate is not the derivative of the value");
-  refused({formula, value + "t^2"}, "Histories/Pull");
-  const std::string table = "Histories/Pull/Type=Table";
-  refused({table, "Histories/Pull/Table/Times={0, 2, 1}", "Histories/Pull/Table/Values={0, 1, 2}"},
-          "Histories/Pull/Table: ");
-  refused({table, "Histories/Pull/Table/Times={0, 2}", "Histories/Pull/Table/Values={0, 1, 2}"},
-          "Histories/Pull/Table: ");
-  refused({table, "Histories/Pull/Table/Times={0, 2, 5}", "Histories/Pull/Table/Values={0, 1, 2}"},
-          "the table goes from 0 to 5, but the run from 0 to 160");
-  refused({"Histories/Pull/Rate Ramp/Length=200"},
-          "the ramp ends at 200, Start + Length, after the run's Final Time, 160");
-  refused({"Histories/Pull/Rate Ramp/Length=-1"}, "must be at least 0");
-  refused({"Boundary Conditions/Pull/History=Pul"}, "history \"Pul\" does not exist; did you mean \"Pull\"?");
-  refused({"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Guide/Components=xy",
-           "Boundary Conditions/Pull/History="},
-          "prescribe different motions for one degree of freedom");
-  refused({"Boundary Conditions/Other/Node Set=right", "Boundary Conditions/Other/Components=y"},
-          "Boundary Conditions/Other: two conditions prescribe different motions");
-  refused({"Boundary Conditions/Guide/Vector={1, 0}"}, "Boundary Conditions/Guide/Vector: a Displacement takes none");
-  refused({"Boundary Conditions/Wind/Type=Traction"}, "Boundary Conditions/Wind/Side Set is missing");
-  refused({"Boundary Conditions/Wind/Type=Traction", "Boundary Conditions/Wind/Side Set=top"},
-          "Boundary Conditions/Wind/Vector is missing");
-  refused({"Boundary Conditions/Weight/Type=Body Force", "Boundary Conditions/Weight/Vector={0, -1}",
-           "Boundary Conditions/Weight/Block=bodi"},
-          "did you mean \"body\"?");
-  refused({"Output/Probes/P/Point={0, 0}"}, "Output/Probes/P/Point: the point (0, 0) lies outside the body");
-  refused({"Output/Probes/P/Point={0}"}, "Output/Probes/P/Point has 1 elements, not 2");
-  refused({"Output/Reactions={rihgt}"}, "Output/Reactions: node set \"rihgt\" does not exist; did you mean \"right\"?");
-  refused({"Time Integrator/Stop/Peeled/Probe/Name=Q"}, "Time Integrator/Stop/Peeled/Probe/Name: probe \"Q\"");
-  refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the scene has 2 dimensions");
-  refused({"Interactions/Wall/Contact Element=Q1C5"}, "\"Q1C5\" does not exist");
-  refused({"Interactions/Wall/Side Set=surface"},
-          "Interactions/Wall/Contact Element: side set \"surface\", block \"body\", cell 1: two sides");
-  refused({"Interactions/Second/Side Set=contact"}, "another interaction wants Q1C4 on the side set \"contact\"");
-  refused({"Interactions/Second/Side Set=bottom", "Interactions/Second/Contact Element=Q1C2"},
-          "the cell has an enriched side already");
-  refused({"Mesh/Sets/contact/From=botom"}, "Mesh/Sets/contact: side set \"botom\" does not exist");
-  refused({"Mesh/Sets/contact/Upper={-1, 1}"}, "Mesh/Sets/contact: no side of \"bottom\" lies in the region");
-  expect_refused(2,
-                 {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
-                  "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
-                  "Interactions/Wall/Side Set=bottom", "--set", "Interactions/Wall/Contact Element=Q1CH"},
-                 "the Hermite contact element Q1CH is for quadrilaterals; hexahedra have Q1C1 to Q1C4");
-}
-
 TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
-  const std::string strip = std::string(IXOS_XML_DIRECTORY) + "/strip.xml";
   const std::vector<std::string> arguments{
       strip, "--quiet", "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}", "--set",
       "Time Integrator/Time Step Control/Time Step=4", "--set", "Output/Fields Time Interval=0", "--set",
@@ -186,45 +34,6 @@ TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
   const std::string header = history.substr(0, history.find('\n'));
   EXPECT_NE(header.find(",reaction_right_x,reaction_right_y,P_ux,P_uy,P_vx,P_vy,edge_ux,"), std::string::npos)
       << header;
-}
-
-TEST_F(DriverTest, UnknownNamesAreRefusedWithTheNearest) {
-  expect_refused_setting("Interactions/Wall/Side Set=surfaces",
-                         "Interactions/Wall/Side Set: side set \"surfaces\" does not exist; did you mean \"surface\"?");
-  expect_refused_setting("Time Integrator/Type=Newmrak",
-                         "Time Integrator/Type: \"Newmrak\" does not exist; did you mean \"Newmark\"?");
-  expect_refused_setting("Materials/Ball/Block=bodi",
-                         "Materials: block \"bodi\" does not exist; did you mean \"body\"?");
-  expect_refused_setting("Matrials/Ball/Density=1", "did you mean \"Materials\"?");
-  expect_refused(2, {write("<ParameterList><ParameterList name=\"Interaction\"/></ParameterList>"), "--output", "out"},
-                 "scene.xml: Interaction: there is no list \"Interaction\" here; did you mean \"Interactions\"?");
-}
-
-TEST_F(DriverTest, ASurfaceBelowTheWallIsRefused) {
-  expect_refused_setting("Mesh/Disk/Center={0, 4}",
-                         "Interactions/Wall: the surface \"surface\" starts in or below the wall, least gap");
-}
-
-TEST_F(DriverTest, BadFilesAreRefused) {
-  expect_refused(2, {"nowhere.xml", "--output", "out"}, "nowhere.xml: the scene file cannot be read");
-  expect_refused(2, {".", "--output", "out"}, "cannot be read");
-  expect_refused(2, {write("<ParameterList"), "--output", "out"}, "scene.xml: XML parse error at line 1");
-  expect_refused(2, {write("no XML at all"), "--output", "out"}, "scene.xml: XML parse error at line 1");
-  expect_refused(2, {write(""), "--output", "out"}, "scene.xml:");
-  expect_refused(2,
-                 {write("<ParameterList><Parameter name=\"x\" type=\"double\" value=\"abc\"/></ParameterList>"),
-                  "--output", "out"},
-                 "scene.xml: x: \"abc\" is not of type double");
-}
-
-TEST_F(DriverTest, BadCommandLinesAreRefused) {
-  expect_refused(2, {ball, "--frobnicate"}, "frobnicate");
-  expect_refused(2, {ball, "--set", "Mesh/Type"}, "write \"List/Sublist/Name=value\"");
-  expect_refused(2, {ball, "--set"}, "--set");
-}
-
-TEST_F(DriverTest, AFolderThatCannotBeWrittenIsExitStatusFour) {
-  expect_refused(4, {ball, "--output", "/dev/null/out"}, "the results folder cannot be used");
 }
 
 TEST_F(DriverTest, CheckBuildsButDoesNotRun) {

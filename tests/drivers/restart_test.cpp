@@ -6,19 +6,16 @@
 #include <fstream>
 #include <sstream>
 
-#include "drivers/process.hpp"
+#include "drivers/driver_test.hpp"
 #include "support/files.hpp"
 
 namespace ixos::test {
 namespace {
 
-const std::string ball = std::string(IXOS_XML_DIRECTORY) + "/ball.xml";
 const std::string control = "Time Integrator/Time Step Control/";
 
-class RestartDriverTest : public testing::Test {
+class RestartDriverTest : public DriverTest {
  protected:
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   /// The ball to time 2, on some ranks; `more` are words for the shell.
   std::string command(const std::string& more, int ranks = 1) const {
     const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " --oversubscribe ";
@@ -27,8 +24,6 @@ class RestartDriverTest : public testing::Test {
   }
   Outcome run(const std::string& more, int ranks = 1) const { return shell(command(more, ranks), folder_); }
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
-
-  std::string folder_ = scratch_folder();
 };
 
 TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {

@@ -1,32 +1,29 @@
 #include "fem/elastic_kernel.hpp"
 
-#include "fem/contact_hexahedra.hpp"
-#include "fem/reference_elements.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
+#include "fem/element_nodes.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
-#include "support/automatic_differentiation.hpp"
 
 namespace ixos {
 namespace {
 
 /// One element of a material in a finite motion, over any scalar type.
 template <class Element, class Material>
-struct Body {
+struct Body : test::ElementNodes<Element> {
   using Kernel = ElasticKernel<Element, Material>;
-  static constexpr std::size_t N = Kernel::N;
-  static constexpr std::size_t D = Kernel::D;
+  using Nodes = test::ElementNodes<Element>;
+  using Nodes::D;
+  using Nodes::N;
+  using typename Nodes::Variable;
   /// Nodes that are points: a Hermite side's others are derivatives, and the forces on them moments.
   static constexpr std::size_t places = std::is_same_v<Element, Quad4CH> ? 4 : N;
-  static constexpr int dofs = static_cast<int>(N * D);
-  using Variable = test::Dual<dofs>;
   template <class T>
-  using Nodal = Small<T, N, D>;
+  using Nodal = typename Nodes::template Nodal<T>;
   template <class T>
   struct Motion {
     Nodal<T> x, from, velocity, to;
@@ -39,66 +36,18 @@ struct Body {
     return values;
   }
 
-  /// Nodes of the unit square or cube about the origin; derivative nodes of a Hermite side hold dX/dxi.
-  static Nodal<double> nodes() {
-    const auto corner = corners<static_cast<int>(D)>();
-    Nodal<double> x{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) {
-        if (a < corner.size())
-          x[a][d] = 0.5 * corner[a][d];
-        else if (std::is_same_v<Element, Quad4CH>)
-          x[a][d] = d == 0 ? 0.5 : 0.0;
-        else if (D == 3)  // the face of Hex8C2, seen from outside: y first
-          x[a][d] = d == 2 ? -0.5 : 0.5 * LagrangeEdge<2>::node(LagrangeFace<2>::factors(a - 4)[1 - d]);
-        else
-          x[a][d] = d == 0 ? -0.5 + static_cast<double>(a - 3) / static_cast<double>(N - 3) : -0.5;
-      }
-    return x;
-  }
-
   static int dof(std::size_t a, std::size_t d) { return static_cast<int>(a * D + d); }
-
-  static Nodal<double> wave(double amplitude, double phase) {
-    Nodal<double> values{};
-    for (auto& node : values)
-      for (double& value : node) value = amplitude * std::sin(phase += 1.7);
-    return values;
-  }
 
   /// A distorted unit square or cube; the phase varies shape and motion.
   static Motion<double> motion(double phase) {
-    Motion<double> m{wave(0.1, phase), wave(0.06, phase + 1), wave(0.06, phase + 2), wave(0.1, phase + 3)};
-    const Nodal<double> place = nodes();
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) m.x[a][d] += place[a][d];
-    return m;
-  }
-
-  template <class T>
-  static Nodal<T> constant(const Nodal<double>& values) {
-    Nodal<T> result{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) result[a][d] = T(values[a][d]);
-    return result;
+    return {Nodes::distorted(phase), Nodes::wave(0.06, phase + 1), Nodes::wave(0.06, phase + 2),
+            Nodes::wave(0.1, phase + 3)};
   }
 
   /// The motion with the end of the segment as independent variables.
   static Motion<Variable> seeded(const Motion<double>& m) {
-    Motion<Variable> result{constant<Variable>(m.x), constant<Variable>(m.from), constant<Variable>(m.velocity),
-                            constant<Variable>(m.to)};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) result.to[a][d] = test::variable<dofs>(dof(a, d), m.to[a][d]);
-    return result;
-  }
-
-  /// H x: the displacement with a constant gradient.
-  static Nodal<double> affine(const Small<double, D>& h, const Nodal<double>& x) {
-    Nodal<double> u{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) u[a][i] += h[i][j] * x[a][j];
-    return u;
+    return {Nodes::template constant<Variable>(m.x), Nodes::template constant<Variable>(m.from),
+            Nodes::template constant<Variable>(m.velocity), Nodes::seeded(m.to)};
   }
 
   template <class T>

@@ -1,136 +1,16 @@
-// The cures of locking: derivatives of one energy, patch test, what they cure and what not.
+// The kernels that cure locking: derivatives of one energy, the patch test, what they refuse.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "fem/contact_elements.hpp"
-#include "fem/enhanced_kernel.hpp"
-#include "fem/mean_dilatation_kernel.hpp"
-#include "fem/reference_elements.hpp"
-#include "material/linear_elastic.hpp"
-#include "material/neo_hooke.hpp"
-#include "support/automatic_differentiation.hpp"
+#include "fem/locking_body.hpp"
 
 namespace ixos {
 namespace {
 
-/// One element of a kernel, over any scalar type.
-template <class ElementType, class KernelType>
-struct Body {
-  using Element = ElementType;
-  using Kernel = KernelType;
-  using Law = typename Kernel::Law;
-  using Standard = ElasticKernel<Element, Law>;
-  static constexpr std::size_t N = Kernel::N;
-  static constexpr std::size_t D = Kernel::D;
-  static constexpr int dofs = static_cast<int>(N * D);
-  using Variable = test::Dual<dofs>;
-  template <class T>
-  using Nodal = Small<T, N, D>;
-  template <class T>
-  using Matrix = Small<T, N * D>;
-
-  static const typename Kernel::Table& table() {
-    static const typename Kernel::Table values;
-    return values;
-  }
-
-  /// A block with these edges about the origin; derivative nodes of a Hermite side hold dX/dxi.
-  static Nodal<double> block(const std::array<double, D>& edges) {
-    const auto corner = corners<static_cast<int>(D)>();
-    Nodal<double> x{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) {
-        if (a < corner.size())
-          x[a][d] = 0.5 * corner[a][d] * edges[d];
-        else if (std::is_same_v<Element, Quad4CH>)
-          x[a][d] = d == 0 ? 0.5 * edges[0] : 0.0;
-        else
-          x[a][d] = edges[d] * (d == 0 ? -0.5 + static_cast<double>(a - 3) / static_cast<double>(N - 3) : -0.5);
-      }
-    return x;
-  }
-
-  static Nodal<double> wave(double amplitude, double phase) {
-    Nodal<double> values{};
-    for (auto& node : values)
-      for (double& value : node) value = amplitude * std::sin(phase += 1.7);
-    return values;
-  }
-
-  static Nodal<double> distorted() {
-    std::array<double, D> edges;
-    edges.fill(1.0);
-    Nodal<double> x = block(edges);
-    const Nodal<double> change = wave(0.1, 0.0);
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) x[a][d] += change[a][d];
-    return x;
-  }
-
-  static Nodal<double> affine(const Small<double, D>& h, const Nodal<double>& x) {
-    Nodal<double> u{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) u[a][i] += h[i][j] * x[a][j];
-    return u;
-  }
-
-  template <class T>
-  static Nodal<T> constant(const Nodal<double>& values) {
-    Nodal<T> result{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d) result[a][d] = T(values[a][d]);
-    return result;
-  }
-
-  static Nodal<Variable> seeded(const Nodal<double>& values) {
-    Nodal<Variable> result{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t d = 0; d < D; ++d)
-        result[a][d] = test::variable<dofs>(static_cast<int>(a * D + d), values[a][d]);
-    return result;
-  }
-
-  template <class T>
-  T energy(const Nodal<T>& u) const {
-    return Kernel::energy(law, Kernel::geometry(table(), constant<T>(x)), u);
-  }
-
-  /// Of a segment from `from` with velocity `velocity`.
-  template <class K = Kernel, class T>
-  Nodal<T> force(const Nodal<T>& u, const Rule& rule = end_rule()) const {
-    const Nodal<T> start = constant<T>(from), rate = constant<T>(velocity);
-    Nodal<T> f{};
-    K::add_force(law, K::geometry(table(), constant<T>(x)), {&start, &rate, &u}, rule, f);
-    return f;
-  }
-
-  template <class K = Kernel, class T>
-  Matrix<T> tangent(const Nodal<T>& u, const Rule& rule = end_rule()) const {
-    const Nodal<T> start = constant<T>(from), rate = constant<T>(velocity);
-    Matrix<T> k{};
-    K::add_tangent(law, K::geometry(table(), constant<T>(x)), {&start, &rate, &u}, rule, k);
-    return k;
-  }
-
-  double least_jacobian(const Nodal<double>& u, const Rule& rule = end_rule()) const {
-    Nodal<double> f{};
-    return Kernel::add_force(law, Kernel::geometry(table(), x), {&from, &velocity, &u}, rule, f);
-  }
-
-  Law law{lame_constants(1.0, 0.3)};
-  Nodal<double> x = distorted(), from = wave(0.06, 1.0), velocity = wave(0.06, 2.0), to = wave(0.1, 3.0);
-};
-
-template <class Element, class Law>
-using Mean = Body<Element, MeanDilatationKernel<Element, Law>>;
-template <class Element, class Law>
-using Modes = Body<Element, EnhancedKernel<Element, Law>>;
-template <class Element, class Law>
-using Plain = Body<Element, ElasticKernel<Element, Law>>;
+using test::Mean;
+using test::Modes;
 
 std::vector<Rule> rules() {
   return {end_rule(), gauss_rule(3, Path::Linear), gauss_rule(2, Path::Kinematic),
@@ -303,119 +183,11 @@ void expect_no_response_to_rotation() {
     for (std::size_t d = 0; d < B::D; ++d) EXPECT_NEAR(force[a][d], expected[a][d], 1e-14);
 }
 
-TEST(LockingTest, RotationsChangeNothing) {
+TEST(LockingKernelTest, RotationsChangeNothing) {
   expect_no_response_to_rotation<Mean<Quad4, NeoHooke>>();
   expect_no_response_to_rotation<Mean<Hex8, NeoHooke>>();
   expect_no_response_to_rotation<Modes<Quad4, NeoHooke>>();
   expect_no_response_to_rotation<Modes<Hex8, NeoHooke>>();
-}
-
-/// Eigenvalues of a symmetric matrix in rising order, by Jacobi's rotations.
-template <std::size_t M>
-std::vector<double> eigenvalues(Small<double, M> k) {
-  for (int sweep = 0; sweep < 60; ++sweep)
-    for (std::size_t p = 0; p < M; ++p)
-      for (std::size_t q = p + 1; q < M; ++q) {
-        if (k[p][q] == 0) continue;
-        const double theta = (k[q][q] - k[p][p]) / (2 * k[p][q]);
-        const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::hypot(theta, 1.0));
-        const double c = 1 / std::hypot(t, 1.0), s = t * c;
-        for (std::size_t m = 0; m < M; ++m) {
-          const double a = k[m][p], b = k[m][q];
-          k[m][p] = c * a - s * b;
-          k[m][q] = s * a + c * b;
-        }
-        for (std::size_t m = 0; m < M; ++m) {
-          const double a = k[p][m], b = k[q][m];
-          k[p][m] = c * a - s * b;
-          k[q][m] = s * a + c * b;
-        }
-      }
-  std::vector<double> values;
-  for (std::size_t m = 0; m < M; ++m) values.push_back(k[m][m]);
-  std::sort(values.begin(), values.end());
-  return values;
-}
-
-struct Counts {
-  int zero = 0, stiff = 0;
-};
-
-/// Zero eigenvalues of the stiffness at rest, and those that grow with the bulk modulus.
-template <class B>
-Counts modes_at_rest(bool distorted) {
-  B body{};
-  body.law = {lame_constants(1.0, 0.499995)};  // lambda = 1e5 mu
-  std::array<double, B::D> edges;
-  for (std::size_t d = 0; d < B::D; ++d) edges[d] = 1.0 + 0.2 * static_cast<double>(d);
-  if (!distorted) body.x = B::block(edges);
-  Counts counts;
-  for (double value : eigenvalues(body.tangent(typename B::template Nodal<double>{}))) {
-    if (std::abs(value) < 1e-8) ++counts.zero;
-    if (value > 100) ++counts.stiff;
-    EXPECT_GT(value, -1e-8);
-  }
-  return counts;
-}
-
-TEST(LockingTest, NumberOfVolumetricConstraints) {
-  const auto expect = [](const Counts& counts, int zero, int stiff) {
-    EXPECT_EQ(counts.zero, zero);
-    EXPECT_EQ(counts.stiff, stiff);
-  };
-  for (bool distorted : {false, true}) {
-    expect(modes_at_rest<Mean<Quad4, NeoHooke>>(distorted), 3, 1);
-    expect(modes_at_rest<Mean<Hex8, NeoHooke>>(distorted), 6, 1);
-    expect(modes_at_rest<Mean<Quad4, LinearElastic>>(distorted), 3, 1);
-    expect(modes_at_rest<Modes<Quad4, NeoHooke>>(distorted), 3, 1);
-  }
-  expect(modes_at_rest<Plain<Quad4, NeoHooke>>(false), 3, 3);
-  expect(modes_at_rest<Plain<Hex8, NeoHooke>>(false), 6, 7);
-  expect(modes_at_rest<Modes<Hex8, NeoHooke>>(false), 6, 4);
-}
-
-/// Energy of a block bent in its first two directions to a small curvature kappa, over kappa^2; the nodes are where the
-/// theory of beams puts them.
-template <class B>
-double bending_energy(const std::array<double, B::D>& edges, double nu) {
-  B body{};
-  body.law = {lame_constants(1.0, nu)};
-  body.x = B::block(edges);
-  const double kappa = 1e-6;
-  typename B::template Nodal<double> u{};
-  for (std::size_t a = 0; a < B::N; ++a) {
-    const auto& x = body.x[a];
-    u[a][0] = kappa * x[0] * x[1];
-    if constexpr (B::D == 3) u[a][2] = -nu * kappa * x[1] * x[2];
-  }
-  return body.energy(u) / (kappa * kappa);
-}
-
-TEST(LockingTest, EnhancedQuadrilateralsBendAsPlateStrips) {
-  const double length = 5, height = 0.4;
-  for (double nu : {0.0, 0.3, 0.499}) {
-    const double moment = height * height * height / 12, exact = length * moment / (2 * (1 - nu * nu));
-    EXPECT_NEAR((bending_energy<Modes<Quad4, NeoHooke>>({length, height}, nu)), exact, 1e-5 * exact);
-    EXPECT_NEAR((bending_energy<Modes<Quad4, LinearElastic>>({length, height}, nu)), exact, 1e-10 * exact);
-    // The standard element shears instead, and may not contract where it is stretched.
-    const double slender = length * length / (height * height);
-    const double parasitic = (1 - nu) * (1 - nu) / (1 - 2 * nu) + (1 - nu) / 2 * slender;
-    EXPECT_NEAR((bending_energy<Plain<Quad4, LinearElastic>>({length, height}, nu)), exact * parasitic,
-                1e-10 * exact * parasitic);
-    // The mean dilatation cures the second, not the first.
-    const double mean = (1 - nu) / 2 * (1 + slender);
-    EXPECT_NEAR((bending_energy<Mean<Quad4, LinearElastic>>({length, height}, nu)), exact * mean, 1e-10 * exact * mean);
-  }
-}
-
-TEST(LockingTest, EnhancedHexahedraBendAsBeams) {
-  const double length = 5, height = 0.4, width = 0.7;
-  for (double nu : {0.0, 0.3, 0.499}) {
-    const double exact = length * width * height * height * height / 24;
-    EXPECT_NEAR((bending_energy<Modes<Hex8, LinearElastic>>({length, height, width}, nu)), exact, 1e-10 * exact);
-    EXPECT_NEAR((bending_energy<Modes<Hex8, NeoHooke>>({length, height, width}, nu)), exact, 1e-5 * exact);
-    EXPECT_GT((bending_energy<Plain<Hex8, LinearElastic>>({length, height, width}, nu)), 30 * exact);
-  }
 }
 
 template <class B>
@@ -436,7 +208,7 @@ void expect_refusal_of_inversion() {
   EXPECT_LE(body.least_jacobian(u), 0.0);
 }
 
-TEST(LockingTest, InvertedElementsAreRefused) {
+TEST(LockingKernelTest, InvertedElementsAreRefused) {
   expect_refusal_of_inversion<Mean<Quad4, NeoHooke>>();
   expect_refusal_of_inversion<Mean<Hex8, NeoHooke>>();
   expect_refusal_of_inversion<Modes<Quad4, NeoHooke>>();
@@ -444,53 +216,12 @@ TEST(LockingTest, InvertedElementsAreRefused) {
 }
 
 // Far from incompressible states the modes have no minimum: the element says so instead of giving some number.
-TEST(LockingTest, EnhancedElementsThatFindNoMinimumAreRefused) {
+TEST(LockingKernelTest, EnhancedElementsThatFindNoMinimumAreRefused) {
   Modes<Hex8, NeoHooke> body{};
   EXPECT_GT(body.least_jacobian(body.to), 0.0);
   body.law = {lame_constants(1.0, 0.4999)};
   EXPECT_LE(body.least_jacobian(body.to), 0.0);
   EXPECT_TRUE(std::isnan(body.energy(body.to)));
-}
-
-/// The least stiffness of the hourglass patterns of a cube that is stretched along its last axis, its sides free.
-template <class B>
-double hourglass_stiffness(double stretch) {
-  B body{};
-  std::array<double, B::D> edges;
-  edges.fill(1.0);
-  body.x = B::block(edges);
-  double low = 0.2, high = 5;  // of the sides
-  Small<double, B::D> h{};
-  for (int bisection = 0; bisection < 60; ++bisection) {
-    const double side = 0.5 * (low + high);
-    for (std::size_t d = 0; d < B::D; ++d) h[d][d] = (d + 1 == B::D ? stretch : side) - 1;
-    Small<double, B::D> p{};
-    body.law.stress(h, p);
-    (p[0][0] > 0 ? high : low) = side;
-  }
-  const auto k = body.tangent(B::affine(h, body.x));
-  const auto corner = corners<static_cast<int>(B::D)>();
-  double least = 1e300;
-  for (std::size_t i = 0; i < B::D; ++i) {
-    double sum = 0;  // of the pattern xi eta
-    for (std::size_t a = 0; a < B::N; ++a)
-      for (std::size_t b = 0; b < B::N; ++b)
-        sum += corner[a][0] * corner[a][B::D - 1] * corner[b][0] * corner[b][B::D - 1] * k[a * B::D + i][b * B::D + i];
-    least = std::min(least, sum);
-  }
-  return least;
-}
-
-// Known (Wriggers and Reese 1996), and a reason not to use enhanced elements under strong compression.
-TEST(LockingTest, EnhancedElementsBuckleIntoHourglassesUnderStrongCompression) {
-  EXPECT_GT((hourglass_stiffness<Modes<Quad4, NeoHooke>>(0.7)), 0.0);
-  EXPECT_LT((hourglass_stiffness<Modes<Quad4, NeoHooke>>(0.55)), 0.0);
-  EXPECT_GT((hourglass_stiffness<Modes<Hex8, NeoHooke>>(0.7)), 0.0);
-  EXPECT_LT((hourglass_stiffness<Modes<Hex8, NeoHooke>>(0.55)), 0.0);
-  for (double stretch : {0.1, 0.55, 4.0}) {
-    EXPECT_GT((hourglass_stiffness<Mean<Quad4, NeoHooke>>(stretch)), 0.0) << stretch;
-    EXPECT_GT((hourglass_stiffness<Mean<Hex8, NeoHooke>>(stretch)), 0.0) << stretch;
-  }
 }
 
 }  // namespace

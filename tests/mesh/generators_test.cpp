@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos {
 namespace {
@@ -66,12 +66,7 @@ template <class Shape, class Change>
 std::string refusal(Mesh (*make)(const Shape&), Change change) {
   Shape shape;
   change(shape);
-  try {
-    make(shape);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { make(shape); });
 }
 
 TEST(DiskTest, HasTheCellsAndNodesOfThePaper) {

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "base/error.hpp"
 #include "mesh/generators.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos {
 namespace {
@@ -181,24 +181,15 @@ TEST(LocalizeTest, NodeSetsHoldTheirLocalNodesGhostsIncluded) {
   });
 }
 
-template <class Action>
-std::string refusal(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(LocalMeshTest, MisspeltNamesAreRefusedWithTheNearest) {
   const Mesh mesh = disk({});
   const LocalMesh part = localize(mesh, partition_nodes(mesh, 1), 0, 1);
-  EXPECT_EQ(refusal([&] { part.node_set("centre"); }),
+  EXPECT_EQ(test::refusal([&] { part.node_set("centre"); }),
             "node set \"centre\" does not exist; did you mean \"center\"? The mesh has \"surface\", \"center\"");
-  EXPECT_EQ(refusal([&] { part.side_set("surfcae"); }),
+  EXPECT_EQ(test::refusal([&] { part.side_set("surfcae"); }),
             "side set \"surfcae\" does not exist; did you mean \"surface\"? The mesh has \"surface\"");
-  EXPECT_EQ(refusal([] { LocalMesh{}.side_set("surface"); }), "side set \"surface\" does not exist; the mesh has none");
+  EXPECT_EQ(test::refusal([] { LocalMesh{}.side_set("surface"); }),
+            "side set \"surface\" does not exist; the mesh has none");
 }
 
 TEST(PartitionNodesTest, PartsAreBalancedWithinTenPercent) {

@@ -6,20 +6,34 @@
 #include <cmath>
 #include <tuple>
 
-#include "material/linear_elastic.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
 #include "mesh/selection.hpp"
 #include "model/nodal_measure.hpp"
 #include "support/comparison.hpp"
-#include "support/scene_text.hpp"
-#include "time/integrator.hpp"
+#include "support/solids.hpp"
 #include "time/schemes.hpp"
 
 namespace ixos {
 namespace {
 
-using test::world;
+/// A traction on a side, along one axis.
+void pull(Model& model, const char* set, std::size_t axis, double traction) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> measure(static_cast<std::size_t>(mesh.nodes()), 0.0), force(d * measure.size(), 0.0);
+  add_side_measure(mesh, mesh.side_sets[mesh.side_set(set)], measure);
+  for (std::size_t n = 0; n < measure.size(); ++n) force[d * n + axis] = traction * measure[n];
+  model.loads().add(force, constant(1.0));
+}
+
+void expect_equilibrium(const Model& model, const std::vector<double>& expected, double tolerance) {
+  Integrator integrator = test::direct(model, static_equilibrium());
+  integrator.initialize(test::at_rest(model), test::at_rest(model), 0.0);
+  const StepResult result = integrator.step(1.0);
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_LT(test::distance(integrator.state().u, expected), tolerance);
+}
 
 void run(ContactElement element) {
   BoxShape shape;
@@ -30,40 +44,24 @@ void run(ContactElement element) {
   mesh.coordinates[2 * 6] += 0.2;
   mesh.coordinates[2 * 6 + 1] -= 0.15;
   enrich(mesh, "bottom", element);
-  const Comm comm = world();
-  Material rubber;
-  rubber.block = "body";
-  rubber.law = ElasticLaw::Linear;
-  rubber.lame = lame_constants(1.0, 0.3);
-  Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber},
-              Inertia::None);
-  const LocalMesh& local = model.mesh();
+  const Material rubber = test::elastic(ElasticLaw::Linear, 0.3);
+  const auto model = test::model_of(mesh, rubber, Inertia::None);
+  const LocalMesh& local = model->mesh();
 
   // Pulled down at the bottom by p, up at the top: u_y = p y/(Lambda + 2 mu), u_x = 0 held on the sides.
   const double p = 0.02;
-  for (const auto& [set, sign] : {std::pair{"bottom", -1.0}, std::pair{"top", 1.0}}) {
-    std::vector<double> measure(static_cast<std::size_t>(local.nodes()), 0.0), force(2 * measure.size(), 0.0);
-    add_side_measure(local, local.side_sets[local.side_set(set)], measure);
-    for (std::size_t n = 0; n < measure.size(); ++n) force[2 * n + 1] = sign * p * measure[n];
-    model.loads().add(force, constant(1.0));
-  }
+  for (const auto& [set, sign] : {std::pair{"bottom", -1.0}, std::pair{"top", 1.0}}) pull(*model, set, 1, sign * p);
   for (const char* set : {"left", "right"})
-    for (int node : local.node_sets[local.node_set(set)]) model.constraints().add(2 * node, 1.0, nullptr);
+    for (int node : local.node_sets[local.node_set(set)]) model->constraints().add(2 * node, 1.0, nullptr);
   for (int node = 0; node < local.nodes(); ++node) {
     const auto n = static_cast<std::size_t>(node);
     const bool corner = !local.is_derivative(n) && local.coordinates[2 * n] == 0 && local.coordinates[2 * n + 1] == 0;
-    if (corner) model.constraints().add(2 * node + 1, 1.0, nullptr);
+    if (corner) model->constraints().add(2 * node + 1, 1.0, nullptr);
   }
-  Teuchos::ParameterList linear;
-  linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Integrator integrator(model, static_equilibrium(), std::make_shared<LinearSolverFactory>(linear), {});
-  std::vector<double> u(static_cast<std::size_t>(model.space().local()), 0.0);
-  integrator.initialize(u, u, 0.0);
-  const StepResult result = integrator.step(1.0);
-  ASSERT_TRUE(result.converged) << result.reason;
+  std::vector<double> expected = test::at_rest(*model);
   const double strain = p / (rubber.lame.lambda + 2 * rubber.lame.mu);
-  for (std::size_t n = 0; n < u.size() / 2; ++n) u[2 * n + 1] = strain * local.coordinates[2 * n + 1];
-  EXPECT_LT(test::distance(integrator.state().u, u), 1e-14);
+  for (std::size_t n = 0; n < expected.size() / 2; ++n) expected[2 * n + 1] = strain * local.coordinates[2 * n + 1];
+  expect_equilibrium(*model, expected, 1e-14);
 }
 
 /// A distorted box under the same tension p on all its sides, held in three corners: u = p X/(3 Lambda + 2 mu). Its
@@ -81,42 +79,26 @@ void run_hexahedra(ContactElement element, bool patch) {
   }
   if (patch) add_side_set(mesh, "patch", "bottom", {{}, {2.5, 1.5, 2}});
   enrich(mesh, patch ? "patch" : "bottom", element);
-  const Comm comm = world();
-  Material rubber;
-  rubber.block = "body";
-  rubber.law = ElasticLaw::Linear;
-  rubber.lame = lame_constants(1.0, 0.3);
-  Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber},
-              Inertia::None);
-  const LocalMesh& local = model.mesh();
+  const Material rubber = test::elastic(ElasticLaw::Linear, 0.3);
+  const auto model = test::model_of(mesh, rubber, Inertia::None);
+  const LocalMesh& local = model->mesh();
 
   const double p = 0.02;
   const std::tuple<const char*, std::size_t, double> sides[] = {{"left", 0, -1}, {"right", 0, 1},   {"front", 1, -1},
                                                                 {"back", 1, 1},  {"bottom", 2, -1}, {"top", 2, 1}};
-  for (const auto& [set, axis, sign] : sides) {
-    std::vector<double> measure(static_cast<std::size_t>(local.nodes()), 0.0), force(3 * measure.size(), 0.0);
-    add_side_measure(local, local.side_sets[local.side_set(set)], measure);
-    for (std::size_t n = 0; n < measure.size(); ++n) force[3 * n + axis] = sign * p * measure[n];
-    model.loads().add(force, constant(1.0));
-  }
+  for (const auto& [set, axis, sign] : sides) pull(*model, set, axis, sign * p);
   for (int node = 0; node < local.nodes(); ++node) {
     const double* x = &local.coordinates[3 * static_cast<std::size_t>(node)];
     const bool origin = x[0] == 0 && x[1] == 0 && x[2] == 0;
     const bool on_x = x[0] == 4 && x[1] == 0 && x[2] == 0, on_y = x[0] == 0 && x[1] == 3 && x[2] == 0;
-    if (origin) model.constraints().add(3 * node, 1.0, nullptr);
-    if (origin || on_x) model.constraints().add(3 * node + 1, 1.0, nullptr);
-    if (origin || on_x || on_y) model.constraints().add(3 * node + 2, 1.0, nullptr);
+    if (origin) model->constraints().add(3 * node, 1.0, nullptr);
+    if (origin || on_x) model->constraints().add(3 * node + 1, 1.0, nullptr);
+    if (origin || on_x || on_y) model->constraints().add(3 * node + 2, 1.0, nullptr);
   }
-  Teuchos::ParameterList linear;
-  linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Integrator integrator(model, static_equilibrium(), std::make_shared<LinearSolverFactory>(linear), {});
-  std::vector<double> u(static_cast<std::size_t>(model.space().local()), 0.0);
-  integrator.initialize(u, u, 0.0);
-  const StepResult result = integrator.step(1.0);
-  ASSERT_TRUE(result.converged) << result.reason;
-  for (std::size_t k = 0; k < u.size(); ++k)
-    u[k] = p / (3 * rubber.lame.lambda + 2 * rubber.lame.mu) * local.coordinates[k];
-  EXPECT_LT(test::distance(integrator.state().u, u), 1e-13);
+  std::vector<double> expected = test::at_rest(*model);
+  for (std::size_t k = 0; k < expected.size(); ++k)
+    expected[k] = p / (3 * rubber.lame.lambda + 2 * rubber.lame.mu) * local.coordinates[k];
+  expect_equilibrium(*model, expected, 1e-13);
 }
 
 TEST(EnrichedPatchTest, UniformTensionThroughFacesAndTiedEdges) {

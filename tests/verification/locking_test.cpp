@@ -10,7 +10,7 @@
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
-#include "time/integrator.hpp"
+#include "support/solids.hpp"
 #include "time/schemes.hpp"
 
 namespace ixos {
@@ -28,16 +28,13 @@ struct Problem {
 
 /// Displacement of the probe along the last axis, "left" clamped.
 double deflection(const Problem& problem, Formulation formulation) {
-  const Comm comm = world();
   Material material = problem.material;
-  material.block = "body";
   material.density = 1.0;
   material.formulation = formulation;
-  const Mesh& mesh = problem.mesh;
-  Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm,
-              {material}, Inertia::None);
+  const auto built = test::model_of(problem.mesh, material, Inertia::None);
+  Model& model = *built;
   const LocalMesh& local = model.mesh();
-  const int d = mesh.dimension;
+  const int d = local.dimension;
   for (int node : local.node_sets[local.node_set("left")])
     for (int i = 0; i < d; ++i) model.constraints().add(node * d + i, 0.0, nullptr);
   std::vector<double> measure(static_cast<std::size_t>(local.nodes()), 0.0);
@@ -50,12 +47,8 @@ double deflection(const Problem& problem, Formulation formulation) {
   for (std::size_t node = 0; node < measure.size(); ++node)
     forces[node * size + size - 1] = measure[node] * problem.load / area;
   model.loads().add(std::move(forces), value_ramp(1.0, 0.0, 1.0, RampShape::Linear));
-  Teuchos::ParameterList linear;
-  linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Integrator integrator(model, static_equilibrium(), std::make_shared<LinearSolverFactory>(linear),
-                        NewtonOptions{1e-8, 100, {}});  // bulk stiffness costs digits
-  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  integrator.initialize(rest, rest, 0.0);
+  Integrator integrator = test::direct(model, static_equilibrium(), 1e-8);  // bulk stiffness costs digits
+  integrator.initialize(test::at_rest(model), test::at_rest(model), 0.0);
   for (int step = 0; step < problem.steps; ++step) {
     const StepResult result = integrator.step(1.0 / problem.steps);
     EXPECT_TRUE(result.converged) << result.reason;
