@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
 #include "study/child_process.hpp"
@@ -54,7 +55,7 @@ void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t to
   if (!result.reason.empty()) what += ": " + result.reason;
   if (!result.run.labels.empty() && std::isfinite(result.error(measure)))
     what += fmt::format(", {} {:.3g}", measure, result.error(measure));
-  fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, what, result.wall_seconds,
+  fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, ixos::printable(what), result.wall_seconds,
              reused ? " (was done)" : "");
   std::fflush(stdout);
 }
@@ -79,7 +80,8 @@ int make_report(const std::string& folder, bool quiet) {
 int run(const Arguments& arguments) {
   const ixos::Study study = ixos::read_study(arguments.study);
   if (arguments.list) {
-    for (const ixos::StudyRun& run : study.runs) fmt::print("{}: {}\n", run.name, fmt::join(run.settings, "; "));
+    for (const ixos::StudyRun& run : study.runs)
+      fmt::print("{}: {}\n", run.name, ixos::printable(fmt::format("{}", fmt::join(run.settings, "; "))));
     return 0;
   }
   ixos::RunnerOptions options;
@@ -120,13 +122,14 @@ int guarded(const Arguments& arguments) {
     return run(arguments);
   } catch (const ixos::InputError& error) {
     const std::string what = error.what();
-    fmt::print(stderr, "ixos-study: {}\n", what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what);
+    fmt::print(stderr, "ixos-study: {}\n",
+               ixos::printable(what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what));
     return 2;
   } catch (const ixos::FileError& error) {
-    fmt::print(stderr, "ixos-study: {}\n", error.what());
+    fmt::print(stderr, "ixos-study: {}\n", ixos::printable(error.what()));
     return 4;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ixos-study: a defect of ours, please report it: {}\n", error.what());
+    fmt::print(stderr, "ixos-study: a defect of ours, please report it: {}\n", ixos::printable(error.what()));
     return 1;
   }
 }

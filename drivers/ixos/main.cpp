@@ -17,6 +17,7 @@
 #include "base/error.hpp"
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
+#include "base/printable.hpp"
 #include "checkpoint/hdf5_file.hpp"
 #include "io/exodus_mesh.hpp"
 #include "progress_line.hpp"
@@ -113,7 +114,7 @@ void check_restart(const ixos::Simulation& simulation, const std::string& file, 
   const ixos::Restart restart(simulation, file);
   if (!speaks) return;
   fmt::print("{} is sound, and fits the scene.\n", restart.path());
-  for (const std::string& note : restart.notes()) fmt::print("{}\n", note);
+  for (const std::string& note : restart.notes()) fmt::print("{}\n", ixos::printable(note));
 }
 
 /// The command that goes on from a checkpoint.
@@ -164,7 +165,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   ixos::RunOptions options;
   options.folder = results_folder(arguments);
   options.restart = arguments.restart;
-  if (speaks) options.tell = [](const std::string& line) { fmt::print("{}\n", line); };
+  if (speaks) options.tell = [](const std::string& line) { fmt::print("{}\n", ixos::printable(line)); };
   options.interrupted = [] { return signalled != 0; };
   ixos::ProgressLine line;
   if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
@@ -177,7 +178,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
 
 /// An error that all ranks see alike is said once.
 int report(int status, const std::string& what, const ixos::Comm& comm) {
-  if (comm->getRank() == 0) fmt::print(stderr, "ixos: {}\n", what);
+  if (comm->getRank() == 0) fmt::print(stderr, "ixos: {}\n", ixos::printable(what));
   return status;
 }
 
@@ -201,7 +202,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     if (any_left_open(comm)) MPI_Abort(MPI_COMM_WORLD, 4);
     return 4;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", error.what());
+    fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", ixos::printable(error.what()));
     // The other ranks may be waiting in a collective operation.
     if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
     return 1;

@@ -48,7 +48,7 @@ def number(value, form=".3g"):
 def status(run, more=""):
     """A cell that tells how a run ended, and below it something more."""
     sign, kind = ("✓", "good") if run["status"] in GOOD else ("✗", "bad") if run["status"] in FAILED else ("…", "soft")
-    return f'<td class="{kind}">{sign} {run["status"]}{more and f"<br><small>{html.escape(more)}</small>"}</td>'
+    return f'<td class="{kind}">{sign} {html.escape(run["status"])}{more and f"<br><small>{html.escape(more)}</small>"}</td>'
 
 
 def table(words, numbers, rows):

@@ -29,10 +29,11 @@ std::size_t distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string beginning = name.substr(0, 255);  // the work is the product of the lengths
   std::string best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : candidates) {
-    const std::size_t d = distance(name, candidate);
+    const std::size_t d = distance(beginning, candidate);
     if (d < least) {
       least = d;
       best = candidate;

@@ -6,7 +6,7 @@
 namespace ixos {
 
 /// The candidate with the smallest Damerau-Levenshtein distance to `name` (optimal string alignment, case ignored);
-/// empty when there is no candidate.
+/// empty when there is no candidate. Of a name longer than 255 bytes its beginning counts.
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates);
 
 /// `what "name" does not exist; did you mean "..."?`, followed by `there` and the names, as "The mesh has" "a", "b".

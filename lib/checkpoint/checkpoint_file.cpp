@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/agreement.hpp"
@@ -141,12 +142,14 @@ void CheckpointReader::field(const char* name, std::vector<double>& values, Exte
     if (same_partition_) {
       const std::vector<double> mine = file_->numbers(name, owned_slab(space_, space_.dimension()));
       std::copy(mine.begin(), mine.end(), values.begin());
-      return;
+    } else {
+      const std::vector<double> all = file_->numbers(name, {0, length, 0});
+      const auto d = static_cast<std::size_t>(space_.dimension());
+      for (std::size_t node = 0; node < place_.size(); ++node)
+        for (std::size_t i = 0; i < d; ++i) values[node * d + i] = all[place_[node] * d + i];
     }
-    const std::vector<double> all = file_->numbers(name, {0, length, 0});
-    const auto d = static_cast<std::size_t>(space_.dimension());
-    for (std::size_t node = 0; node < place_.size(); ++node)
-      for (std::size_t i = 0; i < d; ++i) values[node * d + i] = all[place_[node] * d + i];
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+      throw InputError(std::string("\"") + name + "\" has a value that is not finite");
   });
   if (present && extent == Extent::Local) space_.update_ghosts(values.data());
 }

@@ -38,7 +38,8 @@ class Record {
     if constexpr (std::is_same_v<T, bool>) {
       value = real != 0;
     } else {
-      if (std::is_integral_v<T> && !(std::abs(real) < static_cast<double>(std::numeric_limits<T>::max())))
+      if (std::is_integral_v<T> && !(std::abs(real) < static_cast<double>(std::numeric_limits<T>::max()) &&
+                                     (real >= 0 || std::is_signed_v<T>)&&real == std::trunc(real)))
         throw InputError(std::string(name) + " is not a whole number in range");
       value = static_cast<T>(real);
     }

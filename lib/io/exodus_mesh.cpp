@@ -14,6 +14,7 @@
 
 #include "base/error.hpp"
 #include "io/exodus_definition.hpp"
+#include "io/guarded.hpp"
 
 namespace ixos {
 namespace {
@@ -24,13 +25,19 @@ template <class... Values>
 }
 
 /// NetCDF's three formats begin with CDF or with HDF5's signature; anything else is not handed to the library.
-int open_checked(const std::string& path) {
+void check_start(const std::string& path) {
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(path, code)) refuse(path, "the mesh file cannot be read");  // a pipe would wait
   std::ifstream file(path, std::ios::binary);
   char start[4] = {};
-  if (!file || std::filesystem::is_directory(path)) refuse(path, "the mesh file cannot be read");
+  if (!file) refuse(path, "the mesh file cannot be read");
   file.read(start, 4);
   const std::string magic(start, 4);
   if (magic.rfind("CDF", 0) != 0 && magic != "\x89HDF") refuse(path, "is not an Exodus file");
+}
+
+int open_checked(const std::string& path) {
+  check_start(path);
   int word = 8, stored = 0;
   float version = 0;
   const int id = ex_open(path.c_str(), EX_READ, &word, &stored, &version);
@@ -43,16 +50,16 @@ class Reader {
   explicit Reader(const std::string& path) : file_(open_checked(path), path) {
     ex_set_max_name_length(file_, name_length);
     require(ex_get_init_ext(file_, &header_), "the header");
-    bytes_ = static_cast<int64_t>(std::filesystem::file_size(path));
+    // Compression gains a factor of a few hundred at most; sizes beyond that are nonsense, not a reason to allocate.
+    most_ = 10 * static_cast<int64_t>(std::filesystem::file_size(path));
   }
 
   Mesh read() {
     if (header_.num_dim != 2 && header_.num_dim != 3)
       refuse(path(), "has {} dimensions; 2 and 3 are allowed", header_.num_dim);
     if (header_.num_nodes < 1 || header_.num_elem < 1) refuse(path(), "has no nodes or no elements");
-    // Compression gains a factor of a few; sizes far beyond the file's are nonsense, not a reason to allocate.
-    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > 1000 * bytes_ ||
-        header_.num_elem > 1000 * bytes_)
+    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > most_ ||
+        header_.num_elem > most_)
       refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
     mesh_.dimension = static_cast<int>(header_.num_dim);
     read_coordinates();
@@ -86,6 +93,7 @@ class Reader {
 
   /// The ids of all objects of a kind, each given once.
   std::vector<int> ids(ex_entity_type type, int64_t count, const char* what) const {
+    if (count > most_) refuse(path(), "is damaged: it claims {} {}s", count, what);
     std::vector<int> result(static_cast<std::size_t>(std::max<int64_t>(count, 0)));
     if (result.empty()) return result;
     require(ex_get_ids(file_, type, result.data()), what);
@@ -151,13 +159,15 @@ class Reader {
 
   /// Entries of a set, and for side sets the side numbers.
   std::vector<int> read_set(ex_entity_type type, int id, int64_t largest, const std::string& set_name,
-                            std::vector<int>* extra) const {
+                            std::vector<int>* extra) {
     ex_set set{};
     set.id = id;
     set.type = type;
     require(ex_get_sets(file_, 1, &set), "a set");
     const int64_t count = set.num_entry;
-    if (count < 0 || count > 1000 * bytes_) refuse(path(), "set \"{}\" is damaged", set_name);
+    if (count < 0 || count > most_ - set_entries_)
+      refuse(path(), "is damaged: its sets up to \"{}\" claim {} entries", set_name, set_entries_ + count);
+    set_entries_ += count;
     std::vector<int> entries(static_cast<std::size_t>(count));
     if (extra != nullptr) extra->resize(entries.size());
     if (!entries.empty())
@@ -213,14 +223,21 @@ class Reader {
 
   ExodusHandle file_;
   ex_init_params header_{};
-  int64_t bytes_ = 0;
+  int64_t most_ = 0;         ///< entries of any kind that a file of this length may have
+  int64_t set_entries_ = 0;  ///< of the sets read so far, together
   Mesh mesh_;
   std::vector<int64_t> first_cell_;  ///< number of each block's first cell
 };
 
 }  // namespace
 
-Mesh read_exodus_mesh(const std::string& path) { return Reader(path).read(); }
+Mesh read_exodus_mesh(const std::string& path) {
+  check_start(path);
+  try_reading(path, [&] { read_tried_exodus_mesh(path); });
+  return read_tried_exodus_mesh(path);
+}
+
+Mesh read_tried_exodus_mesh(const std::string& path) { return Reader(path).read(); }
 
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title) {
   const int id = create_exodus(path);

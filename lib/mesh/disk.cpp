@@ -15,6 +15,11 @@ void check(const DiskShape& shape) {
   if (shape.rings < 1) throw InputError(fmt::format("disk: rings {} must be at least 1", shape.rings));
   if (!(shape.core_half_side > 0 && shape.core_half_side < 0.7))
     throw InputError(fmt::format("disk: core half side {} must lie between 0 and 0.7", shape.core_half_side));
+  const double nodes =
+      (shape.core_divisions + 1.0) * (shape.core_divisions + 1.0) + 4.0 * shape.core_divisions * shape.rings;
+  if (nodes > 5e7)
+    throw InputError(fmt::format("disk: core divisions {} and rings {} make {:.3g} nodes; at most 5e7 are allowed",
+                                 shape.core_divisions, shape.rings, nodes));
 }
 
 /// Grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.

@@ -165,16 +165,16 @@ void History::transfer(Record& record) {
   record.number("initial energy", initial_energy_);
   record.number("largest energy error", max_energy_error_);
   // Of another scene's reactions, those that are this one's too.
-  auto forces = max_forces_;
-  auto count = forces.size();
+  auto count = max_forces_.size();
   record.number("reactions", count);
-  forces.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const Record::Section reaction(record, "reaction " + std::to_string(k));
-    record.text("name", forces[k].first);
-    record.number("largest", forces[k].second);
+    auto force = k < max_forces_.size() ? max_forces_[k] : std::pair<std::string, double>();
+    record.text("name", force.first);
+    record.number("largest", force.second);
+    if (!record.loading()) continue;
     for (auto& [name, largest] : max_forces_)
-      if (name == forces[k].first) largest = forces[k].second;
+      if (name == force.first) largest = force.second;
   }
 }
 

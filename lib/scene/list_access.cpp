@@ -25,4 +25,10 @@ std::vector<double> numbers(const Teuchos::ParameterList& list, const std::strin
   return {values.begin(), values.end()};
 }
 
+void check_column_name(const std::string& path, const std::string& name) {
+  if (name.find_first_of(",\"\r\n") != std::string::npos)
+    throw InputError(
+        fmt::format("{}: \"{}\" cannot name a column: it holds a comma, a quote or a line end", path, name));
+}
+
 }  // namespace ixos

@@ -15,6 +15,9 @@ std::vector<std::string> sublists(const Teuchos::ParameterList& list);
 std::vector<double> numbers(const Teuchos::ParameterList& list, const std::string& path, const char* name,
                             std::size_t count, std::vector<double> fallback);
 
+/// Throws InputError, with the path, for a name that cannot head a column of comma-separated values.
+void check_column_name(const std::string& path, const std::string& name);
+
 /// Puts the list path before a message of the layers below.
 template <class Function>
 auto at(const std::string& path, const Function& function) {

@@ -11,9 +11,12 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "base/printable.hpp"
 
 namespace ixos {
 namespace {
+
+constexpr std::size_t longest_name = 255;
 
 const std::vector<std::string> type_names{"double",        "int",        "bool",         "string",
                                           "Array(double)", "Array(int)", "Array(string)"};
@@ -31,7 +34,7 @@ std::string trimmed(const std::string& text) {
 template <class Number>
 Number number(const std::string& text, const std::string& type) {
   std::string digits = trimmed(text);
-  if (digits.size() > 1 && digits[0] == '+') digits.erase(0, 1);
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
   Number value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size()) refuse(text, type);
@@ -47,20 +50,42 @@ bool boolean(const std::string& text) {
   refuse(text, "bool (true or false)");
 }
 
-/// The elements between the braces of "{a, b}".
-std::vector<std::string> elements(const std::string& text, const std::string& type) {
+/// Calls a function with each element between the braces of "{a, b}".
+template <class Function>
+void for_elements(const std::string& text, const std::string& type, const Function& function) {
   const std::string body = trimmed(text);
   if (body.size() < 2 || body.front() != '{' || body.back() != '}') refuse(text, type + ", as in {1, 2}");
-  std::vector<std::string> result;
-  std::istringstream stream(body.substr(1, body.size() - 2));
-  for (std::string element; std::getline(stream, element, ',');) result.push_back(trimmed(element));
-  return result;
+  const std::size_t last = body.size() - 1;
+  if (trimmed(body.substr(1, last - 1)).empty()) return;
+  for (std::size_t start = 1, end = 0; start <= last; start = end + 1) {
+    end = std::min(body.find(',', start), last);
+    const std::string element = trimmed(body.substr(start, end - start));
+    if (element.empty()) refuse(text, type + ", as in {1, 2}: an element is empty");
+    function(element);
+  }
+}
+
+const std::string& checked_string(const std::string& text) {
+  if (const auto place = first_unfit_byte(text); place != std::string::npos)
+    refuse(printable(text), fmt::format("string: byte {} is a control character, or not UTF-8", place + 1));
+  return text;
 }
 
 }  // namespace
 
+void check_name(const std::string& name) {
+  if (name.size() > longest_name)
+    throw InputError(fmt::format("\"{}...\" is no name: {} bytes, at most {} are allowed", name.substr(0, 40),
+                                 name.size(), longest_name));
+  if (first_unfit_byte(name) != std::string::npos)
+    throw InputError("\"" + printable(name) + "\" is no name: it has a control character, or is not UTF-8");
+  if (name.size() > 1 && name.front() == '<' && name.back() == '>')
+    throw InputError("\"" + name + "\" is no name: it must not stand in angle brackets");
+}
+
 void set_from_text(Teuchos::ParameterList& list, const std::string& name, const std::string& type,
                    const std::string& text) {
+  check_name(name);
   if (type == "double") {
     list.set(name, number<double>(text, type));
   } else if (type == "int") {
@@ -68,17 +93,19 @@ void set_from_text(Teuchos::ParameterList& list, const std::string& name, const 
   } else if (type == "bool") {
     list.set(name, boolean(text));
   } else if (type == "string") {
-    list.set(name, text);
+    list.set(name, checked_string(text));
   } else if (type == "Array(double)") {
     Teuchos::Array<double> values;
-    for (const std::string& element : elements(text, type)) values.push_back(number<double>(element, "double"));
+    for_elements(text, type, [&](const std::string& element) { values.push_back(number<double>(element, "double")); });
     list.set(name, values);
   } else if (type == "Array(int)") {
     Teuchos::Array<int> values;
-    for (const std::string& element : elements(text, type)) values.push_back(number<int>(element, "int"));
+    for_elements(text, type, [&](const std::string& element) { values.push_back(number<int>(element, "int")); });
     list.set(name, values);
   } else if (type == "Array(string)") {
-    list.set(name, Teuchos::Array<std::string>(elements(text, type)));
+    Teuchos::Array<std::string> values;
+    for_elements(text, type, [&](const std::string& element) { values.push_back(checked_string(element)); });
+    list.set(name, values);
   } else {
     throw InputError(no_such("type", type, type_names, "There are"));
   }

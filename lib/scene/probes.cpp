@@ -10,6 +10,7 @@ std::vector<Probe> find_probes(const Teuchos::ParameterList& list, const Model& 
   std::vector<Probe> probes;
   for (const std::string& name : sublists(list)) {
     const std::string path = "Output/Probes/" + name;
+    check_column_name(path, name);
     const auto d = static_cast<std::size_t>(model.mesh().dimension);
     const auto place = numbers(list.sublist(name), path, "Point", d, {});
     if (place.empty()) throw InputError(path + "/Point is missing: the probe's place in the reference configuration");

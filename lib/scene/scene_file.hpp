@@ -5,8 +5,8 @@
 
 namespace ixos {
 
-/// Reads a scene. Teuchos parses the XML; the values are read by set_from_text(), because Teuchos' own reader takes
-/// "abc" for 0 and the last of two entries of one name. Throws InputError that names the file and the list path.
+/// Reads a scene: see list_from_xml(). The values are read by set_from_text(), because Teuchos' own reader takes "abc"
+/// for 0 and the last of two entries of one name. Throws InputError that names the file and the list path.
 Teuchos::ParameterList read_scene_file(const std::string& path);
 
 /// The same from text; `origin` stands for the file name in messages.

@@ -139,6 +139,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   probes_ = find_probes(parameters_.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string> recorded = reactions();
   for (const std::string& name : recorded) {
+    check_column_name("Output/Reactions", name);
     if (std::count(recorded.begin(), recorded.end(), name) > 1)
       throw InputError("Output/Reactions: the node set \"" + name + "\" is given twice");
     const std::size_t set = at("Output/Reactions", [&] { return model_->mesh().node_set(name); });

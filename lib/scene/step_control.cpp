@@ -110,6 +110,8 @@ void StepControl::transfer(Record& record) {
   record.number("rejected", rejected_);
   record.number("judged error", judgement_.error);
   record.number("judged gap ratio", judgement_.gap_ratio);
+  if (!(length_ > 0 && std::isfinite(length_) && cuts_ >= 0))
+    throw InputError(fmt::format("a step of length {} after {} cuts is none to go on with", length_, cuts_));
 }
 
 int time_points(double gap_ratio) { return gap_ratio <= 1.4 ? 5 : gap_ratio <= 2 ? 8 : 16; }

@@ -61,7 +61,8 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
-  on_first_rank(comm, [&] { write_whole_file(path, json.dump(2) + '\n'); });
+  on_first_rank(
+      comm, [&] { write_whole_file(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n'); });
 }
 
 }  // namespace ixos

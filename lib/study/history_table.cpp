@@ -42,12 +42,13 @@ HistoryTable::HistoryTable(const std::string& path) : path_(path) {
       char* end = nullptr;
       const double value =
           row[c].empty() ? std::numeric_limits<double>::quiet_NaN() : std::strtod(row[c].c_str(), &end);
-      if (!row[c].empty() && *end != '\0')
+      if (!row[c].empty() && end != row[c].c_str() + row[c].size())
         throw FileError(fmt::format("{}, line {}: \"{}\" is not a number", path, number, row[c]));
       columns_[names_[c]].push_back(value);
     }
     ++rows_;
   }
+  if (rows_ == 0) throw FileError(path + ": has no rows");
 }
 
 const std::vector<double>& HistoryTable::column(const std::string& name) const {

@@ -18,12 +18,18 @@ namespace ixos {
 /// A results folder, as far as errors need it.
 struct StudyReference::Results {
   explicit Results(const std::string& folder) : history(folder + "/history.csv") {
-    Teuchos::ParameterList scene = read_scene_file(folder + "/effective.xml");
-    Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
-    const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
-    // What an older version did not know has its default.
-    const Teuchos::ParameterList parameters = validated(integrator.sublist(chosen.name), chosen.parameters);
-    step_means = chosen.table(parameters).closing == Closing::Collocate;
+    const std::string path = folder + "/effective.xml";
+    const Teuchos::ParameterList scene = read_scene_file(path);
+    try {
+      const Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
+      const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
+      // What an older version did not know has its default.
+      const Teuchos::ParameterList given =
+          integrator.isSublist(chosen.name) ? integrator.sublist(chosen.name) : Teuchos::ParameterList();
+      step_means = chosen.table(validated(given, chosen.parameters)).closing == Closing::Collocate;
+    } catch (const std::exception& error) {  // of Teuchos, of the validation, of the table
+      throw InputError(path + ": Time Integrator: " + last_paragraph(error.what()));
+    }
   }
   /// The times that a column's values belong to.
   std::vector<double> times(const std::string& column) const {
@@ -57,7 +63,7 @@ std::vector<std::string> probe_displacements(const HistoryTable& history) {
 double energy_error(const std::string& folder) {
   std::ifstream file(folder + "/summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  if (summary.is_discarded() || !summary.contains("max_energy_error"))
+  if (!summary.is_object() || !summary.contains("max_energy_error"))
     throw FileError(folder + "/summary.json: cannot be read");
   const auto& error = summary["max_energy_error"];
   return error.is_number() ? error.get<double>() : std::numeric_limits<double>::quiet_NaN();

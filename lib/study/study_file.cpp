@@ -24,8 +24,10 @@ namespace {
 using List = Teuchos::ParameterList;
 using Words = Teuchos::Array<std::string>;
 
-/// A study of more runs than this is a slip of the pen.
+/// A study of more than this is a slip of the pen.
 constexpr std::size_t most_runs = 10000;
+constexpr std::size_t most_settings = 1000000;  ///< of all runs together
+constexpr std::size_t longest_name = 200;       ///< of a run's folder
 
 Assignments assignments(const List& list, const std::string& path) {
   Assignments result;
@@ -69,6 +71,11 @@ std::string file_name(const std::string& label) {
   return result.empty() ? "-" : result;
 }
 
+[[noreturn]] void refuse_run_name(const StudyRun& run) {
+  throw InputError("Axes: the labels \"" + fmt::format("{}", fmt::join(run.labels, "\", \"")) +
+                   "\" make no folder name of their own, \"" + run.name + "\"; choose other labels");
+}
+
 /// Every combination of the axes' values, the last axis running fastest.
 std::vector<StudyRun> combinations(const Study& study) {
   std::vector<StudyRun> runs{{"", {}, study.common}};
@@ -76,21 +83,24 @@ std::vector<StudyRun> combinations(const Study& study) {
     if (runs.size() * axis.values.size() > most_runs)
       throw InputError(fmt::format("Axes: more than {} runs", most_runs));
     std::vector<StudyRun> longer;
+    std::size_t settings = 0;
     for (const StudyRun& run : runs)
       for (const AxisValue& value : axis.values) {
         StudyRun next = run;
         next.name += (run.name.empty() ? "" : "_") + file_name(value.label);
         next.labels.push_back(value.label);
         next.settings.insert(next.settings.end(), value.settings.begin(), value.settings.end());
+        settings += next.settings.size();
+        if (settings > most_settings)
+          throw InputError(fmt::format("Axes: more than {} settings of all runs together", most_settings));
+        if (next.name.size() > longest_name) refuse_run_name(next);
         longer.push_back(std::move(next));
       }
     runs = std::move(longer);
   }
   std::set<std::string> names;
   for (const StudyRun& run : runs)
-    if (!names.insert(run.name).second || run.name == "reference" || run.name.size() > 200)
-      throw InputError("Axes: the labels \"" + fmt::format("{}", fmt::join(run.labels, "\", \"")) +
-                       "\" make no folder name of their own, \"" + run.name + "\"; choose other labels");
+    if (!names.insert(run.name).second || run.name == "reference") refuse_run_name(run);
   return runs;
 }
 

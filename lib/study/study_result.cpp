@@ -165,7 +165,7 @@ void write_study(const Study& study, const std::vector<StudyResult>& results, co
   }
   json["common"] = study.common;
   write_whole_file(folder + "/study.csv", table(study, results));
-  write_whole_file(folder + "/study.json", json.dump(2) + "\n");
+  write_whole_file(folder + "/study.json", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace ixos

@@ -30,6 +30,17 @@ Json read_json(const std::string& path) {
   return json.is_object() ? json : Json();
 }
 
+/// A value of a record, or a default where there is none of that type: whatever the file holds.
+template <class T>
+T entry(const Json& record, const char* name, T otherwise) {
+  const auto found = record.find(name);
+  if (found == record.end()) return otherwise;
+  const bool fits = std::is_same_v<T, std::string> ? found->is_string()
+                    : std::is_integral_v<T>        ? found->is_number_integer()
+                                                   : found->is_number();
+  return fits ? found->get<T>() : otherwise;
+}
+
 std::string last_line(const std::string& path) {
   std::ifstream file(path);
   std::string last;
@@ -173,20 +184,22 @@ class Runner {
     record["exit_status"] = outcome.exit_status;
     record["cpu_seconds"] = outcome.cpu_seconds;
     record["time_limit"] = child.timed_out ? study_.time_limit : 0;
-    write_whole_file(folder(runs[child.number]) + "/run.json", record.dump(2) + '\n');
+    write_whole_file(folder(runs[child.number]) + "/run.json",
+                     record.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return child.number;
   }
 
   /// Is there a result of this scene, by this version? One cut off by a time limit counts as long as that is no longer.
   bool is_done(const StudyRun& run, const std::string& scene) const {
     const Json record = read_json(folder(run) + "/run.json");
-    if (record.is_null() || record.value("scene", "") != scene || record.value("version", "") != options_.version ||
-        record.value("driver", "") != driver_)
+    if (record.is_null() || entry<std::string>(record, "scene", "") != scene ||
+        entry<std::string>(record, "version", "") != options_.version ||
+        entry<std::string>(record, "driver", "") != driver_)
       return false;
     for (const char* file : {"/summary.json", "/history.csv", "/effective.xml"})
-      if (record.value("exit_status", -1) == 0 && !std::filesystem::exists(folder(run) + file)) return false;
-    const int status = record.value("exit_status", -1);
-    const double limit = record.value("time_limit", 0.0);
+      if (entry(record, "exit_status", -1) == 0 && !std::filesystem::exists(folder(run) + file)) return false;
+    const int status = entry(record, "exit_status", -1);
+    const double limit = entry(record, "time_limit", 0.0);
     return status == 0 || status == 3 || (limit > 0 && study_.time_limit > 0 && study_.time_limit <= limit);
   }
 
@@ -199,24 +212,24 @@ class Runner {
       result.reason = "ended by a signal";
       return result;
     }
-    result.cpu_seconds = record.value("cpu_seconds", 0.0);
-    const int status = record.value("exit_status", -1);
-    if (const double limit = record.value("time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
+    result.cpu_seconds = entry(record, "cpu_seconds", 0.0);
+    const int status = entry(record, "exit_status", -1);
+    if (const double limit = entry(record, "time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
       result.status = "failed";
       result.reason = limit > 0 ? fmt::format("not done after {} s", limit) : last_line(folder(run) + "/log.txt");
       if (limit == 0 && status > 128) result.reason = fmt::format("ended by signal {}", status - 128);
       result.wall_seconds = limit;
       return result;
     }
-    result.status = summary.value("status", "failed");
-    result.reason = summary.value("reason", "");
-    result.wall_seconds = summary.value("wall_seconds", 0.0);
-    result.steps = summary.value("steps", 0L);
-    result.rejected_steps = summary.value("rejected_steps", 0L);
-    result.newton_iterations = summary.value("newton_iterations", 0L);
-    result.linear_iterations = summary.value("linear_iterations", 0L);
-    result.peak_memory_bytes = summary.value("peak_memory_bytes", 0.0);
-    result.end_time = summary.value("end_time", 0.0);
+    result.status = entry<std::string>(summary, "status", "failed");
+    result.reason = entry<std::string>(summary, "reason", "");
+    result.wall_seconds = entry(summary, "wall_seconds", 0.0);
+    result.steps = entry(summary, "steps", 0L);
+    result.rejected_steps = entry(summary, "rejected_steps", 0L);
+    result.newton_iterations = entry(summary, "newton_iterations", 0L);
+    result.linear_iterations = entry(summary, "linear_iterations", 0L);
+    result.peak_memory_bytes = entry(summary, "peak_memory_bytes", 0.0);
+    result.end_time = entry(summary, "end_time", 0.0);
     if (!result.reached_its_end() || reference == nullptr) return result;
     try {
       result.errors = reference->errors(folder(run));

@@ -81,6 +81,7 @@ class Integrator {
   bool driving_is_defined(const Stage& stage, double dt, std::string& reason) const;
   bool take_explicit_step(double dt, std::string& reason);
   void transfer_derived(Record& record);
+  void check_whole(const char* name, const std::vector<double>& field, Extent extent) const;
   void refuse_jump() const;
 
   const Model& model_;

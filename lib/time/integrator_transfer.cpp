@@ -9,6 +9,13 @@
 
 namespace ixos {
 
+/// A checkpoint may leave out what the state needs.
+void Integrator::check_whole(const char* name, const std::vector<double>& field, Extent extent) const {
+  const int size = extent == Extent::Local ? model_.space().local() : model_.space().owned();
+  if (field.size() != static_cast<std::size_t>(size))
+    throw InputError(fmt::format("\"{}\" is empty, and the state needs it", name));
+}
+
 void Integrator::transfer(Record& record) {
   const Record::Section section(record, "integrator");
   State& state = states_.front();
@@ -18,6 +25,9 @@ void Integrator::transfer(Record& record) {
   record.number("time carry", time_carry_);
   record.number("dissipated energy", dissipated_);
   record.number("external work", external_work_);
+  if (!std::isfinite(time_)) throw InputError(fmt::format("the time {} is not finite", time_));
+  check_whole("displacement", state.u, Extent::Local);
+  check_whole("velocity", state.v, Extent::Local);
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
   refuse_jump();
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
@@ -53,6 +63,12 @@ void Integrator::transfer_derived(Record& record) {
   record.number("previous known", previous_.known);
   record.number("judged", judged_);
   record.number("acceleration known", acceleration_known_);
+  if (acceleration_known_) check_whole("acceleration", state.a, Extent::Local);
+  if (has_external_) check_whole("load", state.load, Extent::Owned);
+  if (has_external_) check_whole("reaction", state.reaction, Extent::Owned);
+  if (previous_.known) check_whole("previous velocity", previous_.v, Extent::Local);
+  if (previous_.dt != 0 && table_.predictor == Predictor::Extrapolation)
+    check_whole("previous displacement", previous_u_, Extent::Local);
   int points = table_.interaction_points;
   record.number("interaction points", points);
   set_interaction_points(points);

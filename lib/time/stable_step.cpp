@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.hpp"
+
 namespace ixos {
 namespace {
 
@@ -34,6 +36,8 @@ double StableStep::limit(const std::vector<double>& u) const {
 void StableStep::transfer(Record& record) {
   record.number("age", age_);
   record.field("elastic row sums", elastic_, Extent::Local);
+  if (age_ < 0 || elastic_.size() != sums_.size())
+    throw InputError("\"elastic row sums\" is empty, or its age is negative");
 }
 
 double StableStep::operator()(const State& state, double wanted) {

@@ -35,6 +35,11 @@ TEST(ClosestNameTest, NothingIsNearestWhereThereIsNoCandidate) {
   EXPECT_EQ(closest_name("", {"long", "x", "also long"}), "x");
 }
 
+TEST(ClosestNameTest, OfALongNameItsBeginningCounts) {
+  const std::string long_name = "Newmark" + std::string(100000000, 'x');  // its whole table would take 6 GB
+  EXPECT_EQ(closest_name(long_name, {"Bathe", "Newmarkx"}), "Newmarkx");
+}
+
 TEST(QuotedListTest, NamesAreQuotedAndSeparatedByCommas) {
   EXPECT_EQ(quoted_list({}), "");
   EXPECT_EQ(quoted_list({"left"}), "\"left\"");

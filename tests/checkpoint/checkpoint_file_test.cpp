@@ -125,6 +125,24 @@ TEST_F(CheckpointFileTest, AnotherPartitionFindsItsNodesByNumber) {
       EXPECT_EQ(field[2 * node + d], std::sqrt(2.0 + 2 * other.original_ids[node] + static_cast<double>(d)));
 }
 
+TEST_F(CheckpointFileTest, NumbersOutOfRangeAreRefused) {
+  memory_.third = 0.5;
+  memory_.none = -3;
+  memory_.field.back() = std::nan("");
+  write();
+  CheckpointReader reader(path_, *space_, local_);
+  const Record::Section outer(reader, "outer");
+  int whole = 0;
+  std::size_t count = 0;
+  EXPECT_THROW(reader.number("third", whole), InputError);
+  EXPECT_THROW(reader.number("none", count), InputError);
+  reader.number("none", whole);
+  EXPECT_EQ(whole, -3);
+  const Record::Section inner(reader, "inner 1");
+  std::vector<double> field;
+  EXPECT_THROW(reader.field("field", field, Extent::Local), InputError) << "a NaN is no state";
+}
+
 TEST_F(CheckpointFileTest, WhatIsMissingOrDoesNotFitIsRefusedByName) {
   write();
   CheckpointReader reader(path_, *space_, local_);

@@ -21,7 +21,11 @@ std::string quoted(const std::string& word) {
 std::string quoted_driver() { return quoted(IXOS_DRIVER); }
 
 Outcome ixos(const std::vector<std::string>& arguments, const std::string& folder) {
-  std::string command = quoted_driver();
+  return program(IXOS_DRIVER, arguments, folder);
+}
+
+Outcome program(const std::string& path, const std::vector<std::string>& arguments, const std::string& folder) {
+  std::string command = quoted(path);
   for (const std::string& argument : arguments) command += " " + quoted(argument);
   return shell(command, folder);
 }

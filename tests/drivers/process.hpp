@@ -13,6 +13,9 @@ struct Outcome {
 /// Runs the ixos driver with these arguments (each one word, quoted here) in `folder`.
 Outcome ixos(const std::vector<std::string>& arguments, const std::string& folder);
 
+/// The same of another program.
+Outcome program(const std::string& path, const std::vector<std::string>& arguments, const std::string& folder);
+
 /// Runs a shell command in `folder`.
 Outcome shell(const std::string& command, const std::string& folder);
 

@@ -3,8 +3,10 @@
 #include <exodusII.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "io/exodus_mesh.hpp"
 #include "mesh/generators.hpp"
@@ -93,6 +95,30 @@ TEST(ExodusTest, TruncatedFilesAreRefusedOrWhole) {
   }
   // netCDF reads zeros where a file was cut in its padding: then nothing was lost, or the zeros are found out.
   EXPECT_GE(refused, static_cast<int>(size / 97));
+}
+
+/// The dimension of that name in a file of NetCDF's classic format: its length follows the name, as four bytes.
+void claim(const std::string& name, const std::string& dimension, std::uint32_t length) {
+  std::fstream file(path(name), std::ios::binary | std::ios::in | std::ios::out);
+  std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const std::size_t found = bytes.find(dimension);
+  ASSERT_NE(found, std::string::npos) << dimension;
+  file.seekp(static_cast<std::streamoff>(found + (dimension.size() + 3) / 4 * 4));
+  for (int shift = 24; shift >= 0; shift -= 8) file.put(static_cast<char>(length >> shift));
+}
+
+TEST(ExodusTest, SizesBeyondTheFilesAreRefused) {
+  for (const char* dimension : {"num_nodes", "num_elem", "num_el_blk", "num_node_sets", "num_side_sets",
+                                "num_el_in_blk1", "num_nod_ns1", "num_side_ss1"}) {
+    write_exodus_mesh(disk({}), path("claims.e"), "disk");
+    claim("claims.e", dimension, 2000000000);
+    EXPECT_NE(refusal(path("claims.e")), "accepted") << dimension;
+    claim("claims.e", dimension, 300000);
+    EXPECT_NE(refusal(path("claims.e")), "accepted") << dimension;
+  }
+  write_exodus_mesh(disk({}), path("claims.e"), "disk");
+  claim("claims.e", "num_nodes", 2000000000);
+  expect_contains(refusal(path("claims.e")), "is damaged: it claims 2000000000 nodes and 48 elements");
 }
 
 TEST(ExodusTest, InconsistentMeshesAreRefused) {

@@ -161,6 +161,9 @@ TEST(DiskTest, BadValuesAreRefused) {
   const std::string between = " must lie between 0 and 0.7";
   EXPECT_EQ(refusal(disk, [](DiskShape& s) { s.core_half_side = 0.7; }), "disk: core half side 0.7" + between);
   EXPECT_EQ(refusal(disk, [](DiskShape& s) { s.core_half_side = 0; }), "disk: core half side 0" + between);
+  // 10001^2 of the core and 40000 a ring.
+  EXPECT_EQ(refusal(disk, [](DiskShape& s) { s.core_divisions = s.rings = 10000; }),
+            "disk: core divisions 10000 and rings 10000 make 5e+08 nodes; at most 5e7 are allowed");
 }
 
 /// 3 x 2 cells, or 3 x 2 x 4, of a box with sides 1.5, 2 and 3.

@@ -143,6 +143,28 @@ void write_results(const std::string& folder, const std::string& scheme, double 
       << scheme << "\"/><ParameterList name=\"" << scheme << "\"/></ParameterList></ParameterList>";
 }
 
+TEST_F(StudyTest, StudiesOutOfProportionAreRefused) {
+  const auto axes = [](int count, const std::string& values) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += "<ParameterList name=\"axis" + std::to_string(i) +
+              "\"><Parameter name=\"Parameter\" type=\"string\" value=\"Units/Time\"/><Parameter name=\"Values\" "
+              "type=\"Array(string)\" value=\"" +
+              values + "\"/></ParameterList>";
+    return "<ParameterList name=\"Axes\">" + text;
+  };
+  expect_refused("<ParameterList name=\"Axes\">", axes(10000, "{value}"), "make no folder name of their own");
+  expect_refused("<ParameterList name=\"Axes\">", axes(6, "{1,2,3,4,5,6,7,8,9}"), "Axes: more than 10000 runs");
+  std::string many, common;
+  for (int i = 0; i < 1000; ++i) {
+    many += (i > 0 ? "," : "") + std::to_string(i);
+    common += "<Parameter name=\"Linear Solver/" + std::to_string(i) + "\" type=\"int\" value=\"1\"/>";
+  }
+  expect_refused("</ParameterList>\n  <ParameterList name=\"Axes\">",
+                 common + "</ParameterList>" + axes(1, "{" + many + "}"),
+                 "Axes: more than 1000000 settings of all runs together");
+}
+
 TEST_F(StudyTest, ARunThatEndedEarlyHasNoErrors) {
   const auto sine = [](double t) { return std::sin(6 * t); };
   write_results(folder_ + "/reference", "Newmark", 1e-3, sine);
@@ -202,6 +224,8 @@ TEST_F(StudyTest, TablesReadBack) {
   EXPECT_THROW(HistoryTable(write("b.csv", "time,x\n0\n")), FileError);
   EXPECT_THROW(HistoryTable(write("c.csv", "time,x\n0,1x\n")), FileError);
   EXPECT_THROW(HistoryTable(write("d.csv", "x,x\n0,1\n")), FileError);
+  EXPECT_THROW(HistoryTable(write("e.csv", "time,x\n")), FileError) << "no rows";
+  EXPECT_THROW(HistoryTable(write("f.csv", std::string("time,x\n0,1\0x\n", 13))), FileError) << "a zero byte";
   EXPECT_EQ(interpolated({0, 1, 3}, {0, 2, 4}, 2), 3);
   EXPECT_EQ(interpolated({0, 1, 3}, {0, 2, 4}, 3), 4);
   EXPECT_TRUE(std::isnan(interpolated({0, 1, 3}, {0, 2, 4}, 3.1)));

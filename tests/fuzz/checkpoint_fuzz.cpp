@@ -1,0 +1,24 @@
+// Checkpoints: the file as it is, then sealed anew, as whoever means harm would, so that HDF5 and the readers see it.
+#include "base/error.hpp"
+#include "checkpoint/seal.hpp"
+#include "input.hpp"
+#include "scene/restart.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ixos;
+  static const std::string path = fuzz::scratch_folder() + "/checkpoint.h5";
+  fuzz::write_file(path, fuzz::text(data, size));
+  seal_problem(path);
+  if (size < seal_bytes) return 0;
+  seal(path);
+  fuzz::expect(seal_problem(path).empty(), "a sealed file is not sound");
+  Simulation& simulation = fuzz::simulation("Central Difference");
+  try {
+    Restart restart(simulation, path);
+    restart.load([&](Record& record) { simulation.integrator().transfer(record); });
+    simulation.integrator().attempt(0.1);
+  } catch (const InputError& error) {
+    fuzz::expect_message(error);
+  }
+  return 0;
+}

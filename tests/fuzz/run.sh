@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# Fuzzes what reads files and texts, with AddressSanitizer and UBSan: tests/fuzz/run.sh [--seconds N | --runs N] [TARGET...]
+# Each target starts from tests/fuzz/corpus/TARGET and what earlier runs added in build/fuzz/corpus/TARGET, for N seconds
+# (default 60) or N executions. Findings are kept in build/fuzz/findings; with one, the exit status is 1.
+# tests/fuzz/run.sh --coverage [TARGET...] replays these inputs and tells how many lines of each reader they reach.
+set -euo pipefail
+limit=-max_total_time=60
+coverage=false
+chosen=()
+while [ $# -gt 0 ]; do
+  case $1 in
+    --seconds) limit=-max_total_time=$2; shift ;;
+    --runs) limit=-runs=$2; shift ;;
+    --coverage) coverage=true ;;
+    -*) echo "run.sh: $1 is not known" >&2; exit 2 ;;
+    *) chosen+=("$1") ;;
+  esac
+  shift
+done
+
+extra_packages="clang llvm libclang-rt-14-dev"
+targets=ixos
+IXOS_PRESET=release . "$(dirname "${BASH_SOURCE[0]}")/../../drivers/common.sh"
+here="$root/tests/fuzz"
+work="$root/build/fuzz"
+[ ${#chosen[@]} -gt 0 ] || chosen=($(ls "$here/corpus"))
+(
+  cd "$root"
+  [ -f "$work/build.ninja" ] || cmake --preset fuzz
+  cmake --build "$work" --target "${chosen[@]/#/fuzz_}"
+)
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export TMPDIR=$scratch LLVM_PROFILE_FILE=$scratch/unused.profraw
+[ ! -d /dev/shm ] || TMPDIR=/dev/shm
+export ASAN_OPTIONS=detect_odr_violation=0 UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0
+# Names and words that scenes and studies may use.
+sed -nE 's/^\| ([^|]*[a-z]) \|.*/\1/p; s/^## (.*)/\1/p' "$root/docs/parameters.md" | sed 's: / :\n:g' | sort -u |
+  sed 's/.*/"&"/' > "$scratch/xml.dict"
+
+options_of() {
+  case $1 in
+    expression) echo "-dict=$here/expression.dict -max_len=200" ;;
+    scene | study | assignment) echo "-dict=$scratch/xml.dict -max_len=20000" ;;
+    exodus | fields | checkpoint) echo "-max_len=40000" ;;
+    *) echo "-max_len=4096" ;;
+  esac
+}
+
+if $coverage; then
+  for target in "${chosen[@]}"; do
+    mkdir -p "$work/corpus/$target"
+    LLVM_PROFILE_FILE=$scratch/$target.profraw "$work/tests/fuzz/fuzz_$target" -runs=0 "$work/corpus/$target" \
+      "$here/corpus/$target" > "$scratch/$target.log" 2>&1 || { tail -30 "$scratch/$target.log"; exit 1; }
+    grep -E "INITED" "$scratch/$target.log" | sed "s/^/$target: /"
+  done
+  llvm-profdata merge "$scratch"/*.profraw -o "$scratch/all.profdata"
+  objects=("${chosen[@]/#/-object=$work/tests/fuzz/fuzz_}")
+  exec llvm-cov report "${objects[@]}" -instr-profile="$scratch/all.profdata" -show-region-summary=false \
+    -show-branch-summary=false -ignore-filename-regex='/usr/|tests/fuzz'
+fi
+
+status=0
+printf '%-12s %12s %9s %9s %8s\n' target executions per_s edges peak_MB
+for target in "${chosen[@]}"; do
+  mkdir -p "$work/corpus/$target" "$work/findings"
+  if ! "$work/tests/fuzz/fuzz_$target" $(options_of "$target") "$limit" -timeout=25 -rss_limit_mb=2048 \
+    -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="$work/findings/$target-" "$work/corpus/$target" \
+    "$here/corpus/$target" > "$scratch/$target.log" 2>&1; then
+    status=1
+    echo "A finding in $target:"
+    tail -60 "$scratch/$target.log"
+  fi
+  awk -v target="$target" '
+    /^#/ { for (i = 1; i < NF; ++i) if ($i == "cov:") edges = $(i + 1) }
+    /number_of_executed_units/ { executions = $2 } /average_exec_per_sec/ { rate = $2 } /peak_rss_mb/ { peak = $2 }
+    END { printf "%-12s %12d %9d %9d %8d\n", target, executions, rate, edges, peak }' "$scratch/$target.log"
+done
+exit $status
