@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
+#include "io/guarded.hpp"
 #include "io/output_mesh.hpp"
 
 namespace ixos {
@@ -136,6 +137,7 @@ void FieldFile::create() {
 
 void FieldFile::verify(const FieldLength& keep) const {
   const Implementation& self = *implementation_;
+  try_reading(self.path, [&] { self.fit(ExodusHandle(open(self.path, EX_READ), self.path), keep.frames); });
   const ExodusHandle file(open(self.path, EX_READ), self.path);
   if (!self.fit(file, keep.frames) || static_cast<double>(std::filesystem::file_size(self.path)) < keep.bytes)
     throw InputError(fmt::format(

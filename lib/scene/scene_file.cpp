@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Teuchos_XMLParameterListHelpers.hpp>
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -32,10 +33,13 @@ void set_as_it_looks(Teuchos::ParameterList& list, const std::string& name, cons
 
 Teuchos::ParameterList read_scene_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text(largest_xml + 1, '\0');  // not more of a file without an end
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.eof() && !file) throw InputError(path + ": the scene file cannot be read");
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  std::string text;
+  std::array<char, 65536> part{};
+  while (file && text.size() <= largest_xml) {  // not more of a file without an end
+    file.read(part.data(), part.size());
+    text.append(part.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad() || (file.fail() && !file.eof())) throw InputError(path + ": the scene file cannot be read");
   return read_scene_text(text, path);
 }
 

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
@@ -182,27 +180,30 @@ Study read(const std::string& path) {
   return study;
 }
 
+List complete_scene(List scene, const Assignments& settings) {
+  for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
+  return validated(scene, scene_parameters());
+}
+
 }  // namespace
 
 std::string scene_text(const Study& study, const Assignments& settings) {
-  List scene = read_scene_file(study.scene);
-  for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
-  std::ostringstream text;
-  Teuchos::writeParameterListToXmlOStream(validated(scene, scene_parameters()), text);
-  return text.str();
+  return scene_text(complete_scene(read_scene_file(study.scene), settings));
 }
 
 Study read_study(const std::string& path) {
   Study study;
+  List scene;
   try {
     study = read(path);
+    scene = read_scene_file(study.scene);
   } catch (const InputError& error) {
     const std::string what = error.what();
     throw InputError(what.rfind(path, 0) == 0 ? what : path + ": " + what);
   }
   const auto check = [&](const std::string& run, const Assignments& settings) {
     try {
-      scene_text(study, settings);
+      complete_scene(scene, settings);
     } catch (const InputError& error) {
       throw InputError(path + ": run " + run + ": " + error.what());
     }
