@@ -15,7 +15,7 @@ find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_XXHASH xxhash REQUIRED)
 # The one that Exodus is built with: two HDF5 libraries in one program clash.
 set(HDF5_PREFER_PARALLEL ON)
-find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(HDF5 REQUIRED COMPONENTS C HL)
 if(NOT HDF5_IS_PARALLEL)
   message(FATAL_ERROR "Ixos needs the parallel HDF5 (libhdf5-openmpi-dev)")
 endif()

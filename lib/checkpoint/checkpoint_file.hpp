@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "checkpoint/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "checkpoint/record.hpp"
 #include "mesh/local_mesh.hpp"
 #include "model/dof_space.hpp"

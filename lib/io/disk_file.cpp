@@ -80,6 +80,12 @@ void DiskFile::reserve(std::uint64_t bytes) {
   if (status != 0 && errno != EOPNOTSUPP && errno != ENOSYS) fail("cannot be written");
 }
 
+void DiskFile::lengthen(std::uint64_t bytes) {
+  reserve(bytes);
+  if (length() < bytes && persistent([&] { return ftruncate(descriptor_, static_cast<off_t>(bytes)); }) != 0)
+    fail("cannot be written");
+}
+
 void DiskFile::give_back() {
   const auto end = static_cast<off_t>(length());
   if (persistent([&] { return ftruncate(descriptor_, end); }) != 0) fail("cannot be written");

@@ -23,6 +23,8 @@ class DiskFile {
   /// Takes room on the disk for a file of that length, without making it longer. Does nothing on a file system that
   /// cannot.
   void reserve(std::uint64_t bytes);
+  /// The same, and makes the file that long where it is shorter: on any file system.
+  void lengthen(std::uint64_t bytes);
   void give_back();  ///< reserved room beyond the file's end
   void sync();       ///< until the disk has it
 

@@ -92,10 +92,11 @@ void require_created(int status, const std::string& path) {
   if (status < 0) throw FileError(fmt::format("{}: cannot be written{}", path, system_word()));
 }
 
-int create_exodus(const std::string& path) {
+int create_exodus(const std::string& path, ExodusFormat format) {
   int word = 8, stored = 8;
   errno = 0;
-  return ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &word, &stored);
+  const int kind = format == ExodusFormat::Hdf5 ? EX_NETCDF4 : EX_LARGE_MODEL;
+  return ex_create(path.c_str(), EX_CLOBBER | kind, &word, &stored);
 }
 
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share,

@@ -1,24 +1,19 @@
 /// Writing a mesh into an open Exodus file. Included by lib/io only.
 #pragma once
+#include <string>
 #include <vector>
 
 #include "io/exodus_handle.hpp"
+#include "io/output_mesh.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
 
-/// What a file of one rank says of the whole.
-struct ExodusShare {
-  int ranks = 1;
-  long long global_nodes = 0;
-  long long global_cells = 0;
-  std::vector<int> global_block_cells;  ///< by block
-  std::vector<int> node_ids;            ///< from 1, by node
-  std::vector<int> cell_ids;            ///< from 1, by cell, block after block
-};
+/// On what Exodus rests: netCDF's own format, or HDF5.
+enum class ExodusFormat { Classic, Hdf5 };
 
 /// Makes a file, or empties one that is there. Negative, as ex_create's, where that fails.
-int create_exodus(const std::string& path);
+int create_exodus(const std::string& path, ExodusFormat format = ExodusFormat::Classic);
 
 /// Writes coordinates, blocks (ids from 1), sets and id maps. Throws FileError.
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title);

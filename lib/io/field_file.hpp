@@ -1,10 +1,11 @@
-/// Fields over time in Exodus files: one file, or one a rank in the series fields.e.N.r that ParaView opens.
+/// Fields over time in files.
 #pragma once
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "mesh/local_mesh.hpp"
+#include "base/tpetra.hpp"
+#include "io/output_mesh.hpp"
 
 namespace ixos {
 
@@ -18,37 +19,43 @@ struct FieldNames {
 /// How far a file goes.
 struct FieldLength {
   int frames = 0;
-  double bytes = 0;
+  double bytes = 0;  ///< 0: not known, for another number of ranks wrote it
 };
 
-/// One rank's file. It holds the rank's own cells and their nodes, with the numbers of the whole mesh.
+/// A file that grows by a frame at a time. Each function is called by all ranks; an exception may come on some only,
+/// where there is a file for each rank.
 class FieldFile {
  public:
-  /// `path` without the rank's ending. Makes the file with create(), or goes on with the one that is there with
-  /// resume().
-  FieldFile(const std::string& path, const LocalMesh& mesh, int rank, int ranks, const FieldNames& names,
-            const std::string& title);
-  ~FieldFile();
-  FieldFile(const FieldFile&) = delete;
-  FieldFile& operator=(const FieldFile&) = delete;
+  virtual ~FieldFile() = default;
 
   /// Throws FileError.
-  void create();
+  virtual void create() = 0;
   /// Throws InputError where the file there is not of this mesh and these names, or has fewer frames or bytes.
-  void verify(const FieldLength& keep) const;
+  virtual void verify(const FieldLength& keep) const = 0;
   /// Goes on after the frames to keep in the file that verify() found to fit; later ones are dropped. Throws FileError.
-  void resume(const FieldLength& keep);
+  virtual void resume(const FieldLength& keep) = 0;
 
   /// Appends a frame: `nodal[v]` by local node; `cell[v][b]` by cell of local block b; `global[v]` (the same on every
   /// rank). Throws FileError.
-  void write(double time, const std::vector<std::vector<double>>& nodal,
-             const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global);
-  FieldLength length() const;
-  void sync();  ///< has the disk keep them; throws FileError
-
- private:
-  struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  virtual void write(double time, const std::vector<std::vector<double>>& nodal,
+                     const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) = 0;
+  virtual FieldLength length() const = 0;
+  virtual void sync() = 0;  ///< has the disk keep them; throws FileError
 };
+
+/// What a file of fields is about.
+struct FieldContents {
+  OutputMesh output;
+  FieldNames names;
+  std::string title;
+};
+
+/// Exodus, in the classic format of netCDF: `path` holds all of a single rank. Of several, each has a file of its own
+/// cells and their nodes, with the numbers of the whole mesh, in the series path.N.r that ParaView opens.
+std::unique_ptr<FieldFile> exodus_fields(const std::string& path, FieldContents contents, const Comm& comm);
+
+/// One HDF5 file that all ranks write together: Exodus as netCDF 4 lays it out, for the readers of Exodus and of HDF5.
+/// Nodes and cells stand in the order of the mesh, on any number of ranks.
+std::unique_ptr<FieldFile> hdf5_fields(const std::string& path, FieldContents contents, const Comm& comm);
 
 }  // namespace ixos

@@ -183,4 +183,11 @@ std::vector<double> OutputMesh::nodal(const std::vector<double>& field) const {
   return values;
 }
 
+std::vector<double> OutputMesh::cell(std::size_t block, const std::vector<double>& field) const {
+  std::vector<double> values;
+  values.reserve(cells[block].size());
+  for (int cell : cells[block]) values.push_back(field[static_cast<std::size_t>(cell)]);
+  return values;
+}
+
 }  // namespace ixos

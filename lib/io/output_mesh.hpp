@@ -3,10 +3,19 @@
 #include <utility>
 #include <vector>
 
-#include "io/exodus_definition.hpp"
 #include "mesh/local_mesh.hpp"
 
 namespace ixos {
+
+/// What a file of one rank says of the whole.
+struct ExodusShare {
+  int ranks = 1;
+  long long global_nodes = 0;
+  long long global_cells = 0;
+  std::vector<int> global_block_cells;  ///< by block
+  std::vector<int> node_ids;            ///< from 1, by node
+  std::vector<int> cell_ids;            ///< from 1, by cell, block after block
+};
 
 /// The rank's own cells and their nodes as a mesh of their own. An enriched cell becomes a row of bilinear
 /// quadrilaterals, or rows of trilinear hexahedra, one for each piece of its contact side (four of a Hermite side), so
@@ -17,6 +26,8 @@ struct OutputMesh {
 
   /// The value at each node of a field given by local node.
   std::vector<double> nodal(const std::vector<double>& field) const;
+  /// The value at each cell of a block of a field given by local cell.
+  std::vector<double> cell(std::size_t block, const std::vector<double>& field) const;
 
   Mesh mesh;
   ExodusShare description;

@@ -34,8 +34,9 @@ std::vector<double> acceleration_or_nan(Integrator& integrator) {
 FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
     : simulation_(simulation), comm_(simulation.model().space().comm()) {
   const Model& model = simulation.model();
-  file_ = std::make_unique<FieldFile>(path, model.mesh(), comm_->getRank(), comm_->getSize(), field_names(model),
-                                      simulation.parameters().name());
+  const auto& format = simulation.parameters().sublist("Output").get<std::string>("Fields Format");
+  file_ = (format == "HDF5" ? hdf5_fields : exodus_fields)(
+      path, {OutputMesh(model.mesh(), comm_->getSize()), field_names(model), simulation.parameters().name()}, comm_);
 }
 
 void FieldRecorder::create() {

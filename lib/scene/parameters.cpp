@@ -249,7 +249,10 @@ void add_nonlinear_solver(List& list) {
 void add_output(List& list) {
   list.set("History Interval", 1, "steps between rows of history.csv; the last state is always a row",
            between(1, 1000000000));
-  list.set("Fields Interval", 0, "steps between frames of fields.e (Exodus); 0 writes none", between(0, 1000000000));
+  list.set("Fields Interval", 0, "steps between frames of fields.e; 0 writes none", between(0, 1000000000));
+  list.set("Fields Format", "Exodus",
+           "of fields.e: Exodus, a file for each rank, or HDF5, one that all write together (Exodus on HDF5)",
+           one_of({"Exodus", "HDF5"}));
   list.set("History Time Interval", 0.0, "time between rows [T0], in place of History Interval; 0: off", at_least(0));
   list.set("Fields Time Interval", 0.0, "time between frames [T0], in place of Fields Interval; 0: off", at_least(0));
   List& checkpoint =

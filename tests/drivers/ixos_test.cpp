@@ -110,6 +110,12 @@ TEST_F(DriverTest, RanksWithoutCellsWriteTheirFields) {
     EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e." + std::to_string(ranks) + ".1"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ + "/out/fields.e.2.0")) << "left from an earlier run";
+  const Outcome outcome = shell("mpiexec -np 4 --oversubscribe " + quoted_driver() + " " + cell +
+                                    " --output out --set 'Output/Fields Format=HDF5'",
+                                folder_);
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/out/fields.e.4.0")) << "left from an earlier run";
 }
 
 TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {

@@ -87,6 +87,16 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
   EXPECT_NE(same.output.find("another --output begins new ones"), std::string::npos) << same.output;
 }
 
+TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnWithOneHdf5File) {
+  const std::string settings = "--quiet --set 'Output/Fields Format=HDF5' --output parts --set '" + control;
+  ASSERT_EQ(run(settings + "Final Time=0.3'", 2).status, 0);
+  const auto size = std::filesystem::file_size(path("parts/fields.e"));
+  const Outcome rest = run(settings + "Final Time=0.5' --restart parts", 1);
+  EXPECT_EQ(rest.status, 0) << rest.output;
+  EXPECT_GT(std::filesystem::file_size(path("parts/fields.e")), size);
+  EXPECT_EQ(run(settings + "Final Time=0.6' --restart parts", 4).status, 0);
+}
+
 TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
   ASSERT_EQ(
       run("--output out --quiet --set '" + control + "Final Time=0.2' --set Output/Checkpoint/Interval=100").status, 0);

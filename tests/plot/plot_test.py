@@ -63,6 +63,25 @@ class PlotTest(ScriptTest):
             for field in ("first_stress_invariant", "energy_density"):
                 np.testing.assert_allclose(both.element(field, frame), one.element(field, frame), atol=1e-11)
 
+    def test_the_one_hdf5_file_of_any_ranks_holds_the_same_fields(self):
+        one = Fields(self.ball)
+        for ranks in (1, 2, 4):
+            folder = self.folder / f"hdf5-{ranks}"
+            simulate(folder, [*SHORT, "Output/Fields Format=HDF5"], ranks)
+            self.assertEqual([path.name for path in folder.glob("fields*")], ["fields.e"])
+            self.assertEqual((folder / "fields.e").read_bytes()[:4], b"\x89HDF")
+            all_ranks = Fields(folder)
+            np.testing.assert_array_equal(all_ranks.times, one.times)
+            np.testing.assert_array_equal(all_ranks.coordinates, one.coordinates)
+            np.testing.assert_array_equal(all_ranks.cells, one.cells)
+            for frame in range(len(one.times)):
+                for field, tolerance in (("displacement", 1e-11), ("velocity", 1e-9), ("acceleration", 1e-6),
+                                         ("interaction_traction", 1e-11)):
+                    np.testing.assert_allclose(all_ranks.nodal(field, frame), one.nodal(field, frame), atol=tolerance)
+                for field in ("first_stress_invariant", "jacobian", "energy_density"):
+                    np.testing.assert_allclose(all_ranks.element(field, frame), one.element(field, frame), atol=1e-11)
+                self.assertAlmostEqual(all_ranks.total("total_energy", frame), one.total("total_energy", frame), delta=1e-12)
+
     def test_enriched_cells_read_back(self):
         # 40 of 80 x 2 cells have the contact side; of a row, the last carries the field of its cell.
         coarse = ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}", "Output/Fields Time Interval=2",

@@ -81,17 +81,19 @@ def differs(folder, reference):
     return "fields.e differs" if fields(folder) != fields(reference) else ""
 
 
-def restarted(driver, folder, reference, ranks=1):
+def restarted(driver, folder, reference, **options):
     """Goes on where there is a checkpoint, begins anew where there is none; what is wrong with the outcome."""
     link = os.path.join(folder, "checkpoint.h5")
-    status, output = driver.run(["--output", folder] + (["--restart", link] if os.path.exists(link) else []), ranks=ranks)
+    status, output = driver.run(["--output", folder] + (["--restart", link] if os.path.exists(link) else []), **options)
     return differs(folder, reference) if status == 0 else "the restart ended with %s: %s" % (status, output)
 
 
 def full_disks(driver, table, work):
     """A run on disks of growing size, then with room again."""
-    for ranks in (1, 2):
-        reference = os.path.join(work, "whole-%d" % ranks)
+    for ranks, form in ((1, "Exodus"), (2, "Exodus"), (1, "HDF5"), (2, "HDF5")):
+        settings = SETTINGS + ["Output/Fields Format=" + form]
+        reference = os.path.join(work, "whole-%s-%d" % (form, ranks))
+        driver.run(["--output", reference], ranks=ranks, settings=settings)
         disk = os.path.join(work, "disk")
         os.makedirs(disk)
         outcomes = []
@@ -99,14 +101,14 @@ def full_disks(driver, table, work):
             subprocess.run(["mount", "-t", "tmpfs", "-o", "size=%dk" % size, "tmpfs", disk], check=True)
             try:
                 folder = os.path.join(disk, "results")
-                status, output = driver.run(["--output", folder], ranks=ranks)
+                status, output = driver.run(["--output", folder], ranks=ranks, settings=settings)
                 problem = "" if status != 4 or "No space left on device" in output else "no word of the disk: " + output
                 subprocess.run(["mount", "-o", "remount,size=20m", disk], check=True)
-                outcomes.append((status, output, problem or restarted(driver, folder, reference, ranks)))
+                outcomes.append((status, output, problem or restarted(driver, folder, reference, ranks=ranks, settings=settings)))
             finally:
                 subprocess.run(["umount", disk], check=True)
         os.rmdir(disk)
-        table.row("disk full after 16 to 472 KiB, %d rank(s); then room again, restart" % ranks, outcomes, (0, 4))
+        table.row("disk full after 16 to 472 KiB, %d rank(s), %s; then room again, restart" % (ranks, form), outcomes, (0, 4))
 
 
 def limited_files(driver, table, work):

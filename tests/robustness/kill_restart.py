@@ -42,6 +42,7 @@ def scenarios():
             ["Time Integrator/Type=Bathe Composite"], ranks
         yield "ball, adaptive by the gap ratio", "ball", gap_ratio + often, ranks
         yield "ball, Central Difference", "ball", ball + seldom + ["Time Integrator/Type=Central Difference"], ranks
+        yield "ball, HDF5", "ball", [STEPS + "Final Time=0.5", "Output/Fields Interval=10", "Output/Fields Format=HDF5"] + often, ranks
         yield "strip, CG with a lagged factorisation", "strip", strip + every, ranks
         yield "strip, CG with lagged MueLu", "strip", strip + every + preconditioned("MueLu"), ranks
         yield "strip, CG with lagged Ifpack2", "strip", strip + [STEPS + "Final Time=20"] + every + \

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "checkpoint/hdf5_file.hpp"
+#include "io/hdf5_file.hpp"
 #include "scene/restart_fixture.hpp"
 #include "support/bodies.hpp"
 
@@ -18,6 +18,12 @@ TEST_F(RestartTest, EverySchemeGoesOnToTheLastBit) {
                          count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(10, 100)),
                    {10, 40});
   }
+}
+
+TEST_F(RestartTest, FieldsInOneHdf5FileGoOn) {
+  expect_goes_on(drawn(word("Type", "Newmark") + steps(0.02, 1),
+                       word("Fields Format", "HDF5") + count("Fields Interval", 3) + checkpoints(10, 100)),
+                 {10, 40, 50});
 }
 
 TEST_F(RestartTest, AdaptiveStepsAndChosenTimePointsGoOn) {

@@ -1,46 +1,19 @@
-#include "checkpoint/hdf5_file.hpp"
-
-#include <hdf5.h>
+#include "io/hdf5_file.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <cstdio>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "io/hdf5_handle.hpp"
 
 namespace ixos {
 namespace {
 
-bool some_left_open = false;
-
-/// An identifier of HDF5 that is closed when it goes.
-class Handle {
- public:
-  using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(Handle&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = H5I_INVALID_HID; }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  Handle& operator=(Handle&&) = delete;
-
-  operator hid_t() const { return id_; }  // NOLINT: passed to the C interface as it is
-  herr_t release() {
-    const herr_t status = id_ >= 0 ? close_(id_) : -1;
-    id_ = H5I_INVALID_HID;
-    return status;
-  }
-
- private:
-  hid_t id_;
-  Close close_;
-};
-
-Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+using hdf5::be_silent;
+using hdf5::Handle;
+using hdf5::property_list;
 
 Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
 
@@ -48,9 +21,6 @@ hid_t in_memory(const double*) { return H5T_NATIVE_DOUBLE; }
 hid_t in_memory(const long long*) { return H5T_NATIVE_LLONG; }
 hid_t on_disk(const double*) { return H5T_IEEE_F64LE; }
 hid_t on_disk(const long long*) { return H5T_STD_I64LE; }
-
-/// Failures are statuses here; HDF5 would also print them.
-void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
 Handle text_type(std::size_t length) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -101,8 +71,7 @@ struct Hdf5Output::Implementation {
     check(set >= 0, name);
     // Nobody may be left alone in the transfer.
     if (H5Sget_simple_extent_npoints(space) == 0 || !all(set >= 0)) return;
-    const Handle transfer = property_list(H5P_DATASET_XFER);
-    if (comm->getSize() > 1) H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
+    const Handle transfer = comm->getSize() > 1 ? hdf5::collective_transfer() : property_list(H5P_DATASET_XFER);
     check(H5Dwrite(set, source.type, source.space, space, transfer, source.values) >= 0, name);
   }
   template <class T>
@@ -130,19 +99,18 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
   H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
   const Handle access = property_list(H5P_FILE_ACCESS);
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-  if (comm->getSize() > 1)
-    H5Pset_fapl_mpio(access, *dynamic_cast<const Teuchos::MpiComm<int>&>(*comm).getRawMpiComm(), MPI_INFO_NULL);
+  if (comm->getSize() > 1) hdf5::share(access, comm);
   implementation_->file = std::make_unique<Handle>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
   together(comm, [&] {
     if (*implementation_->file < 0) {
-      some_left_open = comm->getSize() > 1;  // where the others could open it
+      hdf5::some_left_open = comm->getSize() > 1;  // where the others could open it
       throw FileError(path + ": cannot be written");
     }
     if (comm->getRank() == 0) DiskFile(path, DiskFile::Mode::Change).reserve(size);  // HDF5 emptied the file
   });
 }
 
-bool Hdf5Output::left_open() { return some_left_open; }
+bool Hdf5Output::left_open() { return hdf5::some_left_open; }
 
 Hdf5Output::~Hdf5Output() { implementation_->groups.clear(); }
 
@@ -184,7 +152,7 @@ void Hdf5Output::close() {
   // Each rank's own writes are on the disk before the file is sealed.
   if (self.comm->getSize() > 1) self.check(H5Fflush(*self.file, H5F_SCOPE_GLOBAL) >= 0, "its end");
   const bool closed = self.file->release() >= 0;
-  some_left_open = some_left_open || !closed;
+  hdf5::some_left_open = hdf5::some_left_open || !closed;
   self.check(closed, "its end");
   const std::string problem = first_problem(self.comm, self.problem);
   if (!problem.empty()) throw FileError(problem);

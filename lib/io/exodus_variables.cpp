@@ -1,0 +1,84 @@
+#include "io/exodus_variables.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "io/disk_file.hpp"
+#include "io/guarded.hpp"
+
+namespace ixos {
+namespace {
+
+void define(const ExodusHandle& file, ex_entity_type type, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  std::vector<char*> words;
+  words.reserve(names.size());
+  for (const std::string& name : names) words.push_back(const_cast<char*>(name.c_str()));
+  require_written(ex_put_variable_param(file, type, static_cast<int>(names.size())), file, "variables");
+  require_written(ex_put_variable_names(file, type, static_cast<int>(names.size()), words.data()), file, "variables");
+}
+
+bool has(const ExodusHandle& file, ex_entity_type type, const std::vector<std::string>& names) {
+  int count = 0;
+  if (ex_get_variable_param(file, type, &count) < 0 || count != static_cast<int>(names.size())) return false;
+  for (int i = 0; i < count; ++i) {
+    char name[MAX_STR_LENGTH + 1] = {};
+    if (ex_get_variable_name(file, type, i + 1, name) < 0 || names[static_cast<std::size_t>(i)] != name) return false;
+  }
+  return true;
+}
+
+ExodusFormat format_of(const std::string& path) {
+  std::array<char, 4> first{};
+  DiskFile(path, DiskFile::Mode::Read).read(first.data(), first.size());
+  return first == std::array<char, 4>{'\x89', 'H', 'D', 'F'} ? ExodusFormat::Hdf5 : ExodusFormat::Classic;
+}
+
+bool fits(const ExodusHandle& file, const ExodusSize& size, const FieldNames& names, int frames) {
+  ex_init_params header{};
+  return ex_get_init_ext(file, &header) >= 0 && header.num_nodes == size.nodes && header.num_elem == size.cells &&
+         ex_inquire_int(file, EX_INQ_TIME) >= frames &&
+         (size.nodes == 0 || (has(file, EX_NODAL, names.nodal) && has(file, EX_ELEM_BLOCK, names.cell))) &&
+         has(file, EX_GLOBAL, names.global);
+}
+
+}  // namespace
+
+int open_exodus(const std::string& path, int mode) {
+  int word = 8, stored = 0;
+  float version = 0;
+  const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;
+  if (id < 0)
+    throw InputError(path + ": the frames to go on with are not there, or damaged; another --output begins new ones");
+  return id;
+}
+
+void define_variables(const ExodusHandle& file, const FieldNames& names, bool has_cells) {
+  if (has_cells) {
+    define(file, EX_NODAL, names.nodal);
+    define(file, EX_ELEM_BLOCK, names.cell);
+  }
+  define(file, EX_GLOBAL, names.global);
+}
+
+void require_frames(const std::string& path, ExodusFormat format, const ExodusSize& size, const FieldNames& names,
+                    const FieldLength& keep) {
+  try_reading(path, [&] { fits(ExodusHandle(open_exodus(path, EX_READ), path), size, names, keep.frames); });
+  const ExodusHandle file(open_exodus(path, EX_READ), path);
+  if (format_of(path) != format || !fits(file, size, names, keep.frames) || bytes_of(path) < keep.bytes)
+    throw InputError(
+        fmt::format("{}: is not the file to go on with: it should have this mesh and {} frames; another --output "
+                    "begins a new one",
+                    path, keep.frames));
+}
+
+double bytes_of(const std::string& path) {
+  std::error_code code;
+  const auto bytes = std::filesystem::file_size(path, code);
+  return code ? 0.0 : static_cast<double>(bytes);
+}
+
+}  // namespace ixos

@@ -1,0 +1,346 @@
+// One HDF5 file of all ranks: the same on any number of them, and whole whatever interrupted it.
+#include <gtest/gtest.h>
+
+#include <exodusII.h>
+#include <sys/resource.h>
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "base/agreement.hpp"
+#include "io/field_file.hpp"
+#include "mesh/enrich.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/selection.hpp"
+#include "support/files.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos::test {
+namespace {
+
+const FieldNames names{{"displacement_x", "displacement_y", "weight"}, {"stress", "mark"}, {"energy"}};
+
+/// Two blocks; where it is enriched, in both directions of its contact faces, then more.
+Mesh two_blocks(int dimension, bool enriched) {
+  BoxShape shape;
+  shape.dimension = dimension;
+  shape.lengths = {4, 2, 2};
+  shape.divisions = {4, 2, 2};
+  Mesh mesh = box(shape);
+  const auto n = static_cast<std::size_t>(nodes_per_cell(mesh.blocks[0].type));
+  ElementBlock second = mesh.blocks[0];
+  second.name = "second";
+  const auto cut = mesh.blocks[0].nodes.begin() + static_cast<std::ptrdiff_t>(5 * n);
+  second.nodes.assign(cut, mesh.blocks[0].nodes.end());
+  mesh.blocks[0].nodes.erase(cut, mesh.blocks[0].nodes.end());
+  for (SideSet& set : mesh.side_sets)
+    for (Side& side : set.sides)
+      if (side.cell >= 5) side = {1, side.cell - 5, side.side};
+  mesh.blocks.push_back(second);
+  if (enriched) {
+    add_side_set(mesh, "patch", "bottom", {{}, std::vector<double>(static_cast<std::size_t>(dimension), 2.0)});
+    enrich(mesh, "patch", ContactElement::Q1C2);
+  }
+  return mesh;
+}
+
+double nodal_value(const double* x, int variable, double time) {
+  return (variable + 1) * x[0] - 2 * x[1] + variable * time;
+}
+double cell_value(std::size_t block, int cell, int variable, double time) {
+  return 100.0 * static_cast<double>(block) + cell + 0.25 * variable + time;
+}
+
+/// A file of a mesh by the ranks of `comm`, with frames at the times 0, 1, 2, ...
+class Writer {
+ public:
+  Writer(const Mesh& mesh, const Comm& comm, const std::string& path) : mesh_(share(mesh, comm)) {
+    file_ = hdf5_fields(path, {OutputMesh(mesh_, comm->getSize()), names, "test"}, comm);
+  }
+  FieldFile& file() { return *file_; }
+
+  void write(int first, int end) {
+    const auto d = static_cast<std::size_t>(mesh_.dimension);
+    for (int frame = first; frame < end; ++frame) {
+      std::vector<std::vector<double>> nodal(3);
+      std::vector<std::vector<std::vector<double>>> cell(2);
+      for (int v = 0; v < 3; ++v)
+        for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.nodes()); ++node)
+          nodal[static_cast<std::size_t>(v)].push_back(nodal_value(&mesh_.coordinates[node * d], v, frame));
+      for (int v = 0; v < 2; ++v)
+        for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
+          cell[static_cast<std::size_t>(v)].emplace_back();
+          for (int id : mesh_.blocks[b].original_cells)
+            cell[static_cast<std::size_t>(v)].back().push_back(cell_value(b, id, v, frame));
+        }
+      file_->write(frame, nodal, cell, {2.0 * frame});
+    }
+  }
+
+ private:
+  static LocalMesh share(const Mesh& mesh, const Comm& comm) {
+    return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
+  }
+  LocalMesh mesh_;
+  std::unique_ptr<FieldFile> file_;
+};
+
+Comm alone() {
+  return Teuchos::rcp(new Teuchos::MpiComm<int>(Teuchos::opaqueWrapper(static_cast<MPI_Comm>(MPI_COMM_SELF))));
+}
+
+class Hdf5FieldsTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const {
+    return testing::TempDir() + "ixos_hdf5_" + std::to_string(world()->getSize()) + "_" + name;
+  }
+  /// A file of the first rank alone.
+  void write_alone(const Mesh& mesh, const std::string& name, int frames) {
+    on_first_rank(world(), [&] {
+      Writer writer(mesh, alone(), path(name));
+      writer.file().create();
+      writer.write(0, frames);
+    });
+  }
+};
+
+// Values, numbers, sets: every byte of the file.
+TEST_F(Hdf5FieldsTest, TheFileIsTheSameOnAnyNumberOfRanks) {
+  for (int dimension : {2, 3})
+    for (bool enriched : {false, true}) {
+      const Mesh mesh = two_blocks(dimension, enriched);
+      {
+        Writer together(mesh, world(), path("together.e"));
+        together.file().create();
+        together.write(0, 3);
+        EXPECT_EQ(together.file().length().frames, 3);
+      }
+      write_alone(mesh, "alone.e", 3);
+      EXPECT_TRUE(contents(path("together.e")) == contents(path("alone.e"))) << dimension << enriched;
+      EXPECT_GT(contents(path("alone.e")).size(), 10000U);
+      world()->barrier();
+    }
+}
+
+// By the Exodus library, which knows nothing of how it was written.
+TEST_F(Hdf5FieldsTest, ExodusReadsWhatWasWritten) {
+  const Mesh mesh = two_blocks(2, true);
+  {
+    Writer writer(mesh, world(), path("read.e"));
+    writer.file().create();
+    writer.write(0, 3);
+  }
+  if (world()->getRank() != 0) return;
+  int word = 8, stored = 0;
+  float version = 0;
+  const int file = ex_open(path("read.e").c_str(), EX_READ, &word, &stored, &version);
+  ASSERT_GE(file, 0);
+  ex_init_params header{};
+  ASSERT_GE(ex_get_init_ext(file, &header), 0);
+  EXPECT_EQ(ex_inquire_int(file, EX_INQ_TIME), 3);
+  EXPECT_EQ(header.num_elem, 8 + 2);  // two cells are shown as two each
+  EXPECT_EQ(header.num_elem_blk, static_cast<int>(mesh.blocks.size()));
+  EXPECT_EQ(header.num_side_sets, static_cast<int>(mesh.side_sets.size()));
+  EXPECT_EQ(header.num_node_sets, static_cast<int>(mesh.node_sets.size()));
+  const auto nodes = static_cast<std::size_t>(header.num_nodes);
+  std::vector<double> x(nodes), y(nodes), values(nodes);
+  ex_get_coord(file, x.data(), y.data(), nullptr);
+  for (int frame = 0; frame < 3; ++frame) {
+    double time = 0, energy = 0;
+    ex_get_time(file, frame + 1, &time);
+    EXPECT_EQ(time, frame);
+    ex_get_var(file, frame + 1, EX_GLOBAL, 1, 0, 1, &energy);
+    EXPECT_EQ(energy, 2.0 * frame);
+    for (int v = 0; v < 3; ++v) {
+      ASSERT_GE(ex_get_var(file, frame + 1, EX_NODAL, v + 1, 1, header.num_nodes, values.data()), 0);
+      for (std::size_t n = 0; n < nodes; ++n) {
+        const double place[2] = {x[n], y[n]};
+        EXPECT_NEAR(values[n], nodal_value(place, v, frame), 1e-14);
+      }
+    }
+    for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
+      const bool plain = mesh.blocks[b].type == CellType::Quad4;
+      const int cells = mesh.blocks[b].cells(), parts = plain ? 1 : 2;
+      values.assign(static_cast<std::size_t>(cells * parts), -1);
+      for (int v = 0; v < 2; ++v) {
+        ASSERT_GE(
+            ex_get_var(file, frame + 1, EX_ELEM_BLOCK, v + 1, static_cast<int>(b) + 1, cells * parts, values.data()),
+            0);
+        for (int c = 0; c < cells * parts; ++c)
+          EXPECT_EQ(values[static_cast<std::size_t>(c)], cell_value(b, c / parts, v, frame));
+      }
+    }
+  }
+  ex_close(file);
+}
+
+TEST_F(Hdf5FieldsTest, ItIsGoneOnWithAndLaterFramesAreDropped) {
+  const Mesh mesh = two_blocks(3, false);
+  FieldLength at_two;
+  {
+    Writer writer(mesh, world(), path("whole.e"));
+    writer.file().create();
+    writer.write(0, 2);
+    writer.file().sync();
+    at_two = writer.file().length();
+    writer.write(2, 4);
+  }
+  const std::string whole = contents(path("whole.e"));
+  write_alone(mesh, "two.e", 2);
+  // As it stood at the second frame; with two more; by another number of ranks, which knows no length.
+  for (const auto& [start, bytes] : {std::pair<std::string, double>{"two.e", at_two.bytes},
+                                     {"whole.e", at_two.bytes},
+                                     {"whole.e", 0.0},
+                                     {"two.e", 0.0}}) {
+    on_first_rank(world(), [&, from = path(start)] {
+      std::filesystem::copy_file(from, path("parts.e"), std::filesystem::copy_options::overwrite_existing);
+    });
+    {
+      Writer writer(mesh, world(), path("parts.e"));
+      writer.file().verify({2, bytes});
+      writer.file().resume({2, bytes});
+      writer.write(2, 4);
+    }
+    EXPECT_TRUE(contents(path("parts.e")) == whole) << start << bytes;
+    world()->barrier();
+  }
+}
+
+/// No file of this process may be longer, while it lasts.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limited{bytes, before_.rlim_max};
+    std::signal(SIGXFSZ, SIG_IGN);
+    setrlimit(RLIMIT_FSIZE, &limited);
+  }
+  ~FileLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(Hdf5FieldsTest, AFrameWithoutRoomFailsOnAllRanksAndTheFramesBeforeAreGoneOnWith) {
+  const Mesh mesh = two_blocks(2, false);
+  FieldLength at_two;
+  {
+    Writer writer(mesh, world(), path("full.e"));
+    writer.file().create();
+    writer.write(0, 2);
+    at_two = writer.file().length();
+    const FileLimit limit(static_cast<rlim_t>(at_two.bytes) + 4096);
+    std::string message;
+    try {
+      writer.write(2, 3);
+    } catch (const FileError& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message.find("full.e: cannot be written: File too large"), std::string::npos) << message;
+    EXPECT_EQ(writer.file().length().frames, 2);
+  }
+  {
+    Writer writer(mesh, world(), path("full.e"));
+    writer.file().verify(at_two);
+    writer.file().resume(at_two);
+    writer.write(2, 3);
+  }
+  write_alone(mesh, "room.e", 3);
+  EXPECT_TRUE(contents(path("full.e")) == contents(path("room.e")));
+  {
+    const FileLimit limit(4096);
+    Writer writer(mesh, world(), path("none.e"));
+    EXPECT_THROW(writer.file().create(), FileError);
+  }
+}
+
+TEST_F(Hdf5FieldsTest, WhatDoesNotFitIsRefused) {
+  const Mesh mesh = two_blocks(2, false);
+  write_alone(mesh, "two.e", 2);
+  const auto size = static_cast<double>(std::filesystem::file_size(path("two.e")));
+  const auto refusal = [&](const Mesh& other, const std::string& name, const FieldLength& keep) {
+    Writer writer(other, world(), path(name));
+    try {
+      writer.file().verify(keep);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refusal(mesh, "two.e", {2, size}), "accepted");
+  EXPECT_NE(refusal(mesh, "two.e", {3, size}).find("it should have this mesh and 3 frames"), std::string::npos);
+  EXPECT_NE(refusal(mesh, "two.e", {2, size + 1}).find("is not the file to go on with"), std::string::npos);
+  EXPECT_NE(refusal(two_blocks(2, true), "two.e", {2, size}).find("is not the file to go on with"), std::string::npos);
+  EXPECT_NE(refusal(mesh, "nowhere.e", {2, size}).find("are not there, or damaged"), std::string::npos);
+  // Of the other format, both ways.
+  const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+  on_first_rank(world(), [&] {
+    const FieldContents contents{OutputMesh(local, 1), names, "test"};
+    const auto exodus = exodus_fields(path("two.e"), contents, alone());
+    EXPECT_THROW(exodus->verify({2, size}), InputError);
+    exodus_fields(path("classic.e"), contents, alone())->create();
+    EXPECT_NO_THROW(exodus_fields(path("classic.e"), contents, alone())->verify({0, 0}));
+  });
+  EXPECT_NE(refusal(mesh, "classic.e", {0, 0}).find("is not the file to go on with"), std::string::npos);
+}
+
+/// Where HDF5's metadata that differ begin: object headers, and the parts of extensible arrays.
+std::vector<std::size_t> changed_entries(const std::string& before, const std::string& after) {
+  std::vector<std::size_t> all;
+  for (const char* signature : {"OHDR", "EAHD", "EAIB", "EADB", "EASB"})
+    for (auto at = after.find(signature); at != std::string::npos; at = after.find(signature, at + 1))
+      all.push_back(at);
+  std::sort(all.begin(), all.end());
+  all.push_back(after.size());
+  std::vector<std::size_t> changed;
+  for (std::size_t i = 0; i + 1 < all.size(); ++i)
+    if (before.compare(all[i], all[i + 1] - all[i], after, all[i], all[i + 1] - all[i]) != 0) changed.push_back(all[i]);
+  return changed;
+}
+
+// A killed run leaves any part of what HDF5 writes for a frame, entry by entry, mostly by their places in the file: the
+// frames before it are there all the same.
+TEST_F(Hdf5FieldsTest, AFrameThatIsHalfWrittenHarmsNoOther) {
+  if (world()->getRank() != 0) return;
+  const Mesh mesh = two_blocks(2, false);
+  // The fifth frame begins the first block of each set's index.
+  for (int kept : {1, 4, 9}) {
+    std::vector<std::string> states;  // with the frames to keep, and one more
+    {
+      Writer writer(mesh, alone(), path("grows.e"));
+      writer.file().create();
+      writer.write(0, kept);
+      states.push_back(contents(path("grows.e")));
+      writer.write(kept, kept + 1);
+      states.push_back(contents(path("grows.e")));
+    }
+    std::string before = states[0];
+    const std::string& after = states[1];
+    const auto bytes = static_cast<double>(before.size());
+    before.resize(after.size());
+    const std::vector<std::size_t> starts = changed_entries(before, after);
+    ASSERT_GT(starts.size(), 8U);
+    int tried = 0;
+    for (std::size_t k = 0; k < starts.size(); k += 1 + starts.size() / 5)
+      for (bool front : {true, false}) {
+        const std::string& first = front ? after : before;
+        const std::string& second = front ? before : after;
+        std::ofstream(path("half.e"), std::ios::binary) << first.substr(0, starts[k]) << second.substr(starts[k]);
+        Writer writer(mesh, alone(), path("half.e"));
+        ASSERT_NO_THROW(writer.file().verify({kept, bytes})) << kept << " " << starts[k];
+        writer.file().resume({kept, bytes});
+        writer.write(kept, kept + 1);
+        EXPECT_TRUE(contents(path("half.e")) == after) << kept << " " << starts[k] << front;
+        ++tried;
+      }
+    EXPECT_GT(tried, 6);
+  }
+}
+
+}  // namespace
+}  // namespace ixos::test
