@@ -149,6 +149,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
+  if (const std::string bad = ixos::quality_warning(simulation.mesh_quality()); speaks && !bad.empty())
+    fmt::print(stderr, "ixos: warning: {}\n", bad);
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
     if (comm->getRank() == 0) fmt::print("{}", explanation);
@@ -156,7 +158,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   }
   if (arguments.check) {
     if (!arguments.restart.empty()) check_restart(simulation, arguments.restart, speaks);
-    if (speaks) fmt::print("The scene is sound.\n");
+    if (speaks) fmt::print("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
     return 0;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing

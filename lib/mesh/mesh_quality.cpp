@@ -64,10 +64,29 @@ CellQuality cell_quality(const Mesh& mesh, const int* nodes) {
   return cell;
 }
 
+CellPlace place_of(const Mesh& mesh, const ElementBlock& block, int cell) {
+  CellPlace place{block.name, cell + 1, {}};
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const int corners = nodes_per_cell(plain_type(block.type));
+  for (int a = 0; a < corners; ++a) {
+    const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
+    for (std::size_t i = 0; i < d; ++i) place.centre[i] += mesh.coordinates[node * d + i] / corners;
+  }
+  return place;
+}
+
+std::string in_words(const CellPlace& place, int dimension) {
+  std::string centre = fmt::format("{:.6g}, {:.6g}", place.centre[0], place.centre[1]);
+  if (dimension == 3) centre += fmt::format(", {:.6g}", place.centre[2]);
+  return fmt::format("block \"{}\", cell {} at ({})", place.block, place.cell, centre);
+}
+
 }  // namespace
 
 MeshQuality mesh_quality(const Mesh& mesh) {
   MeshQuality all;
+  all.dimension = mesh.dimension;
+  all.least_scaled_jacobian = std::numeric_limits<double>::infinity();
   std::vector<double> scaled;
   for (const ElementBlock& block : mesh.blocks)
     for (int c = 0; c < block.cells(); ++c) {
@@ -75,15 +94,22 @@ MeshQuality mesh_quality(const Mesh& mesh) {
       const CellQuality cell =
           plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh, nodes) : cell_quality<Quad4>(mesh, nodes);
       scaled.push_back(cell.scaled_jacobian);
-      all.largest_aspect_ratio = std::max(all.largest_aspect_ratio, cell.longest / cell.shortest);
       all.volume += cell.volume;
+      if (cell.scaled_jacobian < all.least_scaled_jacobian) {
+        all.least_scaled_jacobian = cell.scaled_jacobian;
+        all.most_distorted = place_of(mesh, block, c);
+      }
+      if (const double ratio = cell.longest / cell.shortest; ratio > all.largest_aspect_ratio) {
+        all.largest_aspect_ratio = ratio;
+        all.longest = place_of(mesh, block, c);
+      }
     }
   all.cells = mesh.cells();
   all.nodes = mesh.nodes();
-  if (scaled.empty()) return all;
-  std::sort(scaled.begin(), scaled.end());
-  all.least_scaled_jacobian = scaled.front();
-  all.low_scaled_jacobian = scaled[(scaled.size() - 1) / 20];
+  if (scaled.empty()) return {};
+  const auto low = scaled.begin() + static_cast<std::ptrdiff_t>((scaled.size() - 1) / 20);
+  std::nth_element(scaled.begin(), low, scaled.end());
+  all.low_scaled_jacobian = *low;
   for (double value : scaled) all.mean_scaled_jacobian += value / static_cast<double>(scaled.size());
   return all;
 }
@@ -91,10 +117,24 @@ MeshQuality mesh_quality(const Mesh& mesh) {
 std::string to_string(const MeshQuality& quality) {
   return fmt::format(
       "{} cells, {} nodes, volume {:.6g}\n"
-      "scaled Jacobian: least {:.3f}, 5 % at most {:.3f}, mean {:.3f}\n"
-      "largest aspect ratio: {:.1f}\n",
-      quality.cells, quality.nodes, quality.volume, quality.least_scaled_jacobian, quality.low_scaled_jacobian,
-      quality.mean_scaled_jacobian, quality.largest_aspect_ratio);
+      "scaled Jacobian: least {:.3f} ({}), 5 % at most {:.3f}, mean {:.3f}\n"
+      "largest aspect ratio: {:.1f} ({})\n",
+      quality.cells, quality.nodes, quality.volume, quality.least_scaled_jacobian,
+      in_words(quality.most_distorted, quality.dimension), quality.low_scaled_jacobian, quality.mean_scaled_jacobian,
+      quality.largest_aspect_ratio, in_words(quality.longest, quality.dimension));
+}
+
+std::string quality_warning(const MeshQuality& quality) {
+  if (quality.cells == 0) return "";
+  const int d = quality.dimension;
+  std::string text;
+  if (quality.least_scaled_jacobian < 0.1)
+    text = fmt::format("{} has a scaled Jacobian of {:.3f}", in_words(quality.most_distorted, d),
+                       quality.least_scaled_jacobian);
+  if (quality.largest_aspect_ratio > 100)
+    text += fmt::format("{}{} has an aspect ratio of {:.0f}", text.empty() ? "" : "; ", in_words(quality.longest, d),
+                        quality.largest_aspect_ratio);
+  return text.empty() ? "" : "the mesh has very bad cells: " + text;
 }
 
 }  // namespace ixos

@@ -1,5 +1,6 @@
 /// Is a mesh fit for computation, and how good is it?
 #pragma once
+#include <array>
 #include <string>
 
 #include "mesh/mesh.hpp"
@@ -10,6 +11,13 @@ namespace ixos {
 /// point xi = +-1/sqrt(3): an inverted, degenerate or wrongly numbered cell.
 void check_cells(const Mesh& mesh);
 
+/// A cell, as a person finds it.
+struct CellPlace {
+  std::string block;
+  int cell = 0;                    ///< of the block, from 1
+  std::array<double, 3> centre{};  ///< mean of its corners [L0]
+};
+
 /// Figures of the whole mesh, of the cells' corners only: the further nodes of enriched cells do not change their
 /// shape.
 struct MeshQuality {
@@ -17,15 +25,23 @@ struct MeshQuality {
   /// Of a cell: the least Jacobian determinant of edges scaled to length 1, at its corners and, in 3D, its centre. 1: a
   /// rectangle or brick; 0 or less: degenerate or inverted. Knupp (2000), as computed by Verdict.
   double least_scaled_jacobian = 0;
+  CellPlace most_distorted{};      ///< the cell with the least scaled Jacobian
   double low_scaled_jacobian = 0;  ///< 5 % of the cells have this or less
   double mean_scaled_jacobian = 0;
   double largest_aspect_ratio = 0;  ///< of a cell: its longest edge over its shortest
-  double volume = 0;                ///< area [L0^2] or volume [L0^3]
+  CellPlace longest{};              ///< the cell with the largest aspect ratio
+  int dimension = 2;
+  double volume = 0;  ///< area [L0^2] or volume [L0^3]
 };
 
 MeshQuality mesh_quality(const Mesh& mesh);
 
 /// Three lines.
 std::string to_string(const MeshQuality& quality);
+
+/// A line where a cell is so bad that results there are not to be trusted and iterative solvers suffer: a scaled
+/// Jacobian below 0.1 (Verdict calls 0.3 of quadrilaterals, 0.5 of hexahedra acceptable), or an aspect ratio beyond
+/// 100. Else empty.
+std::string quality_warning(const MeshQuality& quality);
 
 }  // namespace ixos

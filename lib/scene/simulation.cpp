@@ -125,6 +125,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     enrich_surfaces(parameters_.sublist("Interactions"), mesh);
   });
   mesh_fingerprint_ = fingerprint(mesh);
+  mesh_quality_ = ixos::mesh_quality(mesh);
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   const std::vector<Material> bodies = materials(parameters_.sublist("Materials"));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/tpetra.hpp"
+#include "mesh/quality.hpp"
 #include "scene/probes.hpp"
 #include "scene/step_control.hpp"
 #include "scene/stop.hpp"
@@ -29,6 +30,7 @@ class Simulation {
   std::vector<std::string> reactions() const;  ///< node sets whose reactions are recorded
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
+  const MeshQuality& mesh_quality() const { return mesh_quality_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -43,6 +45,7 @@ class Simulation {
   std::unique_ptr<Integrator> integrator_;
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
+  MeshQuality mesh_quality_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };

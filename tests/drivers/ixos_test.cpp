@@ -90,6 +90,38 @@ TEST_F(DriverTest, TheShortestSceneOfTheReadmeRuns) {
   EXPECT_EQ(outcome.status, 0) << outcome.output;
 }
 
+TEST_F(DriverTest, CheckTellsTheQualityOfTheMeshAndVeryBadCellsAreWarnedOf) {
+  const Outcome good = ixos({ball, "--check"}, folder_);
+  EXPECT_EQ(good.status, 0);
+  EXPECT_NE(good.output.find("\nscaled Jacobian: least 0."), std::string::npos) << good.output;
+  EXPECT_NE(good.output.find("\nlargest aspect ratio: "), std::string::npos) << good.output;
+  EXPECT_EQ(good.output.find("warning"), std::string::npos) << good.output;
+  // Two bricks of 250 to 1.
+  const std::vector<std::string> flat{ball,
+                                      "--set",
+                                      "Mesh/Type=Box",
+                                      "--set",
+                                      "Mesh/Box/Lower={0, 1}",
+                                      "--set",
+                                      "Mesh/Box/Lengths={500, 1}",
+                                      "--set",
+                                      "Mesh/Box/Divisions={2, 1}",
+                                      "--set",
+                                      "Interactions/Wall/Side Set=bottom",
+                                      "--set",
+                                      "Time Integrator/Time Step Control/Final Time=0.002",
+                                      "--output",
+                                      "flat"};
+  const Outcome bad = ixos(flat, folder_);
+  EXPECT_EQ(bad.status, 0) << bad.output;
+  const std::string warning =
+      "ixos: warning: the mesh has very bad cells: block \"body\", cell 1 at (125, 1.5) has an aspect ratio of 250\n";
+  EXPECT_NE(bad.output.find(warning), std::string::npos) << bad.output;
+  const std::string summary = contents(folder_ + "/flat/summary.json");
+  EXPECT_NE(summary.find("\"largest_aspect_ratio\": 250.0"), std::string::npos) << summary;
+  EXPECT_NE(summary.find("\"least_scaled_jacobian\": 1.0"), std::string::npos) << summary;
+}
+
 TEST_F(DriverTest, HelpBeginsWithIxos) {
   EXPECT_EQ(ixos({"--help"}, folder_).output.find("Ixos simulates dynamic adhesion."), 0U);
 }

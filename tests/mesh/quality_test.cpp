@@ -63,8 +63,39 @@ TEST(MeshQualityTest, OfATwistedBrickCountsItsVolumeExactly) {
 TEST(MeshQualityTest, IsWrittenInThreeLines) {
   EXPECT_EQ(to_string(mesh_quality(brick())),
             "1 cells, 8 nodes, volume 8\n"
-            "scaled Jacobian: least 1.000, 5 % at most 1.000, mean 1.000\n"
-            "largest aspect ratio: 4.0\n");
+            "scaled Jacobian: least 1.000 (block \"body\", cell 1 at (0.5, 1, 2)), 5 % at most 1.000, mean 1.000\n"
+            "largest aspect ratio: 4.0 (block \"body\", cell 1 at (0.5, 1, 2))\n");
+}
+
+TEST(MeshQualityTest, NamesTheWorstCellsAndWarnsOfVeryBadOnes) {
+  for (int dimension : {2, 3}) {
+    BoxShape shape;
+    shape.dimension = dimension;
+    shape.lengths = {3, 1, 1};
+    shape.divisions = {3, 1, 1};
+    Mesh mesh = box(shape);
+    EXPECT_EQ(quality_warning(mesh_quality(mesh)), "");
+    // The second cell is made thin.
+    const auto d = static_cast<std::size_t>(dimension);
+    for (std::size_t n = 0; n < mesh.coordinates.size(); n += d)
+      if (mesh.coordinates[n] == 1) mesh.coordinates[n] = 1.992;
+    const MeshQuality thin = mesh_quality(mesh);
+    EXPECT_NEAR(thin.largest_aspect_ratio, 125, 1e-9);
+    EXPECT_EQ(thin.longest.cell, 2);
+    EXPECT_NEAR(thin.longest.centre[0], 1.996, 1e-14);
+    EXPECT_NE(quality_warning(thin).find("block \"body\", cell 2 at (1.996, 0.5"), std::string::npos)
+        << quality_warning(thin);
+    EXPECT_NE(quality_warning(thin).find("has an aspect ratio of 125"), std::string::npos);
+    // The last cell sheared by a factor of 20: the sine of its angle is 1/sqrt(401), and its edges' ratio sqrt(401).
+    mesh = box(shape);
+    for (std::size_t n = 0; n < mesh.coordinates.size(); n += d)
+      if (mesh.coordinates[n] >= 2) mesh.coordinates[n + 1] += 20 * (mesh.coordinates[n] - 2);
+    const MeshQuality sheared = mesh_quality(mesh);
+    EXPECT_NEAR(sheared.least_scaled_jacobian, 1 / std::sqrt(401.0), 1e-14);
+    EXPECT_EQ(sheared.most_distorted.cell, 3);
+    EXPECT_NEAR(sheared.most_distorted.centre[1], 10.5, 1e-13);
+    EXPECT_NE(quality_warning(sheared).find("has a scaled Jacobian of 0.050"), std::string::npos);
+  }
 }
 
 TEST(MeshQualityTest, OfAnEmptyMeshIsZero) { EXPECT_EQ(mesh_quality({}).cells, 0); }
