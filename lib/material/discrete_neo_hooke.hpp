@@ -88,11 +88,6 @@ class DiscreteNeoHooke {
   }
 
  private:
-  static T trace(const Small<T, D>& m) {
-    T sum = m[0][0];
-    for (std::size_t i = 1; i < D; ++i) sum += m[i][i];
-    return sum;
-  }
   static Small<T, D> product(const Small<T, D>& m, const Small<T, D>& n) {
     Small<T, D> result;
     for (std::size_t i = 0; i < D; ++i)

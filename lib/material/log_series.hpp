@@ -21,19 +21,26 @@ inline Pack log_one_plus(const Pack& x) {
   return 2.0 * s * sum;
 }
 
+/// ln det C, given A = C - I's trace, j = det C - 1 and J = det F. Near the undeformed state, turned or not, j has the
+/// more digits; far from it J, for det C has the rounding error of a square: none are left of it at J = 1e-8.
+template <class T>
+T log_determinant(const T& trace, const T& j, const T& jacobian) {
+  using std::abs;
+  using std::log;
+  return abs(j) + abs(trace) < 0.5 ? log_one_plus(j) : T(log(T(jacobian * jacobian)));
+}
+inline Pack log_determinant(const Pack& trace, const Pack& j, const Pack& jacobian) {
+  const auto near = std::experimental::abs(j) + std::experimental::abs(trace) < 0.5;
+  const Pack close = log_one_plus(select(near, j, Pack(0.0)));
+  return all_of(near) ? close : select(near, close, Pack(std::experimental::log(jacobian * jacobian)));
+}
+
 /// (x - log1p(x))/x^2 by its series, sum_{k>=2} (-1)^k x^(k-2)/k: for |x| < 0.02, where ten terms leave 2e-18.
 template <class T>
 T minus_log1p_series(const T& x) {
   T sum = T(-1.0 / 11) * x + T(1.0 / 10);
   for (int k = 9; k >= 2; --k) sum = sum * x + (k % 2 == 0 ? 1.0 : -1.0) / k;
   return sum;
-}
-
-/// x - log1p(x).
-template <class T>
-T minus_log1p(const T& x, const T& l) {
-  using std::abs;
-  return select(abs(x) < 0.02, T(minus_log1p_series(x) * x * x), T(x - l));
 }
 
 /// 1 - log1p(x)/x, 0 at x = 0.

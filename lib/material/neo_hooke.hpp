@@ -11,9 +11,10 @@
 namespace ixos {
 
 /// W = mu/2 (tr B - 3) - mu ln J + lambda/2 (ln J)^2 (Zienkiewicz and Taylor 2005; Gautam and Sauer 2014, eq. 36), in
-/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L =
-/// log1p(j), so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2 and P = F^-T (mu A + lambda/2 L I) keep their digits at
-/// strains down to roundoff. Moduli are stored A[iJ][kL], row iJ = i D + J.
+/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L = ln det
+/// C, so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2, where j is not small mu/2 (tr A - L) + lambda/8 L^2, and P =
+/// F^-T (mu A + lambda/2 L I) keep their digits at strains down to roundoff, and up to a J of roundoff. Moduli are
+/// stored A[iJ][kL], row iJ = i D + J.
 struct NeoHooke {
   /// J <= 0 is inadmissible.
   static constexpr bool can_invert = true;
@@ -23,12 +24,12 @@ struct NeoHooke {
   template <std::size_t D, class T>
   T energy(const Small<T, D>& h) const {
     const Small<T, D> a = green_strain_doubled(h);
-    T trace = a[0][0];
-    for (std::size_t i = 1; i < D; ++i) trace += a[i][i];
-    const T higher = higher_invariants(a);
-    const T j = trace + higher;
-    const T l = log_one_plus(j);
-    return lame.mu / 2 * (minus_log1p(j, l) - higher) + lame.lambda / 8 * (l * l);
+    const T first = trace(a), higher = higher_invariants(a);
+    const T j = first + higher;
+    const T l = log_determinant(first, j, determinant(deformation_gradient(h)));
+    using std::abs;
+    const T stretch = select(abs(j) < 0.02, T(minus_log1p_series(j) * (j * j) - higher), T(first - l));
+    return lame.mu / 2 * stretch + lame.lambda / 8 * (l * l);
   }
 
   /// First Piola-Kirchhoff stress P_iJ [E0]. Returns J = det F.
@@ -87,12 +88,11 @@ struct NeoHooke {
   template <std::size_t D, class T>
   struct State {
     explicit State(const Small<T, D>& h) : a(green_strain_doubled(h)) {
-      T trace = a[0][0];
-      for (std::size_t i = 1; i < D; ++i) trace += a[i][i];
       const Small<T, D> f = deformation_gradient(h);
       jacobian = determinant(f);
       g = inverse(f, jacobian);
-      l = log_one_plus(T(trace + higher_invariants(a)));
+      const T first = trace(a);
+      l = log_determinant(first, T(first + higher_invariants(a)), jacobian);
     }
     Small<T, D> a;
     Small<T, D> g;

@@ -17,6 +17,13 @@ Small<T, D> green_strain_doubled(const Small<T, D>& h) {
   return a;
 }
 
+template <std::size_t D, class T>
+T trace(const Small<T, D>& m) {
+  T sum = m[0][0];
+  for (std::size_t i = 1; i < D; ++i) sum += m[i][i];
+  return sum;
+}
+
 /// The sum I2 + I3 of the second and third invariant of A (plane strain: A_33 = 0, I3 = 0).
 template <class T>
 T higher_invariants(const Small<T, 2>& a) {

@@ -85,6 +85,31 @@ TYPED_TEST(NeoHookeTest, EnergyIsTheFormula) {
   }
 }
 
+TYPED_TEST(NeoHookeTest, KeepsItsDigitsUnderStrongCompressionAndStretch) {
+  constexpr std::size_t D = TypeParam::value;
+  // F = diag(s, 1, ..): P = mu (F - F^-T) + lambda ln s F^-T.
+  for (double squeezed : {0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-12}) {
+    Small<double, D> h{}, p{};
+    h[0][0] = squeezed - 1;
+    const double s = 1 + h[0][0], l = std::log(s);
+    EXPECT_EQ(material.stress(h, p), s);
+    EXPECT_NEAR(p[0][0] / (lame.mu * (s - 1 / s) + lame.lambda * l / s), 1, 1e-15);
+    EXPECT_NEAR(p[1][1] / (lame.lambda * l), 1, 1e-14);
+    EXPECT_NEAR(material.energy(h) / (lame.mu / 2 * (s * s - 1 - 2 * l) + lame.lambda / 2 * l * l), 1, 1e-14);
+    Small<Pack, D> packed{}, p_packed{};
+    packed[0][0] = h[0][0];
+    packed[0][0][0] = 0;  // a lane at rest beside
+    material.stress(packed, p_packed);
+    EXPECT_NEAR(p_packed[1][1][1] / (lame.lambda * l), 1, 1e-14);
+    EXPECT_EQ(p_packed[0][0][0], 0);
+  }
+  for (double size : {3.0, 10.0, 100.0}) {
+    auto h = sample<D>(size);
+    for (std::size_t i = 0; i < D; ++i) h[i][i] += static_cast<double>(i + 2) * size;  // det F > 0
+    EXPECT_NEAR(material.energy(h) / direct_energy(h), 1, 1e-14) << size;
+  }
+}
+
 TYPED_TEST(NeoHookeTest, StressIsTheDerivativeOfTheEnergy) {
   constexpr std::size_t D = TypeParam::value;
   for (double size : {1e-3, 0.1, 0.3}) {
