@@ -125,6 +125,17 @@ std::string restart_command(const Arguments& arguments, const std::string& check
   return command + " --restart " + ixos::shell_word(checkpoint);
 }
 
+/// A scheme may run to its end and yet make or lose energy: that is said where it is much.
+void report_energy(const ixos::RunResult& result) {
+  const double share = result.max_energy_error / result.largest_energy;
+  if (!(share > 0.05)) return;
+  std::fflush(stdout);
+  fmt::print(stderr,
+             "ixos: the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction "
+             "energy; shorter steps or a scheme that conserves energy (--list-schemes) make it smaller\n",
+             result.max_energy_error, 100 * share);
+}
+
 /// What the run came to, for a person.
 void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
   const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
@@ -174,6 +185,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
   if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
+  if (speaks && !ixos::is_static(simulation.integrator().table())) report_energy(result);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }

@@ -111,6 +111,7 @@ void History::record(const RowCounts& counts) {
     if (std::isnan(initial_energy_)) initial_energy_ = balance;
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
     const double error = balance - initial_energy_;
+    largest_energy_ = std::max({largest_energy_, momenta.kinetic_energy, std::abs(elastic), std::abs(contact)});
     // Not std::max: a NaN is to be seen.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
     row.insert(row.end(),
@@ -164,6 +165,7 @@ void History::transfer(Record& record) {
   record.number("bytes", length_.bytes);
   record.number("initial energy", initial_energy_);
   record.number("largest energy error", max_energy_error_);
+  record.number("largest energy", largest_energy_);
   // Of another scene's reactions, those that are this one's too.
   auto count = max_forces_.size();
   record.number("reactions", count);

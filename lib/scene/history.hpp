@@ -45,6 +45,8 @@ class History {
   void pass();
   /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
   double max_energy_error() const { return max_energy_error_; }
+  /// The largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], to judge that error by.
+  double largest_energy() const { return largest_energy_; }
   /// By reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   void flush();
@@ -64,6 +66,7 @@ class History {
   /// At the first row, less external work, plus dissipation; NaN where no energies were recorded yet.
   double initial_energy_ = std::numeric_limits<double>::quiet_NaN();
   double max_energy_error_ = 0;
+  double largest_energy_ = 0;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
 };

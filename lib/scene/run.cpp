@@ -200,6 +200,7 @@ void Run::end() {
   result_.end_time = integrator_.time();
   result_.wall_seconds = wall();
   result_.max_energy_error = files_.history().max_energy_error();
+  result_.largest_energy = files_.history().largest_energy();
   result_.max_forces = files_.history().max_forces();
   result_.checkpoint = checkpoints_.newest();
   result_.phase_seconds = phases();

@@ -40,6 +40,7 @@ struct RunResult {
   long restarts = 0;
   double wall_seconds = 0;                                 ///< of the time loop, output included
   double max_energy_error = 0;                             ///< see History::max_energy_error
+  double largest_energy = 0;                               ///< see History::largest_energy
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing

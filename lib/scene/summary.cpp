@@ -59,6 +59,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
     json["max_energy_error"] = nullptr;
   else
     json["max_energy_error"] = result.max_energy_error;
+  json["largest_energy"] = result.largest_energy;
   json["max_force"] = nlohmann::ordered_json::object();
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
   json["checkpoint"] = nullptr;

@@ -1,0 +1,136 @@
+#!/usr/bin/python3
+"""The lines of docs/extremes.md: what works stays right, what is refused is refused with its message and status.
+
+IXOS_DRIVER names the driver (default: that of the release build).
+"""
+import os
+import tempfile
+import unittest
+
+import density
+import gap
+import locking
+import million
+import ranks
+import step
+import strain
+import units
+from runs import EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
+
+CONSERVING = ("Average Vector Field", "Energy-Momentum")
+
+
+class LinesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory(prefix="ixos-extremes-")
+        cls.runner = Runner(cls.folder.name, os.environ.get("IXOS_DRIVER", ROOT / "build/release/drivers/ixos"))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def run_scene(self, entries, kind="completed", saying="", **options):
+        """Runs a scene, which must end like this."""
+        outcome = self.runner(str(len(list(self.runner.folder.iterdir()))), entries, **options)
+        self.assertEqual(outcome.kind, kind, outcome.output)
+        self.assertIn(saying, outcome.message)
+        return outcome
+
+    def test_a_body_released_in_the_depth_of_the_wall_fails_with_its_first_row_kept(self):
+        for start in (1e-3, 0.1):
+            outcome = self.run_scene({**gap.block(start * R0), **steps("Energy-Momentum", 1e-5, 10)}, "failed",
+                                     "Newton's iteration broke down")
+            row = outcome.run
+            self.assertEqual(list(row["step"]), [0])
+            self.assertAlmostEqual(row["contact_force_y"][0] / (4 * gap.traction(start * R0)), 1, delta=1e-14)
+            self.assertAlmostEqual(row["contact_energy"][0] / (4 * gap.energy(start * R0)), 1, delta=1e-14)
+        self.run_scene({**gap.block(1e-3 * R0), **steps("Central Difference", 1e-5, 10)}, "failed", "the stable step")
+
+    def test_from_a_third_of_r0_to_a_thousand_the_energy_is_kept(self):
+        for scheme in CONSERVING:
+            for start in (0.32, 1e3):
+                outcome = self.run_scene({**gap.block(start * R0), **steps(scheme, 1e-5, 200)})
+                self.assertLess(outcome.energy_error(), 1e-11)
+
+    def test_a_scheme_that_loses_the_energy_is_told_of(self):
+        outcome = self.run_scene({**gap.block(1e-3 * R0), **steps("Average Vector Field", 1e-3, 2)},
+                                 saying="the scheme's energy error reached")
+        self.assertGreater(outcome.energy_error(), 0.9)
+
+    def test_steps_from_a_billionth_to_a_thousand(self):
+        for scheme, length, bound in (("Average Vector Field", 1e-9, 1e-14), ("Energy-Momentum", 1e-9, 1e-14),
+                                      ("Average Vector Field", 1e3, 1e-6), ("Energy-Momentum", 1e3, 1e-6)):
+            outcome = self.run_scene(step.thrown(scheme, length))
+            self.assertLess(outcome.energy_error(), bound, (scheme, length))
+        # From rest the momentum is force times time, up to the square of the time.
+        outcome = self.run_scene({**gap.block(step.START), **steps("Newmark", 1e-9, 200)})
+        self.assertLess(abs(step.impulse_errors([outcome])[0]), 1e-9)
+        self.run_scene({**gap.block(step.START), **steps("Newmark", 1e-16, 20, 1.0)}, "refused", "lost in rounding")
+
+    def test_an_impact_of_a_thousand_keeps_its_energy(self):
+        for scheme in CONSERVING:
+            outcome = self.run_scene({**gap.block(R0), **steps(scheme, 4e-6, 300),
+                                      "Initial Conditions/Velocity": [0.0, -1e3]})
+            self.assertLess(outcome.energy_error(), 1e-11, scheme)
+            # The impact took place: the body was squeezed, and turned round at the wall.
+            self.assertGreater(outcome.run["contact_force_y"].max(), 1)
+
+    def test_units_over_twelve_decades_change_no_bit(self):
+        for scheme, extra in (("Average Vector Field", {}), ("Bathe Composite", {}),
+                              ("Average Vector Field", {"Materials/Ball/Element Formulation": "Enhanced"})):
+            one = self.run_scene(units.ball(1.0, 1.0, 1.0, scheme, extra))
+            for sign in (-1, 1):
+                length, stress, time = 2.0 ** (-20 * sign), 2.0 ** (20 * sign), 2.0 ** (20 * sign)
+                other = self.run_scene(units.ball(length, stress, time, scheme, extra))
+                self.assertEqual(units.difference(other, one, {"total_energy": stress * length ** 2, "min_gap": length,
+                                                               "time": time, "newton_iterations": 1}), "0", scheme)
+
+    def test_without_density_the_motion_is_static(self):
+        static = self.run_scene(density.pulled("Static", 1.0)).run["reaction_right_x"][-1]
+        for value in (1e-20, 1e-300):
+            for scheme in ("Bathe Composite", "Average Vector Field"):
+                reaction = self.run_scene(density.pulled(scheme, value)).run["reaction_right_x"][-1]
+                self.assertAlmostEqual(reaction / static, 1, delta=1e-11)
+        self.run_scene(density.pulled("Central Difference", 1e-100), "failed", "is below the least allowed")
+        self.run_scene(density.pulled("Newmark", 0.0), "refused", "Density: 0 is not allowed")
+
+    def test_an_element_stretched_to_eleven_and_squeezed_to_a_hundredth(self):
+        for dimension in (2, 3):
+            for formulation in ("Standard", "Mean Dilatation"):
+                for stretch, count in ((11.0, 10), (0.01, 100)):
+                    outcome = self.run_scene(strain.stretched(dimension, 0.2, formulation, stretch, count))
+                    exact = strain.stretch_stress(stretch, 0.2, dimension)
+                    self.assertAlmostEqual(outcome.run["reaction_right_x"][-1] / exact, 1, delta=1e-9)
+
+    def test_locking_is_there_and_cured(self):
+        def ratio(formulation):
+            outcome = self.run_scene(locking.cantilever(2, 0.4999, formulation, [40, 4]))
+            return locking.deflection(outcome, 2, locking.theory(2, 0.4999))
+        self.assertLess(ratio("Standard"), 0.03)
+        self.assertAlmostEqual(ratio("Mean Dilatation"), 1, delta=0.04)
+        self.assertAlmostEqual(ratio("Enhanced"), 1, delta=0.03)
+        self.run_scene(locking.cantilever(2, 0.5, "Enhanced", [4, 1]), "refused", "Poisson's Ratio: 0.5 is not allowed")
+
+    def test_ranks_without_elements_change_nothing(self):
+        one = {**box((2, 2), (1, 1), (0, 1.1 * EQUILIBRIUM)), **wall(), **steps("Average Vector Field", 1e-4, 20)}
+        four = {**box((4, 2), (4, 1), (0, 1.1 * EQUILIBRIUM)), **wall(), **steps("Central Difference", 1e-4, 20)}
+        for entries in (one, four):
+            alone = self.run_scene(entries)
+            for count in (2, 6):
+                self.assertLess(float(ranks.difference(self.run_scene(entries, ranks=count), alone)), 1e-11)
+
+    def test_laws_beyond_what_numbers_hold_are_refused(self):
+        self.run_scene({**gap.block(R0, Gamma_L=1e40), **steps("Newmark", 1e-3, 1)}, "refused", "too extreme")
+        self.run_scene({**gap.block(-R0), **steps("Newmark", 1e-3, 1)}, "refused", "starts in or below the wall")
+
+    def test_memory_does_not_grow(self):
+        for scheme in ("Average Vector Field", "Central Difference"):
+            few, many = (self.run_scene(million.scene(scheme, count)).run for count in (1000, 21000))
+            growth = many.summary["peak_memory_bytes"] - few.summary["peak_memory_bytes"]
+            self.assertLess(growth, 300_000, scheme)  # of 20,000 steps: two doubles a step would show
+            self.assertLess(many.energy_error().max(), (1e-12 if scheme in CONSERVING else 1e-2) * energy_scale(many))
+
+
+if __name__ == "__main__":
+    unittest.main()
