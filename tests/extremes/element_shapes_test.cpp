@@ -82,7 +82,6 @@ TEST(ElementShapesTest, AffineMotionIsExactForAnyAspectAndSkew) {
       for (double aspect : {1.0, 30.0, 1000.0})
         for (double skew : {0.0, 10.0, 1000.0}) {
           const double error = patch_error(drawn_out(dimension, aspect, skew), formulation);
-          RecordProperty("error", std::to_string(error));
           // What rounding costs grows with the elements' condition.
           EXPECT_LT(error, 1e-13 * (1 + aspect + skew * skew)) << dimension << "D " << aspect << ' ' << skew;
         }

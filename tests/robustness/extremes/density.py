@@ -23,7 +23,7 @@ def study(runner, images):
             if scheme == "Central Difference" and 1e-12 < density < 1:
                 entries = {**entries, "Output/History Interval": 1000}
             if scheme == "Central Difference" and density == 1e-20:
-                row.append("1e11 steps")
+                row.append("5e10 steps")
                 continue
             outcome = runner(f"density/{scheme}/{density}", entries, timeout=120)
             if outcome.kind == "completed":

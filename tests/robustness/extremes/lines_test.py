@@ -93,6 +93,9 @@ class LinesTest(unittest.TestCase):
                 reaction = self.run_scene(density.pulled(scheme, value)).run["reaction_right_x"][-1]
                 self.assertAlmostEqual(reaction / static, 1, delta=1e-11)
         self.run_scene(density.pulled("Central Difference", 1e-100), "failed", "is below the least allowed")
+        # Without supports the acceleration, force over mass, is beyond all numbers.
+        self.run_scene({**gap.block(EQUILIBRIUM), **steps("Newmark", 1e-3, 1), "Materials/Body/Density": 1e-310}, "refused",
+                       "the acceleration cannot be solved for")
         self.run_scene(density.pulled("Newmark", 0.0), "refused", "Density: 0 is not allowed")
 
     def test_an_element_stretched_to_eleven_and_squeezed_to_a_hundredth(self):
@@ -110,6 +113,10 @@ class LinesTest(unittest.TestCase):
         self.assertLess(ratio("Standard"), 0.03)
         self.assertAlmostEqual(ratio("Mean Dilatation"), 1, delta=0.04)
         self.assertAlmostEqual(ratio("Enhanced"), 1, delta=0.03)
+        rubber = {**gap.block(1.1 * EQUILIBRIUM), **steps("Average Vector Field", 1e-3, 50)}
+        almost = self.run_scene({**rubber, "Materials/Body/Poisson's Ratio": 0.49999})
+        self.assertLess(almost.energy_error(), 1e-12)
+        self.run_scene({**rubber, "Materials/Body/Poisson's Ratio": 0.4999999999}, "failed", "did not converge")
         self.run_scene(locking.cantilever(2, 0.5, "Enhanced", [4, 1]), "refused", "Poisson's Ratio: 0.5 is not allowed")
 
     def test_ranks_without_elements_change_nothing(self):

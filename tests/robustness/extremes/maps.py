@@ -61,7 +61,7 @@ def picture(panels, path, names=tuple(SCHEMES), columns=1):
         axis.set_title(title, fontsize=8.5)
     bar = figure.colorbar(image, ax=axes, ticks=[-15, -10, -5, 0], pad=0.02, shrink=0.9)
     bar.set_ticklabels(["$10^{-15}$", "$10^{-10}$", "$10^{-5}$", "1"])
-    bar.set_label("energy error (× failed, – refused)")
+    bar.set_label("energy error\n(× failed)", fontsize=8)
     style.save(figure, str(path), ["png"])
     style.plt.close(figure)
 
