@@ -7,14 +7,8 @@ One row a run: linear solver, ranks, Newton iterations an increment, CG iteratio
 iteration in all and by phase, peak memory of all ranks. The machine should be idle.
 """
 import argparse
-import json
-import os
-import subprocess
-import sys
-import tempfile
 
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
-from driver_process import BENCH_ENVIRONMENT, ROOT, driver_command  # noqa: E402
+from newton_times import COLUMNS, figures, header, row, run, spatula
 
 SOLVERS = {
     "default": [],
@@ -28,19 +22,6 @@ SOLVERS = {
 }
 
 
-def run(build, scene, solver, ranks, cells, steps):
-    end = 0.5 * steps
-    settings = [f"Mesh/Spatula/Target Cells={cells}", f"Histories/Pull/Rate Ramp/Length={end}",
-                f"Time Integrator/Time Step Control/Final Time={end}", "Output/Checkpoint/Keep=0"]
-    if SOLVERS[solver]:
-        settings += ["Linear Solver/Linear Solver Type=Belos"] + [f"Linear Solver/{s}" for s in SOLVERS[solver]]
-    with tempfile.TemporaryDirectory() as folder:
-        command = driver_command(f"{build}/drivers/ixos", scene, ["--output", folder], settings, ranks)
-        subprocess.run(command, env=BENCH_ENVIRONMENT, check=True)
-        with open(f"{folder}/summary.json", encoding="utf-8") as file:
-            return json.load(file)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("build")
@@ -49,18 +30,13 @@ def main():
     parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--solvers", nargs="+", default=list(SOLVERS), choices=SOLVERS)
     arguments = parser.parse_args()
-    scene = os.path.join(ROOT, "xml/spatula.xml")
-    print("| solver | ranks | Newton/increment | CG/Newton | s/Newton | residual | tangent | factorization | linear solve "
-          "| memory, GB |\n|---|---|---|---|---|---|---|---|---|---|")
+    scene, settings = spatula(arguments.cells, arguments.steps)
+    header("solver", "ranks", *COLUMNS)
     for solver in arguments.solvers:
+        chosen = ["Linear Solver/Linear Solver Type=Belos"] if SOLVERS[solver] else []
+        chosen += [f"Linear Solver/{setting}" for setting in SOLVERS[solver]]
         for ranks in arguments.ranks:
-            result = run(arguments.build, scene, solver, ranks, arguments.cells, arguments.steps)
-            newton = result["newton_iterations"]
-            phases = [f'{result["seconds"][phase] / newton:.3f}'
-                      for phase in ("residual", "tangent", "factorization", "linear solve")]
-            print(f'| {solver} | {ranks} | {newton / result["steps"]:.2f} | {result["linear_iterations"] / newton:.1f} '
-                  f'| {result["wall_seconds"] / newton:.3f} | {" | ".join(phases)} '
-                  f'| {result["peak_memory_bytes"] / 1e9:.2f} |', flush=True)
+            row(solver, ranks, *figures(run(arguments.build, scene, settings + chosen, ranks)))
 
 
 if __name__ == "__main__":
