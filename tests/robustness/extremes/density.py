@@ -1,5 +1,5 @@
 """Densities from 1e3 down to what a double holds: the limit without inertia is the scheme Static."""
-from runs import SCHEMES, STEPS, box, held, number, steps, table
+from runs import SCHEMES, box, held, number, steps, table
 
 DENSITIES = [1e3, 1.0, 1e-3, 5e-7, 1e-9, 1e-20, 1e-100, 1e-200, 1e-300, 1e-320]
 END = 1.5

@@ -32,8 +32,8 @@ def peak_errors(runner):
 
 
 def study(runner, images):
-    adaptive = {STEPS + "Type": "Adaptive", STEPS + "Adaptive/Maximum Gap Ratio": 1.1, STEPS + "Adaptive/Maximum Time Step": 1e-3,
-                STEPS + "Final Time": 0.02}
+    adaptive = {STEPS + "Type": "Adaptive", STEPS + "Adaptive/Maximum Gap Ratio": 1.1,
+                STEPS + "Adaptive/Maximum Time Step": 1e-3, STEPS + "Final Time": 0.02}
     fixed, chosen = released(runner, "fixed", {}), released(runner, "adaptive", adaptive)
     names = [f"$γ_W$ = {energy:g}" for energy in ENERGIES]
     maps.picture([("Δt = 0.001 T₀", fixed, LENGTHS, "$γ_L$"),
@@ -41,6 +41,6 @@ def study(runner, images):
                  names, 2)
     plain = [f"{energy:g}" for energy in ENERGIES]
     head = ["Gamma W \\ Gamma L", *map(str, LENGTHS)]
-    return ["dt = 0.001", "", *table(head, maps.rows(fixed, plain, LENGTHS)), "", *maps.messages(fixed), "", "A gap ratio of 1.1 a step, to 0.02 T0", "",
-            *table(head, maps.rows(chosen, plain, LENGTHS)), "", *maps.messages(chosen), "",
+    return ["dt = 0.001", "", *table(head, maps.rows(fixed, plain, LENGTHS)), "", *maps.messages(fixed), "",
+            "A gap ratio of 1.1 a step, to 0.02 T0", "", *table(head, maps.rows(chosen, plain, LENGTHS)), "", *maps.messages(chosen), "",
             f"Largest relative error of the peak traction, all 42 laws: {number(peak_errors(runner))}"]

@@ -41,8 +41,9 @@ def by_ratio(runner, dimension):
 
 def by_aspect(runner, dimension):
     """Rows of one layer of eight elements of each aspect, nu = 0.3."""
+    divisions = [8] + [1] * (dimension - 1)
     return [[formulation, *(deflection(runner(f"locking/aspect/{dimension}/{formulation}/{aspect}",
-                                              cantilever(dimension, 0.3, formulation, [8] + [1] * (dimension - 1), 8.0 * aspect)),
+                                              cantilever(dimension, 0.3, formulation, divisions, 8.0 * aspect)),
                                        dimension, theory(dimension, 0.3, 8.0 * aspect)) for aspect in ASPECTS)]
             for formulation in FORMULATIONS]
 
@@ -71,7 +72,8 @@ def study(runner, images):
     picture([([0.5 - ratio for ratio in RATIOS], "1/2 − Poisson's ratio", ratios),
              (ASPECTS, "aspect of the elements", aspects)], images / "extremes-locking")
     lines = []
-    for title, tables, head in (("40 by 4 (by 4) elements", ratios, RATIOS), ("one layer of eight elements", aspects, ASPECTS)):
+    for title, tables, head in (("40 by 4 (by 4) elements", ratios, RATIOS),
+                                ("one layer of eight elements", aspects, ASPECTS)):
         rows = [[f"{dimension}D, {row[0]}", *(number(value, 4) for value in row[1:])]
                 for dimension, found in tables.items() for row in found]
         lines += [title, "", *table(["elements", *map(str, head)], rows), ""]

@@ -134,10 +134,10 @@ class Runner:
         library = pathlib.Path(driver).resolve().parents[1] / "lib/libixos.so"
         self.version = [file.stat().st_mtime for file in (pathlib.Path(driver), library) if file.exists()]
 
-    def __call__(self, name, entries, ranks=1, timeout=120, options=()):
+    def __call__(self, name, entries, ranks=1, timeout=120):
         folder = self.folder / name
         text = scene_text(entries)
-        key = hashlib.sha256(json.dumps([text, ranks, list(options), self.version]).encode()).hexdigest()
+        key = hashlib.sha256(json.dumps([text, ranks, self.version]).encode()).hexdigest()
         kept = folder / "outcome.json"
         if kept.is_file() and json.loads(kept.read_text())["key"] == key:
             return self.judged(name, Outcome(folder / "out", json.loads(kept.read_text())))
@@ -145,7 +145,7 @@ class Runner:
         folder.mkdir(parents=True)
         (folder / "scene.xml").write_text(text)
         launcher = ["mpirun", "-np", str(ranks)] if ranks > 1 else []
-        command = [*launcher, self.driver, str(folder / "scene.xml"), "--output", str(folder / "out"), *options]
+        command = [*launcher, self.driver, str(folder / "scene.xml"), "--output", str(folder / "out")]
         record = {"key": key, **self.execute(command, timeout)}
         kept.write_text(json.dumps(record))
         return self.judged(name, Outcome(folder / "out", record))

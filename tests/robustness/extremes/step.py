@@ -1,6 +1,4 @@
 """Time steps from 1e-9 to 1e3 T0."""
-import numpy as np
-
 import maps
 from gap import block, traction
 from runs import EQUILIBRIUM, SCHEMES, STEPS as CONTROL, number, steps, table
