@@ -1,22 +1,26 @@
 #include "io/guarded.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <new>
 
 #include "base/error.hpp"
 
 namespace ixos {
 namespace {
 
-constexpr int threw = 1;  // exit status of a child that is well all the same
+constexpr std::size_t longest_message = 4000;  // what a pipe holds at once
 
 /// Address space of this process [bytes].
 std::uint64_t taken() {
@@ -24,6 +28,14 @@ std::uint64_t taken() {
   std::uint64_t pages = 0;
   file >> pages;
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
+/// Calls again what a signal interrupted.
+template <class Call>
+auto persistent(const Call& call) {
+  auto result = call();
+  while (result < 0 && errno == EINTR) result = call();
+  return result;
 }
 
 void limit(int what, std::uint64_t value) {
@@ -34,15 +46,22 @@ void limit(int what, std::uint64_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(what), &bounds);
 }
 
-[[noreturn]] void be_child(const std::function<void()>& function, std::uint64_t bytes, unsigned seconds) {
+void say(int pipe, const char* message) {
+  if (write(pipe, message, std::min(std::strlen(message), longest_message)) < 0) _exit(1);
+}
+
+/// What the function throws goes into the pipe.
+[[noreturn]] void be_child(const std::function<void()>& function, std::uint64_t bytes, unsigned seconds, int pipe) {
   for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_AS, taken() + bytes);
   limit(RLIMIT_CPU, seconds);
   try {
     function();
-  } catch (...) {
-    _exit(threw);
+  } catch (const std::bad_alloc&) {
+    say(pipe, "reading it takes too much memory");
+  } catch (const std::exception& error) {
+    say(pipe, error.what());
   }
   _exit(0);
 }
@@ -50,15 +69,21 @@ void limit(int what, std::uint64_t value) {
 }  // namespace
 
 std::string trial(const std::function<void()>& function, std::uint64_t bytes, unsigned seconds) {
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0) throw FileError(std::string("no pipe can be made: ") + std::strerror(errno));
   const pid_t child = fork();
-  if (child < 0) throw FileError(std::string("no process can be started: ") + std::strerror(errno));
-  if (child == 0) be_child(function, bytes, seconds);
+  if (child == 0) be_child(function, bytes, seconds, ends[1]);
+  close(ends[1]);
+  std::array<char, longest_message> message{};
+  const ssize_t length = child < 0 ? 0 : persistent([&] { return read(ends[0], message.data(), message.size()); });
+  close(ends[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw FileError(std::string("a process is lost: ") + std::strerror(errno));
-  if (WIFEXITED(status) && (WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == threw)) return "";
-  return WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL) ? "takes too long"
-                                                                                             : "crashes";
+  if (child < 0 || persistent([&] { return waitpid(child, &status, 0); }) < 0)
+    throw FileError(std::string("no process can be started: ") + std::strerror(errno));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
+    return {message.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))};
+  const bool late = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  return late ? "reading it takes too long" : "reading it crashes";
 }
 
 void try_reading(const std::string& path, const std::function<void()>& function) {
@@ -67,7 +92,7 @@ void try_reading(const std::string& path, const std::function<void()>& function)
   const std::uint64_t length = code ? 0 : size;  // the function will say what it thinks of no file
   constexpr std::uint64_t mebibyte = 1U << 20U;
   const std::string end = trial(function, 256 * mebibyte + 300 * length, 20 + static_cast<unsigned>(length / mebibyte));
-  if (!end.empty()) throw InputError(path + ": is damaged: reading it " + end);
+  if (!end.empty()) throw InputError(end.rfind(path, 0) == 0 ? end : path + ": is damaged: " + end);
 }
 
 }  // namespace ixos

@@ -38,7 +38,7 @@ HistoryFile::HistoryFile(const std::string& path, const TableLength& length)
 void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
   std::ifstream file(path);
   std::string line;
-  if (!file || !std::getline(file, line))
+  if (!file || !std::getline(file, line) || file.eof())  // a line that does not end is none
     throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
   if (line != fmt::format("{}", fmt::join(columns, ",")))
     throw InputError(path + ": the table has other columns than this run would write; give another --output");

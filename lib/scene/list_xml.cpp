@@ -30,7 +30,7 @@ class Reader {
       throw InputError(fmt::format("{}: XML parse error at line {}: {}", origin_,
                                    XML_GetCurrentLineNumber(parser_.get()),
                                    XML_ErrorString(XML_GetErrorCode(parser_.get()))));
-    return std::move(root_);
+    return root_;
   }
 
  private:

@@ -35,6 +35,26 @@ TEST(HistoryFileTest, NumbersReadBackExactlyAndEmptyCellsStayEmpty) {
   EXPECT_EQ(std::stod(cells[4]), values[3]);
 }
 
+TEST(HistoryFileTest, OnlyATableThatHadThatLengthIsGoneOnWith) {
+  const std::string path = testing::TempDir() + "ixos_history_verify.csv";
+  const auto fits = [&](const std::string& contents, const TableLength& length) {
+    std::ofstream(path) << contents;
+    try {
+      HistoryFile::verify(path, {"time", "gap"}, length);
+    } catch (const InputError&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(fits("time,gap\n0,1\n", {1, 13}));
+  EXPECT_TRUE(fits("time,gap\n0,1\n1,2\n", {1, 13})) << "later rows are dropped";
+  EXPECT_FALSE(fits("time,gap\n0,1", {1, 13})) << "a row that does not end";
+  EXPECT_FALSE(fits("time,gap", {0, 9})) << "a header that does not end";
+  EXPECT_FALSE(fits("time,gap\n0,12\n", {1, 13}));
+  EXPECT_FALSE(fits("time\n", {0, 5}));
+  std::filesystem::remove(path);
+}
+
 TEST(HistoryFileTest, AFileThatCannotBeMadeIsAFileError) {
   EXPECT_THROW(HistoryFile("/dev/null/history.csv", {"a"}), FileError);
 }
