@@ -15,7 +15,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Simulation& simulation = fuzz::simulation("Central Difference");
   try {
     Restart restart(simulation, path);
-    restart.load([&](Record& record) { simulation.integrator().transfer(record); });
+    restart.load([&](Record& record) {
+      const Record::Section run(record, "run");
+      simulation.integrator().transfer(record);
+    });
     simulation.integrator().attempt(0.1);
   } catch (const InputError& error) {
     fuzz::expect_message(error);

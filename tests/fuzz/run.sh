@@ -70,8 +70,9 @@ if $coverage; then
   done
   llvm-profdata merge "$scratch"/*.profraw -o "$scratch/all.profdata"
   objects=("${chosen[@]/#/-object=$work/tests/fuzz/fuzz_}")
-  exec llvm-cov report "${objects[@]}" -instr-profile="$scratch/all.profdata" -show-region-summary=false \
+  llvm-cov report "${objects[@]}" -instr-profile="$scratch/all.profdata" -show-region-summary=false \
     -show-branch-summary=false -ignore-filename-regex='/usr/|tests/fuzz'
+  exit
 fi
 
 status=0
