@@ -64,8 +64,8 @@ void Integrator::transfer_derived(Record& record) {
   record.number("judged", judged_);
   record.number("acceleration known", acceleration_known_);
   if (acceleration_known_) check_whole("acceleration", state.a, Extent::Local);
-  if (has_external_) check_whole("load", state.load, Extent::Owned);
-  if (has_external_) check_whole("reaction", state.reaction, Extent::Owned);
+  if (!model_.loads().empty()) check_whole("load", state.load, Extent::Owned);
+  if (!model_.constraints().empty()) check_whole("reaction", state.reaction, Extent::Owned);
   if (previous_.known) check_whole("previous velocity", previous_.v, Extent::Local);
   if (previous_.dt != 0 && table_.predictor == Predictor::Extrapolation)
     check_whole("previous displacement", previous_u_, Extent::Local);
