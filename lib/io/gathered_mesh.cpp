@@ -38,6 +38,7 @@ using Numbers = std::map<int, int>;
 
 std::vector<int> ids_of(const std::vector<int>& nodes, const std::vector<int>& ids) {
   std::vector<int> result;
+  result.reserve(nodes.size());
   for (int node : nodes) result.push_back(ids[static_cast<std::size_t>(node)]);
   return result;
 }

@@ -5,6 +5,7 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <algorithm>
+#include <numeric>
 
 namespace ixos {
 
@@ -23,7 +24,8 @@ GlobalOrder::GlobalOrder(const Comm& comm, const std::vector<int>& ids, long lon
   for (GlobalId& id : from_zero) --id;
   plan_ = std::make_unique<Plan>(comm, from_zero, largest);
   const auto share = static_cast<std::size_t>(plan_->shares->getNodeNumElements());
-  for (std::size_t i = 0; i < share; ++i) present_.push_back(i);
+  present_.resize(share);
+  std::iota(present_.begin(), present_.end(), std::size_t{0});
   const std::vector<double> flags = ordered({std::vector<double>(ids.size(), 1.0)})[0];
   present_.clear();
   for (std::size_t i = 0; i < share; ++i)
@@ -46,6 +48,7 @@ std::vector<std::vector<double>> GlobalOrder::ordered(const std::vector<std::vec
   std::vector<std::vector<double>> values(fields.size());
   for (std::size_t f = 0; f < fields.size(); ++f) {
     const auto all = to.getData(f);
+    values[f].reserve(present_.size());
     for (std::size_t i : present_) values[f].push_back(all[static_cast<Teuchos::ArrayRCP<double>::size_type>(i)]);
   }
   return values;

@@ -121,6 +121,7 @@ void Hdf5Fields::copy_first(int frames) const {
     const auto from = open(path_, Hdf5Series::Mode::Read), to = open(copy, Hdf5Series::Mode::Write);
     for (int frame = 0; frame < frames; ++frame) {
       Frame values;
+      values.reserve(sets_.size());
       for (std::size_t s = 0; s < sets_.size(); ++s)
         values.push_back(from->read(s, static_cast<unsigned>(frame), slabs_[s]));
       append(*to, frame, values);
@@ -150,10 +151,13 @@ void Hdf5Fields::append(Hdf5Series& file, int frame, const Frame& values) const 
 void Hdf5Fields::write(double time, const std::vector<std::vector<double>>& nodal,
                        const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) {
   Frame values{{time}, global};
+  values.reserve(sets_.size());
   std::vector<std::vector<double>> shown;
+  shown.reserve(nodal.size());
   for (const std::vector<double>& field : nodal) shown.push_back(contents_.output.nodal(field));
   for (std::vector<double>& field : nodes_.ordered(shown)) values.push_back(std::move(field));
   std::vector<Frame> blocks;
+  blocks.reserve(cells_.size());
   for (std::size_t b = 0; b < cells_.size(); ++b) {
     shown.clear();
     for (const auto& field : cell) shown.push_back(contents_.output.cell(b, field[b]));

@@ -71,6 +71,7 @@ struct Hdf5Series::Implementation {
     H5Pset_small_data_block_size(access, 0);
     file = std::make_unique<Handle>(H5Fopen(path.c_str(), mode, access), H5Fclose);
     if (*file < 0) throw InputError(path + ": HDF5 cannot open it");
+    sets.reserve(descriptions.size());
     for (const Set& set : descriptions) {
       sets.push_back(open_set(*file, set.name));
       const Handle space(H5Dget_space(sets.back()), H5Sclose);
@@ -86,10 +87,9 @@ struct Hdf5Series::Implementation {
   herr_t with_part(std::size_t set, unsigned long long frame, const Slab& slab, const Call& call) const {
     const Handle space(H5Dget_space(sets[set]), H5Sclose);
     const std::array<hsize_t, 2> start{frame, slab.offset}, count{1, slab.count};
-    if (slab.count == 0)
-      H5Sselect_none(space);
-    else if (H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0)
-      H5Sselect_none(space);
+    const bool part =
+        slab.count > 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0;
+    if (!part) H5Sselect_none(space);
     const auto selected = static_cast<hsize_t>(H5Sget_select_npoints(space));
     const Handle memory(H5Screate_simple(1, &selected, nullptr), H5Sclose);
     const herr_t status = call(memory, space);

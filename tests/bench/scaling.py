@@ -20,6 +20,9 @@ from newton_times import COLUMNS, block, figures, header, row, run, spatula
 
 REDUCTIONS = ("allreduce", "reduce", "scan", "barrier")
 OTHERS = ("broadcast", "gather", "allgather", "alltoall")
+# What `Automatic` takes for a large block; a small one may count as slender.
+MULTIGRID = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type=MueLu",
+             "Linear Solver/Operator=Matrix-Free"]
 
 
 def bodies(arguments, ranks=1, steps=None):
@@ -28,7 +31,8 @@ def bodies(arguments, ranks=1, steps=None):
     divisions = [arguments.block] * 3
     for doubling in range(ranks.bit_length() - 1):
         divisions[doubling % 3] *= 2
-    return [("spatula", *spatula(arguments.cells * ranks, steps)), ("block", *block(divisions, steps))]
+    scene, settings = block(divisions, steps)
+    return [("spatula", *spatula(arguments.cells * ranks, steps)), ("block", scene, settings + MULTIGRID)]
 
 
 def strong(arguments):
