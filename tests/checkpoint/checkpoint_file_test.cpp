@@ -128,7 +128,7 @@ TEST_F(CheckpointFileTest, AnotherPartitionFindsItsNodesByNumber) {
 TEST_F(CheckpointFileTest, NumbersOutOfRangeAreRefused) {
   memory_.third = 0.5;
   memory_.none = -3;
-  memory_.field.back() = std::nan("");
+  memory_.field.front() = std::nan("");  // owned, on every rank
   write();
   CheckpointReader reader(path_, *space_, local_);
   const Record::Section outer(reader, "outer");
