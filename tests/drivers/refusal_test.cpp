@@ -149,6 +149,10 @@ TEST_F(DriverRefusalTest, UnknownNamesAreRefusedWithTheNearest) {
                  "scene.xml: Interaction: there is no list \"Interaction\" here; did you mean \"Interactions\"?");
 }
 
+TEST_F(DriverRefusalTest, NamesThatCannotHeadAColumnAreRefused) {
+  expect_refused_setting("Output/Probes/a,b/Point={0, 8}", "Output/Probes/a,b: \"a,b\" cannot name a column");
+}
+
 TEST_F(DriverRefusalTest, ASurfaceBelowTheWallIsRefused) {
   expect_refused_setting("Mesh/Disk/Center={0, 4}",
                          "Interactions/Wall: the surface \"surface\" starts in or below the wall, least gap");

@@ -127,6 +127,23 @@ TEST_F(StudyDriverTest, AKilledStudyGoesOnAndEndsAlike) {
   EXPECT_EQ(timeless("other"), timeless("whole"));
 }
 
+TEST_F(StudyDriverTest, RecordsThatMakeNoSenseAreMadeAgain) {
+  std::string text = study;
+  const std::string values = "{0.2, 0.1, 0.05}";
+  text.replace(text.find(values), values.size(), "{0.2}");
+  const std::string schemes = "{Newmark, Energy-Momentum, Central Difference}";
+  text.replace(text.find(schemes), schemes.size(), "{Newmark}");
+  std::ofstream(folder_ + "/study.xml") << text;
+  ASSERT_EQ(run("study.xml --output out --quiet").status, 0);
+  const std::string whole = timeless("out");
+  for (const char* record : {R"x({"scene": 5, "exit_status": "x", "version": [], "time_limit": {}})x", "["}) {
+    std::ofstream(folder_ + "/out/runs/Newmark_0.2/run.json") << record;
+    const Outcome outcome = run("study.xml --output out --quiet");
+    EXPECT_EQ(outcome.status, 0) << record << outcome.output;
+    EXPECT_EQ(timeless("out"), whole) << record;
+  }
+}
+
 TEST_F(StudyDriverTest, FailuresAreResults) {
   // One iteration is enough for no scheme but the explicit one; a short time limit ends a long run.
   std::string text = study;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <exodusII.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstdint>
@@ -76,6 +77,9 @@ TEST(ExodusTest, MeshesReadBackAsTheyWereWritten) {
 TEST(ExodusTest, FilesThatAreNotMeshesAreRefused) {
   expect_contains(refusal(path("nowhere.e")), "the mesh file cannot be read");
   expect_contains(refusal(testing::TempDir()), "cannot be read");
+  std::filesystem::remove(path("pipe.e"));
+  ASSERT_EQ(mkfifo(path("pipe.e").c_str(), 0600), 0);
+  expect_contains(refusal(path("pipe.e")), "the mesh file cannot be read");  // nobody writes into it
   std::ofstream(path("text.e")) << "not a mesh";
   expect_contains(refusal(path("text.e")), "is not an Exodus file");
   std::ofstream(path("empty.e")) << "";
