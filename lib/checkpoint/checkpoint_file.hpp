@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/hdf5_file.hpp"
 #include "checkpoint/record.hpp"
+#include "io/hdf5_file.hpp"
 #include "mesh/local_mesh.hpp"
 #include "model/dof_space.hpp"
 

@@ -120,7 +120,8 @@ TEST_F(StudyDriverTest, AKilledStudyGoesOnAndEndsAlike) {
   ASSERT_EQ(run("study.xml --output pieces --quiet").status, 0);
   EXPECT_EQ(timeless("pieces"), timeless("whole"));
   // Told to end, it says how to go on.
-  const Outcome told = run("study.xml --output other & pid=$!; until [ -d other/runs ]; do sleep 0.05; done; kill -TERM $pid; wait $pid");
+  const Outcome told = run(
+      "study.xml --output other & pid=$!; until [ -d other/runs ]; do sleep 0.05; done; kill -TERM $pid; wait $pid");
   EXPECT_EQ(told.status, 5) << told.output;
   EXPECT_NE(told.output.find("called again, it goes on"), std::string::npos);
   ASSERT_EQ(run("study.xml --output other --quiet").status, 0);
