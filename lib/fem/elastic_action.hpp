@@ -137,19 +137,11 @@ struct ElasticAction {
   template <bool HasMass, class T, class Kept>
   static void add_product(const ShapeTable<Element>& table, const Layout& layout, const Kept* data, const Nodal<T>& u,
                           Scratch<T>& scratch, Nodal<T>& f) {
-    const std::vector<double>& moduli = layout.volume_moduli;
     Small<T, D>* gradients = scratch.gradients.data();
     std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
     PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
-    constexpr std::size_t usual = 1 << D;
-    if (table.size() == usual && moduli.size() == 1)
-      multiply_points<usual, 1, HasMass>(moduli, data, gradients, values);
-    else if (table.size() == usual && moduli.size() == 2)
-      multiply_points<usual, 2, HasMass>(moduli, data, gradients, values);
-    else
-      for (std::size_t q = 0; q < table.size(); ++q)
-        multiply_point<HasMass>(moduli, moduli.size(), data + q * layout.point_size(), gradients[q],
-                                HasMass ? values + q : nullptr);
+    for (std::size_t q = 0; q < table.size(); ++q, data += layout.point_size())
+      multiply_point<HasMass>(layout.volume_moduli, data, gradients[q], HasMass ? values + q : nullptr);
     PointGradients<Element>::template integrate<HasMass>(table, gradients, values, f);
   }
 
@@ -200,25 +192,15 @@ struct ElasticAction {
   }
 
   template <bool HasMass, class T, class Kept>
-  [[gnu::always_inline]] static void multiply_point(const std::vector<double>& volume_moduli, std::size_t time_points,
-                                                    const Kept* data, Small<T, D>& gradient, std::array<T, D>* value) {
+  [[gnu::always_inline]] static void multiply_point(const std::vector<double>& volume_moduli, const Kept* data,
+                                                    Small<T, D>& gradient, std::array<T, D>* value) {
     const Small<T, D> g = gradient;
     multiply_metric(data, g, gradient);
     data += metric_size;
-    for (std::size_t p = 0; p < time_points; ++p, data += time_point_size)
+    for (std::size_t p = 0; p < volume_moduli.size(); ++p, data += time_point_size)
       add_time_point(data, volume_moduli[p], g, gradient);
     if constexpr (HasMass)
       for (T& v : *value) v *= widen<T>(*data);
-  }
-
-  /// For numbers of points and time points that the compiler knows.
-  template <std::size_t Points, std::size_t TimePoints, bool HasMass, class T, class Kept>
-  [[gnu::always_inline]] static void multiply_points(const std::vector<double>& volume_moduli, const Kept* data,
-                                                     Small<T, D>* gradients, std::array<T, D>* values) {
-    constexpr std::size_t size = metric_size + TimePoints * time_point_size + (HasMass ? 1 : 0);
-#pragma GCC unroll 8
-    for (std::size_t q = 0; q < Points; ++q)
-      multiply_point<HasMass>(volume_moduli, TimePoints, data + q * size, gradients[q], HasMass ? values + q : nullptr);
   }
 };
 
