@@ -7,4 +7,4 @@ if [ "$preset" = sanitize ]; then
 else
   "$root/tests/check_style.sh" "$build"
 fi
-exec ctest --test-dir "$build" --output-on-failure "$@"
+exec ctest --test-dir "$build" --output-on-failure -j "$(nproc)" "$@"

@@ -80,7 +80,7 @@ class CheckpointFileTest : public testing::Test {
   LocalMesh local_;
   std::unique_ptr<DofSpace> space_;
   Memory memory_;
-  std::string path_ = testing::TempDir() + "ixos_checkpoint_" + std::to_string(world()->getSize()) + ".h5";
+  std::string path_ = testing::TempDir() + "checkpoint.h5";
 };
 
 TEST_F(CheckpointFileTest, WhatIsWrittenComesBack) {

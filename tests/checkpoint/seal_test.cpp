@@ -25,7 +25,7 @@ class SealTest : public testing::Test {
   void TearDown() override { std::filesystem::remove(path_); }
   void write(const std::string& contents) const { std::ofstream(path_) << contents; }
 
-  std::string path_ = testing::TempDir() + "ixos_seal.h5";
+  std::string path_ = testing::TempDir() + "seal.h5";
   std::string sealed_;
 };
 

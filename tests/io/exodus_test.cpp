@@ -19,7 +19,7 @@ namespace {
 
 using test::expect_contains;
 
-std::string path(const std::string& name) { return testing::TempDir() + "ixos_" + name; }
+std::string path(const std::string& name) { return testing::TempDir() + name; }
 
 std::string refusal(const std::string& file) {
   return test::refusal([&] { check_cells(read_exodus_mesh(file)); });

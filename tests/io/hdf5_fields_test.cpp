@@ -94,9 +94,7 @@ Comm alone() {
 
 class Hdf5FieldsTest : public testing::Test {
  protected:
-  std::string path(const std::string& name) const {
-    return testing::TempDir() + "ixos_hdf5_" + std::to_string(world()->getSize()) + "_" + name;
-  }
+  std::string path(const std::string& name) const { return testing::TempDir() + name; }
   /// A file of the first rank alone.
   void write_alone(const Mesh& mesh, const std::string& name, int frames) {
     on_first_rank(world(), [&] {

@@ -13,7 +13,7 @@ namespace ixos {
 namespace {
 
 TEST(HistoryFileTest, NumbersReadBackExactlyAndEmptyCellsStayEmpty) {
-  const std::string path = testing::TempDir() + "ixos_history.csv";
+  const std::string path = testing::TempDir() + "history.csv";
   const double values[] = {1.0 / 3, -1e-300, 6.02214076e23, 0.1 + 0.2};
   {
     HistoryFile file(path, {"a", "b", "c", "d", "e"});
@@ -36,7 +36,7 @@ TEST(HistoryFileTest, NumbersReadBackExactlyAndEmptyCellsStayEmpty) {
 }
 
 TEST(HistoryFileTest, OnlyATableThatHadThatLengthIsGoneOnWith) {
-  const std::string path = testing::TempDir() + "ixos_history_verify.csv";
+  const std::string path = testing::TempDir() + "verify.csv";
   const auto fits = [&](const std::string& contents, const TableLength& length) {
     std::ofstream(path) << contents;
     try {

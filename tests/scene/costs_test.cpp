@@ -61,7 +61,7 @@ Flight fly(const std::string& integrator, const std::string& output) {
   Simulation s(test::scene(flight(integrator, output)), world());
   const_cast<Model&>(s.model()).add_interaction(std::make_unique<CountingTerm>(flight_.calls));
   RunOptions options;
-  options.folder = testing::TempDir() + "ixos_costs";
+  options.folder = testing::TempDir() + "costs";
   flight_.result = run(s, options);
   std::filesystem::remove_all(options.folder);
   EXPECT_EQ(flight_.result.status, RunStatus::Completed);

@@ -127,7 +127,7 @@ class RestartTest : public testing::Test {
     return message;
   }
 
-  std::string folder_ = testing::TempDir() + "ixos_restart_" + std::to_string(world()->getSize());
+  std::string folder_ = testing::TempDir() + "restart";
   std::string told_;
 };
 

@@ -29,7 +29,7 @@ class RunTest : public testing::Test {
     return run(simulation, options);
   }
   HistoryTable table() const { return HistoryTable(folder_ + "/history.csv"); }
-  std::string folder_ = testing::TempDir() + "ixos_run_" + std::to_string(world()->getSize());
+  std::string folder_ = testing::TempDir() + "run";
 };
 
 /// A block whose left side follows a table of places, its right side pulled by a known force.

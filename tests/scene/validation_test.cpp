@@ -113,7 +113,7 @@ TEST(SceneFileTest, RepeatedNamesAndStrangeElementsAreRefused) {
 }
 
 TEST(SceneFileTest, WhatIsWrittenReadsBackToTheLastDigit) {
-  const std::string path = testing::TempDir() + "ixos_round_trip.xml";
+  const std::string path = testing::TempDir() + "round_trip.xml";
   ParameterList scene = test::scene(
       test::list("A", test::number("third", 1.0 / 3) + test::numbers("v", {0.1, -1e-300}) + test::count("n", 7)));
   scene.set("w", "a < b & \"c\"");

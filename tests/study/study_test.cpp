@@ -74,7 +74,7 @@ class StudyTest : public testing::Test {
   StudyErrors study_errors(const ErrorOptions& options) const {
     return StudyReference(folder_ + "/reference", options).errors(folder_ + "/run");
   }
-  std::string folder_ = testing::TempDir() + "ixos_study_test";
+  std::string folder_ = testing::TempDir() + "study";
 };
 
 TEST_F(StudyTest, EveryCombinationIsARun) {
