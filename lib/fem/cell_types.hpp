@@ -37,6 +37,8 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Hex8C3>{});
     case CellType::Hex8C4:
       return function(TypeTag<Hex8C4>{});
+    case CellType::Hex8CH:
+      return function(TypeTag<Hex8CH>{});
   }
   throw std::logic_error("unknown cell type");
 }
@@ -51,10 +53,12 @@ decltype(auto) with_side_element(CellType type, int side, const Function& functi
       if (type == CellType::Hex8C2) return function(TypeTag<LagrangeFace<2>>{});
       if (type == CellType::Hex8C3) return function(TypeTag<LagrangeFace<3>>{});
       if (type == CellType::Hex8C4) return function(TypeTag<LagrangeFace<4>>{});
+      if (type == CellType::Hex8CH) return function(TypeTag<HermiteFace>{});
     } else if (side < 4) {
       if (type == CellType::Hex8C2) return function(TypeTag<Quad4C2>{});
       if (type == CellType::Hex8C3) return function(TypeTag<Quad4C3>{});
       if (type == CellType::Hex8C4) return function(TypeTag<Quad4C4>{});
+      if (type == CellType::Hex8CH) return function(TypeTag<Quad4CH>{});
     }
     return function(TypeTag<Quad4>{});
   }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "fem/ties.hpp"
 
@@ -34,12 +35,12 @@ struct LagrangeEdge {
 
   static constexpr std::array<InnerNode, Order - 1> inner_nodes() {
     std::array<InnerNode, Order - 1> inner{};
-    for (std::size_t k = 0; k < inner.size(); ++k) inner[k] = {0, k + 2, 0, 1, (1 + node(k + 2)) / 2};
+    for (std::size_t k = 0; k < inner.size(); ++k) inner[k] = inner_point(0, k + 2, 0, 1, (1 + node(k + 2)) / 2);
     return inner;
   }
 };
 
-/// Cubic Hermite edge: values at the two ends, then derivatives d/dxi at the two ends. It has no ties.
+/// Cubic Hermite edge: values at the two ends, then derivatives d/dxi at the two ends.
 struct HermiteEdge {
   static constexpr int dimension = 1;
   static constexpr int nodes = 4;
@@ -54,7 +55,9 @@ struct HermiteEdge {
         {{3 * (x * x - 1) / 4}, {3 * (1 - x * x) / 4}, {(3 * x * x - 2 * x - 1) / 4}, {(3 * x * x + 2 * x - 1) / 4}}};
   }
 
-  static constexpr std::array<InnerNode, 0> inner_nodes() { return {}; }
+  static constexpr std::array<InnerNode, 2> inner_nodes() {
+    return {inner_derivative(0, 2, 0, 1), inner_derivative(0, 3, 0, 1)};
+  }
 };
 
 /// A quadrilateral with the edge at eta = -1: N = (1 - eta)/2 edge(xi) for the edge's nodes, (1 + eta)/2 (1 +- xi)/2
@@ -97,5 +100,9 @@ using Quad4C2 = ContactQuad<LagrangeEdge<2>>;
 using Quad4C3 = ContactQuad<LagrangeEdge<3>>;
 using Quad4C4 = ContactQuad<LagrangeEdge<4>>;
 using Quad4CH = ContactQuad<HermiteEdge>;
+
+/// Are the element's nodes beyond its corners derivatives?
+template <class Element>
+struct IsHermite : std::bool_constant<std::is_same_v<Element, HermiteEdge> || std::is_same_v<Element, Quad4CH>> {};
 
 }  // namespace ixos

@@ -8,6 +8,21 @@
 
 namespace ixos {
 
+/// Shape functions that are products of those of a face's two edges, along xi and along eta: Face::factors().
+template <class Face>
+void evaluate_products(const std::array<double, 2>& xi, std::array<double, Face::nodes>& value,
+                       std::array<std::array<double, 2>, Face::nodes>& gradient) {
+  using Edge = typename Face::Edge;
+  std::array<std::array<double, Edge::nodes>, 2> on_edge;
+  std::array<std::array<std::array<double, 1>, Edge::nodes>, 2> slope;
+  for (std::size_t d = 0; d < 2; ++d) Edge::evaluate({xi[d]}, on_edge[d], slope[d]);
+  for (std::size_t a = 0; a < Face::nodes; ++a) {
+    const auto [i, j] = Face::factors(a);
+    value[a] = on_edge[0][i] * on_edge[1][j];
+    gradient[a] = {slope[0][i][0] * on_edge[1][j], on_edge[0][i] * slope[1][j][0]};
+  }
+}
+
 /// Quadrilateral of order q in both directions, equally spaced nodes: the four corners, the inner nodes of the edges
 /// 0-1, 1-2, 2-3 and 3-0, each in that direction, then the interior's row by row, xi fastest. The product of two
 /// LagrangeEdge.
@@ -33,23 +48,46 @@ struct LagrangeFace {
 
   static void evaluate(const std::array<double, 2>& xi, std::array<double, nodes>& value,
                        std::array<std::array<double, 2>, nodes>& gradient) {
-    std::array<std::array<double, Edge::nodes>, 2> on_edge;
-    std::array<std::array<std::array<double, 1>, Edge::nodes>, 2> slope;
-    for (std::size_t d = 0; d < 2; ++d) Edge::evaluate({xi[d]}, on_edge[d], slope[d]);
-    for (std::size_t a = 0; a < nodes; ++a) {
-      const auto [i, j] = factors(a);
-      value[a] = on_edge[0][i] * on_edge[1][j];
-      gradient[a] = {slope[0][i][0] * on_edge[1][j], on_edge[0][i] * slope[1][j][0]};
-    }
+    evaluate_products<LagrangeFace>(xi, value, gradient);
   }
 
   static constexpr std::array<InnerNode, 4 * inner> inner_nodes() {
     std::array<InnerNode, 4 * inner> result{};
     for (std::size_t k = 0; k < result.size(); ++k) {
       const std::size_t edge = k / inner, step = k % inner + 1;
-      result[k] = {edge, k + 4, edge, (edge + 1) % 4, static_cast<double>(step) / Order};
+      result[k] = inner_point(edge, k + 4, edge, (edge + 1) % 4, static_cast<double>(step) / Order);
     }
     return result;
+  }
+};
+
+/// Bicubic Hermite quadrilateral: values at the four corners, then at each corner the derivatives d/dxi, d/deta and
+/// d2/dxi deta. The product of two HermiteEdge. The map of uneven faces is bicubic too: with five points a direction
+/// constant stress is integrated exactly, of degree 8.
+struct HermiteFace {
+  using Edge = HermiteEdge;
+  static constexpr int dimension = 2;
+  static constexpr int nodes = 16;
+  static constexpr std::array<int, 2> default_points{5, 5};
+
+  /// As of LagrangeFace.
+  static constexpr std::array<std::size_t, 2> factors(std::size_t a) {
+    const std::size_t corner = a < 4 ? a : (a - 4) / 3, kind = a < 4 ? 3 : (a - 4) % 3;
+    const std::size_t i = corner == 1 || corner == 2 ? 1 : 0, j = corner / 2;
+    return {kind == 0 || kind == 2 ? i + 2 : i, kind == 1 || kind == 2 ? j + 2 : j};
+  }
+
+  static void evaluate(const std::array<double, 2>& xi, std::array<double, nodes>& value,
+                       std::array<std::array<double, 2>, nodes>& gradient) {
+    evaluate_products<HermiteFace>(xi, value, gradient);
+  }
+
+  /// The derivatives along each edge at its ends. Those across it, and the mixed ones, do not bend it.
+  static constexpr std::array<InnerNode, 8> inner_nodes() {
+    return {inner_derivative(0, 4, 0, 1),  inner_derivative(0, 7, 0, 1),   //
+            inner_derivative(1, 8, 1, 2),  inner_derivative(1, 11, 1, 2),  //
+            inner_derivative(2, 10, 3, 2), inner_derivative(2, 13, 3, 2),  //
+            inner_derivative(3, 5, 0, 3),  inner_derivative(3, 14, 0, 3)};
   }
 };
 
@@ -88,7 +126,8 @@ struct ContactHex {
   static constexpr auto inner_nodes() {
     auto inner = Face::inner_nodes();
     for (InnerNode& node : inner)
-      node = {node.edge, face_node(node.node), face_node(node.first), face_node(node.second), node.place};
+      node = {node.edge,        face_node(node.node), face_node(node.first), face_node(node.second),
+              node.first_share, node.second_share};
     return inner;
   }
 };
@@ -96,5 +135,11 @@ struct ContactHex {
 using Hex8C2 = ContactHex<LagrangeFace<2>>;
 using Hex8C3 = ContactHex<LagrangeFace<3>>;
 using Hex8C4 = ContactHex<LagrangeFace<4>>;
+using Hex8CH = ContactHex<HermiteFace>;
+
+template <>
+struct IsHermite<HermiteFace> : std::true_type {};
+template <>
+struct IsHermite<Hex8CH> : std::true_type {};
 
 }  // namespace ixos

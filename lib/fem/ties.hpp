@@ -6,13 +6,24 @@
 
 namespace ixos {
 
-/// An inner node of an enriched edge: where it lies between the edge's ends.
+/// A node that only bends its enriched edge: what it is where the field is linear along the edge.
 struct InnerNode {
   std::size_t edge;  ///< the element's edge, from 0
   std::size_t node;
-  std::size_t first, second;  ///< the edge's ends
-  double place;               ///< from 0 at the first end to 1 at the second
+  std::size_t first, second;         ///< the edge's ends
+  double first_share, second_share;  ///< the node's value is the sum of the ends' times these
 };
+
+/// A node at a point of the edge, from 0 at the first end to 1 at the second.
+constexpr InnerNode inner_point(std::size_t edge, std::size_t node, std::size_t first, std::size_t second,
+                                double place) {
+  return {edge, node, first, second, 1 - place, place};
+}
+
+/// The derivative along an edge whose coordinate goes from -1 at the first end to 1 at the second.
+constexpr InnerNode inner_derivative(std::size_t edge, std::size_t node, std::size_t first, std::size_t second) {
+  return {edge, node, first, second, -0.5, 0.5};
+}
 
 /// Does the element list inner_nodes() of its edges?
 template <class Element, class = void>
@@ -37,8 +48,8 @@ void evaluate_tied(unsigned tied, const std::array<double, Element::dimension>& 
         value[end] += share * value[inner.node];
         for (std::size_t d = 0; d < gradient[end].size(); ++d) gradient[end][d] += share * gradient[inner.node][d];
       };
-      move(inner.first, 1 - inner.place);
-      move(inner.second, inner.place);
+      move(inner.first, inner.first_share);
+      move(inner.second, inner.second_share);
       value[inner.node] = 0;
       gradient[inner.node] = {};
     }

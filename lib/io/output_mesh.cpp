@@ -20,6 +20,7 @@ int divisions(CellType type) {
     case CellType::Quad4C4:
     case CellType::Quad4CH:
     case CellType::Hex8C4:
+    case CellType::Hex8CH:
       return 4;
     default:
       return 1;

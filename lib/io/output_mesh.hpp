@@ -18,8 +18,8 @@ struct ExodusShare {
 };
 
 /// The rank's own cells and their nodes as a mesh of their own. An enriched cell becomes a row of bilinear
-/// quadrilaterals, or rows of trilinear hexahedra, one for each piece of its contact side (four of a Hermite side), so
-/// that the curved side shows; their nodes are fixed combinations of the mesh's. Blocks get names of their own:
+/// quadrilaterals, or rows of trilinear hexahedra, one for each piece of its contact side (four along a Hermite side),
+/// so that the curved side shows; their nodes are fixed combinations of the mesh's. Blocks get names of their own:
 /// "body_contact", "body_contact_2".
 struct OutputMesh {
   OutputMesh(const LocalMesh& local, int ranks);

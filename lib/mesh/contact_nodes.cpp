@@ -1,7 +1,8 @@
 #include "mesh/contact_nodes.hpp"
 
 #include <algorithm>
-#include <set>
+#include <array>
+#include <map>
 
 namespace ixos {
 
@@ -29,6 +30,33 @@ void complete_node_sets(Mesh& mesh, const std::vector<Between>& added) {
         further.insert(between.nodes.begin(), between.nodes.end());
     set.nodes.insert(set.nodes.end(), further.begin(), further.end());
   }
+}
+
+Edge edge_key(int a, int b) { return std::minmax(a, b); }
+
+std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
+  // Counts for each edge of the set's faces those faces less all cells around it. A cell has one face in the set, so
+  // that nothing is left where every cell at the edge is enriched along it; cells may also meet in the edge alone.
+  constexpr std::array<std::array<int, 2>, 12> edges{
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  std::map<Edge, int> balance;
+  for (const Side& side : set.sides) {
+    const std::vector<int> corners = side_corners(mesh, side);
+    for (std::size_t k = 0; k < 4; ++k) ++balance[edge_key(corners[k], corners[(k + 1) % 4])];
+  }
+  for (const ElementBlock& block : mesh.blocks) {
+    const int n = nodes_per_cell(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (const auto& [a, b] : edges) {
+        const auto found =
+            balance.find(edge_key(block.nodes[cell_entry(cell, n, a)], block.nodes[cell_entry(cell, n, b)]));
+        if (found != balance.end()) --found->second;
+      }
+  }
+  std::set<Edge> tied;
+  for (const auto& [edge, left] : balance)
+    if (left != 0) tied.insert(edge);
+  return tied;
 }
 
 }  // namespace ixos

@@ -1,5 +1,7 @@
 /// The nodes that contact elements add to a mesh: parts of enrich().
 #pragma once
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -28,11 +30,24 @@ struct Between {
 /// Gives each node set that holds all of the corners the nodes between them.
 void complete_node_sets(Mesh& mesh, const std::vector<Between>& added);
 
-/// Nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces; side by side of the set. An edge
-/// that also belongs to a hexahedron without a face of the set there is tied: no nodes, and the bit in `tied`.
+using Edge = std::pair<int, int>;
+
+/// The same for both directions of an edge.
+Edge edge_key(int a, int b);
+
+/// The edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key().
+std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set);
+
+/// Nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces; side by side of the set. Edges of
+/// tied_edges() get no nodes, but their bit in `tied`.
 std::vector<ExtraNodes> add_lagrange_nodes(Mesh& mesh, const SideSet& set, int order);
 
 /// Derivative nodes of Hermite sides of quadrilaterals, one for each node of the set; side by side of the set.
 std::vector<ExtraNodes> add_hermite_nodes(Mesh& mesh, const SideSet& set);
+
+/// Derivative nodes of Hermite faces of hexahedra, three for each node of the set; face by face of the set. Edges of
+/// tied_edges() need none along them, and set their bit in `tied`. Throws InputError where the faces are no regular
+/// grid: other than four around a node inside the set, or more than three around one of its rim.
+std::vector<ExtraNodes> add_hermite_face_nodes(Mesh& mesh, const SideSet& set);
 
 }  // namespace ixos

@@ -24,18 +24,16 @@ CellType enriched_type(CellType plain, ContactElement element) {
     case ContactElement::Q1C4:
       return quad ? CellType::Quad4C4 : CellType::Hex8C4;
     default:
-      return CellType::Quad4CH;
+      return quad ? CellType::Quad4CH : CellType::Hex8CH;
   }
 }
 
-void check(const Mesh& mesh, const SideSet& set, ContactElement element) {
+void check(const Mesh& mesh, const SideSet& set) {
   std::set<std::pair<int, int>> cells;
   for (const Side& side : set.sides) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const std::string where =
         fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
-    if (element == ContactElement::Q1CH && plain_type(block.type) == CellType::Hex8)
-      throw InputError(where + ": the Hermite contact element Q1CH is for quadrilaterals; hexahedra have Q1C1 to Q1C4");
     if (block.type != plain_type(block.type))
       throw InputError(where + ": the cell has an enriched side already; a cell can have one");
     if (!cells.insert({side.block, side.cell}).second)
@@ -162,20 +160,28 @@ class BlockSplit {
   std::vector<std::vector<Place>> places_;  ///< where each old cell went
 };
 
+std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement element) {
+  switch (element) {
+    case ContactElement::Q1C2:
+      return add_lagrange_nodes(mesh, set, 2);
+    case ContactElement::Q1C3:
+      return add_lagrange_nodes(mesh, set, 3);
+    case ContactElement::Q1C4:
+      return add_lagrange_nodes(mesh, set, 4);
+    default:
+      return mesh.dimension == 2 ? add_hermite_nodes(mesh, set) : add_hermite_face_nodes(mesh, set);
+  }
+}
+
 }  // namespace
 
 void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points) {
   if (element == ContactElement::Q1C1) return;
   const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
-  check(mesh, set, element);
+  check(mesh, set);
   if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
   const CellType type = enriched_type(mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8, element);
-  const std::vector<ExtraNodes> extra = element == ContactElement::Q1CH
-                                            ? add_hermite_nodes(mesh, set)
-                                            : add_lagrange_nodes(mesh, set,
-                                                                 element == ContactElement::Q1C2   ? 2
-                                                                 : element == ContactElement::Q1C3 ? 3
-                                                                                                   : 4);
+  const std::vector<ExtraNodes> extra = add_nodes(mesh, set, element);
   BlockSplit(mesh, set, extra, type, points).apply();
 }
 

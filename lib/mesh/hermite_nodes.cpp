@@ -7,8 +7,7 @@
 namespace ixos {
 namespace {
 
-using Edge = std::pair<int, int>;  ///< nodes, counter-clockwise seen from outside
-
+/// Edges of this file are pairs of nodes counter-clockwise seen from outside.
 class HermiteNodes {
  public:
   HermiteNodes(Mesh& mesh, const SideSet& set) : mesh_(mesh), set_(set) {}

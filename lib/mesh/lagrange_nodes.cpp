@@ -1,24 +1,17 @@
-#include <algorithm>
-#include <array>
 #include <map>
-#include <utility>
+#include <set>
 
 #include "mesh/contact_nodes.hpp"
 
 namespace ixos {
 namespace {
 
-using Edge = std::pair<int, int>;
-
-/// The same for both directions of an edge.
-Edge key(int a, int b) { return std::minmax(a, b); }
-
 class LagrangeNodes {
  public:
   LagrangeNodes(Mesh& mesh, const SideSet& set, int order) : mesh_(mesh), set_(set), inner_(order - 1) {}
 
   std::vector<ExtraNodes> add() {
-    if (mesh_.dimension == 3) find_rim();
+    if (mesh_.dimension == 3) tied_ = tied_edges(mesh_, set_);
     std::vector<ExtraNodes> result;
     for (const Side& side : set_.sides) {
       const std::vector<int> corners = side_corners(mesh_, side);
@@ -33,34 +26,13 @@ class LagrangeNodes {
   }
 
  private:
-  /// Counts for each edge of the set's faces those faces less all cells around it. A cell has one face in the set, so
-  /// that nothing is left where every cell at the edge is enriched along it; cells may also meet in the edge alone.
-  void find_rim() {
-    constexpr std::array<std::array<int, 2>, 12> edges{
-        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-    for (const Side& side : set_.sides) {
-      const std::vector<int> corners = side_corners(mesh_, side);
-      for (std::size_t k = 0; k < 4; ++k) ++balance_[key(corners[k], corners[(k + 1) % 4])];
-    }
-    for (const ElementBlock& block : mesh_.blocks) {
-      const int n = nodes_per_cell(block.type);
-      for (int cell = 0; cell < block.cells(); ++cell)
-        for (const auto& [a, b] : edges) {
-          const auto found =
-              balance_.find(key(block.nodes[cell_entry(cell, n, a)], block.nodes[cell_entry(cell, n, b)]));
-          if (found != balance_.end()) --found->second;
-        }
-    }
-  }
-
   void add_edge(int first, int second, std::size_t number, ExtraNodes& extra) {
-    const auto count = balance_.find(key(first, second));
-    if (count != balance_.end() && count->second != 0) {
+    if (tied_.count(edge_key(first, second)) != 0) {
       extra.tied |= 1U << number;
       extra.nodes.insert(extra.nodes.end(), static_cast<std::size_t>(inner_), first);
       return;
     }
-    const auto [known, is_new] = edges_.try_emplace(key(first, second));
+    const auto [known, is_new] = edges_.try_emplace(edge_key(first, second));
     Between& edge = known->second;
     if (is_new) {
       edge.corners = {first, second};
@@ -99,7 +71,7 @@ class LagrangeNodes {
   Mesh& mesh_;
   const SideSet& set_;
   int inner_;                      ///< nodes inside an edge
-  std::map<Edge, int> balance_;    ///< 0: all cells at the edge are enriched along it
+  std::set<Edge> tied_;            ///< get no nodes
   std::map<Edge, Between> edges_;  ///< an edge's nodes, in the direction in which it was met first
   std::vector<Between> added_;
 };

@@ -12,6 +12,15 @@ Sides quad_sides(int extra) {
   return sides;
 }
 
+/// Of a hexahedron whose bottom has three derivatives at each corner: along its first and second edge, seen from
+/// outside, and mixed. A side beside it has those along the edge that they share.
+Sides hermite_sides() {
+  Sides sides = {{0, 1, 5, 4, 9, 18}, {1, 2, 6, 5, 17, 14}, {2, 3, 7, 6, 15, 12}, {3, 0, 4, 7, 11, 8}, {0, 3, 2, 1}};
+  for (int k = 8; k < 20; ++k) sides.back().push_back(k);
+  sides.push_back({4, 5, 6, 7});
+  return sides;
+}
+
 /// Of a hexahedron whose bottom has that many nodes inside each edge.
 Sides hex_sides(int inner) {
   if (inner == 0) return {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
@@ -47,6 +56,7 @@ int nodes_per_cell(CellType type) {
     case CellType::Hex8C2:
       return 13;
     case CellType::Hex8C3:
+    case CellType::Hex8CH:
       return 20;
     case CellType::Hex8C4:
       return 29;
@@ -60,6 +70,7 @@ CellType plain_type(CellType type) {
     case CellType::Hex8C2:
     case CellType::Hex8C3:
     case CellType::Hex8C4:
+    case CellType::Hex8CH:
       return CellType::Hex8;
     default:
       return CellType::Quad4;
@@ -73,9 +84,13 @@ int contact_side(CellType type) {
   return plain_type(type) == CellType::Hex8 ? 4 : 0;
 }
 
+bool is_hermite(CellType type) { return type == CellType::Quad4CH || type == CellType::Hex8CH; }
+
 const std::vector<int>& side_nodes(CellType type, int side) {
   static const std::vector<Sides> quads = {quad_sides(0), quad_sides(1), quad_sides(2), quad_sides(3)};
   static const std::vector<Sides> hexes = {hex_sides(0), hex_sides(1), hex_sides(2), hex_sides(3)};
+  static const Sides hermite = hermite_sides();
+  if (type == CellType::Hex8CH) return hermite.at(static_cast<std::size_t>(side));
   const auto extra = [&]() -> std::size_t {
     switch (type) {
       case CellType::Quad4C2:

@@ -7,10 +7,10 @@
 
 namespace ixos {
 
-/// Quad4Cq, Quad4CH and Hex8Cq are quadrilaterals and hexahedra with an enriched contact side (see
+/// Quad4Cq, Quad4CH, Hex8Cq and Hex8CH are quadrilaterals and hexahedra with an enriched contact side (see
 /// fem/contact_elements.hpp and fem/contact_hexahedra.hpp): nodes as of Quad4 or Hex8, then the other nodes of that
 /// side.
-enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4 };
+enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4, Hex8CH };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
@@ -18,6 +18,8 @@ int sides_per_cell(CellType type);
 CellType plain_type(CellType type);
 /// The side that is enriched: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 of plain cells.
 int contact_side(CellType type);
+/// Are the other nodes of the contact side derivatives? Of Quad4CH and Hex8CH.
+bool is_hermite(CellType type);
 
 /// Where node `a` of a cell stands in a table of cells x nodes per cell.
 inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
@@ -34,8 +36,9 @@ struct ElementBlock {
   std::string name;
   CellType type = CellType::Quad4;
   std::vector<int> nodes;  ///< cells x nodes per cell, row by row, in Exodus order
-  /// Quad4CH only, cells x 2: what the shape functions of a cell's two derivative nodes are multiplied by, the side's
-  /// length over the length that scales the node's derivative.
+  /// Hermite cells only, cells x their 2 or 12 derivative nodes: what the nodes' shape functions are multiplied by, the
+  /// side's length over the length that scales the node's derivative; of a face less than 0 where its direction is the
+  /// opposite, and a product for the mixed derivative.
   std::vector<double> derivative_scale{};
   int points = 0;  ///< Gauss points along an enriched side; 0: the element's own
   /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept straight: evaluate_tied().
@@ -48,8 +51,18 @@ struct ElementBlock {
 /// or a LocalBlock.
 template <class Block>
 double node_scale(const Block& block, int cell, int a) {
-  if (block.derivative_scale.empty() || a < 4) return 1.0;
-  return block.derivative_scale[cell_entry(cell, 2, a - 4)];
+  const int corners = nodes_per_cell(plain_type(block.type));
+  if (block.derivative_scale.empty() || a < corners) return 1.0;
+  return block.derivative_scale[cell_entry(cell, nodes_per_cell(block.type) - corners, a - corners)];
+}
+
+/// What node `a` of a side counts with in the side's own element. The edge that a hexahedron's side 2 or 3 shares with
+/// the contact side runs against that side's coordinate, and so does the derivative along it.
+template <class Block>
+double side_node_scale(const Block& block, int cell, int side, std::size_t a) {
+  const int node = side_nodes(block.type, side)[a];
+  const double scale = node_scale(block, cell, node);
+  return block.type == CellType::Hex8CH && node >= 8 && (side == 2 || side == 3) ? -scale : scale;
 }
 
 /// The tied edges of a side of the block's cells, as its own element counts them. `Block` as above.
@@ -81,7 +94,8 @@ struct Mesh {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension, row by row [L0]
   /// Empty, or per node: -1 for a point of the body; else this node stands for a derivative along the boundary at that
-  /// node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds.
+  /// node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds; or, with two
+  /// such factors, for the mixed derivative along a surface's two directions.
   std::vector<int> derivative_of;
   std::vector<ElementBlock> blocks;
   std::vector<SideSet> side_sets;

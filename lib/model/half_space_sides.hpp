@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 #include "fem/cell_types.hpp"
@@ -72,7 +71,7 @@ class HalfSpaceSides {
   }
 
  private:
-  static constexpr std::size_t places = std::is_same_v<SideElement, HermiteEdge> ? 2 : N;
+  static constexpr std::size_t places = IsHermite<SideElement>::value ? std::size_t{1} << (D - 1) : N;
 
   static std::array<int, D - 1> counts(int points) {
     std::array<int, D - 1> result;
@@ -91,8 +90,8 @@ class HalfSpaceSides {
     std::vector<double> scales;
     if (places == N) return scales;
     for (const LocalSide& side : sides)
-      for (int a : {0, 1, 4, 5})
-        scales.push_back(node_scale(mesh.blocks[static_cast<std::size_t>(side.block)], side.cell, a));
+      for (std::size_t a = 0; a < N; ++a)
+        scales.push_back(side_node_scale(mesh.blocks[static_cast<std::size_t>(side.block)], side.cell, side.side, a));
     return scales;
   }
 

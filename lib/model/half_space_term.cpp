@@ -234,8 +234,7 @@ std::vector<std::unique_ptr<Term>> make_terms(const LocalMesh& mesh, const std::
   std::map<std::tuple<std::size_t, bool, unsigned>, std::vector<LocalSide>> groups;
   for (const LocalSide& side : sides) {
     const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    const bool hermite = block.type == CellType::Quad4CH;
-    groups[{side.nodes.size(), hermite, side_ties(block, side.side)}].push_back(side);
+    groups[{side.nodes.size(), is_hermite(block.type), side_ties(block, side.side)}].push_back(side);
   }
   std::vector<std::unique_ptr<Term>> terms;
   // A rank without sides has a term too: what follows from there being one is collective.

@@ -66,7 +66,7 @@ Mass::Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped)
       pairs_(static_cast<std::size_t>(lumped ? pattern.rows() : pattern.pairs()), 0.0) {}
 
 void Mass::add_block(const LocalBlock& block, double density) {
-  if (lumped_ && block.type == CellType::Quad4CH)
+  if (lumped_ && is_hermite(block.type))
     throw InputError("block \"" + block.name +
                      "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
   with_element(block.type, [&](auto element) {

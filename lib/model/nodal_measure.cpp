@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <type_traits>
 
 #include "base/small_matrix.hpp"
 #include "fem/cell_types.hpp"
@@ -56,10 +57,11 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
       using Element = typename decltype(tag)::type;
       static std::map<unsigned, ShapeTable<Element>> tables;  // by tied edges
       const unsigned tied = side_ties(block, side.side);
-      const auto& table = tables.try_emplace(tied, Element::default_points, tied).first->second;
-      const std::vector<int>& numbers = side_nodes(block.type, side.side);
+      auto points = Element::default_points;
+      if (std::is_same_v<Element, Quad4CH>) points[0] = HermiteFace::default_points[0];  // of the same edges
+      const auto& table = tables.try_emplace(tied, points, tied).first->second;
       std::array<double, Element::nodes> scale;
-      for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = node_scale(block, side.cell, numbers[a]);
+      for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = side_node_scale(block, side.cell, side.side, a);
       add<Element, Element::dimension + 1>(mesh, side.nodes.data(), scale, table, measure);
     });
   }

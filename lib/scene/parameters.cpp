@@ -114,13 +114,14 @@ void add_interaction(List& list) {
   list.set("Side Set", required, "the surface that interacts");
   list.set("Gamma L", 2.5, "L0/r0 [-]", greater_than(0));
   list.set("Gamma W", 25.0, "E0/W0 [-]", greater_than(0));
+  list.set("Contact Element", "Q1C1",
+           "displacement along the side, in 3D in both directions: linear, of order 2, 3 or 4, or cubic Hermite with "
+           "continuous slope (in 3D of faces in a regular grid)",
+           one_of({"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"}));
   list.set(
-      "Contact Element", "Q1C1",
-      "displacement along the side, in 3D in both directions: linear, of order 2, 3 or 4, or (2D only) cubic Hermite",
-      one_of({"Q1C1", "Q1C2", "Q1C3", "Q1C4", "Q1CH"}));
-  list.set("Bulk Points", 0,
-           "Gauss points along the side, in 3D in both directions, in the enriched elements; 0: order + 1",
-           between(0, 64));
+      "Bulk Points", 0,
+      "Gauss points along the side, in 3D in both directions, in the enriched elements; 0: order + 1, of Q1CH in 3D 5",
+      between(0, 64));
   list.set("Surface Points", 0, "Gauss points a direction on each side; 0: 5, but 8 for Q1C3, Q1C4 and Q1CH",
            between(0, 64));
   list.set("Obstacle", "Half-Space", "what the surface interacts with: a rigid flat wall", one_of({"Half-Space"}));

@@ -130,11 +130,13 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
           "the cell has an enriched side already");
   refused({"Mesh/Sets/contact/From=botom"}, "Mesh/Sets/contact: side set \"botom\" does not exist");
   refused({"Mesh/Sets/contact/Upper={-1, 1}"}, "Mesh/Sets/contact: no side of \"bottom\" lies in the region");
-  expect_refused(2,
-                 {ball, "--output", "out", "--set", "Mesh/Type=Box", "--set", "Mesh/Box/Dimension=3", "--set",
-                  "Mesh/Box/Lengths={1, 1, 1}", "--set", "Mesh/Box/Divisions={1, 1, 1}", "--set",
-                  "Interactions/Wall/Side Set=bottom", "--set", "Interactions/Wall/Contact Element=Q1CH"},
-                 "the Hermite contact element Q1CH is for quadrilaterals; hexahedra have Q1C1 to Q1C4");
+  // The end of the shaft is an O-grid in part: three faces meet at some nodes.
+  expect_refused_settings(
+      std::string(IXOS_XML_DIRECTORY) + "/spatula.xml",
+      {"Mesh/Spatula/Target Cells=400", "Interactions/Wall/Side Set=shaft end",
+       "Interactions/Wall/Contact Element=Q1CH"},
+      "3 faces meet around it; the Hermite contact element Q1CH needs a regular grid of faces, four around each node "
+      "inside the set and at most three around one of its rim; Q1C1 to Q1C4 take any faces");
 }
 
 TEST_F(DriverRefusalTest, UnknownNamesAreRefusedWithTheNearest) {

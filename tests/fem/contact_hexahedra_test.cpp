@@ -26,40 +26,55 @@ struct At {
   std::array<Point<D>, N> gradient;
 };
 
-template <class Face>
-std::vector<Point<2>> face_places() {
-  std::vector<Point<2>> places;
-  for (std::size_t a = 0; a < Face::nodes; ++a) {
-    const auto [i, j] = Face::factors(a);
-    places.push_back({Face::Edge::node(i), Face::Edge::node(j)});
-  }
-  return places;
+/// The k-th derivative of x^n.
+double power(double x, int n, std::size_t k) {
+  double factor = 1;
+  for (; k > 0; --k) factor *= n--;
+  return factor == 0 ? 0 : factor * std::pow(x, n);
 }
 
-/// Reference coordinates of the nodes of ContactHex<Face>.
+/// x^k y^l at the face's nodes, or its derivative that a node stands for.
+template <class Face>
+std::vector<double> face_values(int k, int l) {
+  std::vector<double> values;
+  for (std::size_t a = 0; a < Face::nodes; ++a) {
+    const auto [i, j] = Face::factors(a);
+    if constexpr (IsHermite<Face>::value)
+      values.push_back(power(i % 2 == 0 ? -1 : 1, k, i / 2) * power(j % 2 == 0 ? -1 : 1, l, j / 2));
+    else
+      values.push_back(std::pow(Face::Edge::node(i), k) * std::pow(Face::Edge::node(j), l));
+  }
+  return values;
+}
+
+/// Reference coordinates of the nodes of ContactHex<Face>, or their derivatives.
 template <class Face>
 std::vector<Point<3>> places() {
   std::vector<Point<3>> result(ContactHex<Face>::nodes);
   const auto corner = corners<3>();
   for (std::size_t a = 4; a < 8; ++a) result[a] = corner[a];
-  const auto on_face = face_places<Face>();
-  for (std::size_t a = 0; a < on_face.size(); ++a)
-    result[ContactHex<Face>::face_node(a)] = {on_face[a][1], on_face[a][0], -1.0};
+  const auto first = face_values<Face>(1, 0), second = face_values<Face>(0, 1), one = face_values<Face>(0, 0);
+  for (std::size_t a = 0; a < first.size(); ++a)
+    result[ContactHex<Face>::face_node(a)] = {second[a], first[a], -one[a]};
   return result;
 }
+
+/// How many of the nodes are points.
+template <class Face>
+constexpr std::size_t points = IsHermite<Face>::value ? 8 : ContactHex<Face>::nodes;
 
 const std::vector<Point<3>> samples{{-0.7, 0.2, -0.9}, {0.1, -0.6, 0.3}, {0.8, 0.5, -1.0}, {-0.35, 0.9, 0.7}};
 
 template <class Face>
 class ContactHexTest : public testing::Test {};
-using Faces = testing::Types<LagrangeFace<2>, LagrangeFace<3>, LagrangeFace<4>>;
+using Faces = testing::Types<LagrangeFace<2>, LagrangeFace<3>, LagrangeFace<4>, HermiteFace>;
 TYPED_TEST_SUITE(ContactHexTest, Faces);
 
 TYPED_TEST(ContactHexTest, FunctionsAreOneAtTheirNodeAndZeroAtTheOthers) {
   const auto place = places<TypeParam>();
-  std::set<Point<3>> distinct(place.begin(), place.end());
-  EXPECT_EQ(distinct.size(), place.size());
-  for (std::size_t b = 0; b < place.size(); ++b) {
+  std::set<Point<3>> distinct(place.begin(), place.begin() + points<TypeParam>);
+  EXPECT_EQ(distinct.size(), points<TypeParam>);
+  for (std::size_t b = 0; b < points<TypeParam>; ++b) {
     const At<ContactHex<TypeParam>> shapes(place[b]);
     for (std::size_t a = 0; a < place.size(); ++a) EXPECT_NEAR(shapes.value[a], a == b ? 1.0 : 0.0, 1e-14);
   }
@@ -79,9 +94,9 @@ TYPED_TEST(ContactHexTest, FunctionsHoldConstantsAndThePlaceWhateverIsTied) {
       Point<3> slope{}, x{};
       Small<double, 3> h{};
       for (std::size_t a = 0; a < place.size(); ++a) {
-        sum += shapes.value[a];
+        if (a < points<TypeParam>) sum += shapes.value[a];
         for (std::size_t d = 0; d < 3; ++d) {
-          slope[d] += shapes.gradient[a][d];
+          if (a < points<TypeParam>) slope[d] += shapes.gradient[a][d];
           x[d] += shapes.value[a] * place[a][d];
           for (std::size_t e = 0; e < 3; ++e) h[d][e] += place[a][d] * shapes.gradient[a][e];
         }
@@ -110,17 +125,18 @@ TYPED_TEST(ContactHexTest, GradientsAreDifferenceQuotients) {
 }
 
 TYPED_TEST(ContactHexTest, ContactFaceHoldsPolynomialsOfItsOrderInEachDirection) {
-  const auto place = places<TypeParam>();
   constexpr int order = TypeParam::Edge::nodes - 1;
   for (int k = 0; k <= order; ++k)
-    for (int l = 0; l <= order; ++l)
+    for (int l = 0; l <= order; ++l) {
+      const auto nodal = face_values<TypeParam>(k, l);
       for (const Point<2>& x : {Point<2>{-0.9, 0.3}, {0.2, 0.75}}) {
-        const At<ContactHex<TypeParam>> shapes({x[0], x[1], -1.0});
+        const At<ContactHex<TypeParam>> shapes({x[1], x[0], -1.0});  // seen from outside
         double sum = 0;
-        for (std::size_t a = 0; a < place.size(); ++a)
-          sum += shapes.value[a] * std::pow(place[a][0], k) * std::pow(place[a][1], l);
+        for (std::size_t a = 0; a < nodal.size(); ++a)
+          sum += shapes.value[ContactHex<TypeParam>::face_node(a)] * nodal[a];
         EXPECT_NEAR(sum, std::pow(x[0], k) * std::pow(x[1], l), 1e-13);
       }
+    }
 }
 
 TYPED_TEST(ContactHexTest, SidesAreLinearUpwardsAndTheFarFaceIsBilinear) {
@@ -154,14 +170,14 @@ TYPED_TEST(ContactHexTest, ATiedEdgeIsStraightAndTheSideAboveItBilinear) {
       }
 }
 
-TYPED_TEST(ContactHexTest, InnerNodesLieOnTheirEdges) {
+TYPED_TEST(ContactHexTest, InnerNodesAreWhatAStraightEdgeMakesThem) {
   const auto place = places<TypeParam>();
   const auto inner = ContactHex<TypeParam>::inner_nodes();
   EXPECT_EQ(inner.size(), 4U * (TypeParam::Edge::nodes - 2));
   for (const InnerNode& node : inner)
     for (std::size_t d = 0; d < 3; ++d)
-      EXPECT_NEAR(place[node.node][d], (1 - node.place) * place[node.first][d] + node.place * place[node.second][d],
-                  1e-15);
+      EXPECT_NEAR(place[node.node][d],
+                  node.first_share * place[node.first][d] + node.second_share * place[node.second][d], 1e-15);
 }
 
 TYPED_TEST(ContactHexTest, TablesIntegrateTheVolume) {
@@ -169,9 +185,25 @@ TYPED_TEST(ContactHexTest, TablesIntegrateTheVolume) {
     const ShapeTable<ContactHex<TypeParam>> table(ContactHex<TypeParam>::default_points, tied);
     double volume = 0;
     for (std::size_t q = 0; q < table.size(); ++q)
-      for (double value : table.value[q]) volume += table.weight[q] * value;
+      for (std::size_t a = 0; a < points<TypeParam>; ++a) volume += table.weight[q] * table.value[q][a];
     EXPECT_NEAR(volume, 8.0, 1e-13);
-    EXPECT_EQ(table.size(), 2U * TypeParam::Edge::nodes * TypeParam::Edge::nodes);
+    EXPECT_EQ(table.size(), 2U * static_cast<std::size_t>(TypeParam::default_points[0] * TypeParam::default_points[1]));
+  }
+}
+
+TEST(HermiteFaceTest, EachFunctionHasOneOfValueAndDerivativesAtOneCorner) {
+  const Point<2> corner[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const double h = 1e-4;
+  for (std::size_t c = 0; c < 4; ++c) {
+    const At<HermiteFace> here(corner[c]), above({corner[c][0], corner[c][1] + h}),
+        below({corner[c][0], corner[c][1] - h});
+    for (std::size_t a = 0; a < 16; ++a) {
+      const double mixed = (above.gradient[a][0] - below.gradient[a][0]) / (2 * h);
+      EXPECT_EQ(here.value[a], a == c ? 1 : 0);
+      EXPECT_EQ(here.gradient[a][0], a == 4 + 3 * c ? 1 : 0);
+      EXPECT_EQ(here.gradient[a][1], a == 5 + 3 * c ? 1 : 0);
+      EXPECT_NEAR(mixed, a == 6 + 3 * c ? 1 : 0, 1e-7);
+    }
   }
 }
 

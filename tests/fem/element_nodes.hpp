@@ -23,7 +23,8 @@ struct ElementNodes {
   template <class T>
   using Nodal = Small<T, N, D>;
 
-  /// A block with these edges about the origin; derivative nodes of a Hermite side hold dX/dxi.
+  /// A block with these edges about the origin; derivative nodes of a Hermite side hold dX/dxi, of a Hermite face, seen
+  /// from outside, those of y and x and the mixed one.
   static Nodal<double> block(const std::array<double, D>& edges) {
     const auto corner = corners<static_cast<int>(D)>();
     Nodal<double> x{};
@@ -33,6 +34,8 @@ struct ElementNodes {
           x[a][d] = 0.5 * corner[a][d] * edges[d];
         else if (std::is_same_v<Element, Quad4CH>)
           x[a][d] = d == 0 ? 0.5 * edges[0] : 0.0;
+        else if (std::is_same_v<Element, Hex8CH>)
+          x[a][d] = (a - 8) % 3 + d == 1 ? 0.5 * edges[d] : 0.0;
         else if (D == 3)  // the face of Hex8C2, seen from outside: y first
           x[a][d] = edges[d] * (d == 2 ? -0.5 : 0.5 * LagrangeEdge<2>::node(LagrangeFace<2>::factors(a - 4)[1 - d]));
         else

@@ -69,8 +69,8 @@ double volume_of(const Mesh& mesh, const ElementBlock& block, int cell) {
 
 // Hexahedra are cut in both directions of their contact face; tied edges make several blocks.
 TEST(OutputMeshTest, EnrichedHexahedraBecomeRowsThatFillTheSameVolume) {
-  for (const auto& [element, n] :
-       {std::pair{ContactElement::Q1C2, 2}, std::pair{ContactElement::Q1C3, 3}, std::pair{ContactElement::Q1C4, 4}})
+  for (const auto& [element, n] : {std::pair{ContactElement::Q1C2, 2}, std::pair{ContactElement::Q1C3, 3},
+                                   std::pair{ContactElement::Q1C4, 4}, std::pair{ContactElement::Q1CH, 4}})
     for (const char* side : {"bottom", "right"}) {
       BoxShape shape;
       shape.dimension = 3;

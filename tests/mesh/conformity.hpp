@@ -2,7 +2,9 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/mesh.hpp"
@@ -18,6 +20,20 @@ const int* cell_nodes(const ElementBlock& block, int cell);
 
 /// The value of a nodal field in a cell at a reference point.
 double value_in(const ElementBlock& block, int cell, const Place& xi, const std::vector<double>& field);
+
+/// Values without any order, by node.
+std::vector<double> random_field(const Mesh& mesh);
+
+/// The reference point of a cell that lies between some of its corners, by global node and weight.
+Place between(const ElementBlock& block, int cell, const std::map<int, double>& weights);
+
+/// The cells, by block and number, that have a face or an edge, by its sorted corners.
+using Cells = std::map<std::vector<int>, std::vector<std::pair<std::size_t, int>>>;
+
+Cells faces_and_edges(const Mesh& mesh);
+
+/// The map from reference to body must be that of the plain hexahedron.
+void expect_plain_map(const Mesh& mesh, const ElementBlock& block);
 
 /// Every cell at a face or an edge must have the same field there.
 void expect_conforming(const Mesh& mesh, const std::string& what);

@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "base/error.hpp"
-#include "fem/cell_types.hpp"
+#include "mesh/bricks.hpp"
 #include "mesh/conformity.hpp"
-#include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 
@@ -19,38 +17,15 @@ namespace ixos {
 namespace {
 
 using test::at_node;
+using test::brick;
 using test::cell_nodes;
+using test::choose;
 using test::expect_conforming;
+using test::expect_plain_map;
 using test::expect_sound;
-using test::Place;
-using test::value_in;
 
 const std::pair<ContactElement, int> orders[] = {
     {ContactElement::Q1C2, 2}, {ContactElement::Q1C3, 3}, {ContactElement::Q1C4, 4}};
-
-/// A box of unit cells, none of whose inner edges is parallel to an axis.
-Mesh brick(const std::array<int, 3>& divisions) {
-  BoxShape shape;
-  shape.dimension = 3;
-  shape.divisions = divisions;
-  for (std::size_t d = 0; d < 3; ++d) shape.lengths[d] = divisions[d];
-  Mesh mesh = box(shape);
-  for (std::size_t n = 0; n < mesh.coordinates.size() / 3; ++n)
-    for (std::size_t d = 0; d < 3; ++d) {
-      double& x = mesh.coordinates[3 * n + d];
-      if (x > 0 && x < divisions[d]) x += 0.15 * std::sin(7.0 * static_cast<double>(n) + 2.0 * static_cast<double>(d));
-    }
-  return mesh;
-}
-
-const SideSet& set_of(const Mesh& mesh, const std::string& name) { return side_set_named(mesh, name); }
-
-/// The set `name` of those of the sides that are listed.
-void choose(Mesh& mesh, const std::string& name, const std::string& from, const std::vector<std::size_t>& sides) {
-  SideSet chosen{name, {}};
-  for (std::size_t k : sides) chosen.sides.push_back(set_of(mesh, from).sides.at(k));
-  mesh.side_sets.push_back(chosen);
-}
 
 TEST(EnrichHexahedraTest, AWholeSideOfABoxGetsTheNodesOfItsEdgesAndFaces) {
   for (const auto& [element, q] : orders)
@@ -69,7 +44,7 @@ TEST(EnrichHexahedraTest, AWholeSideOfABoxGetsTheNodesOfItsEdgesAndFaces) {
       EXPECT_EQ(mesh.blocks[1].cells(), a * b);
       EXPECT_EQ(mesh.blocks[1].name, "body");
       EXPECT_EQ(mesh.blocks[1].tied, 0U);
-      for (const Side& side : set_of(mesh, name).sides) EXPECT_EQ(side.side, contact_side(mesh.blocks[1].type));
+      for (const Side& side : side_set_named(mesh, name).sides) EXPECT_EQ(side.side, contact_side(mesh.blocks[1].type));
       expect_sound(mesh, name);
     }
 }
@@ -80,21 +55,7 @@ TEST(EnrichHexahedraTest, ExtraNodesLieOnTheBilinearFace) {
     Mesh mesh = brick({2, 2, 2});
     mesh.coordinates[at_node(4, 2)] = 0.2;  // warped faces
     enrich(mesh, "bottom", element);
-    const ElementBlock& block = mesh.blocks[1];
-    for (std::size_t d = 0; d < 3; ++d) {
-      std::vector<double> x;
-      for (int node = 0; node < mesh.nodes(); ++node) x.push_back(mesh.coordinates[at_node(node, d)]);
-      for (int cell = 0; cell < block.cells(); ++cell)
-        for (const Place& xi : {Place{-0.3, 0.4, -1}, {0.8, -0.9, -0.5}, {0.1, 0.2, 0.7}}) {
-          std::array<double, 8> value;
-          std::array<Place, 8> gradient;
-          Hex8::evaluate(xi, value, gradient);
-          double plain = 0;
-          for (std::size_t a = 0; a < 8; ++a)
-            plain += value[a] * x[static_cast<std::size_t>(cell_nodes(block, cell)[a])];
-          EXPECT_NEAR(value_in(block, cell, xi, x), plain, 1e-14);
-        }
-    }
+    expect_plain_map(mesh, mesh.blocks[1]);
   }
 }
 
@@ -222,8 +183,6 @@ TEST(EnrichHexahedraTest, AnEdgeIsTiedByACellThatTouchesItOnly) {
 }
 
 TEST(EnrichHexahedraTest, WhatCannotBeEnrichedIsRefused) {
-  Mesh hermite = brick({2, 2, 2});
-  EXPECT_THROW(enrich(hermite, "bottom", ContactElement::Q1CH), InputError);
   Mesh corner = brick({2, 2, 2});
   EXPECT_THROW(enrich(corner, "surface", ContactElement::Q1C2), InputError);  // faces of one cell
   Mesh twice = brick({2, 2, 2});

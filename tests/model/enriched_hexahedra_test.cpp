@@ -20,7 +20,7 @@ namespace ixos {
 namespace {
 
 const ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4};
+                                   ContactElement::Q1C4, ContactElement::Q1CH};
 const VanDerWaals law(2.5, 25);
 
 /// A box of 4 by 3 by 2, the bottom enriched up to x = 2: its rim is tied there and free elsewhere.
@@ -160,6 +160,7 @@ TEST(EnrichedHexahedraTest, NodalVolumesSumToTheVolume) {
     for (const LocalBlock& block : mesh.blocks) add_block_measure(mesh, block, measure);
     double volume = 0;
     for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.owned_nodes); ++n) {
+      if (mesh.is_derivative(n)) continue;
       EXPECT_GT(measure[n], 0);
       volume += measure[n];
     }

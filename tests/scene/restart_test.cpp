@@ -44,6 +44,21 @@ TEST_F(RestartTest, CutStepsGoOn) {
                  {3, 9, 15});
 }
 
+TEST_F(RestartTest, HermiteFacesGoOn) {
+  expect_goes_on(list("Mesh", word("Type", "Box") +
+                                  list("Box", count("Dimension", 3) + numbers("Lengths", {3, 2, 1}) +
+                                                  counts("Divisions", {3, 2, 1})) +
+                                  list("Sets", list("patch", word("From", "bottom") + numbers("Upper", {2, 2, 1})))) +
+                     list("Materials", list("Rubber", number("Density", 1))) +
+                     list("Interactions", list("Wall", word("Side Set", "patch") + word("Contact Element", "Q1CH") +
+                                                           numbers("Point", {0, 0, -0.5}))) +
+                     list("Boundary Conditions", list("Grip", word("Node Set", "left"))) +
+                     list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 0, 0, 0, -0.1, 0, 0})) +
+                     list("Output", count("Fields Interval", 3) + checkpoints(4, 100)) +
+                     list("Time Integrator", word("Type", "Average Vector Field") + steps(0.05, 0.6)),
+                 {4, 8});
+}
+
 TEST_F(RestartTest, StaticsGoOn) {
   std::string scene = drawn(word("Type", "Static") + steps(0.05, 1), checkpoints(4, 100));
   // Nothing else would hold the block sideways.

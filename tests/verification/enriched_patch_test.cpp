@@ -103,7 +103,7 @@ void run_hexahedra(ContactElement element, bool patch) {
 
 TEST(EnrichedPatchTest, UniformTensionThroughFacesAndTiedEdges) {
   for (ContactElement element :
-       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4})
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
     for (bool patch : {false, true}) run_hexahedra(element, patch);
 }
 

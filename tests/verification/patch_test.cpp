@@ -86,7 +86,8 @@ TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
       run_patch(2, ElasticLaw::NeoHooke, table, element);
-  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4})
+  for (ContactElement element :
+       {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
     run_patch(3, ElasticLaw::NeoHooke, average_vector_field(4, 8), element);
 }
 
