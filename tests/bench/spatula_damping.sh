@@ -2,7 +2,7 @@
 # Free vibration of the spatula for several dampings: the bent state, then each run from its release to 250 T0. Finished
 # runs are not repeated. CELLS is the mesh's Target Cells; 1500 take six minutes on one core.
 #   tests/bench/spatula_damping.sh FOLDER [CELLS] [IXOS]
-# Folders: bent, Newmark-0 to Newmark-0.1, Bathe-0 and Bathe-0.004.
+# Folders: bent, Newmark-0 to Newmark-6, Bathe-0 and Bathe-0.004.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=${1:?"usage: spatula_damping.sh FOLDER [CELLS] [IXOS]"}
@@ -23,7 +23,7 @@ run() {  # name, further arguments
 bend="Boundary Conditions/Bend"
 run bent --set "Time Integrator/Type=Static" --set "Time Integrator/Time Step Control/Final Time=0" \
   --set "$bend/Node Set=tip" --set "$bend/Components=z" --set "$bend/History=Bend" --set "Output/Reactions={tip}"
-for damping in 0 0.001 0.004 0.02 0.1; do
+for damping in 0 0.001 0.004 0.02 0.1 6; do
   run "Newmark-$damping" --restart "$folder/bent" --set "Materials/Keratin/Stiffness Damping=$damping"
 done
 for damping in 0 0.004; do
