@@ -158,7 +158,7 @@ TEST_F(StudyDriverTest, FailuresAreResults) {
   ASSERT_NE(text.find(schemes), std::string::npos);
   text.replace(text.find(schemes), schemes.size(), R"x(<ParameterList name="Settings">
       <ParameterList name="hasty"><Parameter name="Nonlinear Solver/Maximum Iterations" type="int" value="1"/></ParameterList>
-      <ParameterList name="endless"><Parameter name="Time Integrator/Type" type="string" value="Gautam-Sauer Composite"/>
+      <ParameterList name="endless"><Parameter name="Initial Conditions/Velocity Gradient" type="Array(double)" value="{0, 0, 0, 0}"/>
       <Parameter name="Time Integrator/Time Step Control/Final Time" type="double" value="1e7"/></ParameterList></ParameterList>)x");
   std::ofstream(folder_ + "/study.xml") << text;
   const Outcome outcome = run("study.xml --output out");
