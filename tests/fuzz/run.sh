@@ -91,7 +91,8 @@ for target in "${chosen[@]}"; do
   awk -v target="$target" '
     /^#[0-9]/ { executions = substr($1, 2) + 0; for (i = 1; i < NF; ++i) if ($i == "cov:") edges = $(i + 1) }
     /number_of_executed_units/ { executions = $2 }
-    END { printf "%-12s %12d %9d\n", target, executions, edges }' "$scratch/$target.log"
+    END { printf "%-12s %12d %9d\n", target, executions, edges; exit executions == 0 }' "$scratch/$target.log" ||
+    failed=true
   listed=0
   for finding in $(find "$work/findings" -name "$target-*" -not -name '*slow-unit*' -newer "$mark"); do
     place=$(place_of "$target" "$finding")
