@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 
-from runs import ENVIRONMENT, EQUILIBRIUM, SCHEMES, box, energy_scale, number, scene_text, steps, table, wall
+from runs import ENVIRONMENT, EQUILIBRIUM, SCHEMES, Outcome, box, energy_scale, number, scene_text, steps, table, wall
 from results import Run
 
 COUNT = 1_000_000
@@ -41,15 +41,21 @@ def watched(command):
 
 
 def run_all(runner, count=COUNT):
-    """Runs what was not yet run with these steps; nothing else is looked at, a run takes minutes."""
+    """Runs what was not yet run by this driver. All must come to their end."""
     for scheme in SCHEMES:
         folder = runner.folder / "million" / scheme
-        if (folder / "memory.json").is_file():
-            continue
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / "scene.xml").write_text(scene_text(scene(scheme, count)))
-        record = watched([runner.driver, str(folder / "scene.xml"), "--quiet", "--output", str(folder / "out")])
-        (folder / "memory.json").write_text(json.dumps(record))
+        text = scene_text(scene(scheme, count))
+        kept = folder / "memory.json"
+        record = json.loads(kept.read_text()) if kept.is_file() else {}
+        if record.get("key") != runner.key(text):
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / "scene.xml").write_text(text)
+            record = watched([runner.driver, str(folder / "scene.xml"), "--quiet", "--output", str(folder / "out")])
+            record["key"] = runner.key(text)
+            kept.write_text(json.dumps(record))
+        outcome = runner.judged(f"million/{scheme}", Outcome(folder / "out", record))
+        if outcome.kind in ("failed", "refused"):
+            runner.defects.append(f"million/{scheme}: {outcome.kind}: {outcome.message}")
 
 
 def row(scheme, run, record):

@@ -137,7 +137,7 @@ class Runner:
     def __call__(self, name, entries, ranks=1, timeout=120):
         folder = self.folder / name
         text = scene_text(entries)
-        key = hashlib.sha256(json.dumps([text, ranks, self.version]).encode()).hexdigest()
+        key = self.key(text, ranks)
         kept = folder / "outcome.json"
         if kept.is_file() and json.loads(kept.read_text())["key"] == key:
             return self.judged(name, Outcome(folder / "out", json.loads(kept.read_text())))
@@ -149,6 +149,10 @@ class Runner:
         record = {"key": key, **self.execute(command, timeout)}
         kept.write_text(json.dumps(record))
         return self.judged(name, Outcome(folder / "out", record))
+
+    def key(self, text, ranks=1):
+        """Tells a run by its scene, its ranks and the driver."""
+        return hashlib.sha256(json.dumps([text, ranks, self.version]).encode()).hexdigest()
 
     def judged(self, name, outcome):
         """Remembers what must not be."""
