@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace ixos {
@@ -15,6 +16,8 @@ std::vector<int> side_corners(const Mesh& mesh, const Side& side) {
 }
 
 int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of) {
+  if (derivative_of >= 0 && mesh.derivative_of.empty())
+    mesh.derivative_of.assign(static_cast<std::size_t>(mesh.nodes()), -1);
   mesh.coordinates.insert(mesh.coordinates.end(), x.begin(), x.end());
   if (!mesh.derivative_of.empty()) mesh.derivative_of.push_back(derivative_of);
   return mesh.nodes() - 1;
@@ -33,6 +36,13 @@ void complete_node_sets(Mesh& mesh, const std::vector<Between>& added) {
 }
 
 Edge edge_key(int a, int b) { return std::minmax(a, b); }
+
+double length(const Mesh& mesh, const Edge& edge) {
+  const auto dimension = static_cast<std::size_t>(mesh.dimension);
+  const double* a = &mesh.coordinates[dimension * static_cast<std::size_t>(edge.first)];
+  const double* b = &mesh.coordinates[dimension * static_cast<std::size_t>(edge.second)];
+  return dimension == 2 ? std::hypot(b[0] - a[0], b[1] - a[1]) : std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
 
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
   // Counts for each edge of the set's faces those faces less all cells around it. A cell has one face in the set, so

@@ -35,6 +35,9 @@ using Edge = std::pair<int, int>;
 /// The same for both directions of an edge.
 Edge edge_key(int a, int b);
 
+/// Of the straight line between an edge's nodes, in either direction.
+double length(const Mesh& mesh, const Edge& edge);
+
 /// The edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key().
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set);
 

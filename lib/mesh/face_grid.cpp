@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <set>
 
 #include "base/error.hpp"
@@ -34,12 +33,6 @@ Fan take_fan(const std::vector<Face>& faces, int node, int spoke, Around& around
     fan.spokes.push_back(next);
   }
   return fan;
-}
-
-double length(const Mesh& mesh, const Edge& edge) {
-  const auto a = 3 * static_cast<std::size_t>(edge.first), b = 3 * static_cast<std::size_t>(edge.second);
-  const std::vector<double>& x = mesh.coordinates;
-  return std::hypot(x[b] - x[a], x[b + 1] - x[a + 1], x[b + 2] - x[a + 2]);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ class HermiteFaceNodes {
       : mesh_(mesh), grid_(mesh, set), tied_(tied_edges(mesh, set)), nodes_(grid_.fans().size(), {-1, -1, -1}) {}
 
   std::vector<ExtraNodes> add() {
-    if (mesh_.derivative_of.empty()) mesh_.derivative_of.assign(static_cast<std::size_t>(mesh_.nodes()), -1);
     std::vector<ExtraNodes> result;
     for (std::size_t f = 0; f < grid_.faces().size(); ++f) result.push_back(add_face(f));
     complete_node_sets(mesh_, added_);

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -13,7 +12,6 @@ class HermiteNodes {
   HermiteNodes(Mesh& mesh, const SideSet& set) : mesh_(mesh), set_(set) {}
 
   std::vector<ExtraNodes> add() {
-    if (mesh_.derivative_of.empty()) mesh_.derivative_of.assign(static_cast<std::size_t>(mesh_.nodes()), -1);
     std::vector<Edge> edges;
     for (const Side& side : set_.sides) {
       const std::vector<int> ends = side_corners(mesh_, side);
@@ -27,7 +25,7 @@ class HermiteNodes {
       ExtraNodes extra;
       for (int node : {edge.first, edge.second}) {
         extra.nodes.push_back(derivative_node(node));
-        extra.derivative_scale.push_back(length(edge) / nodal_length(node));
+        extra.derivative_scale.push_back(length(mesh_, edge) / nodal_length(node));
       }
       added.push_back({{edge.first, edge.second}, extra.nodes});
       result.push_back(std::move(extra));
@@ -37,11 +35,6 @@ class HermiteNodes {
   }
 
  private:
-  double length(const Edge& edge) const {
-    const auto a = 2 * static_cast<std::size_t>(edge.first), b = 2 * static_cast<std::size_t>(edge.second);
-    return std::hypot(mesh_.coordinates[b] - mesh_.coordinates[a], mesh_.coordinates[b + 1] - mesh_.coordinates[a + 1]);
-  }
-
   /// The node's neighbours along the set, itself where the set ends.
   Edge neighbours(int node) const {
     const auto before = previous_.find(node), after = next_.find(node);
@@ -51,7 +44,7 @@ class HermiteNodes {
   /// The length that a node's derivative is scaled by: the mean of its two sides'.
   double nodal_length(int node) const {
     const auto [before, after] = neighbours(node);
-    const double lengths = length({before, node}) + length({node, after});
+    const double lengths = length(mesh_, {before, node}) + length(mesh_, {node, after});
     return before == node || after == node ? lengths : lengths / 2;
   }
 

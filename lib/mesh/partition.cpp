@@ -1,13 +1,26 @@
+#include "mesh/partition.hpp"
+
 #include <fmt/format.h>
 #include <metis.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "mesh/local_mesh.hpp"
+#include "fem/cell_types.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
+namespace {
+
+int points_per_cell(CellType type) {
+  return with_element(type, [](auto tag) {
+    int count = 1;
+    for (int points : decltype(tag)::type::default_points) count *= points;
+    return count;
+  });
+}
+
+}  // namespace
 
 std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& contact, int solve) {
   std::vector<double> work(static_cast<std::size_t>(mesh.nodes()), solve);
@@ -16,9 +29,9 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
   };
   for (const ElementBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
-    // Gathers, gradients and stresses grow with nodes times points; an enriched cell has about as many points as nodes.
-    const int plain = mesh.dimension == 2 ? 4 : 8;
-    const double units = (mesh.dimension == 2 ? 4.0 : 24.0) * n / plain * std::max(1.0, 0.75 * n / plain);
+    // Gradients and stresses grow with nodes times points.
+    const double plain = mesh.dimension == 2 ? 4 : 8;
+    const double units = (mesh.dimension == 2 ? 4 : 24) * (n / plain) * (points_per_cell(block.type) / plain);
     for (int cell = 0; cell < block.cells(); ++cell) share(&block.nodes[cell_entry(cell, n)], n, units);
   }
   for (const std::string& name : contact)

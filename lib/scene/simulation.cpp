@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "checkpoint/fingerprint.hpp"
 #include "mesh/level_width.hpp"
+#include "mesh/partition.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"

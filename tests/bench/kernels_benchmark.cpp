@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "model/half_space_term.hpp"
 #include "model/model.hpp"
 

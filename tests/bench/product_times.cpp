@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "model/model.hpp"
 #include "solve/tangent_operator.hpp"
 

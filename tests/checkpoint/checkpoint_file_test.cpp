@@ -10,6 +10,7 @@
 #include "checkpoint/fingerprint.hpp"
 #include "checkpoint/seal.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "mesh/quality.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"

@@ -14,6 +14,7 @@
 #include "fem/shape_table.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "fem/cell_types.hpp"
+#include "mesh/bricks.hpp"
 #include "mesh/quality.hpp"
 
 namespace ixos::test {
@@ -178,6 +179,34 @@ void expect_sound(Mesh& mesh, const std::string& what) {
         {mesh.coordinates[at_node(node, 0)], mesh.coordinates[at_node(node, 1)], mesh.coordinates[at_node(node, 2)]});
   }
   EXPECT_EQ(places.size(), static_cast<std::size_t>(points)) << what;
+}
+
+void expect_patches_conform(ContactElement element) {
+  const std::vector<std::vector<std::size_t>> shapes = {
+      {0, 5, 10, 15},                          // faces that meet at corners only
+      {0, 1, 2, 3, 4, 8, 12},                  // an L
+      {0, 1, 2, 4, 6, 8, 9, 10},               // a ring
+      {0, 1, 2, 4, 5, 6, 8, 9, 10, 11},        // three faces at a node of the rim
+      {5},                                     // all edges tied
+      {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},  // a strip
+  };
+  for (const auto& shape : shapes)
+    for (const char* from : {"bottom", "left", "back"}) {
+      Mesh mesh = brick({4, 4, 4});
+      choose(mesh, "patch", from, shape);
+      enrich(mesh, "patch", element);
+      expect_sound(mesh, from);
+    }
+}
+
+void expect_sets_conform(ContactElement element) {
+  Mesh mesh = brick({4, 2, 2});
+  choose(mesh, "one", "bottom", {0, 1, 4, 5});
+  choose(mesh, "other", "bottom", {2, 6});
+  enrich(mesh, "one", element);
+  enrich(mesh, "other", ContactElement::Q1C4);
+  enrich(mesh, "top", ContactElement::Q1C3);
+  expect_sound(mesh, "three sets");
 }
 
 }  // namespace ixos::test

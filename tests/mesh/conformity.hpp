@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/enrich.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos::test {
@@ -40,5 +41,11 @@ void expect_conforming(const Mesh& mesh, const std::string& what);
 
 /// That; the element of each side is the trace of its cell; and every new node is used, and none is there twice.
 void expect_sound(Mesh& mesh, const std::string& what);
+
+/// That of a brick with a patch of these elements on one of its sides: patches of all shapes.
+void expect_patches_conform(ContactElement element);
+
+/// That of a brick with three sets: these elements beside Q1C4 on one side, and Q1C3 on another.
+void expect_sets_conform(ContactElement element);
 
 }  // namespace ixos::test

@@ -23,7 +23,9 @@ using test::between;
 using test::brick;
 using test::cell_nodes;
 using test::choose;
+using test::expect_patches_conform;
 using test::expect_plain_map;
+using test::expect_sets_conform;
 using test::expect_sound;
 using test::faces_and_edges;
 using test::Place;
@@ -217,33 +219,9 @@ TEST(EnrichHermiteFacesTest, TheRimOfAPatchIsTiedAndAFreeRimIsNot) {
   expect_sound(half, "half");
 }
 
-TEST(EnrichHermiteFacesTest, PatchesOfAnyShapeConform) {
-  const std::vector<std::vector<std::size_t>> shapes = {
-      {0, 5, 10, 15},                          // faces that meet at corners only
-      {0, 1, 2, 3, 4, 8, 12},                  // an L
-      {0, 1, 2, 4, 6, 8, 9, 10},               // a ring
-      {0, 1, 2, 4, 5, 6, 8, 9, 10, 11},        // three faces at a node of the rim
-      {5},                                     // all edges tied
-      {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11},  // a strip
-  };
-  for (const auto& shape : shapes)
-    for (const char* from : {"bottom", "left", "back"}) {
-      Mesh mesh = brick({4, 4, 4});
-      choose(mesh, "patch", from, shape);
-      enrich(mesh, "patch", ContactElement::Q1CH);
-      expect_sound(mesh, from);
-    }
-}
+TEST(EnrichHermiteFacesTest, PatchesOfAnyShapeConform) { expect_patches_conform(ContactElement::Q1CH); }
 
-TEST(EnrichHermiteFacesTest, ConformsWithSetsOfOtherElements) {
-  Mesh mesh = brick({4, 2, 2});
-  choose(mesh, "one", "bottom", {0, 1, 4, 5});
-  choose(mesh, "other", "bottom", {2, 6});
-  enrich(mesh, "one", ContactElement::Q1CH);
-  enrich(mesh, "other", ContactElement::Q1C4);
-  enrich(mesh, "top", ContactElement::Q1C3);
-  expect_sound(mesh, "three sets");
-}
+TEST(EnrichHermiteFacesTest, ConformsWithSetsOfOtherElements) { expect_sets_conform(ContactElement::Q1CH); }
 
 TEST(EnrichHermiteFacesTest, NodeSetsGetTheDerivativesBetweenTheirMembers) {
   // Derivatives along an edge of members, and the mixed ones of a face of members.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {

@@ -8,6 +8,7 @@
 
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "model/half_space_term.hpp"
 #include "model/material_point.hpp"

@@ -1,5 +1,6 @@
 #include "support/solids.hpp"
 
+#include "mesh/partition.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos::test {

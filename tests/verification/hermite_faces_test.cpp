@@ -7,6 +7,7 @@
 #include "fem/quadrature.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "model/half_space_term.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"

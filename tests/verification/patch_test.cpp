@@ -5,6 +5,7 @@
 
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
