@@ -44,6 +44,10 @@ inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack
   return result;
 }
 
+/// Whether the condition holds in all lanes.
+inline bool everywhere(bool condition) { return condition; }
+inline bool everywhere(const Pack::mask_type& condition) { return all_of(condition); }
+
 /// Smallest of the lanes.
 inline double least(double x) { return x; }
 inline double least(const Pack& x) { return std::experimental::hmin(x); }

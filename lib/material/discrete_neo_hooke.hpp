@@ -13,19 +13,20 @@ namespace ixos {
 /// the mean of F0 and F1, and S symmetric with S:(C1 - C0)/2 = W1 - W0. Gonzalez' (2000) construction needs a switch
 /// where C1 - C0 vanishes; ln det C, a function of one number, needs none: with D the mean cofactor of C along C0 to
 /// C1, x = D:(C1 - C0)/det C0 and q = log_one_plus(x)/(x det C0), S = mu I + q c D, c = -mu + lambda/4 (ln det C0 + ln
-/// det C1). It is written in A = C - I, so that small strains keep their digits.
+/// det C1). Near the undeformed body it is written in A = C - I, so that small strains keep their digits; else in F,
+/// for C has lost a squeezed body's: a stretch of 1e-8 is a 1e-16 in it, beside 1.
 template <std::size_t D, class T>
 class DiscreteNeoHooke {
  public:
   DiscreteNeoHooke(const Lame& lame, const Small<T, D>& h0, const Small<T, D>& h1) : lame_(lame) {
-    Small<T, D> mean, change;
+    start_ = deformation_gradient(h0);
+    end_ = deformation_gradient(h1);
+    Small<T, D> change;
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) {
-        mean[i][j] = 0.5 * (h0[i][j] + h1[i][j]);
+        mean_[i][j] = 0.5 * (start_[i][j] + end_[i][j]);
         change[i][j] = h1[i][j] - h0[i][j];
       }
-    mean_ = deformation_gradient(mean);
-    end_ = deformation_gradient(h1);
     const Small<T, D> a0 = green_strain_doubled(h0);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) {
@@ -34,60 +35,126 @@ class DiscreteNeoHooke {
         increment_[i][j] = sum;
         middle_[i][j] = a0[i][j] + 0.5 * sum;
       }
-    cofactor_ = cofactor_of_identity_plus(middle_);
-    if constexpr (D == 3) {
-      const Small<T, 3> quadratic = cofactor(increment_);
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) cofactor_[i][j] += quadratic[i][j] * (1.0 / 12);
-    }
-    T j0 = trace(a0) + higher_invariants(a0);
-    T change_of_determinant(0.0);
-    for (std::size_t i = 0; i < D; ++i) {
-      change_of_determinant += increment_[i][i];
-      for (std::size_t j = 0; j < D; ++j) change_of_determinant += cofactor_[i][j] * increment_[i][j];
-    }
-    determinant0_ = 1.0 + j0;
-    x_ = change_of_determinant / determinant0_;
-    log_ = log_one_plus(x_);
-    const T sum_of_logs = 2.0 * log_one_plus(j0) + log_;
-    // 1 - log1p(x)/x, and with it 1 - q, without cancellation.
-    const T rest = minus_log1p_quotient(x_, log_);
-    one_minus_q_ = (j0 + rest) / determinant0_;
-    q_ = (1.0 - rest) / determinant0_;
-    pressure_ = lame_.lambda / 4 * sum_of_logs;
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) {
-        second_[i][j] = q_ * (pressure_ - lame_.mu) * cofactor_[i][j];
-        if (i == j) second_[i][j] += lame_.mu * one_minus_q_ + q_ * pressure_;
-      }
+    if constexpr (D == 3) quadratic_ = cofactor(increment_);
+    const T first = trace(a0), j0 = first + higher_invariants(a0);
+    const Path near = near_path(j0);
+    const T first1 = first + trace(increment_), j1 = j0 + near.x * near.determinant0;
+    path_ = select_path(near_undeformed(first, j0) && near_undeformed(first1, j1), near);
   }
 
   /// P_iJ [E0].
-  Small<T, D> stress() const { return product(mean_, second_); }
+  Small<T, D> stress() const { return product(mean_, path_.second); }
 
   /// A[iJ][kL] = dP_iJ/dF1_kL [E0]; unsymmetric.
   void moduli(Small<T, D * D>& a) const {
-    const T c = pressure_ - lame_.mu;
-    const T jacobian = determinant(end_);
-    const T square = jacobian * jacobian;
-    const Small<T, D> g = inverse(end_, jacobian);
+    const T c = path_.pressure - lame_.mu;
+    const Small<T, D> g = inverse(end_, determinant(end_));
     const T rank_one =
-        2.0 * (c * log1p_quotient_slope(x_, log_) / (determinant0_ * determinant0_) * square + q_ * (lame_.lambda / 4));
-    Small<T, D> left = product(mean_, cofactor_);  // F_m D
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) left[i][j] += mean_[i][j];
+        2.0 * (c * scaled_log1p_quotient_slope(path_.x, path_.log) / path_.determinant0 + path_.q * (lame_.lambda / 4));
+    const Small<T, D> left = product(mean_, path_.cofactor);  // F_m D
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j)
         for (std::size_t k = 0; k < D; ++k)
           for (std::size_t m = 0; m < D; ++m) {
             T value = rank_one * (left[i][j] * g[m][k]);
-            if (i == k) value += 0.5 * second_[j][m];
+            if (i == k) value += 0.5 * path_.second[j][m];
             a[i * D + j][k * D + m] = value;
           }
-    add_cofactor_change(T(q_ * c), a);
+    add_cofactor_change(T(path_.q * c), a);
   }
 
  private:
+  /// What the way from C0 to C1 says.
+  struct Path {
+    Small<T, D> cofactor;       ///< D
+    Small<T, D> second;         ///< S
+    T determinant0, x, log, q;  ///< log = ln(det C1/det C0)
+    T pressure;                 ///< lambda/4 (ln det C0 + ln det C1)
+  };
+
+  Path near_path(const T& j0) const {
+    Path path;
+    Small<T, D> d = cofactor_of_identity_plus(middle_);  // D - I
+    if constexpr (D == 3)
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) d[i][j] += quadratic_[i][j] * (1.0 / 12);
+    path.determinant0 = 1.0 + j0;
+    path.x = (trace(increment_) + contraction(d, increment_)) / path.determinant0;
+    path.log = log_one_plus(path.x);
+    path.pressure = lame_.lambda / 4 * (2.0 * log_one_plus(j0) + path.log);
+    // 1 - log1p(x)/x, and with it 1 - q, without cancellation.
+    const T rest = minus_log1p_quotient(path.x, path.log);
+    path.q = (1.0 - rest) / path.determinant0;
+    const T one_minus_q = (j0 + rest) / path.determinant0;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        path.second[i][j] = path.q * (path.pressure - lame_.mu) * d[i][j];
+        if (i == j) path.second[i][j] += lame_.mu * one_minus_q + path.q * path.pressure;
+        path.cofactor[i][j] = d[i][j] + (i == j ? 1.0 : 0.0);
+      }
+    return path;
+  }
+
+  Path far_path() const {
+    using std::log;
+    Path path;
+    const Small<T, D> cofactor0 = right_cofactor(start_), cofactor1 = right_cofactor(end_);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        path.cofactor[i][j] = 0.5 * (cofactor0[i][j] + cofactor1[i][j]);
+        if constexpr (D == 3) path.cofactor[i][j] -= quadratic_[i][j] * (1.0 / 6);
+      }
+    const T jacobian0 = determinant(start_), ratio = determinant(end_) / jacobian0;
+    path.determinant0 = jacobian0 * jacobian0;
+    path.x = contraction(path.cofactor, increment_) / path.determinant0;
+    path.log = log_one_plus(path.x, ratio);
+    path.pressure = lame_.lambda / 4 * (2.0 * log(path.determinant0) + path.log);
+    path.q = (1.0 - minus_log1p_quotient(path.x, path.log)) / path.determinant0;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j)
+        path.second[i][j] = path.q * (path.pressure - lame_.mu) * path.cofactor[i][j] + (i == j ? lame_.mu : 0.0);
+    return path;
+  }
+
+  template <class Mask>
+  Path select_path(const Mask& near, const Path& close) const {
+    if (everywhere(near)) return close;
+    Path path = far_path();
+    const auto choose = [&](const T& x, T& y) { y = select(near, x, y); };
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        choose(close.cofactor[i][j], path.cofactor[i][j]);
+        choose(close.second[i][j], path.second[i][j]);
+      }
+    choose(close.determinant0, path.determinant0);
+    choose(close.x, path.x);
+    choose(close.log, path.log);
+    choose(close.q, path.q);
+    choose(close.pressure, path.pressure);
+    return path;
+  }
+
+  static T contraction(const Small<T, D>& m, const Small<T, D>& n) {
+    T sum(0.0);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * n[i][j];
+    return sum;
+  }
+  /// cof(F^T F), of F.
+  static Small<T, D> right_cofactor(const Small<T, D>& f) {
+    Small<T, D> result;
+    if constexpr (D == 2) {
+      result = {{{f[0][1] * f[0][1] + f[1][1] * f[1][1], -(f[0][0] * f[0][1] + f[1][0] * f[1][1])}, {}}};
+      result[1][0] = result[0][1];
+      result[1][1] = f[0][0] * f[0][0] + f[1][0] * f[1][0];
+    } else {
+      const Small<T, D> rows = cofactor(f);
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j)
+          result[i][j] = rows[0][i] * rows[0][j] + rows[1][i] * rows[1][j] + rows[2][i] * rows[2][j];
+    }
+    return result;
+  }
   static Small<T, D> product(const Small<T, D>& m, const Small<T, D>& n) {
     Small<T, D> result;
     for (std::size_t i = 0; i < D; ++i)
@@ -98,7 +165,6 @@ class DiscreteNeoHooke {
       }
     return result;
   }
-  /// Of a symmetric matrix.
   static Small<T, 3> cofactor(const Small<T, 3>& m) {
     Small<T, 3> result;
     for (std::size_t i = 0; i < 3; ++i)
@@ -166,12 +232,11 @@ class DiscreteNeoHooke {
   }
 
   Lame lame_;
-  Small<T, D> mean_, end_;  ///< F_m, F1
-  Small<T, D> middle_;      ///< C_m - I
-  Small<T, D> increment_;   ///< C1 - C0
-  Small<T, D> cofactor_;    ///< D - I
-  Small<T, D> second_;      ///< S
-  T determinant0_, x_, log_, q_, one_minus_q_, pressure_;
+  Small<T, D> start_, mean_, end_;  ///< F0, F_m, F1
+  Small<T, D> middle_;              ///< C_m - I
+  Small<T, D> increment_;           ///< C1 - C0
+  Small<T, D> quadratic_;           ///< cof(C1 - C0), in three dimensions
+  Path path_;
 };
 
 }  // namespace ixos

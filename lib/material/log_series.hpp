@@ -21,16 +21,31 @@ inline Pack log_one_plus(const Pack& x) {
   return 2.0 * s * sum;
 }
 
+/// The same, also where x is close to -1: given sqrt(1 + x), which has the more digits where |x| is not small.
+template <class T>
+T log_one_plus(const T& x, const T& root) {
+  using std::abs;
+  using std::log;
+  const auto small = abs(x) < 0.2;
+  return select(small, log_one_plus(T(select(small, x, T(0.0)))), T(log(T(root * root))));
+}
+
+/// Whether A = C - I is small, given its trace and det C - 1: of a mask's lanes. Up to there C has the more digits.
+template <class T>
+auto near_undeformed(const T& trace, const T& j) {
+  using std::abs;
+  return abs(j) + abs(trace) < 0.5;
+}
+
 /// ln det C, given A = C - I's trace, j = det C - 1 and J = det F. Near the undeformed state, turned or not, j has the
 /// more digits; far from it J, for det C has the rounding error of a square: none are left of it at J = 1e-8.
 template <class T>
 T log_determinant(const T& trace, const T& j, const T& jacobian) {
-  using std::abs;
   using std::log;
-  return abs(j) + abs(trace) < 0.5 ? log_one_plus(j) : T(log(T(jacobian * jacobian)));
+  return near_undeformed(trace, j) ? log_one_plus(j) : T(log(T(jacobian * jacobian)));
 }
 inline Pack log_determinant(const Pack& trace, const Pack& j, const Pack& jacobian) {
-  const auto near = std::experimental::abs(j) + std::experimental::abs(trace) < 0.5;
+  const auto near = near_undeformed(trace, j);
   const Pack close = log_one_plus(select(near, j, Pack(0.0)));
   return all_of(near) ? close : select(near, close, Pack(std::experimental::log(jacobian * jacobian)));
 }
@@ -51,15 +66,15 @@ T minus_log1p_quotient(const T& x, const T& l) {
   return select(small, T(minus_log1p_series(x) * x), T((x - l) / select(small, T(1.0), x)));
 }
 
-/// The derivative of log1p(x)/x, (x/(1 + x) - log1p(x))/x^2, -1/2 at x = 0.
+/// 1 + x times the derivative of log1p(x)/x, (x - (1 + x) log1p(x))/x^2, -1/2 at x = 0.
 template <class T>
-T log1p_quotient_slope(const T& x, const T& l) {
+T scaled_log1p_quotient_slope(const T& x, const T& l) {
   // sum_{k>=2} (-1)^(k+1) (k-1)/k x^(k-2)
   T sum = T(10.0 / 11) * x - T(9.0 / 10);
   for (int k = 9; k >= 2; --k) sum = sum * x + (k % 2 == 0 ? -1.0 : 1.0) * (k - 1) / k;
   using std::abs;
   const auto small = abs(x) < 0.02;
-  return select(small, sum, T((x / (1.0 + x) - l) / select(small, T(1.0), T(x * x))));
+  return select(small, T((1.0 + x) * sum), T((x - (1.0 + x) * l) / select(small, T(1.0), T(x * x))));
 }
 
 }  // namespace ixos

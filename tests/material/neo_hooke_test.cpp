@@ -210,6 +210,51 @@ TYPED_TEST(NeoHookeTest, WorkOfTheDiscreteGradientIsTheChangeOfTheEnergy) {
   }
 }
 
+TYPED_TEST(NeoHookeTest, DiscreteGradientKeepsItsDigitsUnderStrongCompression) {
+  constexpr std::size_t D = TypeParam::value;
+  // From F = diag(r, 1, ..) to diag(s, 1, ..): P_11 by the energies' difference; P_22 = mu + c q D_22 with the mean
+  // D_22 = (r^2 + s^2)/2 of C's cofactor, q = 2 ln(s/r)/(s^2 - r^2) and c = -mu + lambda/2 (ln r + ln s).
+  const auto energy = [](long double s) {
+    const long double l = std::log(s);
+    return lame.mu / 2 * (s * s - 1 - 2 * l) + lame.lambda / 2 * l * l;
+  };
+  for (double start : {1.0, 0.5, 0.1, 1e-2, 1e-4, 1e-8})
+    for (double factor : {1e-6, 0.1, 0.9, 1.001, 1.5, 10.0}) {
+      Small<double, D> h0{}, h1{}, p;
+      h0[0][0] = start - 1;
+      h1[0][0] = factor * start - 1;
+      const long double r = 1.0L + h0[0][0], s = 1.0L + h1[0][0];
+      if (s < 1e-13L) continue;
+      const long double first = (energy(s) - energy(r)) / (s - r);
+      const long double c = lame.lambda / 2 * std::log(r * s) - lame.mu;
+      const long double second = lame.mu + c * 2 * std::log(s / r) / (s * s - r * r) * (r * r + s * s) / 2;
+      material.discrete_gradient(h0, h1, p);
+      EXPECT_NEAR(p[0][0] / static_cast<double>(first), 1, 2e-13) << start << ' ' << factor;
+      EXPECT_NEAR(p[1][1] / static_cast<double>(second), 1, 1e-13) << start << ' ' << factor;
+      Small<Pack, D> from{}, to{}, packed;
+      from[0][0] = h0[0][0];
+      to[0][0] = h1[0][0];
+      from[0][0][0] = to[0][0][0] = 0;  // a lane at rest beside
+      material.discrete_gradient(from, to, packed);
+      EXPECT_NEAR(packed[1][1][1] / static_cast<double>(second), 1, 1e-13);
+      EXPECT_EQ(packed[0][0][0], 0);
+      // The moduli along the way are the derivative of P in the end.
+      Small<double, D * D> moduli;
+      Small<Variable<D>, D> fixed, derivative;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) fixed[i][j] = Variable<D>(h0[i][j]);
+      material.discrete_gradient(fixed, seeded<D>(h1), derivative);
+      material.discrete_gradient_moduli(h0, h1, moduli);
+      double largest = 0;
+      for (const auto& row : moduli)
+        for (double value : row) largest = std::max(largest, std::abs(value));
+      for (std::size_t k = 0; k < D * D; ++k)
+        for (std::size_t m = 0; m < D * D; ++m)
+          EXPECT_NEAR(moduli[k][m], derivative[k / D][k % D].dx(static_cast<int>(m)), 1e-12 * largest)
+              << start << ' ' << factor << ' ' << k << ' ' << m;
+    }
+}
+
 TYPED_TEST(NeoHookeTest, DiscreteGradientTendsToTheStressWithSecondOrder) {
   constexpr std::size_t D = TypeParam::value;
   const auto error = [](double step) {
