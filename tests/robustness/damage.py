@@ -221,6 +221,30 @@ def damaged_results(driver, table, work, chance):
         table.row("%s cut at every 4 KiB, restart into its folder" % name, outcomes, (0, 2))
 
 
+def damaged_hdf5_fields(driver, table, work, chance):
+    """One HDF5 file of fields, cut and with flipped bits, then a restart into its folder. It has no checksum: numbers of
+    frames before may be changed, but nothing may crash."""
+    settings = SETTINGS + ["Output/Fields Format=HDF5"]
+    for ranks in (1, 2):
+        source, folder = (os.path.join(work, "%s-hdf5-%d" % (name, ranks)) for name in ("sound", "changed"))
+        driver.run(["--output", source], ranks=ranks, settings=settings)
+        whole = history(source)
+        for name, copies in zip(("cut at every 4 KiB", "with a flipped bit"),
+                                damaged_copies(os.path.join(source, "fields.e"), chance)):
+            outcomes = []
+            for contents in copies:
+                shutil.rmtree(folder, ignore_errors=True)
+                shutil.copytree(source, folder, symlinks=True)
+                with open(os.path.join(folder, "fields.e"), "wb") as file:
+                    file.write(contents)
+                first = min((n for n in os.listdir(folder) if n.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
+                status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, first)], ranks=ranks,
+                                            settings=settings)
+                wrong = status == 0 and history(folder) != whole
+                outcomes.append((status, output, "history.csv differs" if wrong else ""))
+            table.row("fields.e in the HDF5 format %s, restart into its folder, %d rank(s)" % (name, ranks), outcomes, (0, 2))
+
+
 def damaged_meshes(driver, table, work, chance):
     mesh = os.path.join(work, "ball.e")
     driver.run(["--write-mesh", mesh])
@@ -260,6 +284,7 @@ def main():
         limited_files(driver, table, work)
         damaged_checkpoints(driver, table, work, chance)
         damaged_results(driver, table, work, chance)
+        damaged_hdf5_fields(driver, table, work, chance)
         damaged_meshes(driver, table, work, chance)
     sys.exit(1 if table.failed else 0)
 

@@ -9,6 +9,7 @@ import unittest
 
 import density
 import gap
+import law
 import locking
 import million
 import ranks
@@ -126,6 +127,32 @@ class LinesTest(unittest.TestCase):
             alone = self.run_scene(entries)
             for count in (2, 6):
                 self.assertLess(float(ranks.difference(self.run_scene(entries, ranks=count), alone)), 1e-11)
+
+    def test_laws_over_decades(self):
+        for length in (0.1, 1.0, 100.0):
+            for energy in (0.1, 1e4):
+                self.assertLess(law.peak_error(self.run_scene(law.at_peak(length, energy)), energy), 1e-14)
+        for length, energy in ((0.1, 1e4), (100.0, 1e4), (10.0, 10.0)):
+            outcome = self.run_scene({**law.body(length, energy, 1.2), **steps("Average Vector Field", 1e-3, 100)})
+            self.assertLess(outcome.energy_error(), 1e-9, (length, energy))
+        flattened = {**law.body(0.1, 0.1, 1.2), **steps("Average Vector Field", 1e-3, 200)}
+        self.run_scene(flattened, "failed")
+        self.run_scene({**flattened, **law.ADAPTIVE})
+
+    def test_moduli_over_twelve_decades(self):
+        for modulus, bound in ((1e-6, 1e-12), (1e6, 1e-9)):
+            for scheme in CONSERVING:
+                outcome = self.run_scene({**gap.block(1.1 * EQUILIBRIUM), **steps(scheme, 1e-4, 100),
+                                          "Materials/Body/Young's Modulus": modulus})
+                self.assertLess(outcome.energy_error(), bound, (scheme, modulus))
+
+    def test_long_cells_are_told_of_and_bend_rightly_where_enhanced(self):
+        def bent(formulation, aspect, saying=""):
+            outcome = self.run_scene(locking.cantilever(2, 0.3, formulation, [8, 1], 8.0 * aspect), saying=saying)
+            return locking.deflection(outcome, 2, locking.theory(2, 0.3, 8.0 * aspect))
+        self.assertAlmostEqual(bent("Enhanced", 100), 1, delta=0.01)
+        self.assertLess(bent("Standard", 100), 0.001)
+        bent("Enhanced", 300, "has an aspect ratio of 300")
 
     def test_laws_beyond_what_numbers_hold_are_refused(self):
         self.run_scene({**gap.block(R0, Gamma_L=1e40), **steps("Newmark", 1e-3, 1)}, "refused", "too extreme")
