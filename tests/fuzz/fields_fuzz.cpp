@@ -1,4 +1,4 @@
-// A field file that a restart would go on with.
+// A field file that a restart goes on with, of either format: the file's own decides.
 #include "base/error.hpp"
 #include "input.hpp"
 #include "scene/field_recorder.hpp"
@@ -6,17 +6,21 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;
   static const std::string path = fuzz::scratch_folder() + "/fields.e";
-  Simulation& simulation = fuzz::simulation("Central Difference");
-  FieldRecorder recorder(simulation, path);
-  fuzz::write_file(path, fuzz::text(data, size));
-  const FieldLength length{1, 0};
-  try {
-    recorder.verify(length);
-    recorder.resume(length);
-  } catch (const InputError& error) {
-    fuzz::expect_message(error);
-  } catch (const FileError& error) {
-    fuzz::expect_message(error);
+  const std::string bytes = fuzz::text(data, size);
+  Simulation& simulation = fuzz::simulation("Central Difference", bytes.rfind("\x89HDF", 0) == 0 ? "HDF5" : "Exodus");
+  // Where the length is known a frame is appended to this file, else the first is copied to a new one.
+  for (double length : {static_cast<double>(size), 0.0}) {
+    fuzz::write_file(path, bytes);
+    try {
+      FieldRecorder recorder(simulation, path);
+      recorder.verify({1, length});
+      recorder.resume({1, length});
+      recorder.record();
+    } catch (const InputError& error) {
+      fuzz::expect_message(error);
+    } catch (const FileError& error) {
+      fuzz::expect_message(error);
+    }
   }
   return 0;
 }

@@ -79,7 +79,7 @@ void write_file(const std::string& path, const std::string& contents) {
   std::ofstream(path, std::ios::binary) << contents;
 }
 
-std::string small_scene(const std::string& scheme) {
+std::string small_scene(const std::string& scheme, const std::string& fields) {
   return R"x(<ParameterList name="Small">
 <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/></ParameterList>
 <ParameterList name="Materials"><ParameterList name="Rubber"/></ParameterList>
@@ -92,7 +92,8 @@ std::string small_scene(const std::string& scheme) {
          scheme + R"x("/>
 <ParameterList name="Time Step Control"><Parameter name="Final Time" type="double" value="1"/>
 <Parameter name="Time Step" type="double" value="0.5"/></ParameterList></ParameterList>
-<ParameterList name="Output"><Parameter name="Reactions" type="Array(string)" value="{top}"/>
+<ParameterList name="Output"><Parameter name="Fields Format" type="string" value=")x" +
+         fields + R"x("/><Parameter name="Reactions" type="Array(string)" value="{top}"/>
 <ParameterList name="Probes"><ParameterList name="P"><Parameter name="Point" type="Array(double)" value="{0, 0}"/>
 </ParameterList></ParameterList></ParameterList></ParameterList>
 )x";
@@ -112,13 +113,13 @@ Comm comm() {
   return world;
 }
 
-Simulation& simulation(const std::string& scheme) {
+Simulation& simulation(const std::string& scheme, const std::string& fields) {
   static std::map<std::string, std::unique_ptr<Simulation>> made;
   static int calls = 0;
   if (++calls % 200 == 0) made.clear();
-  std::unique_ptr<Simulation>& simulation = made[scheme];
+  std::unique_ptr<Simulation>& simulation = made[scheme + fields];
   if (!simulation)
-    simulation = std::make_unique<Simulation>(read_scene_text(small_scene(scheme), "the small scene"), comm());
+    simulation = std::make_unique<Simulation>(read_scene_text(small_scene(scheme, fields), "the small scene"), comm());
   const std::vector<double> rest(static_cast<std::size_t>(simulation->model().space().local()), 0.0);
   simulation->integrator().initialize(rest, rest, 0);
   return *simulation;

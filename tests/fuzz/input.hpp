@@ -41,13 +41,13 @@ class MemoryFile {
 const std::string& scratch_folder();
 void write_file(const std::string& path, const std::string& contents);
 
-/// A scene of one cell above a wall, held at its top, with a probe and a reaction.
-std::string small_scene(const std::string& scheme = "Central Difference");
+/// A scene of one cell above a wall, held at its top, with a probe and a reaction; and the format of its fields.
+std::string small_scene(const std::string& scheme = "Central Difference", const std::string& fields = "Exodus");
 
 /// Starts MPI, once.
 Comm comm();
 
 /// small_scene() made ready to run, at rest. It takes long to make: the same is given some 200 times.
-Simulation& simulation(const std::string& scheme);
+Simulation& simulation(const std::string& scheme, const std::string& fields = "Exodus");
 
 }  // namespace ixos::fuzz

@@ -47,22 +47,26 @@ options_of() {
     expression | motion) echo "-dict=$here/expression.dict -max_len=200" ;;
     scene | study | assignment | xml) echo "-dict=$scratch/xml.dict -max_len=4000" ;;
     # What distribution libraries read goes on after their crashes.
-    exodus | fields | checkpoint) echo "-max_len=40000 -fork=1 -ignore_crashes=1 -ignore_ooms=1 -ignore_timeouts=1" ;;
+    exodus | fields | checkpoint) echo "-max_len=60000 -fork=1 -ignore_crashes=1 -ignore_ooms=1 -ignore_timeouts=1" ;;
     *) echo "-max_len=4096" ;;
   esac
 }
 
-# Where a finding happens: the first frame of its stack that is of a library or of ours; nothing where it has none;
-# "alone" where the input alone does no harm.
+# Where a finding happens: the first frame of a library or of ours in each of the report's stacks (where it happened,
+# and who made the memory that it misused): one of ours where there is one, for a library that overruns what we gave it
+# is our finding. Nothing where there is none; "alone" where the input alone does no harm.
 place_of() {
-  local frame log=$scratch/finding.log
+  local frames log=$scratch/finding.log
   if "$work/tests/fuzz/fuzz_$1" -timeout=60 -rss_limit_mb=2048 "$2" > "$log" 2>&1; then
     echo alone
     return
   fi
-  frame=$(grep -E '^ *#[0-9]+ ' "$log" | grep -vE 'libc\.so|libstdc\+\+|libm\.so|ld-linux|sanitizer|crtstuff|interceptor' |
-    grep -E -m1 "\.so|$root/lib|$root/tests" || true)
-  echo "$frame" | sed -E 's/^ *#[0-9]+ 0x[0-9a-f]+ *(in )?//; s/ \(BuildId.*//'
+  frames=$(awk -v ours="$root/(lib|tests)/|libixos" '
+    !/^ *#[0-9]+ / { taken = 0; next }
+    taken || /libc\.so|libstdc\+\+|libm\.so|ld-linux|sanitizer|crtstuff|interceptor/ { next }
+    $0 ~ ours { print 0, $0; taken = 1; next }
+    /\.so/ { print 1, $0; taken = 1 }' "$log" | sort -s -n -k1,1)
+  echo "$frames" | head -1 | sed -E 's/^[01] *#[0-9]+ 0x[0-9a-f]+ *(in )?//; s/ \(BuildId.*//'
 }
 
 if $coverage; then
@@ -85,9 +89,10 @@ for target in "${chosen[@]}"; do
   mkdir -p "$work/corpus/$target" "$work/findings"
   mark=$scratch/$target.mark
   touch "$mark"
-  "$work/tests/fuzz/fuzz_$target" $(options_of "$target") "$limit" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
+  # Children of -fork write what was slow where they stand.
+  (cd "$scratch" && "$work/tests/fuzz/fuzz_$target" $(options_of "$target") "$limit" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
     -artifact_prefix="$work/findings/$target-" "$work/corpus/$target" "$here/corpus/$target" \
-    > "$scratch/$target.log" 2>&1 && failed=false || failed=true
+    > "$scratch/$target.log" 2>&1) && failed=false || failed=true
   awk -v target="$target" '
     /^#[0-9]/ { executions = substr($1, 2) + 0; for (i = 1; i < NF; ++i) if ($i == "cov:") edges = $(i + 1) }
     /number_of_executed_units/ { executions = $2 }
@@ -99,6 +104,7 @@ for target in "${chosen[@]}"; do
     case $(basename "$finding")/$place in
       # Libraries lose memory with every file that they refuse; it adds up over thousands.
       *-oom-*/alone) echo "  memory that libraries lost before: $finding" ;;
+      */*libixos*) echo "  a finding: $place ($finding)"; status=1 ;;
       *.so*) echo "  in a distribution library: $place ($finding)" ;;
       *) echo "  a finding: $place ($finding)"; status=1 ;;
     esac
