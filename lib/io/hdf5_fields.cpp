@@ -8,6 +8,7 @@
 #include "io/field_file.hpp"
 #include "io/gathered_mesh.hpp"
 #include "io/global_order.hpp"
+#include "io/guarded.hpp"
 #include "io/hdf5_series.hpp"
 
 namespace ixos {
@@ -110,6 +111,7 @@ void Hdf5Fields::verify(const FieldLength& keep) const {
   on_first_rank(comm_, [&] {
     require_frames(path_, ExodusFormat::Hdf5, {static_cast<long long>(nodes_.slab().total), cells}, contents_.names,
                    keep);
+    try_reading(path_, [&] { Hdf5Series::check(path_, sets_, static_cast<unsigned>(keep.frames)); });
   });
 }
 

@@ -22,6 +22,49 @@ constexpr hsize_t numbers_in_chunk = 512;  ///< of sets without a width
 
 Handle open_set(hid_t file, const std::string& name) { return {H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose}; }
 
+using Extent = std::array<hsize_t, 2>;
+
+int rank_of(const Hdf5Series::Set& set) { return set.scale.empty() ? 1 : 2; }
+
+/// The rows that are stored together.
+Extent chunk_of(const Hdf5Series::Set& set) { return {set.scale.empty() ? numbers_in_chunk : 1, set.width}; }
+
+/// Whether a data set has rows of that width; how many goes to `frames`.
+bool has_rows(hid_t data, const Hdf5Series::Set& set, hsize_t& frames) {
+  const Handle space(H5Dget_space(data), H5Sclose);
+  Extent size{};
+  if (space < 0 || H5Sget_simple_extent_ndims(space) != rank_of(set) ||
+      H5Sget_simple_extent_dims(space, size.data(), nullptr) < 0)
+    return false;
+  frames = size[0];
+  return rank_of(set) == 1 || size[1] == set.width;
+}
+
+/// Whether a data set's numbers stand in the file as they are: doubles in chunks, without filters.
+bool is_plain(hid_t data, const Hdf5Series::Set& set) {
+  const Handle type(H5Dget_type(data), H5Tclose), creation(H5Dget_create_plist(data), H5Pclose);
+  Extent chunk{};
+  const int rank = rank_of(set);
+  return type >= 0 && H5Tequal(type, H5T_IEEE_F64LE) > 0 && creation >= 0 && H5Pget_nfilters(creation) == 0 &&
+         H5Pget_layout(creation) == H5D_CHUNKED && H5Pget_chunk(creation, 2, chunk.data()) == rank &&
+         chunk[0] == chunk_of(set)[0] && (rank == 1 || chunk[1] == set.width);
+}
+
+/// Whether a data set's first frames lie within the file.
+bool has_frames(hid_t data, const Hdf5Series::Set& set, hsize_t frames, hsize_t file_bytes) {
+  const Extent chunk = chunk_of(set);
+  const hsize_t bytes = 8 * chunk[0] * (rank_of(set) == 1 ? 1 : chunk[1]);
+  for (Extent place{0, 0}; place[0] < frames; place[0] += chunk[0]) {
+    unsigned filters = 0;
+    haddr_t address = HADDR_UNDEF;
+    hsize_t stored = 0;
+    if (H5Dget_chunk_info_by_coord(data, place.data(), &filters, &address, &stored) < 0 || address == HADDR_UNDEF ||
+        stored != bytes || bytes > file_bytes || address > file_bytes - bytes)
+      return false;
+  }
+  return true;
+}
+
 /// Where the file has a set of that name, it goes.
 bool remove_set(hid_t file, hid_t frames, const Hdf5Series::Set& set) {
   if (H5Lexists(file, set.name.c_str(), H5P_DEFAULT) <= 0) return true;
@@ -34,9 +77,8 @@ bool remove_set(hid_t file, hid_t frames, const Hdf5Series::Set& set) {
 }
 
 bool add_set(hid_t file, hid_t frames, const Hdf5Series::Set& set) {
-  const int rank = set.scale.empty() ? 1 : 2;
-  const std::array<hsize_t, 2> size{0, set.width}, limit{H5S_UNLIMITED, set.width};
-  const std::array<hsize_t, 2> chunk{set.scale.empty() ? numbers_in_chunk : 1, set.width};
+  const int rank = rank_of(set);
+  const Extent size{0, set.width}, limit{H5S_UNLIMITED, set.width}, chunk = chunk_of(set);
   const Handle creation = property_list(H5P_DATASET_CREATE);
   H5Pset_obj_track_times(creation, false);
   H5Pset_chunk(creation, rank, chunk.data());
@@ -74,19 +116,15 @@ struct Hdf5Series::Implementation {
     sets.reserve(descriptions.size());
     for (const Set& set : descriptions) {
       sets.push_back(open_set(*file, set.name));
-      const Handle space(H5Dget_space(sets.back()), H5Sclose);
-      std::array<hsize_t, 2> size{};
-      const int rank = set.scale.empty() ? 1 : 2;
-      if (space < 0 || H5Sget_simple_extent_ndims(space) != rank ||
-          H5Sget_simple_extent_dims(space, size.data(), nullptr) < 0 || (rank == 2 && size[1] != set.width))
-        throw InputError(path + ": has no \"" + set.name + "\" of this mesh");
+      hsize_t frames = 0;
+      if (!has_rows(sets.back(), set, frames)) throw InputError(path + ": has no \"" + set.name + "\" of this mesh");
     }
   }
   /// Calls back with the selections, in memory and in the file, of a part of a row.
   template <class Call>
   herr_t with_part(std::size_t set, unsigned long long frame, const Slab& slab, const Call& call) const {
     const Handle space(H5Dget_space(sets[set]), H5Sclose);
-    const std::array<hsize_t, 2> start{frame, slab.offset}, count{1, slab.count};
+    const Extent start{frame, slab.offset}, count{1, slab.count};
     const bool part =
         slab.count > 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0;
     if (!part) H5Sselect_none(space);
@@ -111,6 +149,20 @@ void Hdf5Series::add(const std::string& path, const std::string& frames, const s
   if (file.release() < 0 || !good) throw FileError(path + ": its data sets cannot be written");
 }
 
+void Hdf5Series::check(const std::string& path, const std::vector<Set>& sets, unsigned long long frames) {
+  hdf5::be_silent();
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  hsize_t bytes = 0;
+  if (file < 0 || H5Fget_filesize(file, &bytes) < 0) throw InputError(path + ": HDF5 cannot open it");
+  for (const Set& set : sets) {
+    const Handle data = open_set(file, set.name);
+    hsize_t rows = 0;
+    if (data < 0 || !has_rows(data, set, rows) || rows < frames || !is_plain(data, set) ||
+        !has_frames(data, set, frames, bytes))
+      throw InputError(path + ": the frames of \"" + set.name + "\" to go on with are not there, or damaged");
+  }
+}
+
 Hdf5Series::Hdf5Series(const std::string& path, const Comm& comm, const std::vector<Set>& sets, Mode mode)
     : implementation_(std::make_unique<Implementation>(Implementation{path, comm, sets})) {
   hdf5::be_silent();
@@ -133,7 +185,7 @@ void Hdf5Series::grow(unsigned long long frames) {
     file.lengthen(bytes);
   });
   for (std::size_t s = 0; s < self.sets.size(); ++s) {
-    const std::array<hsize_t, 2> size{frames, self.descriptions[s].width};
+    const Extent size{frames, self.descriptions[s].width};
     self.check(H5Dset_extent(self.sets[s], size.data()) >= 0, self.descriptions[s].name);
   }
 }

@@ -2,18 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <exodusII.h>
+#include <hdf5_hl.h>
 #include <sys/resource.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "base/agreement.hpp"
 #include "io/field_file.hpp"
 #include "mesh/enrich.hpp"
 #include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "support/files.hpp"
 #include "support/scene_text.hpp"
@@ -285,6 +289,71 @@ TEST_F(Hdf5FieldsTest, WhatDoesNotFitIsRefused) {
     EXPECT_NO_THROW(exodus_fields(path("classic.e"), contents, alone())->verify({0, 0}));
   });
   EXPECT_NE(refusal(mesh, "classic.e", {0, 0}).find("is not the file to go on with"), std::string::npos);
+}
+
+/// Two rows in the place of the set "vals_nod_var1".
+void replace_set(hid_t file, hid_t type, bool compressed, bool written) {
+  const hid_t old = H5Dopen2(file, "vals_nod_var1", H5P_DEFAULT), old_space = H5Dget_space(old);
+  std::array<hsize_t, 2> size{};
+  H5Sget_simple_extent_dims(old_space, size.data(), nullptr);
+  H5Sclose(old_space);
+  H5Dclose(old);
+  H5Ldelete(file, "vals_nod_var1", H5P_DEFAULT);
+  const std::array<hsize_t, 2> chunk{1, size[1]}, most{H5S_UNLIMITED, size[1]};
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(2, size.data(), most.data());
+  H5Pset_chunk(creation, 2, chunk.data());
+  if (compressed) H5Pset_deflate(creation, 9);
+  const hid_t made = H5Dcreate2(file, "vals_nod_var1", type, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  for (unsigned axis = 0; axis < 2; ++axis) {
+    const hid_t scale = H5Dopen2(file, axis == 0 ? "time_step" : "num_nodes", H5P_DEFAULT);
+    ASSERT_GE(H5DSattach_scale(made, scale, axis), 0);
+    H5Dclose(scale);
+  }
+  const std::vector<double> values(size[0] * size[1], 1.0);
+  if (written) H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+  H5Dclose(made);
+  H5Sclose(space);
+  H5Pclose(creation);
+}
+
+TEST_F(Hdf5FieldsTest, SetsThatAreNotAsTheyWereMadeAreRefused) {
+  if (world()->getRank() != 0) return;
+  const Mesh mesh = two_blocks(2, false);
+  const std::vector<std::pair<std::string, std::function<void(hid_t)>>> changes{
+      {"nothing", [](hid_t) {}},
+      {"as it was made", [](hid_t file) { replace_set(file, H5T_IEEE_F64LE, false, true); }},
+      {"single precision", [](hid_t file) { replace_set(file, H5T_IEEE_F32LE, false, true); }},
+      {"compressed", [](hid_t file) { replace_set(file, H5T_IEEE_F64LE, true, true); }},
+      {"rows that are nowhere", [](hid_t file) { replace_set(file, H5T_IEEE_F64LE, false, false); }},
+      {"a row too few", [](hid_t file) {
+         const hid_t set = H5Dopen2(file, "vals_nod_var1", H5P_DEFAULT);
+         const std::array<hsize_t, 2> size{1, 15};
+         ASSERT_GE(H5Dset_extent(set, size.data()), 0);
+         H5Dclose(set);
+       }}};
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    const std::string name = path("changed.e");
+    {
+      Writer writer(mesh, alone(), name);
+      writer.file().create();
+      writer.write(0, 2);
+    }
+    const hid_t file = H5Fopen(name.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    ASSERT_GE(file, 0);
+    changes[k].second(file);
+    H5Fclose(file);
+    std::string message = "accepted";
+    try {
+      Writer(mesh, alone(), name).file().verify({2, 0});
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    if (k < 2)
+      EXPECT_EQ(message, "accepted") << changes[k].first;
+    else
+      EXPECT_EQ(message, name + ": the frames of \"vals_nod_var1\" to go on with are not there, or damaged")
+          << changes[k].first;
+  }
 }
 
 /// Where HDF5's metadata that differ begin: object headers, and the parts of extensible arrays.
