@@ -50,8 +50,11 @@ Material rubber(ElasticLaw elastic) {
   return material;
 }
 
-std::unique_ptr<Model> model_of(ContactElement element, bool distorted, ElasticLaw elastic = ElasticLaw::NeoHooke) {
-  return std::make_unique<Model>(body(element, distorted), Tpetra::getDefaultComm(), std::vector{rubber(elastic)});
+std::unique_ptr<Model> model_of(ContactElement element, bool distorted, ElasticLaw elastic = ElasticLaw::NeoHooke,
+                                Formulation formulation = Formulation::Standard) {
+  Material material = rubber(elastic);
+  material.formulation = formulation;
+  return std::make_unique<Model>(body(element, distorted), Tpetra::getDefaultComm(), std::vector{material});
 }
 
 /// Lets the set interact with a wall at that distance in the direction of an axis.
@@ -186,8 +189,8 @@ TEST(EnrichedHexahedraTest, GapAndForceOfParallelSidesAreThoseOfTheLaw) {
 
 TEST(EnrichedHexahedraTest, ForcesAreGradientsOfEnergiesAndTangentsOfForces) {
   const double h = 1e-5;
-  for (ContactElement element : elements) {
-    const auto model = model_of(element, true);
+  const auto check = [h](ContactElement element, Formulation formulation) {
+    const auto model = model_of(element, true, ElasticLaw::NeoHooke, formulation);
     add_wall(*model, "patch", 2, 0.35);
     add_wall(*model, "left", 0, 0.35);
     const LocalMesh& mesh = model->mesh();
@@ -225,7 +228,9 @@ TEST(EnrichedHexahedraTest, ForcesAreGradientsOfEnergiesAndTangentsOfForces) {
         [&](auto& k) {
           model->add_interaction_tangent({nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
         });
-  }
+  };
+  for (ContactElement element : elements)
+    for (Formulation formulation : {Formulation::Standard, Formulation::MeanDilatation}) check(element, formulation);
 }
 
 TEST(EnrichedHexahedraTest, EveryNodeResists) {
