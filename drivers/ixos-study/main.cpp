@@ -67,13 +67,13 @@ int make_report(const std::string& folder, bool quiet) {
   while (!script.ended(outcome)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (outcome.exit_status == 0) {
     std::filesystem::remove(log);
-    if (!quiet) fmt::print("Plots and report: {}/report.html\n", folder);
+    if (!quiet) fmt::print("Plots and report: {}/report.html\n", ixos::printable(folder));
     return 0;
   }
   fmt::print(stderr,
              "ixos-study: study.csv is complete, but plots and report could not be made; {} tells why (python3 with "
              "matplotlib is needed). Again: {} {}\n",
-             log, report_script(), folder);
+             ixos::printable(log), report_script(), ixos::printable(folder));
   return 4;
 }
 
@@ -103,7 +103,7 @@ int run(const Arguments& arguments) {
   const ixos::StudyStatus status = ixos::run_study(study, options, results);
   if (status == ixos::StudyStatus::ReferenceFailed) {
     fmt::print(stderr, "ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
-               results.front().reason);
+               ixos::printable(results.front().reason));
     return 3;
   }
   if (status == ixos::StudyStatus::Interrupted) {
@@ -113,7 +113,7 @@ int run(const Arguments& arguments) {
   const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
                               (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
   ixos::write_study(study, results, options.folder, command, options.version);
-  if (!arguments.quiet) fmt::print("{}\n", ixos::recommend(study, results).sentence);
+  if (!arguments.quiet) fmt::print("{}\n", ixos::printable(ixos::recommend(study, results).sentence));
   return make_report(options.folder, arguments.quiet);
 }
 

@@ -113,7 +113,7 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
   const ixos::Restart restart(simulation, file);
   if (!speaks) return;
-  fmt::print("{} is sound, and fits the scene.\n", restart.path());
+  fmt::print("{} is sound, and fits the scene.\n", ixos::printable(restart.path()));
   for (const std::string& note : restart.notes()) fmt::print("{}\n", ixos::printable(note));
 }
 
@@ -142,13 +142,14 @@ void report_run(const ixos::RunResult& result, const Arguments& arguments, const
   if (done) {
     if (speaks)
       fmt::print("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
-                 result.reason.empty() ? "" : ", ", result.reason, folder);
+                 result.reason.empty() ? "" : ", ", result.reason, ixos::printable(folder));
     return;
   }
   fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
-             result.end_time, result.steps, result.reason, folder);
+             result.end_time, result.steps, result.reason, ixos::printable(folder));
   if (!result.checkpoint.empty())
-    fmt::print(stderr, "ixos: to go on from there: {}\n", restart_command(arguments, result.checkpoint));
+    fmt::print(stderr, "ixos: to go on from there: {}\n",
+               ixos::printable(restart_command(arguments, result.checkpoint)));
 }
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {

@@ -33,10 +33,14 @@ DiskFile::DiskFile(const std::string& path, Mode mode)
       descriptor_(open(path.c_str(),
                        (mode == Mode::Read     ? O_RDONLY
                         : mode == Mode::Change ? O_RDWR
-                                               : O_RDWR | O_CREAT | O_TRUNC) |
-                           O_CLOEXEC,
+                                               : (remove_link(path), O_RDWR | O_CREAT | O_TRUNC)) |
+                           O_CLOEXEC | O_NONBLOCK,  // a pipe would wait
                        0666)) {
   if (descriptor_ < 0) fail(mode == Mode::Create ? "cannot be written" : "cannot be opened");
+  struct stat status {};
+  if (fstat(descriptor_, &status) == 0 && (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))) return;
+  close(descriptor_);
+  throw FileError(path + ": is not a file");
 }
 
 DiskFile::~DiskFile() { close(descriptor_); }
@@ -93,6 +97,16 @@ void DiskFile::give_back() {
 
 void DiskFile::sync() {
   if (persistent([&] { return fsync(descriptor_); }) != 0) fail("cannot be written");
+}
+
+bool is_file(const std::string& path) {
+  std::error_code code;
+  return std::filesystem::is_regular_file(path, code);
+}
+
+void remove_link(const std::string& path) {
+  std::error_code code;
+  if (std::filesystem::is_symlink(path, code)) std::filesystem::remove(path, code);
 }
 
 void sync_to_disk(const std::string& path) { DiskFile(path, DiskFile::Mode::Read).sync(); }

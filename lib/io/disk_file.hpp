@@ -6,10 +6,15 @@
 
 namespace ixos {
 
-/// An open file. Every failure throws FileError with the path and the system's words.
+/// An open file (or, to be read, a folder); pipes and devices are refused. Every failure throws FileError with the path
+/// and the system's words.
 class DiskFile {
  public:
-  enum class Mode { Read, Change, Create };  ///< Change: of a file that exists; Create: empties one that does
+  enum class Mode {
+    Read,
+    Change,
+    Create
+  };  ///< Change: of a file that exists; Create: empties one that does, a link goes
   DiskFile(const std::string& path, Mode mode);
   ~DiskFile();
   DiskFile(const DiskFile&) = delete;
@@ -33,6 +38,12 @@ class DiskFile {
   std::string path_;
   int descriptor_;
 };
+
+/// Whether the path leads to a file: a pipe would have its reader wait, a device never end.
+bool is_file(const std::string& path);
+
+/// A link goes: what is to be written is not to end up where it leads.
+void remove_link(const std::string& path);
 
 /// Has the disk keep what was written to a file, or a folder's names. Throws FileError.
 void sync_to_disk(const std::string& path);

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 namespace {
@@ -94,6 +95,7 @@ void require_created(int status, const std::string& path) {
 
 int create_exodus(const std::string& path, ExodusFormat format) {
   int word = 8, stored = 8;
+  remove_link(path);
   errno = 0;
   const int kind = format == ExodusFormat::Hdf5 ? EX_NETCDF4 : EX_LARGE_MODEL;
   return ex_create(path.c_str(), EX_CLOBBER | kind, &word, &stored);

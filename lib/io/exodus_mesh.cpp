@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/guarded.hpp"
+#include "io/hdf5_handle.hpp"
 
 namespace ixos {
 namespace {
@@ -38,6 +39,7 @@ void check_start(const std::string& path) {
 
 int open_checked(const std::string& path) {
   check_start(path);
+  hdf5::prepare();
   int word = 8, stored = 0;
   float version = 0;
   const int id = ex_open(path.c_str(), EX_READ, &word, &stored, &version);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
 #include "io/guarded.hpp"
+#include "io/hdf5_handle.hpp"
 
 namespace ixos {
 namespace {
@@ -48,6 +49,7 @@ bool fits(const ExodusHandle& file, const ExodusSize& size, const FieldNames& na
 }  // namespace
 
 int open_exodus(const std::string& path, int mode) {
+  hdf5::prepare();
   int word = 8, stored = 0;
   float version = 0;
   const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;

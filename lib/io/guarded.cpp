@@ -52,10 +52,11 @@ void say(int pipe, const char* message) {
 
 /// What the function throws goes into the pipe.
 [[noreturn]] void be_child(const std::function<void()>& function, std::uint64_t bytes, unsigned seconds, int pipe) {
-  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) std::signal(signal, SIG_DFL);
+  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM}) std::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_AS, taken() + bytes);
   limit(RLIMIT_CPU, seconds);
+  alarm(3 * seconds);  // for what waits
   try {
     function();
   } catch (const std::bad_alloc&) {
@@ -82,7 +83,8 @@ std::string trial(const std::function<void()>& function, std::uint64_t bytes, un
     throw FileError(std::string("no process can be started: ") + std::strerror(errno));
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
     return {message.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0))};
-  const bool late = WIFSIGNALED(status) && (WTERMSIG(status) == SIGXCPU || WTERMSIG(status) == SIGKILL);
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const bool late = signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM;
   return late ? "reading it takes too long" : "reading it crashes";
 }
 

@@ -66,6 +66,7 @@ Hdf5Fields::Hdf5Fields(std::string path, FieldContents contents, const Comm& com
     offset += output.description.global_block_cells[b];
   }
   const auto add = [&](const std::string& name, const std::string& scale, const Slab& slab) {
+    if (slab.total == 0) return;  // of a block without cells
     sets_.push_back({name, slab.total, scale});
     slabs_.push_back(slab);
   };
@@ -166,7 +167,8 @@ void Hdf5Fields::write(double time, const std::vector<std::vector<double>>& noda
     blocks.push_back(cells_[b].ordered(shown));
   }
   for (std::size_t v = 0; v < cell.size(); ++v)
-    for (Frame& block : blocks) values.push_back(std::move(block[v]));
+    for (std::size_t b = 0; b < blocks.size(); ++b)
+      if (cells_[b].slab().total > 0) values.push_back(std::move(blocks[b][v]));
   append(*file_, frame_, values);
   ++frame_;
 }

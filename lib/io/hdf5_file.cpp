@@ -11,7 +11,6 @@
 namespace ixos {
 namespace {
 
-using hdf5::be_silent;
 using hdf5::Handle;
 using hdf5::property_list;
 
@@ -90,7 +89,7 @@ struct Hdf5Output::Implementation {
 
 Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size)
     : implementation_(std::make_unique<Implementation>(path, comm)) {
-  be_silent();
+  hdf5::prepare();
   on_first_rank(comm, [&] {
     std::remove(path.c_str());  // what an interrupted run left, or a link
     DiskFile(path, DiskFile::Mode::Create).reserve(size);
@@ -160,7 +159,9 @@ void Hdf5Output::close() {
 
 struct Hdf5Input::Implementation {
   explicit Implementation(const std::string& file_path)
-      : path(file_path), file(H5Fopen(file_path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {}
+      : path(file_path), file(H5Fopen(file_path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose) {
+    if (file >= 0) H5Fget_filesize(file, &file_bytes);
+  }
 
   hid_t here() const { return groups.empty() ? hid_t(file) : hid_t(groups.back()); }
   [[noreturn]] void missing(const char* name) const {
@@ -182,6 +183,7 @@ struct Hdf5Input::Implementation {
     const Handle set = data_set(name);
     const unsigned long long total = length(name);
     if (slab.count > total || slab.offset > total - slab.count) missing(name);
+    if (total > file_bytes / sizeof(T)) missing(name);
     std::vector<T> result(slab.count);
     if (slab.count == 0) return result;
     const Handle space = selection({slab.offset, slab.count, total});
@@ -191,11 +193,12 @@ struct Hdf5Input::Implementation {
 
   std::string path;
   Handle file;
+  hsize_t file_bytes = 0;  ///< more than that no data set of ours holds, whatever it says
   std::vector<Handle> groups;
 };
 
 Hdf5Input::Hdf5Input(const std::string& path) {
-  be_silent();
+  hdf5::prepare();
   implementation_ = std::make_unique<Implementation>(path);
   if (implementation_->file < 0) throw InputError(path + ": HDF5 cannot read it");
 }
@@ -226,7 +229,7 @@ std::string Hdf5Input::text(const char* name) const {
   const Handle space(H5Dget_space(set), H5Sclose);
   const std::size_t size = H5Tget_size(disk);
   if (H5Tget_class(disk) != H5T_STRING || H5Tis_variable_str(disk) != 0 || H5Sget_simple_extent_npoints(space) != 1 ||
-      size > 1 << 26)
+      size > implementation_->file_bytes)
     implementation_->missing(name);
   std::string value(size, '\0');
   const Handle type = text_type(size);

@@ -34,8 +34,13 @@ class Handle {
 
 inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// Failures are statuses here; HDF5 would also print them.
-inline void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+/// Before any file is opened: failures are statuses here, which HDF5 would also print; and a file leads to no other,
+/// and to no plug-in that would decode it.
+inline void prepare() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  static const bool alone = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0 && H5PLset_loading_state(0) >= 0;
+  (void)alone;
+}
 
 /// See Hdf5Output::left_open().
 inline bool some_left_open = false;

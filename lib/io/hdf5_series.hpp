@@ -27,8 +27,8 @@ class Hdf5Series {
   /// `sets` name as scales, become their dimension scales. Throws FileError. Not collective.
   static void add(const std::string& path, const std::string& frames, const std::vector<Set>& sets);
 
-  /// Throws InputError unless the file has these sets as add() makes them, that many frames in each, and the rows of
-  /// those within it: HDF5 then reads numbers of known places, and nothing of these rows is decoded. Not collective.
+  /// Throws InputError unless the file has these sets as add() makes them, and rows for that many frames in each:
+  /// numbers as they are, without filters, so that nothing of these rows is decoded. Not collective.
   static void check(const std::string& path, const std::vector<Set>& sets, unsigned long long frames);
 
   /// Throws InputError where the file has no such sets, or rows of other widths. Collective, as all that follows.

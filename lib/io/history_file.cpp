@@ -36,9 +36,10 @@ HistoryFile::HistoryFile(const std::string& path, const TableLength& length)
       length_(length) {}
 
 void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
-  std::ifstream file(path);
+  std::ifstream file;
+  if (is_file(path)) file.open(path);
   std::string line;
-  if (!file || !std::getline(file, line) || file.eof())  // a line that does not end is none
+  if (!file.is_open() || !std::getline(file, line) || file.eof())  // a line that does not end is none
     throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
   if (line != fmt::format("{}", fmt::join(columns, ",")))
     throw InputError(path + ": the table has other columns than this run would write; give another --output");

@@ -109,7 +109,7 @@ class DiscreteNeoHooke {
     path.x = contraction(path.cofactor, increment_) / path.determinant0;
     path.log = log_one_plus(path.x, ratio);
     path.pressure = lame_.lambda / 4 * (2.0 * log(path.determinant0) + path.log);
-    path.q = (1.0 - minus_log1p_quotient(path.x, path.log)) / path.determinant0;
+    path.q = log1p_quotient(path.x, path.log) / path.determinant0;
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j)
         path.second[i][j] = path.q * (path.pressure - lame_.mu) * path.cofactor[i][j] + (i == j ? lame_.mu : 0.0);

@@ -66,6 +66,14 @@ T minus_log1p_quotient(const T& x, const T& l) {
   return select(small, T(minus_log1p_series(x) * x), T((x - l) / select(small, T(1.0), x)));
 }
 
+/// log1p(x)/x, 1 at x = 0.
+template <class T>
+T log1p_quotient(const T& x, const T& l) {
+  using std::abs;
+  const auto small = abs(x) < 0.02;
+  return select(small, T(1.0 - minus_log1p_series(x) * x), T(l / select(small, T(1.0), x)));
+}
+
 /// 1 + x times the derivative of log1p(x)/x, (x - (1 + x) log1p(x))/x^2, -1/2 at x = 0.
 template <class T>
 T scaled_log1p_quotient_slope(const T& x, const T& l) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 
@@ -23,6 +24,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
+  remove_link(log);
   const int output = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (output < 0) throw FileError(log + ": cannot be written: " + std::strerror(errno));
   setenv("OPENBLAS_NUM_THREADS", "1", 0);

@@ -10,6 +10,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 
 namespace ixos {
 namespace {
@@ -28,7 +29,8 @@ std::vector<std::string> cells(const std::string& line) {
 }  // namespace
 
 HistoryTable::HistoryTable(const std::string& path) : path_(path) {
-  std::ifstream file(path);
+  std::ifstream file;
+  if (is_file(path)) file.open(path);
   std::string line;
   if (!std::getline(file, line)) throw FileError(path + ": cannot be read, or is empty");
   names_ = cells(line);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/validation.hpp"
 #include "study/history_table.hpp"
@@ -61,7 +62,8 @@ std::vector<std::string> probe_displacements(const HistoryTable& history) {
 }
 
 double energy_error(const std::string& folder) {
-  std::ifstream file(folder + "/summary.json");
+  std::ifstream file;
+  if (is_file(folder + "/summary.json")) file.open(folder + "/summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("max_energy_error"))
     throw FileError(folder + "/summary.json: cannot be read");

@@ -25,7 +25,8 @@ namespace {
 using Json = nlohmann::json;
 
 Json read_json(const std::string& path) {
-  std::ifstream file(path);
+  std::ifstream file;
+  if (is_file(path)) file.open(path);
   Json json = Json::parse(file, nullptr, false);
   return json.is_object() ? json : Json();
 }
@@ -42,7 +43,8 @@ T entry(const Json& record, const char* name, T otherwise) {
 }
 
 std::string last_line(const std::string& path) {
-  std::ifstream file(path);
+  std::ifstream file;
+  if (is_file(path)) file.open(path);
   std::string last;
   for (std::string line; std::getline(file, line);)
     if (!line.empty()) last = line;

@@ -54,7 +54,11 @@ TEST_F(HostileNamesTest, OfScenesAndResultsReachNoShell) {
     EXPECT_EQ(restart.status, 0) << restart.output;
     const Outcome missing = test::ixos({name + ".gone"}, folder_);
     EXPECT_EQ(missing.status, 2);
-    EXPECT_EQ(missing.output.find('\x1b'), std::string::npos) << "a terminal would obey";
+    const Outcome check =
+        test::ixos({name + ".xml", "--check", "--output", name, "--restart", name + "/checkpoint.h5"}, folder_);
+    EXPECT_EQ(check.status, 0) << check.output;
+    for (const Outcome& said : {outcome, mesh, restart, missing, check})
+      EXPECT_EQ(said.output.find('\x1b'), std::string::npos) << "a terminal would obey";
   }
   expect_untouched();
 }

@@ -38,6 +38,10 @@ TEST(TrialTest, EndlessWorkIsEnded) {
             "reading it takes too long");
 }
 
+TEST(TrialTest, EndlessWaitingIsEnded) {
+  EXPECT_EQ(trial([] { pause(); }, 64 * mebibyte, 1), "reading it takes too long");
+}
+
 TEST(TrialTest, MemoryIsBounded) {
   const auto take = [](std::size_t bytes) {
     std::vector<char> memory(bytes, 1);

@@ -179,6 +179,22 @@ TEST_F(Hdf5FieldsTest, ExodusReadsWhatWasWritten) {
   ex_close(file);
 }
 
+TEST_F(Hdf5FieldsTest, ABlockWithoutCellsHasNoRows) {
+  Mesh mesh = two_blocks(3, false);
+  mesh.blocks.insert(mesh.blocks.begin(), {"empty", mesh.blocks[0].type, {}});
+  for (SideSet& set : mesh.side_sets)
+    for (Side& side : set.sides) ++side.block;
+  Writer writer(mesh, world(), path("empty.e"));
+  writer.file().create();
+  writer.write(0, 2);
+  writer.file().sync();
+  Writer again(mesh, world(), path("empty.e"));
+  EXPECT_NO_THROW(again.file().verify({2, 0}));
+  again.file().resume({2, 0});
+  again.write(2, 3);
+  EXPECT_EQ(again.file().length().frames, 3);
+}
+
 TEST_F(Hdf5FieldsTest, ItIsGoneOnWithAndLaterFramesAreDropped) {
   const Mesh mesh = two_blocks(3, false);
   FieldLength at_two;
@@ -354,6 +370,7 @@ TEST_F(Hdf5FieldsTest, SetsThatAreNotAsTheyWereMadeAreRefused) {
       EXPECT_EQ(message, name + ": the frames of \"vals_nod_var1\" to go on with are not there, or damaged")
           << changes[k].first;
   }
+  EXPECT_EQ(H5Lis_registered(H5L_TYPE_EXTERNAL), 0) << "a set could be one of another file";
 }
 
 /// Where HDF5's metadata that differ begin: object headers, and the parts of extensible arrays.
