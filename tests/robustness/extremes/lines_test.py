@@ -107,6 +107,12 @@ class LinesTest(unittest.TestCase):
                     exact = strain.stretch_stress(stretch, 0.2, dimension)
                     self.assertAlmostEqual(outcome.run["reaction_right_x"][-1] / exact, 1, delta=1e-9)
 
+    def test_squeezed_blocks_hold_unless_enhanced(self):
+        self.run_scene(strain.squeezed(2, 0.4999, "Mean Dilatation"))
+        for ratio, least, most in ((0.2, 0.4, 0.6), (0.4999, 0.9, 0.98)):
+            outcome = self.run_scene(strain.squeezed(2, ratio, "Enhanced"), "failed", "Newton's iteration broke down")
+            self.assertTrue(least < 1 - outcome.run["time"][-1] < most)
+
     def test_locking_is_there_and_cured(self):
         def ratio(formulation):
             outcome = self.run_scene(locking.cantilever(2, 0.4999, formulation, [40, 4]))

@@ -52,6 +52,20 @@ def sheared(dimension, ratio, formulation, shear, count):
             "Output/Reactions": ["top"]}
 
 
+def squeezed(dimension, ratio, formulation):
+    """4 x 4 (x 4) elements between held ends, squeezed to a hundredth of their height in 99 load steps."""
+    return {**box([1] * dimension, [4] * dimension), "Materials/Body/Poisson's Ratio": ratio,
+            "Materials/Body/Element Formulation": formulation, "Time Integrator/Type": "Static",
+            STEPS + "Time Step": 0.01, STEPS + "Final Time": 0.99, **ramp("Squeeze", -1.0), **held("base", "bottom", "all"),
+            **held("top", "top", "xy"[:dimension - 1]), **held("press", "top", "xyz"[dimension - 1], "Squeeze")}
+
+
+def least_height(outcome):
+    """The last height that was reached; the reason where it was not the end."""
+    height = 1 - outcome.run["time"][-1]
+    return number(height) if outcome.kind == "completed" else f"{number(height)}: {outcome.message.split(': ', 1)[-1]}"
+
+
 def verdict(outcome, reaction, exact):
     if outcome.kind == "completed":
         return number(abs(outcome.run[reaction][-1] / exact - 1), 1)
@@ -78,4 +92,8 @@ def study(runner, images):
                 outcome = runner(f"strain/{dimension}/{ratio}/{formulation}/shear",
                                  sheared(dimension, ratio, formulation, 10.0, 10))
                 rows.append([*row, verdict(outcome, "reaction_top_x", lame(ratio)[0] * 10)])
-    return table(["", "nu", "elements", *(f"{stretch:.10g}" for stretch in STRETCHES), "shear 10"], rows)
+    blocks = [[f"{dimension}D", f"{ratio:g}", formulation,
+               least_height(runner(f"strain/squeezed/{dimension}/{ratio}/{formulation}", squeezed(dimension, ratio, formulation)))]
+              for dimension in (2, 3) for ratio in RATIOS for formulation in FORMULATIONS]
+    return [*table(["", "nu", "elements", *(f"{stretch:.10g}" for stretch in STRETCHES), "shear 10"], rows), "",
+            *table(["", "nu", "4 elements an edge, squeezed between held ends", "height reached"], blocks)]
