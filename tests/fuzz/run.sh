@@ -105,7 +105,10 @@ for target in "${chosen[@]}"; do
       # Libraries lose memory with every file that they refuse; it adds up over thousands.
       *-oom-*/alone) echo "  memory that libraries lost before: $finding" ;;
       */*libixos*) echo "  a finding: $place ($finding)"; status=1 ;;
-      *.so*) echo "  in a distribution library: $place ($finding)" ;;
+      *.so*)
+        # Outside of what a child process tries first it would end a run.
+        grep -q try_reading "$scratch/finding.log" && tried=", tried in a child first" || tried=""
+        echo "  in a distribution library$tried: $place ($finding)" ;;
       *) echo "  a finding: $place ($finding)"; status=1 ;;
     esac
     listed=$((listed + 1))
