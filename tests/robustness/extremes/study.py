@@ -5,7 +5,7 @@
 
 Every run is classified: completed (with its energy error), failed (exit status 3), refused (2), or what must not be: a
 defect (1), a crash, a hang, NaN. The exit status is 1 where something must not be. Runs that were made with the same
-driver are not repeated. docs/extremes.md shows what came out; `million` takes half an hour on a free
+driver are not repeated. docs/extremes.md shows what came out; `million` takes some ten minutes on a free
 machine, the others minutes.
 """
 import argparse
