@@ -26,16 +26,17 @@ auto persistent(const Call& call) {
   throw FileError(path + ": " + what + ": " + std::strerror(errno));
 }
 
+int flags_of(DiskFile::Mode mode) {
+  const int common = O_CLOEXEC | O_NONBLOCK;  // a pipe would wait
+  if (mode == DiskFile::Mode::Read) return common | O_RDONLY;
+  return common | O_RDWR | (mode == DiskFile::Mode::Create ? O_CREAT | O_TRUNC : 0);
+}
+
 }  // namespace
 
-DiskFile::DiskFile(const std::string& path, Mode mode)
-    : path_(path),
-      descriptor_(open(path.c_str(),
-                       (mode == Mode::Read     ? O_RDONLY
-                        : mode == Mode::Change ? O_RDWR
-                                               : (remove_link(path), O_RDWR | O_CREAT | O_TRUNC)) |
-                           O_CLOEXEC | O_NONBLOCK,  // a pipe would wait
-                       0666)) {
+DiskFile::DiskFile(const std::string& path, Mode mode) : path_(path) {
+  if (mode == Mode::Create) remove_link(path);
+  descriptor_ = open(path.c_str(), flags_of(mode), 0666);
   if (descriptor_ < 0) fail(mode == Mode::Create ? "cannot be written" : "cannot be opened");
   struct stat status {};
   if (fstat(descriptor_, &status) == 0 && (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))) return;
@@ -103,6 +104,8 @@ bool is_file(const std::string& path) {
   std::error_code code;
   return std::filesystem::is_regular_file(path, code);
 }
+
+std::ifstream open_text(const std::string& path) { return is_file(path) ? std::ifstream(path) : std::ifstream(); }
 
 void remove_link(const std::string& path) {
   std::error_code code;

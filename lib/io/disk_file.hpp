@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <string>
 
 namespace ixos {
@@ -10,11 +11,8 @@ namespace ixos {
 /// and the system's words.
 class DiskFile {
  public:
-  enum class Mode {
-    Read,
-    Change,
-    Create
-  };  ///< Change: of a file that exists; Create: empties one that does, a link goes
+  /// Change: of a file that exists. Create: empties one that does; a link goes.
+  enum class Mode { Read, Change, Create };
   DiskFile(const std::string& path, Mode mode);
   ~DiskFile();
   DiskFile(const DiskFile&) = delete;
@@ -41,6 +39,9 @@ class DiskFile {
 
 /// Whether the path leads to a file: a pipe would have its reader wait, a device never end.
 bool is_file(const std::string& path);
+
+/// A text to read; not open where the path does not lead to a file.
+std::ifstream open_text(const std::string& path);
 
 /// A link goes: what is to be written is not to end up where it leads.
 void remove_link(const std::string& path);

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
@@ -27,8 +28,7 @@ template <class... Values>
 
 /// NetCDF's three formats begin with CDF or with HDF5's signature; anything else is not handed to the library.
 void check_start(const std::string& path) {
-  std::error_code code;
-  if (!std::filesystem::is_regular_file(path, code)) refuse(path, "the mesh file cannot be read");  // a pipe would wait
+  if (!is_file(path)) refuse(path, "the mesh file cannot be read");
   std::ifstream file(path, std::ios::binary);
   char start[4] = {};
   if (!file) refuse(path, "the mesh file cannot be read");

@@ -5,7 +5,6 @@
 #include <Teuchos_Time.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "base/error.hpp"
@@ -36,8 +35,7 @@ HistoryFile::HistoryFile(const std::string& path, const TableLength& length)
       length_(length) {}
 
 void HistoryFile::verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length) {
-  std::ifstream file;
-  if (is_file(path)) file.open(path);
+  std::ifstream file = open_text(path);
   std::string line;
   if (!file.is_open() || !std::getline(file, line) || file.eof())  // a line that does not end is none
     throw InputError(path + ": the table to go on with is not there; another --output begins a new one");

@@ -42,12 +42,9 @@ auto near_undeformed(const T& trace, const T& j) {
 template <class T>
 T log_determinant(const T& trace, const T& j, const T& jacobian) {
   using std::log;
-  return near_undeformed(trace, j) ? log_one_plus(j) : T(log(T(jacobian * jacobian)));
-}
-inline Pack log_determinant(const Pack& trace, const Pack& j, const Pack& jacobian) {
   const auto near = near_undeformed(trace, j);
-  const Pack close = log_one_plus(select(near, j, Pack(0.0)));
-  return all_of(near) ? close : select(near, close, Pack(std::experimental::log(jacobian * jacobian)));
+  const T close = log_one_plus(T(select(near, j, T(0.0))));
+  return everywhere(near) ? close : select(near, close, T(log(T(jacobian * jacobian))));
 }
 
 /// (x - log1p(x))/x^2 by its series, sum_{k>=2} (-1)^k x^(k-2)/k: for |x| < 0.02, where ten terms leave 2e-18.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
 
 #include "base/closest_name.hpp"
@@ -29,8 +28,7 @@ std::vector<std::string> cells(const std::string& line) {
 }  // namespace
 
 HistoryTable::HistoryTable(const std::string& path) : path_(path) {
-  std::ifstream file;
-  if (is_file(path)) file.open(path);
+  std::ifstream file = open_text(path);
   std::string line;
   if (!std::getline(file, line)) throw FileError(path + ": cannot be read, or is empty");
   names_ = cells(line);

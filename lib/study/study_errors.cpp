@@ -62,8 +62,7 @@ std::vector<std::string> probe_displacements(const HistoryTable& history) {
 }
 
 double energy_error(const std::string& folder) {
-  std::ifstream file;
-  if (is_file(folder + "/summary.json")) file.open(folder + "/summary.json");
+  std::ifstream file = open_text(folder + "/summary.json");
   const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
   if (!summary.is_object() || !summary.contains("max_energy_error"))
     throw FileError(folder + "/summary.json: cannot be read");

@@ -25,8 +25,7 @@ namespace {
 using Json = nlohmann::json;
 
 Json read_json(const std::string& path) {
-  std::ifstream file;
-  if (is_file(path)) file.open(path);
+  std::ifstream file = open_text(path);
   Json json = Json::parse(file, nullptr, false);
   return json.is_object() ? json : Json();
 }
@@ -43,8 +42,7 @@ T entry(const Json& record, const char* name, T otherwise) {
 }
 
 std::string last_line(const std::string& path) {
-  std::ifstream file;
-  if (is_file(path)) file.open(path);
+  std::ifstream file = open_text(path);
   std::string last;
   for (std::string line; std::getline(file, line);)
     if (!line.empty()) last = line;

@@ -174,9 +174,23 @@ def damaged_copies(path, chance):
     return [whole[:cut] for cut in cuts], flips
 
 
+def copy_afresh(source, folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(source, folder, symlinks=True)
+
+
+def checkpoints(folder):
+    """The names of a folder's checkpoints, the oldest first."""
+    return sorted((name for name in os.listdir(folder) if name.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
+
+
+def first_checkpoint(folder):
+    return os.path.join(folder, checkpoints(folder)[0])
+
+
 def damaged_checkpoints(driver, table, work, chance):
     source = os.path.join(work, "whole-1")
-    names = sorted((name for name in os.listdir(source) if name.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
+    names = checkpoints(source)
     last, before = names[-1], names[-2]
     folder = os.path.join(work, "damaged")
     shutil.copytree(source, folder, symlinks=True)
@@ -209,11 +223,9 @@ def damaged_results(driver, table, work, chance):
         length = os.path.getsize(os.path.join(source, name))
         outcomes = []
         for cut in sorted({*range(0, length, 4096), length - 1}):
-            shutil.rmtree(folder, ignore_errors=True)
-            shutil.copytree(source, folder, symlinks=True)
+            copy_afresh(source, folder)
             os.truncate(os.path.join(folder, name), cut)
-            first = min((n for n in os.listdir(folder) if n.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
-            status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, first)])
+            status, output = driver.run(["--output", folder, "--restart", first_checkpoint(folder)])
             problem = differs(folder, source) if status == 0 else ""
             if status != 0 and os.path.getsize(os.path.join(folder, name)) != cut:
                 problem = "a refusal changed the file"
@@ -233,12 +245,10 @@ def damaged_hdf5_fields(driver, table, work, chance):
                                 damaged_copies(os.path.join(source, "fields.e"), chance)):
             outcomes = []
             for contents in copies:
-                shutil.rmtree(folder, ignore_errors=True)
-                shutil.copytree(source, folder, symlinks=True)
+                copy_afresh(source, folder)
                 with open(os.path.join(folder, "fields.e"), "wb") as file:
                     file.write(contents)
-                first = min((n for n in os.listdir(folder) if n.startswith("checkpoint-")), key=lambda n: int(n[11:-3]))
-                status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, first)], ranks=ranks,
+                status, output = driver.run(["--output", folder, "--restart", first_checkpoint(folder)], ranks=ranks,
                                             settings=settings)
                 wrong = status == 0 and history(folder) != whole
                 outcomes.append((status, output, "history.csv differs" if wrong else ""))
