@@ -117,12 +117,8 @@ struct ElasticKernel {
                           const Rule& rule, Tangent<T>& k) {
     // One time point in three dimensions: the spatial form is twice as fast. Several share the contraction of their
     // mean moduli.
-    if (has_spatial_tangent(rule))
-      return for_each_node_pair(material, geometry, segment, rule,
-                                [&k](std::size_t a, std::size_t b, const auto& block) {
-                                  for (std::size_t i = 0; i < D; ++i)
-                                    for (std::size_t j = 0; j < D; ++j) k[a * D + i][b * D + j] += block[i][j];
-                                });
+    if (D == 3 && rule.points.size() == 1 && rule.mean == Mean::Points)
+      return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
@@ -142,25 +138,6 @@ struct ElasticKernel {
         add_contraction<true>(dn, dn, mean, k);
       else
         add_contraction<false>(dn, dn, mean, k);
-    }
-  }
-
-  /// Does for_each_node_pair() know the rule's tangent?
-  static bool has_spatial_tangent(const Rule& rule) {
-    return D == 3 && rule.points.size() == 1 && rule.mean == Mean::Points;
-  }
-
-  /// sink(a, b, block) adds a part of the rule's tangent, rows of node a and columns of node b: nodes' blocks go to the
-  /// matrix as they are made.
-  template <class T, class Sink>
-  static void for_each_node_pair(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                                 const Rule& rule, const Sink& sink) {
-    for (std::size_t q = 0; q < geometry.points.size(); q += points_at_once) {
-      const std::size_t count = std::min(points_at_once, geometry.points.size() - q);
-      std::array<SpatialPoint<T, N, D>, points_at_once> linearized;
-      for (std::size_t i = 0; i < count; ++i)
-        linearize(material, geometry, segment, rule.points[0], q + i, linearized[i]);
-      add_products(linearized, count, sink);
     }
   }
 
@@ -254,6 +231,17 @@ struct ElasticKernel {
   }
 
  private:
+  template <class T>
+  static void add_spatial_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                                  const RulePoint& point, Tangent<T>& k) {
+    for (std::size_t q = 0; q < geometry.points.size(); q += points_at_once) {
+      const std::size_t count = std::min(points_at_once, geometry.points.size() - q);
+      std::array<SpatialPoint<T, N, D>, points_at_once> linearized;
+      for (std::size_t i = 0; i < count; ++i) linearize(material, geometry, segment, point, q + i, linearized[i]);
+      add_products(linearized, count, k);
+    }
+  }
+
   template <class T>
   [[gnu::always_inline]] static void linearize(const Material& material, const Geometry<T>& geometry,
                                                const Segment<T>& segment, const RulePoint& point, std::size_t q,

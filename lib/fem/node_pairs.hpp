@@ -2,7 +2,6 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <utility>
 
 #include "base/small_matrix.hpp"
 #include "material/spatial_tangent.hpp"
@@ -44,11 +43,11 @@ struct SpatialPoint {
 constexpr std::size_t points_at_once = 8;
 
 /// k_ai,bk = sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
-/// g are the shape gradients in the reference and the deformed body. sink(a, b, block) takes rows of node a and columns
-/// of node b. Node pairs are the outer loop, so that sums stay in registers; one triangle is computed and mirrored.
-template <class T, std::size_t N, std::size_t D, class Sink>
+/// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
+/// in registers; one triangle is computed and mirrored.
+template <class T, std::size_t N, std::size_t D>
 inline void add_products(const std::array<SpatialPoint<T, N, D>, points_at_once>& points, std::size_t count,
-                         const Sink& sink) {
+                         Small<T, N * D>& k) {
   for (std::size_t b = 0; b < N; ++b) {
     std::array<std::array<T, D>, points_at_once> n, c, l;
     for (std::size_t q = 0; q < count; ++q)
@@ -69,11 +68,11 @@ inline void add_products(const std::array<SpatialPoint<T, N, D>, points_at_once>
         }
       }
       for (std::size_t i = 0; i < D; ++i) sum[i][i] += along;
-      sink(a, b, sum);
-      if (a == b) continue;
       for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < i; ++j) std::swap(sum[i][j], sum[j][i]);
-      sink(b, a, sum);
+        for (std::size_t j = 0; j < D; ++j) {
+          k[a * D + i][b * D + j] += sum[i][j];
+          if (a != b) k[b * D + j][a * D + i] += sum[i][j];
+        }
     }
   }
 }

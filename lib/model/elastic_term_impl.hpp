@@ -61,14 +61,6 @@ class ElasticTerm final : public Term {
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       const Gathered ends(batches_, b, segment);
-      if constexpr (is_standard)
-        if (Kernel::has_spatial_tangent(rule)) {
-          Kernel::for_each_node_pair(material_, geometry_[b], ends.segment(), rule,
-                                     [&](std::size_t a, std::size_t c, const Small<Pack, D>& block) {
-                                       batches_.scatter_block(b, a, c, block, values);
-                                     });
-          continue;
-        }
       typename Kernel::template Tangent<Pack> tangent{};
       Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
       batches_.scatter_tangent(b, tangent, values);

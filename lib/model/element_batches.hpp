@@ -78,39 +78,42 @@ class ElementBatches {
     scatter_force(batch, values, local);
   }
 
-  /// Adds the rows of owned nodes to the matrix values: the block of nodes `a` (rows) and `c`.
-  void scatter_block(std::size_t batch, std::size_t a, std::size_t c, Small<Pack, D> block, double* values) const {
+  /// Adds the rows of owned nodes to the matrix values, cell by cell one node's rows after another's: a row's memory is
+  /// visited once.
+  void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
     const Places& places = places_[batch];
     const std::size_t used = lanes(batch);
-    if (!scale_.empty())
+    for (std::size_t a = 0; a < N; ++a) {
+      std::array<std::array<Rows, N>, D> rows;
       for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) block[i][j] *= scale_[batch][a] * scale_[batch][c];
-    for (std::size_t i = 0; i < D; ++i) {
-      const Rows rows(block[i]);
+        for (std::size_t c = 0; c < N; ++c) {
+          std::array<Pack, D> vector;
+          for (std::size_t j = 0; j < D; ++j) vector[j] = k[a * D + i][c * D + j];
+          if (!scale_.empty())
+            for (std::size_t j = 0; j < D; ++j) vector[j] *= scale_[batch][a] * scale_[batch][c];
+          rows[i][c] = vector;
+        }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        if (places.offset[a][c][lane] < 0) continue;
-        double* target = values + places.offset[a][c][lane] + static_cast<std::size_t>(places.stride[a][lane]) * i;
-        for (std::size_t j = 0; j < D; ++j) target[j] += rows(lane, j);
+        if (places.offset[a][0][lane] < 0) continue;  // and so are all of its row
+        for (std::size_t i = 0; i < D; ++i) {
+          double* row = values + static_cast<std::size_t>(places.stride[a][lane]) * i;
+          for (std::size_t c = 0; c < N; ++c) {
+            double* target = row + places.offset[a][c][lane];
+            std::array<double, D> sum;
+            for (std::size_t j = 0; j < D; ++j) sum[j] = target[j] + rows[i][c](lane, j);
+            std::copy(sum.begin(), sum.end(), target);
+          }
+        }
       }
     }
-  }
-
-  /// The same of all nodes.
-  void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t c = 0; c < N; ++c) {
-        Small<Pack, D> block;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) block[i][j] = k[a * D + i][c * D + j];
-        scatter_block(batch, a, c, block, values);
-      }
   }
 
  private:
   /// A vector of space for each lane.
   class Rows {
    public:
-    explicit Rows(const std::array<Pack, D>& vector) {
+    Rows() = default;
+    Rows(const std::array<Pack, D>& vector) {
       if constexpr (by_lane)
         interleave(vector[0], vector[1], vector[2], values_.data());
       else

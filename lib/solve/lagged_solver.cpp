@@ -8,6 +8,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -23,6 +24,8 @@ namespace {
 
 using KrylovFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 using Status = Thyra::SolveStatus<double>;
+
+constexpr int unknown = std::numeric_limits<int>::max() / 2;  ///< more iterations than any solve takes
 
 /// Belos' CG says so in words only.
 bool shows_negative_curvature(const std::exception& error) {
@@ -56,7 +59,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     record.share("first matrix", first_matrix_);
     record.share("matrix", matrix_);
     record.number("stale", stale_);
-    record.number("least iterations", least_iterations_);
+    transfer_least_iterations(record);
     record.number("excess", excess_);
     record.number("refused", refused_);
     const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
@@ -68,7 +71,28 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override { return krylov_->domain(); }
 
  private:
+  /// The operator, where it is not a matrix itself.
+  auto as_assemblable() const {
+    return Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
+  }
   auto values() const { return Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(*source_))->getLocalMatrixHost().values; }
+
+  void transfer_least_iterations(Record& record) {
+    auto families = static_cast<int>(least_iterations_.size());
+    record.number("families", families);
+    if (families < 0 || families > 1000) throw InputError("families is not a number from 0 to 1000");
+    least_iterations_.resize(static_cast<std::size_t>(families), unknown);
+    for (int i = 0; i < families; ++i)
+      record.number(("least iterations " + std::to_string(i + 1)).c_str(),
+                    least_iterations_[static_cast<std::size_t>(i)]);
+  }
+  /// The least iterations of the present tangent's family with this preconditioner.
+  int& least_iterations() const {
+    const auto op = as_assemblable();
+    const auto family = static_cast<std::size_t>(op.is_null() ? 0 : op->family());
+    if (family >= least_iterations_.size()) least_iterations_.resize(family + 1, unknown);
+    return least_iterations_[family];
+  }
 
   /// Makes the preconditioner from the matrix's present values.
   void make() const {
@@ -122,8 +146,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
     // A multigrid's finest level is the matrix itself. Where only preconditioners have a matrix it goes on with the
     // values that they were made from, as in a run that nobody stopped.
-    const auto assemblable =
-        Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
+    const auto assemblable = as_assemblable();
     if (nonnull(assemblable))
       assemblable->forget_values();
     else
@@ -190,8 +213,10 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     statistics_->iterations += iterations;
     if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return status;
     refused_ = false;
-    least_iterations_ = first ? iterations : std::min(least_iterations_, iterations);
-    excess_ += iterations - least_iterations_;
+    if (first) least_iterations_.clear();
+    int& least = least_iterations();
+    least = std::min(least, iterations);
+    excess_ += iterations - least;
     stale_ = excess_ > options_.setup_cost;
     return status;
   }
@@ -205,7 +230,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
   mutable bool stale_ = true;                          ///< renew before the next matrix
   mutable bool fresh_ = false;                         ///< renewed, and not used since
-  mutable int least_iterations_ = 0;                   ///< of the solves with this preconditioner
+  mutable std::vector<int> least_iterations_;          ///< of the solves with this preconditioner, by family
   mutable double excess_ = 0;                          ///< iterations beyond the least, summed
   mutable bool refused_ = false;                       ///< the last matrix was found not positive definite
   mutable bool loaded_ = false;                        ///< from a checkpoint: the preconditioner is yet to be made

@@ -49,16 +49,21 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
   if (model.mass() != nullptr && model.mass()->is_lumped() != (table_.mass == Inertia::Lumped))
     throw std::invalid_argument("scheme \"" + table_.name + "\": the model's mass is of the other kind");
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
-  exact_rates_ = table_.closing != Closing::Collocate && table_.driven_rates == DrivenRates::Exact;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
     return;
   }
   for (const Stage& stage : table_.stages) {
-    problems_.push_back(std::make_unique<StageProblem>(model_, stage, exact_rates_, linear_solver_->matrix_free()));
-    solvers_.push_back(std::make_unique<NewtonSolver>(*problems_.back(), *linear_solver_, newton));
+    std::size_t like = 0;
+    while (like < solvers_.size() && !have_like_tangents(table_.stages[like], stage)) ++like;
+    solvers_.push_back(like < solvers_.size()
+                           ? solvers_[like]
+                           : std::make_shared<StageSolver>(*this, table_, linear_solver_->matrix_free()));
   }
 }
+
+Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& table, bool matrix_free)
+    : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
 
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
   time_ = time;
@@ -112,14 +117,14 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
     const double factor = predictor == Predictor::Newmark ? h * h / 4 : h * h / 2;
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * last.a[i];
   }
-  problems_[stage]->clip(last.u, guess);
+  solvers_[stage]->problem.clip(last.u, guess);
 }
 
 NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<double>& u) {
   const auto solve_from = [&](Predictor predictor) {
     predict(predictor, stage, dt, u);
     copy_owned(u, *unknown_);
-    return solvers_[stage]->solve(*unknown_);
+    return solvers_[stage]->newton.solve(*unknown_);
   };
   NewtonResult result = solve_from(table_.predictor);
   const bool same_guess = table_.predictor == Predictor::LastDisplacement ||
@@ -140,17 +145,17 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
 
 NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u) {
   // Rare: the problem and its matrix live no longer than this.
-  Stage other = table_.stages[stage];
-  other.elastic = other.nearby[0];
-  other.interaction = other.nearby[1];
-  StageProblem problem(model_, other, exact_rates_);
-  problem.arm(states_, time_, dt);
+  Table other = table_;
+  other.stages[stage].elastic = other.stages[stage].nearby[0];
+  other.stages[stage].interaction = other.stages[stage].nearby[1];
+  StageSolver nearby(*this, other, false);
+  nearby.problem.arm(stage, states_, time_, dt);
   predict(Predictor::LastDisplacement, stage, dt, u);
   copy_owned(u, *unknown_);
-  NewtonResult result = NewtonSolver(problem, *linear_solver_, newton_).solve(*unknown_);
+  NewtonResult result = nearby.newton.solve(*unknown_);
   if (!result.converged) return result;
   const int spent = result.iterations;
-  result = solvers_[stage]->solve(*unknown_);
+  result = solvers_[stage]->newton.solve(*unknown_);
   result.iterations += spent;
   return result;
 }
@@ -168,10 +173,11 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   derive(row.velocity, dt, end.v);
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
-    if (exact_rates_) model_.constraints().set(problems_[stage]->time(), nullptr, end.v.data(), end.a.data());
+    if (has_exact_rates(table_))
+      model_.constraints().set(solvers_[stage]->problem.time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
-  problems_[stage]->record_forces(end);
+  solvers_[stage]->problem.record_forces(end);
 }
 
 /// Expressions are sampled before a run (check_over); what slipped through ends the step, not the program.
@@ -237,8 +243,8 @@ StepResult Integrator::advance(double dt) {
   for (const Stage& stage : table_.stages)
     if (!driving_is_defined(stage, dt, result.reason)) return result;
   if (is_explicit(table_) && !take_explicit_step(dt, result.reason)) return result;
-  for (std::size_t stage = 0; stage < problems_.size(); ++stage) {
-    problems_[stage]->arm(states_, time_, dt);
+  for (std::size_t stage = 0; stage < solvers_.size(); ++stage) {
+    solvers_[stage]->problem.arm(stage, states_, time_, dt);
     std::vector<double> u = std::move(states_[stage + 1].u);
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;

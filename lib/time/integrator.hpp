@@ -72,6 +72,13 @@ class Integrator {
   void transfer(Record& record);
 
  private:
+  /// Stages with like tangents take turns in one, and so in one preconditioner.
+  struct StageSolver {
+    StageSolver(const Integrator& integrator, const Table& table, bool matrix_free);
+    StageProblem problem;
+    NewtonSolver newton;
+  };
+
   StepResult advance(double dt);
   bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
@@ -87,11 +94,9 @@ class Integrator {
   const Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
-  bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
-  bool exact_rates_ = false;         ///< of driven degrees of freedom
-  bool has_external_ = false;        ///< the model has loads or constraints on some rank
-  std::vector<std::unique_ptr<StageProblem>> problems_;
-  std::vector<std::unique_ptr<NewtonSolver>> solvers_;
+  bool needs_acceleration_ = false;                    ///< some row of the table uses a_n, or the predictor does
+  bool has_external_ = false;                          ///< the model has loads or constraints on some rank
+  std::vector<std::shared_ptr<StageSolver>> solvers_;  ///< by stage
   NewtonOptions newton_;
   Acceleration balance_;
   std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes

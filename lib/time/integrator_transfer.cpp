@@ -76,8 +76,11 @@ void Integrator::transfer_derived(Record& record) {
   if (stable_step_) stable_step_->transfer(record);
   if (record.loading() && !record.exact()) return;
   for (std::size_t stage = 0; stage < solvers_.size(); ++stage) {
+    if (std::find(solvers_.begin(), solvers_.begin() + static_cast<std::ptrdiff_t>(stage), solvers_[stage]) !=
+        solvers_.begin() + static_cast<std::ptrdiff_t>(stage))
+      continue;
     const Record::Section solver(record, "stage " + std::to_string(stage + 1));
-    solvers_[stage]->transfer(record);
+    solvers_[stage]->newton.transfer(record);
   }
 }
 

@@ -33,26 +33,26 @@ Potential StageProblem::potential(const Vector& x) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   std::vector<double> u(u_.size()), bracket(u_.size()), product(u_.size());
   model_.space().import(x, u.data());
-  Potential sum = rule_potential(stage_.elastic, u, true);
+  Potential sum = rule_potential(stage_->elastic, u, true);
   const auto add = [&sum](double value) {
     sum.value += value;
     sum.magnitude += std::abs(value);
   };
   if (model_.has_interactions()) {
-    const Potential interaction = rule_potential(stage_.interaction, u, false);
+    const Potential interaction = rule_potential(stage_->interaction, u, false);
     sum.value += interaction.value;
     sum.magnitude += interaction.magnitude;
   }
   if (has_mass_) {
     inertia_bracket(u, bracket);
     model_.mass()->multiply(bracket.data(), product.data());
-    add(dot(bracket, product, owned) / (2 * stage_.inertia.unknown * dt_ * dt_));
+    add(dot(bracket, product, owned) / (2 * stage_->inertia.unknown * dt_ * dt_));
   }
   if (model_.damping() != nullptr) {
     damping_bracket(u, bracket);
     std::fill(product.begin(), product.end(), 0.0);
     model_.damping()->multiply_add(1 / dt_, bracket.data(), product.data());
-    add(dot(bracket, product, owned) / (2 * stage_.damping.unknown));
+    add(dot(bracket, product, owned) / (2 * stage_->damping.unknown));
   }
   for (std::size_t i = 0; i < owned; ++i) bracket[i] = u[i] - (*from_)[i];
   add(dot(kept_, bracket, owned));

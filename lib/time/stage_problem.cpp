@@ -13,15 +13,9 @@
 
 namespace ixos {
 
-StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_rates, bool matrix_free)
-    : model_(model),
-      stage_(stage),
-      exact_rates_(exact_rates),
-      has_mass_(model.mass() != nullptr),
-      gradient_(stage.elastic.is_gradient() && stage.interaction.is_gradient()) {
+StageProblem::StageProblem(const Model& model, const Table& table, bool matrix_free)
+    : model_(model), table_(table), exact_rates_(has_exact_rates(table)), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());
-  const bool path_velocity = stage.elastic.uses_velocity() || stage.interaction.uses_velocity();
-  path_velocity_.resize(path_velocity ? local : 0);
   for (std::vector<double>* array : {&u_, &bracket_, &inertia_, &elastic_, &direction_, &kept_}) array->resize(local);
   if (has_mass_) known_inertia_.resize(local);
   if (model.damping() != nullptr) known_damping_.resize(local);
@@ -35,7 +29,7 @@ StageProblem::StageProblem(const Model& model, const Stage& stage, bool exact_ra
   if (model.constraints().empty()) return;
   reaction_.resize(static_cast<std::size_t>(model.space().owned()));
   prescribed_.resize(local);
-  if (!exact_rates) return;
+  if (!exact_rates_) return;
   prescribed_velocity_.resize(local);
   prescribed_acceleration_.resize(local);
 }
@@ -45,14 +39,17 @@ Segment StageProblem::segment(const Rule& rule) const {
           u_.data()};
 }
 
-void StageProblem::arm(const std::vector<State>& known, double time, double dt) {
+void StageProblem::arm(std::size_t stage, const std::vector<State>& known, double time, double dt) {
+  stage_ = &table_.stages[stage];
   dt_ = dt;
-  stage_time_ = time + stage_.end * dt;
+  stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
   tangent_at_.clear();
-  if (has_mass_) evaluate_known(stage_.inertia, known, dt, known_inertia_);
-  if (model_.damping() != nullptr) evaluate_known(stage_.damping, known, dt, known_damping_);
-  for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_.end * dt * known[0].v[i];
+  if (has_mass_) evaluate_known(stage_->inertia, known, dt, known_inertia_);
+  if (model_.damping() != nullptr) evaluate_known(stage_->damping, known, dt, known_damping_);
+  const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
+  path_velocity_.resize(path_velocity ? u_.size() : 0);
+  for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_->end * dt * known[0].v[i];
   if (!model_.constraints().empty())
     model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
@@ -61,7 +58,7 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
   std::fill(kept_.begin(), kept_.end(), 0.0);
   // Where the last residual was at this start, a rule with equal weights at both ends has its kept part there already,
   // to the last bit: the weights are 1/2.
-  const bool have_end = at_residual_ && u_ == known[0].u;
+  const bool have_end = residual_of_ == stage_ && u_ == known[0].u;
   const auto keep = [&](const Rule& rule, std::vector<double>& force, const auto& evaluate_force) {
     if (rule.kept_weight == 0) return;
     if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
@@ -69,23 +66,23 @@ void StageProblem::arm(const std::vector<State>& known, double time, double dt) 
       return;
     }
     admissible = evaluate_force(Segment{nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
-    at_residual_ = false;
+    residual_of_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
-  keep(stage_.elastic, elastic_, [&](auto&&... args) { return model_.elastic_force(args...); });
+  keep(stage_->elastic, elastic_, [&](auto&&... args) { return model_.elastic_force(args...); });
   if (model_.has_interactions())
-    keep(stage_.interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
+    keep(stage_->interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
   if (model_.space().minimum(admissible ? 1 : 0) == 0) throw std::logic_error("the start of the step is inadmissible");
   if (!model_.loads().empty()) {
     std::fill(load_.begin(), load_.end(), 0.0);
-    model_.loads().add_mean(stage_.load, time, dt, load_.data());
+    model_.loads().add_mean(stage_->load, time, dt, load_.data());
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] -= load_[i];
     double square = dot(load_, load_, static_cast<std::size_t>(model_.space().owned()));
     model_.space().sum(&square, 1);
     load_norm_ = std::sqrt(square);
   }
 
-  const double coefficient = stage_.inertia.unknown / (dt * dt);
+  const double coefficient = stage_->inertia.unknown / (dt * dt);
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
 }
@@ -116,7 +113,7 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
 }
 
 void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_.inertia, u, *from_, known_inertia_, bracket);
+  evaluate(stage_->inertia, u, *from_, known_inertia_, bracket);
   if (!exact_rates_) return;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
@@ -125,7 +122,7 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
 }
 
 void StageProblem::damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_.damping, u, *from_, known_damping_, bracket);
+  evaluate(stage_->damping, u, *from_, known_damping_, bracket);
   if (!exact_rates_) return;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
@@ -137,7 +134,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
-  at_residual_ = true;
+  residual_of_ = stage_;
   const double inverse = 1 / dt_;
   if (has_mass_) {
     inertia_bracket(u_, bracket_);
@@ -145,14 +142,14 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
     for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
   }
 
-  bool admissible = model_.elastic_force(segment(stage_.elastic), stage_.elastic, elastic_.data());
+  bool admissible = model_.elastic_force(segment(stage_->elastic), stage_->elastic, elastic_.data());
   // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way, and the
   // norm of u.
   double sums[6] = {
       has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
   if (model_.has_interactions()) {
     admissible =
-        model_.interaction_force(segment(stage_.interaction), stage_.interaction, interaction_.data()) && admissible;
+        model_.interaction_force(segment(stage_->interaction), stage_->interaction, interaction_.data()) && admissible;
     sums[2] = dot(interaction_, interaction_, owned);
   }
   sums[3] = admissible ? 0 : 1;
@@ -194,10 +191,10 @@ void StageProblem::record_forces(State& state) const {
 }
 
 void StageProblem::assemble(double* values) const {
-  if (has_mass_) model_.mass()->add_to(stage_.inertia.unknown / (dt_ * dt_), values);
-  if (model_.damping() != nullptr) model_.damping()->add_to(stage_.damping.unknown / dt_, values);
-  model_.add_elastic_tangent(segment(stage_.elastic), stage_.elastic, values);
-  model_.add_interaction_tangent(segment(stage_.interaction), stage_.interaction, tangent_kind(), values);
+  if (has_mass_) model_.mass()->add_to(stage_->inertia.unknown / (dt_ * dt_), values);
+  if (model_.damping() != nullptr) model_.damping()->add_to(stage_->damping.unknown / dt_, values);
+  model_.add_elastic_tangent(segment(stage_->elastic), stage_->elastic, values);
+  model_.add_interaction_tangent(segment(stage_->interaction), stage_->interaction, tangent_kind(), values);
   if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);
 }
 
@@ -209,13 +206,14 @@ double StageProblem::shift() const {
 
 void StageProblem::linearize() {
   TangentPoint point;
-  point.elastic = segment(stage_.elastic);
-  point.interaction = segment(stage_.interaction);
-  point.elastic_rule = &stage_.elastic;
-  point.interaction_rule = &stage_.interaction;
+  point.elastic = segment(stage_->elastic);
+  point.interaction = segment(stage_->interaction);
+  point.elastic_rule = &stage_->elastic;
+  point.interaction_rule = &stage_->interaction;
   point.kind = tangent_kind();
-  point.mass = has_mass_ ? stage_.inertia.unknown / (dt_ * dt_) : 0;
-  point.damping = stage_.damping.unknown / dt_;
+  point.family = static_cast<int>(stage_ - table_.stages.data());
+  point.mass = has_mass_ ? stage_->inertia.unknown / (dt_ * dt_) : 0;
+  point.damping = stage_->damping.unknown / dt_;
   point.shift = shift();
   point.constrained_diagonal = diagonal_;
   matrix_free_->linearize(point);
@@ -229,7 +227,7 @@ Teuchos::RCP<Operator> StageProblem::create_operator() {
 void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   model_.space().import(x, u_.data());
-  at_residual_ = false;
+  residual_of_ = nullptr;
   const bool known = u_ == tangent_at_;
   if (nonnull(matrix_free_)) {
     if (!known) linearize();
@@ -250,9 +248,9 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   model_.space().import(x, u_.data());
-  at_residual_ = false;
+  residual_of_ = nullptr;
   model_.space().import(direction, direction_.data());
-  return model_.admissible_step(segment(stage_.interaction), stage_.interaction, direction_.data());
+  return model_.admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }
 
 double StageProblem::convergence_bound(double relative_tolerance) const {

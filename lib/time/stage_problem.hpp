@@ -1,4 +1,4 @@
-/// One stage of a scheme as a nonlinear problem.
+/// The stages of a scheme as nonlinear problems.
 #pragma once
 #include <vector>
 
@@ -11,7 +11,7 @@
 namespace ixos {
 
 /// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule - mean load. arm() sets it for a
-/// step; until the next arm() it is constant. Model and stage must outlive it.
+/// stage of a step; until the next arm() it is constant. Model and table must outlive it.
 ///
 /// A constrained degree of freedom has the row kappa (u - u_bar), and nothing couples it to the others, so that the
 /// matrix stays symmetric. While u is not yet u_bar, the other rows are those at u, moved along the tangent to u_bar:
@@ -19,13 +19,12 @@ namespace ixos {
 /// eliminated exactly.
 class StageProblem final : public NonlinearProblem {
  public:
-  /// `exact_rates`: driven degrees of freedom have the velocity and acceleration of their motion, not the rows'.
   /// `matrix_free`: the tangent is a TangentOperator, else a matrix.
-  StageProblem(const Model& model, const Stage& stage, bool exact_rates, bool matrix_free = false);
+  StageProblem(const Model& model, const Table& table, bool matrix_free = false);
 
   /// `known` are the step's start and the ends of the stages before this one; they must stay until the solve is over.
   /// `time` is the step's start. Throws std::logic_error where the start of the segment is inadmissible.
-  void arm(const std::vector<State>& known, double time, double dt);
+  void arm(std::size_t stage, const std::vector<State>& known, double time, double dt);
 
   /// The guess moved from `base` (an admissible local array) towards `guess` as far as is admissible; both local.
   /// Collective.
@@ -44,7 +43,9 @@ class StageProblem final : public NonlinearProblem {
   /// tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but no less than what rounding u_s alone
   /// changes.
   double convergence_bound(double relative_tolerance) const override;
-  bool is_gradient() const override { return gradient_ && !moving_; }
+  bool is_gradient() const override {
+    return stage_->elastic.is_gradient() && stage_->interaction.is_gradient() && !moving_;
+  }
   double way_left(const Vector& x) override;
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
@@ -64,10 +65,10 @@ class StageProblem final : public NonlinearProblem {
   Potential rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const;
 
   const Model& model_;
-  const Stage& stage_;
-  bool exact_rates_;
+  const Table& table_;
+  const Stage* stage_ = nullptr;  ///< the one that it is armed for
+  bool exact_rates_;  ///< driven degrees of freedom have the velocity and acceleration of their motion, not the rows'
   bool has_mass_;
-  bool gradient_;  ///< both rules have a potential
   double dt_ = 0;
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start
@@ -85,8 +86,8 @@ class StageProblem final : public NonlinearProblem {
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
   int relaxation_ = 0;
 
-  std::vector<double> u_;     ///< local, where forces or tangents were last evaluated
-  bool at_residual_ = false;  ///< by residual(): elastic_ and interaction_ belong to u_
+  std::vector<double> u_;               ///< local, where forces or tangents were last evaluated
+  const Stage* residual_of_ = nullptr;  ///< whose elastic_ and interaction_ at u_ residual() left there, if any
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
   std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
   std::vector<double> values_;      ///< the values of that tangent, where it is a matrix

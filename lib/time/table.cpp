@@ -43,6 +43,21 @@ bool is_explicit(const Table& table) {
   return table.stages.size() == 1 && known(table.stages[0].elastic) && known(table.stages[0].interaction);
 }
 
+bool has_exact_rates(const Table& table) {
+  return table.closing != Closing::Collocate && table.driven_rates == DrivenRates::Exact;
+}
+
+bool have_like_tangents(const Stage& a, const Stage& b) {
+  const auto force = [](const Rule& rule) {
+    double sum = 0;
+    for (const RulePoint& point : rule.points) sum += point.weight * point.to;
+    return sum;
+  };
+  const auto like = [](double x, double y) { return x == y || (x <= 2 * y && y <= 2 * x); };
+  return like(a.inertia.unknown, b.inertia.unknown) && like(a.damping.unknown, b.damping.unknown) &&
+         like(force(a.elastic), force(b.elastic)) && like(force(a.interaction), force(b.interaction));
+}
+
 bool is_symmetric(const Table& table) {
   return std::all_of(table.stages.begin(), table.stages.end(),
                      [](const Stage& stage) { return stage.elastic.is_gradient() && stage.interaction.is_gradient(); });

@@ -90,6 +90,13 @@ std::vector<TimePoint> gauss_times(int n);
 /// zero.
 bool is_static(const Table& table);
 
+/// Do driven degrees of freedom take the exact velocity and acceleration of their motion?
+bool has_exact_rates(const Table& table);
+
+/// Do the tangents of two stages weigh mass, damping and forces alike, to a factor of 2? Then the one, inverted, is a
+/// preconditioner of the other with a condition number of at most 4 (1.8 for Bathe's two halves).
+bool have_like_tangents(const Stage& a, const Stage& b);
+
 /// Are the tangents of all stages symmetric?
 bool is_symmetric(const Table& table);
 

@@ -69,8 +69,8 @@ std::vector<double> tangent_errors(const Model& model, const Table& table, const
       for (std::size_t i = 0; i < local; ++i)
         (*field)[i] = 0.05 * std::sin(1.7 * mesh.coordinates[i] + 0.9 * static_cast<double>(i % d + s)) + 0.02;
     }
-  StageProblem problem(model, table.stages.back(), table.closing == Closing::Kinematic);
-  problem.arm(states, 0.0, 0.1);
+  StageProblem problem(model, table);
+  problem.arm(table.stages.size() - 1, states, 0.0, 0.1);
 
   const auto map = problem.map();
   Vector x(map), direction(map), f0(map), f1(map), wd(map), moved(map);

@@ -105,9 +105,9 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
       }
       const Vector x = owned(model, wave(model, 0.03, 0.5)), direction = owned(model, wave(model, 1, 7));
       Vector f(model.space().owned_map()), free_f(f), product(f), free_product(f), diagonal(f), free_diagonal(f);
-      StageProblem assembled(model, table.stages.back(), false), matrix_free(model, table.stages.back(), false, true);
+      StageProblem assembled(model, table), matrix_free(model, table, true);
       for (StageProblem* problem : {&assembled, &matrix_free}) {
-        problem->arm(states, 0.0, 0.1);
+        problem->arm(table.stages.size() - 1, states, 0.0, 0.1);
         problem->relax_tangent(level);
       }
       ASSERT_TRUE(assembled.residual(x, f));

@@ -55,8 +55,8 @@ TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
         const double phase = 0.9 * static_cast<double>(j);
         known[j] = {wave(model.mesh(), phase), wave(model.mesh(), phase + 1), wave(model.mesh(), phase + 2)};
       }
-      StageProblem problem(model, table.stages[k], table.closing == Closing::Kinematic);
-      problem.arm(known, 0.0, 0.1);
+      StageProblem problem(model, table);
+      problem.arm(k, known, 0.0, 0.1);
       const auto map = problem.map();
       Vector x(map), direction(map), f(map), moved(map);
       const auto u = wave(model.mesh(), 0.4), d = wave(model.mesh(), 2.5);
@@ -83,9 +83,9 @@ TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
   Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
   const Model& model = s.model();
   const Table table = newmark(0.25, 0.5);
-  StageProblem problem(model, table.stages[0], true);
+  StageProblem problem(model, table);
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  problem.arm({{rest, rest, rest}}, 0.0, 0.1);
+  problem.arm(0, {{rest, rest, rest}}, 0.0, 0.1);
   const auto map = problem.map();
   Vector x(map), direction(map), product(map);
   x.putScalar(0.0);
