@@ -59,26 +59,26 @@ class ElasticTerm final : public Term {
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      const Gathered ends(batches_, b, segment);
-      typename Kernel::template Tangent<Pack> tangent{};
-      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
-      batches_.scatter_tangent(b, tangent, values);
-    }
+    for_each_batch(segment, rule,
+                   [&](std::size_t b, const CellTangent& tangent) { batches_.scatter_tangent(b, tangent, values); });
   }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    const Rule rule = end_rule();
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      const Gathered ends(batches_, b, segment);
-      typename Kernel::template Tangent<Pack> tangent{};
-      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+    for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
       Nodal rows{};
       for (std::size_t r = 0; r < N * D; ++r)
         for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
       batches_.scatter_force(b, rows, sums);
-    }
+    });
     return true;
+  }
+
+  void add_diagonal(const Segment& segment, double* diagonal) const override {
+    for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
+      Nodal values;
+      for (std::size_t r = 0; r < N * D; ++r) values[r / D][r % D] = tangent[r][r];
+      batches_.scatter_diagonal(b, values, diagonal);
+    });
   }
 
   /// Of the standard kernel only.
@@ -114,6 +114,19 @@ class ElasticTerm final : public Term {
   }
 
  private:
+  using CellTangent = typename Kernel::template Tangent<Pack>;
+
+  /// visit(batch, tangent) of all cells.
+  template <class Visit>
+  void for_each_batch(const Segment& segment, const Rule& rule, const Visit& visit) const {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      CellTangent tangent{};
+      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+      visit(b, tangent);
+    }
+  }
+
   class Action final : public TangentAction {
     using Kept = ElasticAction<Element, Material>;
     using Layout = typename Kept::Layout;

@@ -1,6 +1,7 @@
 #include "model/model.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/error.hpp"
 
@@ -78,16 +79,10 @@ void Model::do_without_matrices() {
 }
 
 double Model::elastic_trace() const {
-  const auto d = static_cast<std::size_t>(mesh_.dimension);
-  std::vector<double> values(static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
   const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
-  add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), values.data());
-  double sum = 0;
-  for (int row = 0; row < pattern_.rows(); ++row)
-    for (std::size_t i = 0; i < d; ++i)
-      sum += values[static_cast<std::size_t>(pattern_.offset(row, row)) +
-                    static_cast<std::size_t>(pattern_.stride(row)) * i + i];
-  return sum;
+  std::vector<double> diagonal(rest.size(), 0.0);
+  for (const auto& term : elastic_) term->add_diagonal({nullptr, nullptr, rest.data()}, diagonal.data());
+  return std::accumulate(diagonal.begin(), diagonal.begin() + space_.owned(), 0.0);
 }
 
 bool Model::elastic_force(const Segment& segment, const Rule& rule, double* f) const {

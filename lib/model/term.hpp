@@ -77,6 +77,9 @@ class Term {
   /// segment.to: at least the row sum of the assembled one. False where segment.to is inadmissible.
   virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
 
+  /// An elastic term adds the diagonal of its tangent at segment.to to a local array; other terms add nothing.
+  virtual void add_diagonal(const Segment& /*segment*/, double* /*diagonal*/) const {}
+
   /// This rank's share of the potential energy [E0 L0^D].
   virtual double energy(const double* u) const = 0;
 

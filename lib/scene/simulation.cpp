@@ -155,6 +155,15 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   }
 }
 
+/// See ProblemSize.
+double Simulation::stiffness(const Table& table) const {
+  constexpr double unknown = 1e300;
+  const StepControlOptions control = step_control();
+  const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
+  const double inertia = table.stages.front().inertia.unknown * model_->mass_scale();
+  return dt > 0 && inertia > 0 ? model_->elastic_scale() * dt * dt / inertia : unknown;
+}
+
 void Simulation::build_integrator(Table table) {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
@@ -164,7 +173,8 @@ void Simulation::build_integrator(Table table) {
                          model_->space().comm()->getSize(),
                          is_symmetric(table),
                          all_standard(materials(parameters_.sublist("Materials"))),
-                         level_width_};
+                         level_width_,
+                         stiffness(table)};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

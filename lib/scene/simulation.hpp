@@ -37,6 +37,7 @@ class Simulation {
   Table chosen_table() const;
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
   void build_model(const Comm& comm, const std::string& folder, Inertia inertia);
+  double stiffness(const Table& table) const;
   void build_integrator(Table table);
   void set_initial_state();
 

@@ -13,6 +13,8 @@ class AssemblableOperator : public Operator {
   virtual Teuchos::RCP<CrsMatrix> matrix() const = 0;
   /// Somebody has put other values into the matrix: they are computed anew at the next request.
   virtual void forget_values() const = 0;
+  /// The diagonal, by row. Collective.
+  virtual void diagonal(Vector& result) const = 0;
   /// Families of tangents that take turns, counted from 0: iterations with one preconditioner compare within a family.
   virtual int family() const { return 0; }
 };

@@ -97,6 +97,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   /// Makes the preconditioner from the matrix's present values.
   void make() const {
     std::srand(1);
+    if (!options_.of_matrix) return factory_->initializePrec(source_, preconditioner_.get());
     const Teuchos::RCP<const Operator> matrix = matrix_of(*source_);
     factory_->initializePrec(Thyra::defaultLinearOpSource(const_linear_op(matrix, source_->getOp()->range())),
                              preconditioner_.get());
@@ -105,7 +106,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
     make();
-    if (options_.restartable) note_matrix();
+    if (options_.restartable && options_.of_matrix) note_matrix();
     attach();
     stale_ = false;
     fresh_ = true;
@@ -131,6 +132,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   /// Makes the preconditioner as it was when the checkpoint was written.
   void rebuild() const {
     const TimedScope timed(Phase::Factorization);
+    if (!options_.of_matrix) return make();
     const auto here = values();
     const std::vector<double> present(here.data(), here.data() + here.extent(0));
     const auto make_from = [&](const std::vector<double>& earlier) {

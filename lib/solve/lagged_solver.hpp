@@ -12,6 +12,7 @@ namespace ixos {
 struct LaggedOptions {
   double setup_cost = 20;    ///< the price of a new preconditioner in iterations
   bool from_scratch = true;  ///< a renewed preconditioner keeps something of its first matrix: a retry makes a new one
+  bool of_matrix = true;     ///< made from a matrix; else from the operator itself, and it keeps its own state
   bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
 };
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parameter_entries.hpp"
+#include "solve/chebyshev_preconditioner.hpp"
 #include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"
 #include "solve/klu2_repair.hpp"
@@ -32,6 +33,9 @@ void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::
       "Ifpack2");
   builder.setPreconditioningStrategyFactory(
       Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, DirectPreconditionerFactory>(), "Direct");
+  builder.setPreconditioningStrategyFactory(
+      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, ChebyshevPreconditionerFactory>(),
+      "Chebyshev");
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
 }
 
@@ -79,6 +83,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
   self.preconditioned = preconditioner != "None";
   self.lagged.from_scratch = preconditioner == "MueLu";
+  self.lagged.of_matrix = preconditioner != "Chebyshev";
   self.lagged.restartable = restartable;
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");

@@ -36,8 +36,6 @@ class TangentOperator final : public AssemblableOperator {
   /// result_f = K_fp x_p of constrained columns p and free rows f, 0 for constrained ones: x local, result the rows of
   /// owned nodes.
   void multiply_constrained_columns(const double* x, double* result) const;
-  /// The diagonal of W, rows of owned nodes.
-  void diagonal(Vector& result) const;
 
   Teuchos::RCP<const Map> getDomainMap() const override { return model_.space().owned_map(); }
   Teuchos::RCP<const Map> getRangeMap() const override { return model_.space().owned_map(); }
@@ -46,6 +44,7 @@ class TangentOperator final : public AssemblableOperator {
              double beta = 0) const override;
   bool hasTransposeApply() const override { return true; }
   Teuchos::RCP<CrsMatrix> matrix() const override;
+  void diagonal(Vector& result) const override;
   void forget_values() const override { assembled_ = false; }
   int family() const override { return family_; }
 

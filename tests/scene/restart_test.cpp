@@ -93,6 +93,10 @@ TEST_F(RestartTest, LaggedPreconditionersGoOn) {
     SCOPED_TRACE(preconditioner);
     expect_goes_on(scene(preconditioner, "Newmark", 3), {5, 25});
   }
+  for (const char* op : {"Assembled", "Matrix-Free"}) {
+    SCOPED_TRACE(std::string("Chebyshev, ") + op);
+    expect_goes_on(scene("Chebyshev", "Bathe Composite", 3, op), {5, 25});
+  }
   // A multigrid's finest level is the operator's own matrix, which only a new preconditioner changes.
   for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct"}) {
     SCOPED_TRACE(std::string("matrix-free, ") + preconditioner);

@@ -1,0 +1,203 @@
+#include "solve/chebyshev_preconditioner.hpp"
+
+#include <Teuchos_LAPACK.hpp>
+#include <Teuchos_StandardParameterEntryValidators.hpp>
+#include <Thyra_DefaultPreconditioner.hpp>
+#include <Thyra_MultiVectorStdOps.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "base/agreement.hpp"
+#include "solve/kept_state.hpp"
+#include "solve/thyra.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr std::size_t lanczos_steps = 10;
+
+Vector diagonal_of(const Operator& op) {
+  Vector diagonal(op.getRangeMap());
+  const auto* assemblable = dynamic_cast<const AssemblableOperator*>(&op);
+  if (assemblable != nullptr)
+    assemblable->diagonal(diagonal);
+  else
+    dynamic_cast<const CrsMatrix&>(op).getLocalDiagCopy(diagonal);
+  return diagonal;
+}
+
+struct Spectrum {
+  double least = 0;    ///< an estimate, too large
+  double largest = 0;  ///< a bound
+};
+
+/// From the tridiagonal matrix of Lanczos' method and the entry that would come next beside its diagonal.
+Spectrum spectrum_of(std::vector<double> diagonal, std::vector<double> beside, double next) {
+  const auto n = static_cast<int>(diagonal.size());
+  std::vector<double> vectors(diagonal.size() * diagonal.size()), work(2 * diagonal.size());
+  int info = 0;
+  Teuchos::LAPACK<int, double>().STEQR('I', n, diagonal.data(), beside.data(), vectors.data(), n, work.data(), &info);
+  if (info != 0) throw std::runtime_error("the spectrum of the tangent cannot be estimated");
+  return {diagonal.front(), diagonal.back() + std::abs(vectors.back()) * next};  // in ascending order
+}
+
+/// Of D^-1/2 W D^-1/2, by Lanczos' method from a vector that does not depend on the partition; the bound is Zhou and
+/// Li's (2011, algorithm 4.4).
+Spectrum estimate_spectrum(const Operator& op, const Vector& inverse_diagonal) {
+  const auto map = op.getDomainMap();
+  Vector root(map), v(map), before(map), scaled(map), w(map);
+  {
+    const auto r = root.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto d = inverse_diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto x = v.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < x.extent(0); ++i) {
+      r(i, 0) = std::sqrt(d(i, 0));
+      x(i, 0) = std::sin(1.0 + 2.4 * static_cast<double>(map->getGlobalElement(static_cast<LocalId>(i))));
+    }
+  }
+  std::vector<double> diagonal, beside;
+  v.scale(1 / v.norm2());
+  for (double next = 0;;) {
+    scaled.elementWiseMultiply(1.0, root, v, 0.0);
+    op.apply(scaled, w);
+    scaled.elementWiseMultiply(1.0, root, w, 0.0);
+    if (!beside.empty()) scaled.update(-next, before, 1.0);
+    diagonal.push_back(scaled.dot(v));
+    scaled.update(-diagonal.back(), v, 1.0);
+    next = scaled.norm2();
+    if (diagonal.size() == lanczos_steps || next <= 1e-12 * std::abs(diagonal[0]))
+      return spectrum_of(diagonal, beside, next);
+    beside.push_back(next);
+    before.assign(v);
+    v.update(1 / next, scaled, 0.0);
+  }
+}
+
+class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
+ public:
+  /// What a checkpoint holds stands in for the spectrum once.
+  void initialize(const Teuchos::RCP<const Thyra::LinearOpBase<double>>& op, int degree, double ratio) {
+    op_ = op;
+    tpetra_ = Extract::getConstTpetraOperator(op);
+    degree_ = degree;
+    ratio_ = ratio;
+    if (inverse_diagonal_.is_null()) inverse_diagonal_ = Teuchos::rcp(new Vector(tpetra_->getRangeMap()));
+    if (waits_) {
+      restore();
+    } else {
+      invert_diagonal();
+      spectrum_ = estimate_spectrum(*tpetra_, *inverse_diagonal_);
+    }
+    waits_ = false;
+  }
+
+  VectorSpace range() const override { return op_->domain(); }
+  VectorSpace domain() const override { return op_->range(); }
+  void transfer(Record& record) override {
+    std::vector<double> values;
+    if (nonnull(inverse_diagonal_) && !record.loading()) {
+      const auto view = inverse_diagonal_->getLocalViewHost(Tpetra::Access::ReadOnly);
+      values.assign(view.data(), view.data() + view.extent(0));
+    }
+    record.share("inverse diagonal", values);
+    record.number("least eigenvalue", spectrum_.least);
+    record.number("largest eigenvalue", spectrum_.largest);
+    if (!record.loading()) return;
+    loaded_ = std::move(values);
+    waits_ = spectrum_.largest > 0;
+  }
+
+ private:
+  void restore() {
+    together<InputError>(tpetra_->getRangeMap()->getComm(), [&] {
+      const auto view = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
+      if (loaded_.size() != view.extent(0)) throw InputError("a diagonal of the checkpoint has another size");
+      std::copy(loaded_.begin(), loaded_.end(), view.data());
+    });
+    loaded_.clear();
+  }
+  void invert_diagonal() {
+    const Vector diagonal = diagonal_of(*tpetra_);
+    together<std::runtime_error>(tpetra_->getRangeMap()->getComm(), [&] {
+      const auto from = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
+      const auto to = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (std::size_t i = 0; i < from.extent(0); ++i) {
+        if (from(i, 0) == 0) throw std::runtime_error("a row of the tangent has a zero on its diagonal");
+        to(i, 0) = 1 / std::abs(from(i, 0));  // attraction may make a row negative; D stays positive
+      }
+    });
+  }
+
+  bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return transpose == Thyra::NOTRANS; }
+  void applyImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& x,
+                 const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& y, const double alpha,
+                 const double beta) const override {
+    const auto b = Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(x));
+    const auto target = Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(y));
+    const double largest = spectrum_.largest, least = std::clamp(spectrum_.least, largest / ratio_, largest / 1.1);
+    const double center = (largest + least) / 2, half_width = (largest - least) / 2;
+    const auto map = b->getMap();
+    const std::size_t columns = b->getNumVectors();
+    MultiVector residual(map, columns, false), step(map, columns, false), sum(map, columns, false);
+    step.elementWiseMultiply(1 / center, *inverse_diagonal_, *b, 0.0);
+    sum.assign(step);
+    double rho = half_width / center;
+    for (int i = 1; i < degree_; ++i) {
+      residual.assign(*b);
+      tpetra_->apply(sum, residual, Teuchos::NO_TRANS, -1.0, 1.0);
+      const double next = 1 / (2 * center / half_width - rho);
+      step.elementWiseMultiply(2 * next / half_width, *inverse_diagonal_, residual, next * rho);
+      sum.update(1.0, step, 1.0);
+      rho = next;
+    }
+    target->update(alpha, sum, beta);
+  }
+
+  Teuchos::RCP<const Thyra::LinearOpBase<double>> op_;
+  Teuchos::RCP<const Operator> tpetra_;
+  int degree_ = 1;
+  double ratio_ = 1;
+  Spectrum spectrum_;
+  Teuchos::RCP<Vector> inverse_diagonal_;
+  bool waits_ = false;          ///< a checkpoint's spectrum, for the operator
+  std::vector<double> loaded_;  ///< its inverse diagonal
+};
+
+using Holder = Thyra::DefaultPreconditioner<double>;
+
+}  // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> ChebyshevPreconditionerFactory::getValidParameters() const {
+  const auto list = Teuchos::rcp(new Teuchos::ParameterList("Chebyshev"));
+  list->set("Degree", 3, "applications of the inverse diagonal; a product less",
+            Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(1, 100)));
+  list->set("Eigenvalue Ratio", 20.0,
+            "at most, of the largest eigenvalue to the least that the polynomial takes in [-]",
+            Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(1.1, 1e6)));
+  return list;
+}
+
+bool ChebyshevPreconditionerFactory::isCompatible(const Source& source) const {
+  const auto op = Extract::getConstTpetraOperator(source.getOp());
+  return nonnull(Teuchos::rcp_dynamic_cast<const AssemblableOperator>(op)) ||
+         nonnull(Teuchos::rcp_dynamic_cast<const CrsMatrix>(op));
+}
+
+Teuchos::RCP<ChebyshevPreconditionerFactory::Preconditioner> ChebyshevPreconditionerFactory::createPrec() const {
+  const Teuchos::RCP<Thyra::LinearOpBase<double>> polynomial = Teuchos::rcp(new Polynomial);
+  return Teuchos::rcp(new Holder(polynomial));
+}
+
+void ChebyshevPreconditionerFactory::initializePrec(const Teuchos::RCP<const Source>& source,
+                                                    Preconditioner* preconditioner,
+                                                    const Thyra::ESupportSolveUse) const {
+  Teuchos::ParameterList list(*getValidParameters());
+  if (nonnull(getParameterList())) list.setParameters(*getParameterList());
+  Teuchos::rcp_dynamic_cast<Polynomial>(preconditioner->getNonconstUnspecifiedPrecOp(), true)
+      ->initialize(source->getOp(), list.get<int>("Degree"), list.get<double>("Eigenvalue Ratio"));
+}
+
+}  // namespace ixos

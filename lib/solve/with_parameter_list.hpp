@@ -1,0 +1,27 @@
+/// What every Thyra factory with a parameter list repeats. Included by lib/solve only.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <utility>
+
+namespace ixos {
+
+/// A Thyra factory of the interface `Base` that keeps its list; getValidParameters() says what may stand in it.
+template <class Base>
+class WithParameterList : public Base {
+  using List = Teuchos::RCP<Teuchos::ParameterList>;
+
+ public:
+  /// Throws Teuchos' exceptions where the list is not valid.
+  void setParameterList(const List& list) override {
+    list->validateParametersAndSetDefaults(*this->getValidParameters());
+    list_ = list;
+  }
+  List getNonconstParameterList() override { return list_; }
+  List unsetParameterList() override { return std::exchange(list_, Teuchos::null); }
+  Teuchos::RCP<const Teuchos::ParameterList> getParameterList() const override { return list_; }
+
+ private:
+  List list_;
+};
+
+}  // namespace ixos
