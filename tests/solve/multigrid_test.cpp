@@ -162,6 +162,21 @@ TEST(LinearSolverDefaultsTest, SizeDimensionAndRanksChoose) {
   EXPECT_EQ(choice(3, 5000, 2), "Belos Direct");
 }
 
+TEST(LinearSolverDefaultsTest, StepsThatResolveWavesNeedNoMatrixInThreeDimensions) {
+  const auto choice = [](ProblemSize size, double stiffness) {
+    size.stiffness = stiffness;
+    const auto list = completed_linear_solver({}, size);
+    return list.get<std::string>("Preconditioner Type") + " " + list.get<std::string>("Operator");
+  };
+  EXPECT_EQ(choice({3, 30000, 1}, 500), "Chebyshev Matrix-Free");
+  EXPECT_EQ(choice({3, 30000, 1}, 501), "Direct Assembled");
+  EXPECT_EQ(choice({3, 3000000, 4}, 1), "Chebyshev Matrix-Free");
+  EXPECT_EQ(choice({3, 2000, 1}, 1), "None Assembled");
+  EXPECT_EQ(choice({2, 30000, 1}, 1), "Direct Assembled");
+  EXPECT_EQ(choice({3, 3000, 1, false}, 1), "Direct Assembled") << "unsymmetric";
+  EXPECT_EQ(choice({3, 3000, 1, true, false}, 1), "Direct Assembled") << "enhanced elements";
+}
+
 TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
   Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
   const auto w = tangent(s.model(), 10);
