@@ -14,7 +14,7 @@ namespace ixos {
 namespace {
 
 constexpr std::array<char, 16> magic{'I', 'x', 'o', 's', ' ', 'c', 'h', 'e', 'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
-constexpr std::uint64_t format = 1;
+constexpr std::uint64_t format = 2;
 
 /// The first bytes of the user block; the rest of it is zero.
 struct Seal {

@@ -11,6 +11,12 @@ bool Rule::uses_velocity() const {
   return std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.velocity != 0; });
 }
 
+double Rule::end_weight() const {
+  double sum = 0;
+  for (const RulePoint& point : points) sum += point.weight * point.to;
+  return sum;
+}
+
 bool Rule::uses_start() const {
   return mean != Mean::Points ||
          std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.from != 0; });

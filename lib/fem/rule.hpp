@@ -41,6 +41,8 @@ struct Rule {
   bool is_gradient() const { return mean != Mean::DiscreteGradient; }
   /// Sum of all weights: 1 for a consistent rule.
   double total_weight() const;
+  /// The derivative of the points' mean displacement by u_s: the share of the stiffness in the tangent.
+  double end_weight() const;
 };
 
 /// The force at the end of the segment.

@@ -91,7 +91,7 @@ class ElementBatches {
           for (std::size_t j = 0; j < D; ++j) vector[j] = k[a * D + i][c * D + j];
           if (!scale_.empty())
             for (std::size_t j = 0; j < D; ++j) vector[j] *= scale_[batch][a] * scale_[batch][c];
-          rows[i][c] = vector;
+          rows[i][c] = Rows(vector);
         }
       for (std::size_t lane = 0; lane < used; ++lane) {
         if (places.offset[a][0][lane] < 0) continue;  // and so are all of its row
@@ -99,7 +99,7 @@ class ElementBatches {
           double* row = values + static_cast<std::size_t>(places.stride[a][lane]) * i;
           for (std::size_t c = 0; c < N; ++c) {
             double* target = row + places.offset[a][c][lane];
-            std::array<double, D> sum;
+            std::array<double, D> sum;  // loads before stores: they go together
             for (std::size_t j = 0; j < D; ++j) sum[j] = target[j] + rows[i][c](lane, j);
             std::copy(sum.begin(), sum.end(), target);
           }
@@ -113,7 +113,7 @@ class ElementBatches {
   class Rows {
    public:
     Rows() = default;
-    Rows(const std::array<Pack, D>& vector) {
+    explicit Rows(const std::array<Pack, D>& vector) {
       if constexpr (by_lane)
         interleave(vector[0], vector[1], vector[2], values_.data());
       else

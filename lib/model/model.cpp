@@ -1,7 +1,6 @@
 #include "model/model.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "base/error.hpp"
 
@@ -37,10 +36,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material");
-  double sums[3] = {elastic_trace(), mass_ ? mass_->trace() : 0.0, static_cast<double>(mesh_.owned_nodes)};
-  space_.sum(sums, 3);
-  elastic_scale_ = sums[0] / (sums[2] * mesh_.dimension);
-  mass_scale_ = sums[1] / sums[2];
+  find_scales();
 }
 
 void Model::add_block(std::size_t number, const Material& material) {
@@ -78,11 +74,21 @@ void Model::do_without_matrices() {
   if (damping_) damping_->do_without_matrix();
 }
 
-double Model::elastic_trace() const {
+void Model::find_scales() {
   const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
-  std::vector<double> diagonal(rest.size(), 0.0);
-  for (const auto& term : elastic_) term->add_diagonal({nullptr, nullptr, rest.data()}, diagonal.data());
-  return std::accumulate(diagonal.begin(), diagonal.begin() + space_.owned(), 0.0);
+  std::vector<double> stiffness(rest.size(), 0.0), inertia(rest.size(), 0.0);
+  for (const auto& term : elastic_) term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
+  if (mass_) mass_->add_diagonal(1, inertia.data());
+  double sums[3] = {0, mass_ ? mass_->trace() : 0.0, static_cast<double>(mesh_.owned_nodes)};
+  double stiffest = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(space_.owned()); ++i) {
+    sums[0] += stiffness[i];
+    if (inertia[i] > 0) stiffest = std::max(stiffest, stiffness[i] / inertia[i]);
+  }
+  space_.sum(sums, 3);
+  elastic_scale_ = sums[0] / (sums[2] * mesh_.dimension);
+  mass_scale_ = sums[1] / sums[2];
+  stiffest_ = space_.maximum(stiffest);
 }
 
 bool Model::elastic_force(const Segment& segment, const Rule& rule, double* f) const {

@@ -58,6 +58,8 @@ class Model {
   /// Mean diagonal entry of the elastic stiffness at rest, and of the mass (0 where static), over all ranks.
   double elastic_scale() const { return elastic_scale_; }
   double mass_scale() const { return mass_scale_; }
+  /// The largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
+  double stiffest() const { return stiffest_; }
 
   /// f = the rule's force of the elastic (interaction) terms, f local and overwritten. False where inadmissible on this
   /// rank.
@@ -108,7 +110,7 @@ class Model {
 
  private:
   void add_block(std::size_t number, const Material& material);
-  double elastic_trace() const;
+  void find_scales();
 
   LocalMesh mesh_;
   DofSpace space_;
@@ -123,6 +125,7 @@ class Model {
   Loads loads_;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;
+  double stiffest_ = 0;
 };
 
 }  // namespace ixos

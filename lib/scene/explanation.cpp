@@ -90,14 +90,18 @@ std::string memory(const Simulation& simulation) {
   const Model& model = simulation.model();
   const double d = model.mesh().dimension;
   const double pairs = model.pattern().pairs();
-  const auto stages = static_cast<double>(simulation.integrator().table().stages.size());
+  const List& linear = simulation.parameters().sublist("Linear Solver");
+  const auto preconditioner = linear.get<std::string>("Preconditioner Type");
+  const bool needs_matrix = linear.get<std::string>("Operator") != "Matrix-Free" ||
+                            (preconditioner != "Chebyshev" && preconditioner != "None");
+  const double matrices = needs_matrix ? static_cast<double>(simulation.integrator().tangents()) : 0;
   double cells = 0;
   for (const LocalBlock& block : model.mesh().blocks) cells += block.cells();
   const double points = d == 2 ? 4 : 8, nodes = points;
   return fmt::format(
       "Memory on this rank, without factorisations: {} tangent matrices {}, mass {}, element geometry and "
       "offsets {}\n",
-      stages, megabytes(stages * pairs * d * d * 12), megabytes(model.mass() == nullptr ? 0 : pairs * 8),
+      matrices, megabytes(matrices * pairs * d * d * 12), megabytes(model.mass() == nullptr ? 0 : pairs * 8),
       megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
 }
 

@@ -5,6 +5,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
+#include <limits>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -157,11 +158,18 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
 
 /// See ProblemSize.
 double Simulation::stiffness(const Table& table) const {
-  constexpr double unknown = 1e300;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   const StepControlOptions control = step_control();
   const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
-  const double inertia = table.stages.front().inertia.unknown * model_->mass_scale();
-  return dt > 0 && inertia > 0 ? model_->elastic_scale() * dt * dt / inertia : unknown;
+  if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
+  double damping = 0, largest = 0;
+  for (const Material& material : materials(parameters_.sublist("Materials")))
+    damping = std::max(damping, material.stiffness_damping);
+  for (const Stage& stage : table.stages) {
+    const double stiffness = stage.elastic.end_weight() * dt * dt + damping * stage.damping.unknown * dt;
+    largest = std::max(largest, stiffness * model_->stiffest() / stage.inertia.unknown);
+  }
+  return largest;
 }
 
 void Simulation::build_integrator(Table table) {

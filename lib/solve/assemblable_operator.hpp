@@ -15,8 +15,6 @@ class AssemblableOperator : public Operator {
   virtual void forget_values() const = 0;
   /// The diagonal, by row. Collective.
   virtual void diagonal(Vector& result) const = 0;
-  /// Families of tangents that take turns, counted from 0: iterations with one preconditioner compare within a family.
-  virtual int family() const { return 0; }
 };
 
 }  // namespace ixos

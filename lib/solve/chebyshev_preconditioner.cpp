@@ -31,10 +31,11 @@ Vector diagonal_of(const Operator& op) {
 
 struct Spectrum {
   double least = 0;    ///< an estimate, too large
-  double largest = 0;  ///< a bound
+  double largest = 0;  ///< an estimate that is seldom exceeded
 };
 
-/// From the tridiagonal matrix of Lanczos' method and the entry that would come next beside its diagonal.
+/// From the tridiagonal matrix of Lanczos' method and the entry that would come next beside its diagonal; the largest
+/// eigenvalue with Zhou and Li's margin (2011).
 Spectrum spectrum_of(std::vector<double> diagonal, std::vector<double> beside, double next) {
   const auto n = static_cast<int>(diagonal.size());
   std::vector<double> vectors(diagonal.size() * diagonal.size()), work(2 * diagonal.size());
@@ -44,8 +45,7 @@ Spectrum spectrum_of(std::vector<double> diagonal, std::vector<double> beside, d
   return {diagonal.front(), diagonal.back() + std::abs(vectors.back()) * next};  // in ascending order
 }
 
-/// Of D^-1/2 W D^-1/2, by Lanczos' method from a vector that does not depend on the partition; the bound is Zhou and
-/// Li's (2011, algorithm 4.4).
+/// Of D^-1/2 W D^-1/2, by Lanczos' method from a vector of the rows' numbers.
 Spectrum estimate_spectrum(const Operator& op, const Vector& inverse_diagonal) {
   const auto map = op.getDomainMap();
   Vector root(map), v(map), before(map), scaled(map), w(map);
@@ -97,8 +97,8 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
   VectorSpace range() const override { return op_->domain(); }
   VectorSpace domain() const override { return op_->range(); }
   void transfer(Record& record) override {
-    std::vector<double> values;
-    if (nonnull(inverse_diagonal_) && !record.loading()) {
+    std::vector<double> values = loaded_;
+    if (nonnull(inverse_diagonal_) && !waits_) {
       const auto view = inverse_diagonal_->getLocalViewHost(Tpetra::Access::ReadOnly);
       values.assign(view.data(), view.data() + view.extent(0));
     }
@@ -106,6 +106,8 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
     record.number("least eigenvalue", spectrum_.least);
     record.number("largest eigenvalue", spectrum_.largest);
     if (!record.loading()) return;
+    if (!std::isfinite(spectrum_.largest) || !(spectrum_.least <= spectrum_.largest) || spectrum_.largest < 0)
+      throw InputError("the spectrum of a preconditioner makes no sense");
     loaded_ = std::move(values);
     waits_ = spectrum_.largest > 0;
   }
@@ -115,6 +117,8 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
     together<InputError>(tpetra_->getRangeMap()->getComm(), [&] {
       const auto view = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
       if (loaded_.size() != view.extent(0)) throw InputError("a diagonal of the checkpoint has another size");
+      for (double value : loaded_)
+        if (!(std::isfinite(value) && value > 0)) throw InputError("a diagonal of the checkpoint is not positive");
       std::copy(loaded_.begin(), loaded_.end(), view.data());
     });
     loaded_.clear();
@@ -125,8 +129,9 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
       const auto from = diagonal.getLocalViewHost(Tpetra::Access::ReadOnly);
       const auto to = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (std::size_t i = 0; i < from.extent(0); ++i) {
-        if (from(i, 0) == 0) throw std::runtime_error("a row of the tangent has a zero on its diagonal");
-        to(i, 0) = 1 / std::abs(from(i, 0));  // attraction may make a row negative; D stays positive
+        const double magnitude = std::abs(from(i, 0));  // attraction may make a row negative; D stays positive
+        if (!(magnitude > 0)) throw std::runtime_error("a row of the tangent has no number but zero on its diagonal");
+        to(i, 0) = 1 / magnitude;
       }
     });
   }
@@ -139,9 +144,10 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
     const auto target = Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(y));
     const double largest = spectrum_.largest, least = std::clamp(spectrum_.least, largest / ratio_, largest / 1.1);
     const double center = (largest + least) / 2, half_width = (largest - least) / 2;
-    const auto map = b->getMap();
-    const std::size_t columns = b->getNumVectors();
-    MultiVector residual(map, columns, false), step(map, columns, false), sum(map, columns, false);
+    if (residual_.is_null() || residual_->getNumVectors() != b->getNumVectors())
+      for (auto* scratch : {&residual_, &step_, &sum_})
+        *scratch = Teuchos::rcp(new MultiVector(b->getMap(), b->getNumVectors(), false));
+    MultiVector &residual = *residual_, &step = *step_, &sum = *sum_;
     step.elementWiseMultiply(1 / center, *inverse_diagonal_, *b, 0.0);
     sum.assign(step);
     double rho = half_width / center;
@@ -162,8 +168,9 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
   double ratio_ = 1;
   Spectrum spectrum_;
   Teuchos::RCP<Vector> inverse_diagonal_;
-  bool waits_ = false;          ///< a checkpoint's spectrum, for the operator
-  std::vector<double> loaded_;  ///< its inverse diagonal
+  bool waits_ = false;                                       ///< a checkpoint's spectrum, for the operator
+  std::vector<double> loaded_;                               ///< its inverse diagonal
+  mutable Teuchos::RCP<MultiVector> residual_, step_, sum_;  ///< scratch
 };
 
 using Holder = Thyra::DefaultPreconditioner<double>;
@@ -172,8 +179,11 @@ using Holder = Thyra::DefaultPreconditioner<double>;
 
 Teuchos::RCP<const Teuchos::ParameterList> ChebyshevPreconditionerFactory::getValidParameters() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList("Chebyshev"));
-  list->set("Degree", 3, "applications of the inverse diagonal; a product less",
-            Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(1, 100)));
+  list->set(
+      "Degree", 3,
+      "applications of the inverse diagonal; a product less. An odd one stays positive definite where the tangent "
+      "outgrows the estimate",
+      Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(1, 100)));
   list->set("Eigenvalue Ratio", 20.0,
             "at most, of the largest eigenvalue to the least that the polynomial takes in [-]",
             Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(1.1, 1e6)));
@@ -194,10 +204,9 @@ Teuchos::RCP<ChebyshevPreconditionerFactory::Preconditioner> ChebyshevPreconditi
 void ChebyshevPreconditionerFactory::initializePrec(const Teuchos::RCP<const Source>& source,
                                                     Preconditioner* preconditioner,
                                                     const Thyra::ESupportSolveUse) const {
-  Teuchos::ParameterList list(*getValidParameters());
-  if (nonnull(getParameterList())) list.setParameters(*getParameterList());
+  const auto list = nonnull(getParameterList()) ? getParameterList() : getValidParameters();
   Teuchos::rcp_dynamic_cast<Polynomial>(preconditioner->getNonconstUnspecifiedPrecOp(), true)
-      ->initialize(source->getOp(), list.get<int>("Degree"), list.get<double>("Eigenvalue Ratio"));
+      ->initialize(source->getOp(), list->get<int>("Degree"), list->get<double>("Eigenvalue Ratio"));
 }
 
 }  // namespace ixos

@@ -1,6 +1,7 @@
 /// What linear solvers keep from one matrix to the next, for checkpoints. Included by lib/solve only.
 #pragma once
 #include <Teuchos_RCP.hpp>
+#include <memory>
 
 #include "checkpoint/record.hpp"
 
@@ -20,6 +21,8 @@ class StateKeeper {
  public:
   virtual ~StateKeeper() = default;
   Teuchos::RCP<KeptState> latest() const { return latest_.create_strong(); }
+  /// See NonlinearProblem: of the matrices that come next.
+  void choose_family(int family) const { *family_ = family; }
 
  protected:
   template <class Op>
@@ -27,9 +30,11 @@ class StateKeeper {
     latest_ = op.create_weak();
     return op;
   }
+  std::shared_ptr<const int> family() const { return family_; }
 
  private:
   mutable Teuchos::RCP<KeptState> latest_;  ///< weak
+  std::shared_ptr<int> family_ = std::make_shared<int>(0);
 };
 
 }  // namespace ixos

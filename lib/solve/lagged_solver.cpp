@@ -36,11 +36,12 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
  public:
   LaggedSolve(Teuchos::RCP<const KrylovFactory> krylov,
               Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, const LaggedOptions& options,
-              std::shared_ptr<LinearStatistics> statistics)
+              std::shared_ptr<LinearStatistics> statistics, std::shared_ptr<const int> family)
       : krylov_factory_(std::move(krylov)),
         factory_(std::move(preconditioner)),
         options_(options),
         statistics_(std::move(statistics)),
+        family_(std::move(family)),
         krylov_(krylov_factory_->createOp()),
         preconditioner_(factory_->createPrec()) {}
 
@@ -64,17 +65,13 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     record.number("refused", refused_);
     const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
     if (nonnull(inner)) inner->transfer(record);
-    loaded_ = record.loading();
+    if (record.loading()) loaded_ = true;
   }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override { return krylov_->range(); }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override { return krylov_->domain(); }
 
  private:
-  /// The operator, where it is not a matrix itself.
-  auto as_assemblable() const {
-    return Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
-  }
   auto values() const { return Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(*source_))->getLocalMatrixHost().values; }
 
   void transfer_least_iterations(Record& record) {
@@ -82,14 +79,15 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     record.number("families", families);
     if (families < 0 || families > 1000) throw InputError("families is not a number from 0 to 1000");
     least_iterations_.resize(static_cast<std::size_t>(families), unknown);
-    for (int i = 0; i < families; ++i)
-      record.number(("least iterations " + std::to_string(i + 1)).c_str(),
-                    least_iterations_[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < families; ++i) {
+      int& least = least_iterations_[static_cast<std::size_t>(i)];
+      record.number(("least iterations " + std::to_string(i + 1)).c_str(), least);
+      if (least < 0) throw InputError("a number of iterations is negative");
+    }
   }
-  /// The least iterations of the present tangent's family with this preconditioner.
+  /// The least iterations of the present family with this preconditioner.
   int& least_iterations() const {
-    const auto op = as_assemblable();
-    const auto family = static_cast<std::size_t>(op.is_null() ? 0 : op->family());
+    const auto family = static_cast<std::size_t>(*family_);
     if (family >= least_iterations_.size()) least_iterations_.resize(family + 1, unknown);
     return least_iterations_[family];
   }
@@ -148,7 +146,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
     // A multigrid's finest level is the matrix itself. Where only preconditioners have a matrix it goes on with the
     // values that they were made from, as in a run that nobody stopped.
-    const auto assemblable = as_assemblable();
+    const auto assemblable =
+        Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
     if (nonnull(assemblable))
       assemblable->forget_values();
     else
@@ -227,6 +226,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory_;
   LaggedOptions options_;
   std::shared_ptr<LinearStatistics> statistics_;
+  std::shared_ptr<const int> family_;  ///< of the present matrix
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
@@ -251,7 +251,7 @@ LaggedSolverFactory::LaggedSolverFactory(Teuchos::RCP<const KrylovFactory> krylo
       statistics_(std::move(statistics)) {}
 
 Teuchos::RCP<LaggedSolverFactory::Op> LaggedSolverFactory::createOp() const {
-  return keep(Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, options_, statistics_)));
+  return keep(Teuchos::rcp(new LaggedSolve(krylov_, preconditioner_, options_, statistics_, family())));
 }
 
 void LaggedSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,

@@ -17,7 +17,7 @@ struct LaggedOptions {
 };
 
 /// Wraps a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve and renewed when
-/// the iterations spent beyond its best solve (of the same family: see AssemblableOperator) add up to `setup_cost`, the
+/// the iterations spent beyond its best solve (of the same family: see NonlinearProblem) add up to `setup_cost`, the
 /// price of a new one in iterations: the rule that spends least when iterations grow steadily. It counts iterations and
 /// reads no clock, so runs repeat. A solve that fails with an old preconditioner is tried once more with a new one,
 /// with `from_scratch` a new object (a renewed multigrid keeps the prolongators of its first matrix); one that breaks

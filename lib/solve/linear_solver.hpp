@@ -25,9 +25,10 @@ struct LinearStatistics {
 /// is "Direct", "Belos" or "Amesos2"; "Direct" is ours: it keeps the symbolic factorisation, and its list, "Linear
 /// Solver Types/Direct", has the one entry "Solver Type" (see make_factorization). Preconditioners are MueLu's (null
 /// space and coordinates are given to it), Ifpack2's and our own "Direct", a factorisation with the same list, and
-/// "Chebyshev"; they outlive the matrix that they were made from, as the list "Reuse" says: its "Setup Cost" is the
-/// price of a new preconditioner in Krylov iterations, 0 renews it for every matrix (see LaggedSolverFactory).
-/// "Operator" is "Assembled" or "Matrix-Free": then a matrix is made only for a new preconditioner.
+/// "Chebyshev" (see ChebyshevPreconditionerFactory); they outlive the matrix that they were made from, as the list
+/// "Reuse" says: its "Setup Cost" is the price of a new preconditioner in Krylov iterations, 0 renews it for every
+/// matrix (see LaggedSolverFactory). "Operator" is "Assembled" or "Matrix-Free": then a matrix is made only for a new
+/// preconditioner.
 class LinearSolverFactory {
  public:
   /// The list must be complete (see completed_linear_solver). Without a model MueLu gets neither null space nor

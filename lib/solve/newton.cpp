@@ -103,14 +103,15 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
 }  // namespace
 
 struct NewtonSolver::Implementation {
-  Implementation(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
-      : maximum_iterations(options.maximum_iterations),
+  Implementation(NonlinearProblem& given, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
+      : problem(given),
+        maximum_iterations(options.maximum_iterations),
         linear(linear_solver.strategy()),
-        evaluator(Teuchos::rcp(new ProblemEvaluator(problem, linear))),
+        evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
         guess(Thyra::createMember(evaluator->get_x_space())),
-        force(Teuchos::rcp(new ForceTest(problem, options.tolerance))),
+        force(Teuchos::rcp(new ForceTest(given, options.tolerance))),
         tests(Teuchos::rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR))),
-        list(nox_list(problem, options)) {
+        list(nox_list(given, options)) {
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::FiniteValue));
     tests->addStatusTest(force);
     tests->addStatusTest(Teuchos::rcp(new NOX::StatusTest::MaxIters(options.maximum_iterations)));
@@ -151,6 +152,10 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
+  /// What the linear solver keeps; null where it keeps nothing.
+  const StateKeeper* keeper() const { return dynamic_cast<const StateKeeper*>(linear.get()); }
+
+  const NonlinearProblem& problem;
   int maximum_iterations;
   ProblemEvaluator::Factory linear;
   Teuchos::RCP<ProblemEvaluator> evaluator;
@@ -179,13 +184,13 @@ NewtonSolver::~NewtonSolver() = default;
 
 void NewtonSolver::transfer(Record& record) {
   if (implementation_->solver.is_null()) implementation_->build();
-  const auto* keeper = dynamic_cast<const StateKeeper*>(implementation_->linear.get());
-  if (keeper != nullptr) keeper->latest()->transfer(record);
+  if (implementation_->keeper() != nullptr) implementation_->keeper()->latest()->transfer(record);
 }
 
 NewtonResult NewtonSolver::solve(Vector& x) {
   Implementation& self = *implementation_;
   NewtonResult result;
+  if (self.keeper() != nullptr) self.keeper()->choose_family(self.problem.family());
   try {
     Extract::getTpetraVector(self.guess)->update(1.0, x, 0.0);
     result = self.run();

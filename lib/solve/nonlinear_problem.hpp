@@ -42,6 +42,10 @@ class NonlinearProblem {
   /// 0: the exact tangent; 1: without negative interaction stiffness; more: with a growing multiple of the identity
   /// besides. For directions of descent where the exact tangent gives none.
   virtual void relax_tangent(int /*level*/) {}
+
+  /// Which of several problems that take turns this is, counted from 0: iterations with a preconditioner that they
+  /// share compare within a family.
+  virtual int family() const { return 0; }
 };
 
 }  // namespace ixos

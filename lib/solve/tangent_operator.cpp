@@ -32,7 +32,6 @@ void TangentOperator::linearize(const TangentPoint& point) {
   }
   for (const auto& action : interactions_)
     action->linearize(point.interaction, *point.interaction_rule, point.kind, {});
-  family_ = point.family;
   mass_ = point.mass;
   damping_ = point.damping;
   shift_ = point.shift;

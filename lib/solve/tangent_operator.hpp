@@ -16,7 +16,6 @@ struct TangentPoint {
   const Rule* elastic_rule = nullptr;
   const Rule* interaction_rule = nullptr;
   Tangent kind = Tangent::Exact;
-  int family = 0;                   ///< see AssemblableOperator
   double mass = 0;                  ///< factor of M [1/T0^2]
   double damping = 0;               ///< factor of C [1/T0]
   double shift = 0;                 ///< factor of the identity
@@ -46,7 +45,6 @@ class TangentOperator final : public AssemblableOperator {
   Teuchos::RCP<CrsMatrix> matrix() const override;
   void diagonal(Vector& result) const override;
   void forget_values() const override { assembled_ = false; }
-  int family() const override { return family_; }
 
  private:
   /// result_ = W x with free and constrained degrees of freedom coupled, x local.
@@ -56,7 +54,6 @@ class TangentOperator final : public AssemblableOperator {
   std::function<void(double*)> assemble_;
   std::vector<std::unique_ptr<TangentAction>> elastic_, interactions_;
   bool mass_in_elastic_;  ///< the elastic actions apply it
-  int family_ = 0;
   double mass_ = 0, damping_ = 0, shift_ = 0, constrained_diagonal_ = 1;
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;

@@ -1,4 +1,4 @@
-/// What every Thyra factory with a parameter list repeats. Included by lib/solve only.
+/// What Thyra factories that are configured by a list of their own repeat. Included by lib/solve only.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <utility>

@@ -53,12 +53,14 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
     return;
   }
+  std::vector<const Stage*> first;  // of each solver
   for (const Stage& stage : table_.stages) {
-    std::size_t like = 0;
-    while (like < solvers_.size() && !have_like_tangents(table_.stages[like], stage)) ++like;
-    solvers_.push_back(like < solvers_.size()
-                           ? solvers_[like]
-                           : std::make_shared<StageSolver>(*this, table_, linear_solver_->matrix_free()));
+    const auto like =
+        std::find_if(first.begin(), first.end(), [&](const Stage* other) { return have_like_tangents(*other, stage); });
+    solver_of_.push_back(static_cast<std::size_t>(like - first.begin()));
+    if (like != first.end()) continue;
+    first.push_back(&stage);
+    solvers_.push_back(std::make_unique<StageSolver>(*this, table_, linear_solver_->matrix_free()));
   }
 }
 
@@ -117,14 +119,14 @@ void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std:
     const double factor = predictor == Predictor::Newmark ? h * h / 4 : h * h / 2;
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * last.a[i];
   }
-  solvers_[stage]->problem.clip(last.u, guess);
+  solver(stage).problem.clip(last.u, guess);
 }
 
 NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<double>& u) {
   const auto solve_from = [&](Predictor predictor) {
     predict(predictor, stage, dt, u);
     copy_owned(u, *unknown_);
-    return solvers_[stage]->newton.solve(*unknown_);
+    return solver(stage).newton.solve(*unknown_);
   };
   NewtonResult result = solve_from(table_.predictor);
   const bool same_guess = table_.predictor == Predictor::LastDisplacement ||
@@ -155,7 +157,7 @@ NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::ve
   NewtonResult result = nearby.newton.solve(*unknown_);
   if (!result.converged) return result;
   const int spent = result.iterations;
-  result = solvers_[stage]->newton.solve(*unknown_);
+  result = solver(stage).newton.solve(*unknown_);
   result.iterations += spent;
   return result;
 }
@@ -174,10 +176,10 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   if (table_.closing == Closing::Kinematic) {
     derive(row.acceleration, dt * dt, end.a);
     if (has_exact_rates(table_))
-      model_.constraints().set(solvers_[stage]->problem.time(), nullptr, end.v.data(), end.a.data());
+      model_.constraints().set(solver(stage).problem.time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
-  solvers_[stage]->problem.record_forces(end);
+  solver(stage).problem.record_forces(end);
 }
 
 /// Expressions are sampled before a run (check_over); what slipped through ends the step, not the program.
@@ -243,8 +245,8 @@ StepResult Integrator::advance(double dt) {
   for (const Stage& stage : table_.stages)
     if (!driving_is_defined(stage, dt, result.reason)) return result;
   if (is_explicit(table_) && !take_explicit_step(dt, result.reason)) return result;
-  for (std::size_t stage = 0; stage < solvers_.size(); ++stage) {
-    solvers_[stage]->problem.arm(stage, states_, time_, dt);
+  for (std::size_t stage = 0; stage < solver_of_.size(); ++stage) {
+    solver(stage).problem.arm(stage, states_, time_, dt);
     std::vector<double> u = std::move(states_[stage + 1].u);
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;

@@ -59,6 +59,8 @@ class Integrator {
   const Table& table() const { return table_; }
   const State& state() const { return states_.front(); }
   double time() const { return time_; }
+  /// Operators and preconditioners that the stages share.
+  std::size_t tangents() const { return solvers_.size(); }
   /// Local array of accelerations of the present state; momentum-form schemes solve for it at the first request.
   const std::vector<double>& acceleration();
   /// Work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
@@ -79,6 +81,7 @@ class Integrator {
     NewtonSolver newton;
   };
 
+  StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
   bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
@@ -94,9 +97,10 @@ class Integrator {
   const Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
-  bool needs_acceleration_ = false;                    ///< some row of the table uses a_n, or the predictor does
-  bool has_external_ = false;                          ///< the model has loads or constraints on some rank
-  std::vector<std::shared_ptr<StageSolver>> solvers_;  ///< by stage
+  bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
+  bool has_external_ = false;        ///< the model has loads or constraints on some rank
+  std::vector<std::unique_ptr<StageSolver>> solvers_;
+  std::vector<std::size_t> solver_of_;  ///< by stage
   NewtonOptions newton_;
   Acceleration balance_;
   std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes

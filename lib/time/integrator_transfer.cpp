@@ -75,12 +75,9 @@ void Integrator::transfer_derived(Record& record) {
   attempted_dt_ = 0;
   if (stable_step_) stable_step_->transfer(record);
   if (record.loading() && !record.exact()) return;
-  for (std::size_t stage = 0; stage < solvers_.size(); ++stage) {
-    if (std::find(solvers_.begin(), solvers_.begin() + static_cast<std::ptrdiff_t>(stage), solvers_[stage]) !=
-        solvers_.begin() + static_cast<std::ptrdiff_t>(stage))
-      continue;
-    const Record::Section solver(record, "stage " + std::to_string(stage + 1));
-    solvers_[stage]->newton.transfer(record);
+  for (std::size_t i = 0; i < solvers_.size(); ++i) {
+    const Record::Section solver(record, "solver " + std::to_string(i + 1));
+    solvers_[i]->newton.transfer(record);
   }
 }
 

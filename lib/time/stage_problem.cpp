@@ -211,7 +211,6 @@ void StageProblem::linearize() {
   point.elastic_rule = &stage_->elastic;
   point.interaction_rule = &stage_->interaction;
   point.kind = tangent_kind();
-  point.family = static_cast<int>(stage_ - table_.stages.data());
   point.mass = has_mass_ ? stage_->inertia.unknown / (dt_ * dt_) : 0;
   point.damping = stage_->damping.unknown / dt_;
   point.shift = shift();

@@ -21,6 +21,7 @@ class StageProblem final : public NonlinearProblem {
  public:
   /// `matrix_free`: the tangent is a TangentOperator, else a matrix.
   StageProblem(const Model& model, const Table& table, bool matrix_free = false);
+  StageProblem(const Model&, Table&&, bool = false) = delete;
 
   /// `known` are the step's start and the ends of the stages before this one; they must stay until the solve is over.
   /// `time` is the step's start. Throws std::logic_error where the start of the segment is inadmissible.
@@ -50,6 +51,7 @@ class StageProblem final : public NonlinearProblem {
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
   void relax_tangent(int level) override;
+  int family() const override { return static_cast<int>(stage_ - table_.stages.data()); }
 
  private:
   Segment segment(const Rule& rule) const;

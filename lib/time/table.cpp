@@ -48,14 +48,10 @@ bool has_exact_rates(const Table& table) {
 }
 
 bool have_like_tangents(const Stage& a, const Stage& b) {
-  const auto force = [](const Rule& rule) {
-    double sum = 0;
-    for (const RulePoint& point : rule.points) sum += point.weight * point.to;
-    return sum;
-  };
   const auto like = [](double x, double y) { return x == y || (x <= 2 * y && y <= 2 * x); };
   return like(a.inertia.unknown, b.inertia.unknown) && like(a.damping.unknown, b.damping.unknown) &&
-         like(force(a.elastic), force(b.elastic)) && like(force(a.interaction), force(b.interaction));
+         like(a.elastic.end_weight(), b.elastic.end_weight()) &&
+         like(a.interaction.end_weight(), b.interaction.end_weight());
 }
 
 bool is_symmetric(const Table& table) {

@@ -58,9 +58,9 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   write("");
   EXPECT_EQ(seal_problem(path_), "is not a checkpoint of Ixos");
   std::string later = sealed_;
-  later[16] = 2;
+  later[16] = 3;
   write(later);
-  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 2, and this version reads format 1");
+  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 3, and this version reads format 2");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
   EXPECT_THROW(seal("/nowhere/checkpoint.h5"), FileError);
 }

@@ -22,7 +22,7 @@ using test::world;
 
 /// A damped block whose bottom sticks to a wall and whose left side is held; a contact patch in the bottom's middle.
 std::string block(int dimension, const std::string& element, const std::string& material, int points = 2,
-                  int bulk_points = 0) {
+                  int bulk_points = 0, const std::string& formulation = "Standard") {
   const bool flat = dimension == 2;
   const std::vector<double> up = flat ? std::vector<double>{0, 1} : std::vector<double>{0, 0, 1};
   std::vector<double> below(up);
@@ -42,7 +42,8 @@ std::string block(int dimension, const std::string& element, const std::string& 
          test::list("Materials",
                     test::list("Body", test::word("Model", material) + test::number("Density", 0.7) +
                                            test::number("Mass Damping", 0.3) + test::number("Stiffness Damping", 0.2) +
-                                           test::count("Quadrature Points", points))) +
+                                           test::count("Quadrature Points", points) +
+                                           test::word("Element Formulation", formulation))) +
          test::list("Interactions",
                     test::list("Wall", test::word("Side Set", "patch") + test::word("Contact Element", element) +
                                            test::count("Bulk Points", bulk_points) + test::numbers("Point", below))) +
@@ -133,6 +134,34 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
     }
 }
 
+void expect_scales(const std::string& body) {
+  const Simulation s(test::scene(body + test::time_integrator("Newmark", 0.1, 1)), world());
+  const Model& model = s.model();
+  const auto stiffness = model.pattern().create_matrix(model.space()),
+             mass = model.pattern().create_matrix(model.space());
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  model.add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), stiffness->getLocalMatrixHost().values.data());
+  model.mass()->add_to(1.0, mass->getLocalMatrixHost().values.data());
+  Vector k(model.space().owned_map()), m(model.space().owned_map()), ratio(model.space().owned_map());
+  stiffness->getLocalDiagCopy(k);
+  mass->getLocalDiagCopy(m);
+  EXPECT_NEAR(model.elastic_scale(), k.meanValue(), 1e-13 * k.meanValue());
+  EXPECT_NEAR(model.mass_scale(), m.meanValue(), 1e-13 * m.meanValue());
+  ratio.reciprocal(m);
+  ratio.elementWiseMultiply(1.0, k, ratio, 0.0);
+  EXPECT_NEAR(model.stiffest(), ratio.normInf(), 1e-13 * ratio.normInf());
+}
+
+TEST_P(TangentOperatorTest, ScalesOfTheModelAreThoseOfTheMatrices) {
+  const auto [dimension, element, material, points, bulk_points] = GetParam();
+  expect_scales(block(dimension, element, material, points, bulk_points));
+}
+
+TEST(ScalesTest, AreThoseOfTheMatricesWhateverTheFormulation) {
+  for (const char* formulation : {"Mean Dilatation", "Enhanced"})
+    for (int dimension : {2, 3}) expect_scales(block(dimension, "Q1C1", "Neo-Hooke", 2, 0, formulation));
+}
+
 INSTANTIATE_TEST_SUITE_P(Elements, TangentOperatorTest,
                          testing::Values(Case{2, "Q1C1", "Neo-Hooke"}, Case{2, "Q1C4", "Neo-Hooke"},
                                          Case{2, "Q1CH", "Neo-Hooke"}, Case{3, "Q1C1", "Neo-Hooke"},
@@ -143,7 +172,7 @@ TEST(MatrixFreeRunTest, EndsWhereTheAssembledOneEnds) {
   for (const char* scheme : {"Gautam-Sauer Composite", "Bathe Composite"}) {
     std::vector<double> reference;
     for (const char* op : {"Assembled", "Matrix-Free"})
-      for (const char* preconditioner : {"MueLu", "Direct"}) {
+      for (const char* preconditioner : {"MueLu", "Direct", "Chebyshev"}) {
         Simulation s(test::scene(block(3, "Q1C2", "Neo-Hooke") + test::time_integrator(scheme, 0.05, 1) +
                                  test::list("Linear Solver", test::word("Linear Solver Type", "Belos") +
                                                                  test::word("Preconditioner Type", preconditioner) +
@@ -160,6 +189,35 @@ TEST(MatrixFreeRunTest, EndsWhereTheAssembledOneEnds) {
           ASSERT_NEAR(u[i], reference[i], 1e-10) << op << ' ' << preconditioner;
       }
   }
+}
+
+TEST(MatrixFreeRunTest, ShortStepsTakeChebyshevsPolynomialByThemselves) {
+  const std::string control = "Time Integrator/Time Step Control/";
+  const auto simulation = [&](const std::vector<std::string>& sets) {
+    std::vector<std::string> all{"Mesh/Box/Lengths={9, 9, 9}", "Mesh/Box/Divisions={9, 9, 9}",
+                                 control + "Time Step=0.008"};
+    all.insert(all.end(), sets.begin(), sets.end());
+    return std::make_unique<Simulation>(test::scene_file("block-on-wall.xml", all), world());
+  };
+  const auto preconditioner = [](const Simulation& s) {
+    return s.parameters().sublist("Linear Solver").get<std::string>("Preconditioner Type");
+  };
+  const auto automatic = simulation({}), direct = simulation({"Linear Solver/Linear Solver Type=Direct"});
+  EXPECT_EQ(preconditioner(*automatic), "Chebyshev");
+  const std::string adaptive = control + "Adaptive/";
+  const std::vector<std::string> judged{control + "Type=Adaptive", adaptive + "Tolerance=1e-3"};
+  std::vector<std::string> short_steps(judged);
+  short_steps.push_back(adaptive + "Maximum Time Step=0.008");
+  EXPECT_EQ(preconditioner(*simulation(short_steps)), "Chebyshev");
+  for (const std::vector<std::string>& sets :
+       {judged, {control + "Time Step=0.1"}, {"Materials/Rubber/Stiffness Damping=0.1"}})
+    EXPECT_EQ(preconditioner(*simulation(sets)), "Direct") << sets[0];
+  for (int k = 0; k < 5; ++k)
+    for (Simulation* s : {automatic.get(), direct.get()}) ASSERT_TRUE(s->integrator().step(0.008).converged);
+  const auto moved = [](const Simulation& s) { return test::gathered(s.model(), s.integrator().state().u); };
+  const double size = test::distance(moved(*direct), std::vector<double>(moved(*direct).size()));
+  EXPECT_LT(test::distance(moved(*automatic), moved(*direct)), 1e-8 * size);
+  EXPECT_GT(size, 1e-6);
 }
 
 TEST(MatrixFreeRunTest, AnExplicitSchemeNeedsNone) {

@@ -83,6 +83,22 @@ TEST(IntegratorTest, CollocatedAccelerationSatisfiesTheBalanceAtTheEndOfTheStep)
     EXPECT_NEAR(inertia[i], -force[i], 1e-13);
 }
 
+TEST(IntegratorTest, StagesThatShareAPreconditionerSolveAsExactly) {
+  // One factorisation of the first stage's first tangent serves both stages of all steps.
+  const std::string body = block_2d(1.0) + time_integrator("Bathe Composite", 0.1, 1);
+  const std::string kept = test::word("Linear Solver Type", "Belos") + test::word("Preconditioner Type", "Direct") +
+                           test::list("Reuse", test::number("Setup Cost", 1e9));
+  Simulation shared(test::scene(body + test::list("Linear Solver", kept)), world());
+  Simulation direct(test::scene(body + test::list("Linear Solver", test::word("Linear Solver Type", "Direct"))),
+                    world());
+  EXPECT_EQ(shared.integrator().tangents(), 1U);
+  for (int step = 0; step < 10; ++step) {
+    ASSERT_TRUE(shared.integrator().step(0.1).converged);
+    ASSERT_TRUE(direct.integrator().step(0.1).converged);
+  }
+  EXPECT_LT(test::distance(shared.integrator().state().u, direct.integrator().state().u), 1e-10);
+}
+
 TEST(IntegratorTest, EmptyRanksDoNoHarm) {
   // Four nodes: on six ranks, two are empty.
   const auto scene = test::scene(test::oscillator() + time_integrator("Bathe Composite", 0.1, 1));

@@ -170,6 +170,20 @@ TEST(SchemesTest, BatheFollowsSpectralRadiusAndSplit) {
   EXPECT_NEAR(equal.stages[0].inertia.unknown, equal.stages[1].inertia.unknown, 1e-11);
 }
 
+TEST(SchemesTest, StagesWithLikeTangentsAreThoseWithinAFactorOfTwo) {
+  const auto like = [](double split) {
+    const Table table = bathe_composite(0, split);
+    const double ratio = table.stages[0].inertia.unknown / table.stages[1].inertia.unknown;
+    return std::pair{ratio, have_like_tangents(table.stages[0], table.stages[1])};
+  };
+  EXPECT_NEAR(like(0.5).first, 16.0 / 9, 1e-12);
+  EXPECT_TRUE(like(0.5).second);
+  EXPECT_TRUE(like(bathe_default_split(0)).second);
+  EXPECT_GT(like(0.4).first, 2);
+  EXPECT_FALSE(like(0.4).second);
+  EXPECT_FALSE(like(0.8).second);
+}
+
 TEST(SchemesTest, EveryTableIsConsistent) {
   for (const Scheme& candidate : schemes())
     EXPECT_NO_THROW(check(candidate.table(validated({}, candidate.parameters)))) << candidate.name;
