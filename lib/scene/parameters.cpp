@@ -283,8 +283,9 @@ List make_scene_parameters() {
   add_time_integrator(scene.sublist("Time Integrator", false, "the scheme and its steps"));
   add_nonlinear_solver(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)"));
   mark_free_form(scene.sublist("Linear Solver", false,
-                               "a Stratimikos list; Linear Solver Type is Automatic (default: chosen by size), Direct, "
-                               "Belos or Amesos2"));
+                               "a Stratimikos list; Linear Solver Type is Automatic (default: chosen by size, shape "
+                               "and step), Direct, Belos or Amesos2; Preconditioner Type None, Direct, MueLu, Ifpack2 "
+                               "or Chebyshev"));
   add_output(scene.sublist("Output", false, "what is written"));
   return scene;
 }

@@ -33,7 +33,7 @@ std::string preconditioning_factorization(const ProblemSize& size) {
 
 /// A cube of 108,000 degrees of freedom: Chebyshev's polynomial takes a fifth of MueLu's time at a stiffness of 3, half
 /// at 72, as much at 1,150; one of 2,200 takes 0.6 of MUMPS' at 140.
-bool resolves_waves(const ProblemSize& size) {
+bool has_short_steps(const ProblemSize& size) {
   return size.symmetric && size.matrix_free && size.dimension == 3 && size.stiffness <= 250;
 }
 
@@ -105,7 +105,7 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   if (type == "Automatic") {
     const bool direct = factorize(size) && !asks;
     type = direct && !keep_factorization(size) ? "Direct" : "Belos";
-    const bool polynomial = !asks && type == "Belos" && op != "Assembled" && resolves_waves(size);
+    const bool polynomial = !asks && type == "Belos" && op != "Assembled" && has_short_steps(size);
     if (type == "Belos" && direct) preconditioner = "Direct";
     if (polynomial) preconditioner = "Chebyshev";
     asks = asks || direct || polynomial;

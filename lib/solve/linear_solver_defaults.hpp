@@ -20,7 +20,7 @@ struct ProblemSize {
 /// factorisation where it is cheap (one rank: to 300,000 degrees of freedom in 2D, 30,000 in 3D; several ranks: to
 /// 50,000 in 2D, 5,000 in 3D), from 2,000 on as the kept preconditioner of CG; beyond, in 3D, MUMPS in single precision
 /// on all ranks where the body is slender (a width of at most 600 nodes, to 2,000,000), else MueLu. In 3D, from 2,000
-/// on, where steps resolve waves (a stiffness of at most 250), CG with Chebyshev's polynomial, without a matrix. Large
+/// on, where steps are short (a stiffness of at most 250), CG with Chebyshev's polynomial, without a matrix. Large
 /// tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in single
 /// precision. Where Belos or MueLu is asked for, what the list does not say of them is filled in with settings that
 /// suit elasticity. An unsymmetric tangent gets LU in place of Cholesky and GMRES in place of CG; asking for CHOLMOD or

@@ -25,7 +25,8 @@ def block(divisions, steps, step=0.5):
     """Scene and settings of the block on the wall with so many unit cubes a direction, steps of `step` T0."""
     text, end = ", ".join(map(str, divisions)), step * steps
     return SCENES / "block-on-wall.xml", [f"Mesh/Box/Divisions={{{text}}}", f"Mesh/Box/Lengths={{{text}}}",
-                                          f"Histories/Pull/Rate Ramp/Length={min(end, 2)}", f"{STEPS}Time Step={step}", f"{STEPS}Final Time={end}"]
+                                          f"Histories/Pull/Rate Ramp/Length={min(end, 2)}",
+                                          f"{STEPS}Time Step={step}", f"{STEPS}Final Time={end}"]
 
 
 def run(build, scene, settings, ranks, variables=()):
