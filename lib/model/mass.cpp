@@ -124,14 +124,4 @@ void Mass::add_diagonal(double factor, double* d) const {
   }
 }
 
-double Mass::trace() const {
-  double sum = 0;
-  if (lumped_) {
-    for (double m : pairs_) sum += m;
-    return sum;
-  }
-  for (int row = 0; row < pattern_.rows(); ++row) sum += pairs_[static_cast<std::size_t>(pattern_.pair(row, row))];
-  return sum;
-}
-
 }  // namespace ixos

@@ -32,8 +32,6 @@ class Mass {
   /// Lumped masses only, rows of owned nodes: x = M^-1 y, and the largest y_i/M_i.
   void divide(const double* y, double* x) const;
   double largest_quotient(const double* y) const;
-  /// Sum of M_aa over this rank's owned nodes.
-  double trace() const;
 
  private:
   const LocalMesh& mesh_;

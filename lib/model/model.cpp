@@ -79,14 +79,15 @@ void Model::find_scales() {
   std::vector<double> stiffness(rest.size(), 0.0), inertia(rest.size(), 0.0);
   for (const auto& term : elastic_) term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
   if (mass_) mass_->add_diagonal(1, inertia.data());
-  double sums[3] = {0, mass_ ? mass_->trace() : 0.0, static_cast<double>(mesh_.owned_nodes)};
+  double sums[3] = {0, 0, static_cast<double>(space_.owned())};
   double stiffest = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(space_.owned()); ++i) {
     sums[0] += stiffness[i];
+    sums[1] += inertia[i];
     if (inertia[i] > 0) stiffest = std::max(stiffest, stiffness[i] / inertia[i]);
   }
   space_.sum(sums, 3);
-  elastic_scale_ = sums[0] / (sums[2] * mesh_.dimension);
+  elastic_scale_ = sums[0] / sums[2];
   mass_scale_ = sums[1] / sums[2];
   stiffest_ = space_.maximum(stiffest);
 }

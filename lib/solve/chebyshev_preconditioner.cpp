@@ -2,8 +2,6 @@
 
 #include <Teuchos_LAPACK.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>
-#include <Thyra_DefaultPreconditioner.hpp>
-#include <Thyra_MultiVectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <cmath>
@@ -11,8 +9,7 @@
 #include <vector>
 
 #include "base/agreement.hpp"
-#include "solve/kept_state.hpp"
-#include "solve/thyra.hpp"
+#include "solve/tpetra_preconditioner.hpp"
 
 namespace ixos {
 namespace {
@@ -76,7 +73,7 @@ Spectrum estimate_spectrum(const Operator& op, const Vector& inverse_diagonal) {
   }
 }
 
-class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
+class Polynomial final : public TpetraPreconditioner {
  public:
   /// What a checkpoint holds stands in for the spectrum once.
   void initialize(const Teuchos::RCP<const Thyra::LinearOpBase<double>>& op, int degree, double ratio) {
@@ -94,8 +91,6 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
     waits_ = false;
   }
 
-  VectorSpace range() const override { return op_->domain(); }
-  VectorSpace domain() const override { return op_->range(); }
   void transfer(Record& record) override {
     std::vector<double> values = loaded_;
     if (nonnull(inverse_diagonal_) && !waits_) {
@@ -136,33 +131,27 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
     });
   }
 
-  bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return transpose == Thyra::NOTRANS; }
-  void applyImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& x,
-                 const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& y, const double alpha,
-                 const double beta) const override {
-    const auto b = Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(x));
-    const auto target = Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(y));
+  void precondition(const MultiVector& b, MultiVector& target, double alpha, double beta) const override {
     const double largest = spectrum_.largest, least = std::clamp(spectrum_.least, largest / ratio_, largest / 1.1);
     const double center = (largest + least) / 2, half_width = (largest - least) / 2;
-    if (residual_.is_null() || residual_->getNumVectors() != b->getNumVectors())
+    if (residual_.is_null() || residual_->getNumVectors() != b.getNumVectors())
       for (auto* scratch : {&residual_, &step_, &sum_})
-        *scratch = Teuchos::rcp(new MultiVector(b->getMap(), b->getNumVectors(), false));
+        *scratch = Teuchos::rcp(new MultiVector(b.getMap(), b.getNumVectors(), false));
     MultiVector &residual = *residual_, &step = *step_, &sum = *sum_;
-    step.elementWiseMultiply(1 / center, *inverse_diagonal_, *b, 0.0);
+    step.elementWiseMultiply(1 / center, *inverse_diagonal_, b, 0.0);
     sum.assign(step);
     double rho = half_width / center;
     for (int i = 1; i < degree_; ++i) {
-      residual.assign(*b);
+      residual.assign(b);
       tpetra_->apply(sum, residual, Teuchos::NO_TRANS, -1.0, 1.0);
       const double next = 1 / (2 * center / half_width - rho);
       step.elementWiseMultiply(2 * next / half_width, *inverse_diagonal_, residual, next * rho);
       sum.update(1.0, step, 1.0);
       rho = next;
     }
-    target->update(alpha, sum, beta);
+    target.update(alpha, sum, beta);
   }
 
-  Teuchos::RCP<const Thyra::LinearOpBase<double>> op_;
   Teuchos::RCP<const Operator> tpetra_;
   int degree_ = 1;
   double ratio_ = 1;
@@ -172,8 +161,6 @@ class Polynomial final : public Thyra::LinearOpBase<double>, public KeptState {
   std::vector<double> loaded_;                               ///< its inverse diagonal
   mutable Teuchos::RCP<MultiVector> residual_, step_, sum_;  ///< scratch
 };
-
-using Holder = Thyra::DefaultPreconditioner<double>;
 
 }  // namespace
 
@@ -197,16 +184,15 @@ bool ChebyshevPreconditionerFactory::isCompatible(const Source& source) const {
 }
 
 Teuchos::RCP<ChebyshevPreconditionerFactory::Preconditioner> ChebyshevPreconditionerFactory::createPrec() const {
-  const Teuchos::RCP<Thyra::LinearOpBase<double>> polynomial = Teuchos::rcp(new Polynomial);
-  return Teuchos::rcp(new Holder(polynomial));
+  return wrapped_preconditioner<Polynomial>();
 }
 
 void ChebyshevPreconditionerFactory::initializePrec(const Teuchos::RCP<const Source>& source,
                                                     Preconditioner* preconditioner,
                                                     const Thyra::ESupportSolveUse) const {
   const auto list = nonnull(getParameterList()) ? getParameterList() : getValidParameters();
-  Teuchos::rcp_dynamic_cast<Polynomial>(preconditioner->getNonconstUnspecifiedPrecOp(), true)
-      ->initialize(source->getOp(), list->get<int>("Degree"), list->get<double>("Eigenvalue Ratio"));
+  unwrapped<Polynomial>(*preconditioner)
+      .initialize(source->getOp(), list->get<int>("Degree"), list->get<double>("Eigenvalue Ratio"));
 }
 
 }  // namespace ixos

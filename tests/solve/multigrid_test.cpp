@@ -199,7 +199,7 @@ TEST(LinearSolverDefaultsTest, SizeDimensionAndRanksChoose) {
   EXPECT_EQ(choice(3, 5000, 2), "Belos Direct");
 }
 
-TEST(LinearSolverDefaultsTest, StepsThatResolveWavesNeedNoMatrixInThreeDimensions) {
+TEST(LinearSolverDefaultsTest, ShortStepsNeedNoMatrixInThreeDimensions) {
   const auto choice = [](ProblemSize size, double stiffness) {
     size.stiffness = stiffness;
     const auto list = completed_linear_solver({}, size);
