@@ -35,11 +35,12 @@ struct Arguments {
 };
 
 const char* const how_to_begin =
-    "ixos-study measures what accuracy costs. Give it a study:\n"
-    "  ixos-study xml/ball-study.xml              run it; results go to ball-study.results\n"
-    "  ixos-study xml/ball-study.xml --list       what would be run?\n"
-    "  ixos-study --parameters                    what a study may say\n"
-    "A study that was interrupted goes on when it is called again; runs that are done are not repeated.\n";
+    "ixos-study runs a scene with many settings and compares their accuracy and cost. Give it a study:\n"
+    "  ixos-study xml/ball-study.xml              run the study; results go to ball-study.results\n"
+    "  ixos-study xml/ball-study.xml --list       list its runs, but do not run them\n"
+    "  ixos-study --parameters                    list the parameters of a study\n"
+    "  ixos-study --help                          list all options\n"
+    "To resume an interrupted study, run the same command again; finished runs are not repeated.\n";
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
@@ -56,7 +57,7 @@ void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t to
   if (!result.run.labels.empty() && std::isfinite(result.error(measure)))
     what += fmt::format(", {} {:.3g}", measure, result.error(measure));
   fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, ixos::printable(what), result.wall_seconds,
-             reused ? " (was done)" : "");
+             reused ? " (reused)" : "");
   std::fflush(stdout);
 }
 
@@ -70,10 +71,11 @@ int make_report(const std::string& folder, bool quiet) {
     if (!quiet) fmt::print("Plots and report: {}/report.html\n", ixos::printable(folder));
     return 0;
   }
-  fmt::print(stderr,
-             "ixos-study: study.csv is complete, but plots and report could not be made; {} tells why (python3 with "
-             "matplotlib is needed). Again: {} {}\n",
-             ixos::printable(log), report_script(), ixos::printable(folder));
+  fmt::print(
+      stderr,
+      "ixos-study: study.csv is complete, but the script for plots and report failed; {} has its messages (it needs "
+      "python3 with matplotlib). To repeat it: {} {}\n",
+      ixos::printable(log), report_script(), ixos::printable(folder));
   return 4;
 }
 
@@ -107,7 +109,7 @@ int run(const Arguments& arguments) {
     return 3;
   }
   if (status == ixos::StudyStatus::Interrupted) {
-    fmt::print(stderr, "ixos-study: interrupted; called again, it goes on\n");
+    fmt::print(stderr, "ixos-study: interrupted; run the same command again to resume\n");
     return 5;
   }
   const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
@@ -129,21 +131,22 @@ int guarded(const Arguments& arguments) {
     fmt::print(stderr, "ixos-study: {}\n", ixos::printable(error.what()));
     return 4;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ixos-study: a defect of ours, please report it: {}\n", ixos::printable(error.what()));
+    fmt::print(stderr, "ixos-study: internal error, please report it: {}\n", ixos::printable(error.what()));
     return 1;
   }
 }
 
 int parse_and_run(int argc, char** argv) {
   Arguments arguments;
-  CLI::App app("Ixos: speed against accuracy.", "ixos-study");
+  CLI::App app("Runs a scene with many settings and compares their accuracy and cost.", "ixos-study");
   app.footer(how_to_begin);
   app.add_option("STUDY", arguments.study, "study file (XML)");
-  app.add_option("--output", arguments.output, "folder for the results (default: STUDY without its ending, .results)");
-  app.add_flag("--list", arguments.list, "print the runs and their settings, but do not run them");
-  app.add_flag("--parameters", arguments.parameters, "every parameter of a study, as Markdown");
-  app.add_flag("--version", arguments.version, "version");
-  app.add_flag("--quiet", arguments.quiet, "say nothing but errors");
+  app.add_option("--output", arguments.output,
+                 "results folder (default: the name of STUDY with .results instead of .xml)");
+  app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
+  app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
+  app.add_flag("--version", arguments.version, "print the version");
+  app.add_flag("--quiet", arguments.quiet, "print errors only");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -172,7 +175,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ixos-study: cannot start: %s\n", error.what());
   } catch (...) {
-    std::fprintf(stderr, "ixos-study: a defect of ours, please report it\n");
+    std::fprintf(stderr, "ixos-study: internal error, please report it\n");
   }
   return 1;
 }

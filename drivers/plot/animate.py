@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Animates the run of a plane body as a GIF: the body coloured by stress, beside it the energies growing in time."""
+"""Animates the run of a plane body as a GIF: the body coloured by stress, and beside it the energies over time."""
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.animation import PillowWriter
@@ -16,10 +16,11 @@ from style import plt
 EPILOG = """examples:
   animate.py ball.results                            at most 250 frames -> ball.results/animation.gif
   animate.py ball.results --every 4 --fps 20 --output ball.gif
-  animate.py ball.results --time 0,1                 a part of the run
+  animate.py ball.results --time 0,1                 only these times
 
-The folder must hold fields.e (or its series) and, for the energies, history.csv. The GIF has 640 x 400 pixels and
-stores only what changes from frame to frame. Stress beyond the colour bar's ends takes their colour."""
+The folder must contain fields.e (or its series of one file per rank) and, for the energies, history.csv. The GIF has
+640 x 400 pixels and stores only the changes from frame to frame. Stresses beyond the ends of the colour bar have the
+colour of the ends."""
 
 LINES = style.COLORS[:3] + ["#000000"]
 
@@ -81,11 +82,11 @@ def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folder", metavar="FOLDER", help="a results folder (with fields.e)")
-    parser.add_argument("--fps", type=options.count, default=25, help="pictures a second (default: 25)")
+    parser.add_argument("--fps", type=options.count, default=25, help="frames per second (default: 25)")
     parser.add_argument("--every", type=options.count, metavar="K",
-                        help="take every K-th frame of the run (default: as many as give no more than 250)")
-    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="the part to show (default: all)")
-    parser.add_argument("--output", metavar="NAME.gif", help="file to write (default: FOLDER/animation.gif)")
+                        help="take every K-th frame of the run (default: the smallest K that gives at most 250 frames)")
+    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to show (default: all)")
+    parser.add_argument("--output", metavar="NAME.gif", help="output file (default: FOLDER/animation.gif)")
     arguments = parser.parse_args()
 
     fields = Fields(arguments.folder)

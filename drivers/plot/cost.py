@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws what runs cost: time an increment and Newton iterations an increment, a bar a scheme, in groups of one contact
-element, a column of panels a time step."""
+"""Draws the cost of runs: wall-clock time and Newton iterations per increment. Each scheme has a bar, each contact
+element a group of bars, each time step a column of panels."""
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
@@ -10,12 +10,12 @@ from results import ResultsError, Run
 from style import plt
 
 EPILOG = """examples:
-  cost.py *.results                                  -> cost.png in the present folder
+  cost.py *.results                                  -> cost.png in the working folder
   cost.py a.results b.results --output strip --format png,svg
 
-Scheme and cost are read from summary.json, contact element and time step from effective.xml. Runs that agree in scheme,
-element and time step are repeats: the bar is their median, points show each. A cross marks one that diverged.
-As numbers: summary_table.py --columns peeling."""
+Scheme and cost are read from summary.json, contact element and time step from effective.xml. Runs with the same scheme,
+element and time step are repetitions: the bar is their median, points show the single runs. A cross marks a run that
+diverged. summary_table.py --columns peeling prints the numbers."""
 
 ROWS = {
     "time an increment\n[ms]": lambda run: 1e3 * run.summary["seconds_per_increment"],
@@ -30,7 +30,7 @@ def checked(folder):
         if name not in run.summary:
             raise ResultsError(f"{run.folder / 'summary.json'} has no entry '{name}'")
     if run.time_step is None:
-        raise ResultsError(f"{run.folder / 'effective.xml'} tells no time step")
+        raise ResultsError(f"{run.folder / 'effective.xml'} has no time step")
     return run
 
 
@@ -56,7 +56,7 @@ def main():
     parser.add_argument("folders", nargs="+", metavar="FOLDER",
                         help="a results folder (with history.csv, summary.json, effective.xml)")
     parser.add_argument("--output", metavar="NAME", default="cost",
-                        help="what to write, without ending (default: cost)")
+                        help="output file, without ending (default: cost)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 

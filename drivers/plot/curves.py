@@ -87,7 +87,7 @@ def draw_errors(axes, runs, relative):
             continue
         scale = abs(run.initial_energy) if relative == "initial" else relative or 1.0
         if not scale > 0:
-            raise ResultsError(f"{run.folder}: the initial energy is zero, no error can be relative to it")
+            raise ResultsError(f"{run.folder}: the initial energy is zero, so errors cannot be relative to it")
         error = run.energy_error() / scale
         draw_line(axes, run, np.where(error > 0, error, np.nan), run.color)
 

@@ -22,11 +22,11 @@ class Fields:
         self.path = existing(folder) / "fields.e"
         paths = [self.path] if self.path.is_file() else sorted(self.path.parent.glob("fields.e.*.*"))
         if not paths:
-            raise ResultsError(f"there is no file {self.path} and no series {self.path}.N.0 ... (was the run told to "
-                               "write fields?)")
+            raise ResultsError(f"the file {self.path} does not exist, nor does a series {self.path}.N.0, ... (the "
+                               "scene must set Output/Fields Interval to write one)")
         expected = 1 if self.path.is_file() else int(paths[0].name.split(".")[2])
         if len(paths) != expected:
-            raise ResultsError(f"{self.path}: the series has {len(paths)} files and should have {expected}")
+            raise ResultsError(f"{self.path}: the series has {len(paths)} files, not {expected}")
         self._readers = [open_file(path) for path in paths]
         steps = min(reader.GetNumberOfTimeSteps() for reader in self._readers)
         information = self._readers[0].GetOutputInformation(0)
@@ -122,7 +122,7 @@ def open_file(path):
     with open(path, "rb") as file:
         is_netcdf = file.read(4) in (b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF")
     if not is_netcdf or not reader.CanReadFile(str(path)):
-        raise ResultsError(f"{path} is no Exodus file")
+        raise ResultsError(f"{path} is not an Exodus file")
     reader.SetFileName(str(path))
     reader.UpdateInformation()
     for kind in (reader.NODAL, reader.ELEM_BLOCK, reader.GLOBAL):

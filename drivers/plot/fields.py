@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws configurations of the body over time, coloured by an element field: one panel a time, one colour bar."""
+"""Draws the deformed body at several times, coloured by an element field: one panel per time, one colour bar."""
 import numpy as np
 from matplotlib.collections import PolyCollection
 
@@ -10,13 +10,14 @@ from results import ResultsError, wall_height
 from style import plt
 
 EPILOG = """examples:
-  fields.py ball.results                             six configurations of even spacing -> ball.results/fields.png
+  fields.py ball.results                             six evenly spaced times -> ball.results/fields.png
   fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
   fields.py spatula.results --range=-0.125,0.25 --view=0.2,-1,0.2
   fields.py ball.results --frames 8 --field jacobian --range 0.9,1.1 --output volume --format png,svg
 
-The folder must hold fields.e or its series fields.e.N.0 ... A plane body is drawn as its deformed mesh. A body in
-space is rendered by VTK, on the display at hand or, without one, under xvfb-run (Debian: xvfb, xauth)."""
+The folder must contain fields.e or its series fields.e.N.0, ... of one file per rank. A plane body is drawn as its
+deformed mesh. VTK renders a body in space, on the X display or, without one, under xvfb-run (Debian packages xvfb and
+xauth)."""
 
 
 def chosen_frames(fields, times, count):
@@ -88,16 +89,16 @@ def main():
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--times", type=options.numbers, metavar="T1,T2,...", help="times of the panels")
     which.add_argument("--frames", type=options.count, default=6, metavar="N",
-                       help="so many of even spacing (default: 6)")
+                       help="number of evenly spaced panels (default: 6)")
     parser.add_argument("--field", default="first_stress_invariant", help="element field (default: %(default)s)")
     parser.add_argument("--range", type=options.interval, metavar="LO,HI",
-                        help="limits of the colours (default: the values drawn, evenly about zero for stress)")
+                        help="limits of the colour bar (default: those of the values drawn; symmetric for stress)")
     wall_options = parser.add_mutually_exclusive_group()
     wall_options.add_argument("--wall", type=float, metavar="HEIGHT", help="height of the wall (default: the scene's)")
     wall_options.add_argument("--no-wall", action="store_true", help="draw no wall")
     parser.add_argument("--view", type=options.direction, metavar="X,Y,Z",
-                        help="where a body in space is seen from (default: 0.6,-1,0.4)")
-    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: FOLDER/fields)")
+                        help="direction from a body in space to the viewer (default: 0.6,-1,0.4)")
+    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: FOLDER/fields)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 
@@ -108,7 +109,7 @@ def main():
     frames = chosen_frames(fields, arguments.times, arguments.frames)
     values = [fields.element(arguments.field, frame) for frame in frames]
     if not np.isfinite(values).all():
-        raise ResultsError(f"{fields.path}: '{arguments.field}' is not finite at all frames asked for")
+        raise ResultsError(f"{fields.path}: '{arguments.field}' is not finite in all of the frames")
     colors = style.color_scale(arguments.field, np.array(values), arguments.range)
     draw = draw_plane if fields.dimension == 2 else draw_space
     figure, grid, body = draw(fields, frames, values, colors, wall, arguments.view)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws the history of one run, or compares those of several: energies, energy error, angular momentum, least
-gap, contact force, reactions and Newton iterations over one time axis. What a run did not write is left out."""
+"""Draws the history of one run or compares several: energies, energy error, angular momentum, least gap, contact
+force, reactions and Newton iterations over time. Columns that a run did not write are left out."""
 import curves
 import options
 import style
@@ -10,12 +10,12 @@ from style import plt
 EPILOG = """examples:
   history.py ball.results                            -> ball.results/history.png
   history.py a.results b.results --output compared   -> compared.png
-  history.py a.results b.results --relative initial  energy errors over the initial energy's size
+  history.py a.results b.results --relative initial  energy errors over the magnitude of the initial energy
   history.py a.results b.results --relative 0.155    energy errors over a scale of your own [E0 L0^2; E0 L0^3 in 3D]
 
-Fast oscillations are drawn faint, and strong their mean over each 1/60 of the time; --time shows a part in full.
-Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over the step and
-stand at its middle. Where runs are compared, a cross marks where one diverged, and linear axes fit the others."""
+Fast oscillations are drawn faint, and their mean over each 1/60 of the time strong; --time shows a part in full detail.
+Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over a step and are
+drawn at its middle. If several runs are compared, a cross marks where one diverged; linear axes fit the other runs."""
 
 
 def panels(runs, relative):
@@ -54,18 +54,19 @@ def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
-    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: FOLDER/history; "
-                        "history in the present folder where several are compared)")
+    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: FOLDER/history; "
+                        "for several runs, history in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
-    parser.add_argument("--relative", type=options.scale, metavar="initial|SCALE", help="divide energy errors by this")
-    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="the part to draw (default: all)")
+    parser.add_argument("--relative", type=options.scale, metavar="initial|SCALE",
+                        help="divide energy errors by the initial energy or by a number")
+    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
     arguments = parser.parse_args()
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
     curves.dress(runs)
     rows = panels(runs, arguments.relative)
     if not rows:
-        raise ResultsError("these runs wrote no column that could be drawn")
+        raise ResultsError("history.csv of these runs has no column that can be drawn")
     heights = [row[0] for row in rows]
     figure, grid = plt.subplots(len(rows), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(7.2, 1.05 * sum(heights) + 0.7), height_ratios=heights)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what each increment of runs costs, over time: wall-clock time, Newton iterations, time an iteration."""
+"""Draws the cost of each increment over time: wall-clock time, Newton iterations and time per iteration."""
 import numpy as np
 
 import curves
@@ -9,12 +9,11 @@ from results import ResultsError, Run, common
 from style import plt
 
 EPILOG = """examples:
-  increments.py newmark.results bathe.results composite.results      -> increments.png in the present folder
+  increments.py newmark.results bathe.results composite.results      -> increments.png in the working folder
   increments.py spatula.results --time 0,100 --logarithmic
 
-A line is the mean over each 1/60 of the steps, so that it follows the cost and not the clock's noise; the shade goes
-from the least to the largest of single increments. Output and checkpoints are in the time. As bars over whole runs:
-cost.py."""
+A line is the mean over each 1/60 of the steps, which removes the noise of the clock; the shaded band shows the range of
+single increments. The times include output and checkpoints. cost.py draws bars of whole runs."""
 
 
 def increments(run):
@@ -34,10 +33,10 @@ def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
-    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="the part to draw (default: all)")
-    parser.add_argument("--logarithmic", action="store_true", help="logarithmic axes of time")
+    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
+    parser.add_argument("--logarithmic", action="store_true", help="use logarithmic axes for wall-clock times")
     parser.add_argument("--output", metavar="NAME", default="increments",
-                        help="what to write, without ending (default: increments)")
+                        help="output file, without ending (default: increments)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 

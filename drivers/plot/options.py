@@ -11,7 +11,7 @@ def formats(text):
     words = text.split(",")
     for word in words:
         if word not in ("png", "svg"):
-            raise argparse.ArgumentTypeError(f"unknown format '{word}': png, svg or png,svg")
+            raise argparse.ArgumentTypeError(f"unknown format '{word}'; allowed: png, svg or png,svg")
     return words
 
 
@@ -22,14 +22,14 @@ def scale(text):
             return text if text == "initial" else float(text)
     except ValueError:
         pass
-    raise argparse.ArgumentTypeError(f"'{text}' is neither initial nor a number above zero")
+    raise argparse.ArgumentTypeError(f"'{text}' is neither initial nor a number greater than 0")
 
 
 def positive(text):
     """The type of options that take a number above zero."""
     value = numbers(text)
     if len(value) != 1 or not value[0] > 0:
-        raise argparse.ArgumentTypeError(f"'{text}' is no number above zero")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number greater than 0")
     return value[0]
 
 
@@ -38,14 +38,14 @@ def numbers(text):
     try:
         values = [float(word) for word in text.split(",")]
     except ValueError:
-        raise argparse.ArgumentTypeError(f"'{text}' is no list of numbers like 0,0.5,1") from None
+        raise argparse.ArgumentTypeError(f"'{text}' is not a list of numbers such as 0,0.5,1") from None
     return values
 
 
 def count(text):
     """The type of options that take a whole number above zero."""
     if not text.isdigit() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is no whole number above zero")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number greater than 0")
     return int(text)
 
 
@@ -53,7 +53,7 @@ def interval(text):
     """The type of options that take two rising numbers."""
     values = numbers(text)
     if len(values) != 2 or not values[1] > values[0]:
-        raise argparse.ArgumentTypeError(f"'{text}' is no interval like 0,0.5")
+        raise argparse.ArgumentTypeError(f"'{text}' is not an interval FROM,TO such as 0,0.5")
     return values
 
 
@@ -61,7 +61,7 @@ def direction(text):
     """The type of --view: three numbers, not all zero; from straight above or below no picture stands upright."""
     values = numbers(text)
     if len(values) != 3 or not any(values[:2]):
-        raise argparse.ArgumentTypeError(f"'{text}' is no direction like 0.6,-1,0.4")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a direction X,Y,Z such as 0.6,-1,0.4, or it is vertical")
     return values
 
 
@@ -69,7 +69,7 @@ def scaled_unit(text):
     """The type of --unit: a number above zero and a name."""
     factor, _, name = text.partition(",")
     if not name:
-        raise argparse.ArgumentTypeError(f"'{text}' is no factor and name like 2,nN")
+        raise argparse.ArgumentTypeError(f"'{text}' is not a factor and a name such as 2,nN")
     return positive(factor), name
 
 
@@ -77,7 +77,7 @@ def zoom(text):
     """The type of --zoom: an interval, and perhaps that of the ordinate."""
     values = numbers(text)
     if len(values) not in (2, 4) or not all(low < high for low, high in zip(values[::2], values[1::2])):
-        raise argparse.ArgumentTypeError(f"'{text}' is no interval like 30,50 nor two like 30,50,0,0.2")
+        raise argparse.ArgumentTypeError(f"'{text}' is neither an interval such as 30,50 nor two such as 30,50,0,0.2")
     return values
 
 
@@ -85,7 +85,7 @@ def oscillation(text):
     """The type of --oscillation: an interval and a width above zero."""
     values = numbers(text)
     if len(values) != 3 or not values[1] > values[0] or not values[2] > 0:
-        raise argparse.ArgumentTypeError(f"'{text}' is no interval and window like 60,100,5")
+        raise argparse.ArgumentTypeError(f"'{text}' is not an interval and a window such as 60,100,5")
     return values[:2], values[2]
 
 
@@ -96,7 +96,7 @@ class Parser(argparse.ArgumentParser):
         super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
 
     def error(self, message):
-        self.exit(2, f"{self.prog}: {message} (try --help)\n")
+        self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")
 
 
 def run(main):

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What each option of a scene costs, from a study that switches one at a time: medians over rounds, as Markdown."""
+"""Prints a Markdown table of the cost of each option of a scene, from a study that switches one option at a time.
+Numbers are medians over repeated runs."""
 import argparse
 import statistics
 import sys
@@ -14,7 +15,7 @@ def table(study, axis, base):
     for run in study.runs.values():
         runs.setdefault(run[axis], []).append(run)
     if base not in runs:
-        raise ResultsError(f"{study.folder / 'study.csv'}: there is no {axis} '{base}' (there are: {', '.join(runs)})")
+        raise ResultsError(f"{study.folder / 'study.csv'}: {axis} '{base}' does not exist; allowed: {', '.join(runs)}")
 
     def median(label, value):
         return statistics.median(value(run) for run in runs[label])
@@ -40,14 +41,16 @@ def table(study, axis, base):
 def main():
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("folder", help="results of the study")
-    parser.add_argument("--axis", default="Option", help="the axis whose labels become rows (default: %(default)s)")
-    parser.add_argument("--base", default="as it is", help="the label that others are compared with")
+    parser.add_argument("folder", help="results folder of the study")
+    parser.add_argument("--axis", default="Option", help="axis whose labels are the rows (default: %(default)s)")
+    parser.add_argument("--base", default="as it is",
+                        help="label that the others are compared with (default: %(default)s)")
     arguments = parser.parse_args()
     try:
         study = Study(arguments.folder)
         if arguments.axis not in study.axes:
-            raise ResultsError(f"{study.folder / 'study.json'}: there is no axis '{arguments.axis}'")
+            raise ResultsError(f"{study.folder / 'study.json'}: the axis '{arguments.axis}' does not exist; allowed: "
+                               f"{', '.join(study.axes)}")
         print(table(study, arguments.axis, arguments.base))
     except ResultsError as error:
         print(f"options_table.py: {error}", file=sys.stderr)

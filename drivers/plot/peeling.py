@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Draws the pull-off force of peeling runs over time or over the driven displacement, or the speed of a probe, or the
-kinetic energy: the whole curve, and below it a panel for each detail asked for."""
+kinetic energy. Below the whole curve, each --zoom adds a panel with a detail."""
 import numpy as np
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
@@ -14,15 +14,15 @@ from style import plt
 
 EPILOG = """examples:
   peeling.py strip.results                                      force over time -> strip.results/peeling.png
-  peeling.py a.results b.results --zoom 36,46 --zoom 120,140    two details of both -> peeling.png
+  peeling.py a.results b.results --zoom 36,46 --zoom 120,140    two details of both runs -> peeling.png
   peeling.py q1c1.results q1c4.results --reference exact.results --against displacement --zoom 10,20,0,0.3
   peeling.py strip.results --speed --probe P --zoom 110,140     -> strip.results/speed.png
   peeling.py a.results b.results --against applied --unit 2,nN --zoom 290,310
   peeling.py a.results b.results --kinetic --zoom 330,350       -> kinetic.png
-  peeling.py strip.results --marks 0,20,40,130                  letters at the times of configurations (fields.py)
+  peeling.py strip.results --marks 0,20,40,130                  letters at the times that fields.py draws
 
-Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over the step and
-stand at its middle. Where runs are compared, a cross marks where one diverged, and the panels fit the others."""
+Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over a step and are
+drawn at its middle. If several runs are compared, a cross marks where one diverged; the panels fit the other runs."""
 
 DASHES = ["-", (0, (5, 3)), (0, (1.5, 2)), (0, (7, 2, 1.5, 2))]
 
@@ -118,10 +118,10 @@ def note(axes, text, place, offset, **look):
 def draw_marks(axes, line, times):
     """Letters on a curve at some times."""
     if len(times) > 26:
-        raise ResultsError("more marks than letters (--marks)")
+        raise ResultsError("--marks has more times than there are letters")
     for letter, time in zip("ABCDEFGHIJKLMNOPQRSTUVWXYZ", times):
         if not line.times[0] - line.run["time_step"].max() <= time <= line.times[-1] + line.run["time_step"].max():
-            raise ResultsError(f"{line.run.folder} has no time {time:g} to mark")
+            raise ResultsError(f"{line.run.folder} has no time {time:g} to mark (--marks)")
         place = np.interp(time, line.times, line.x), np.interp(time, line.times, line.y)
         axes.plot(*place, "o", color=style.INK, markersize=3, zorder=4)
         note(axes, letter, place, (0, 5), ha="center")
@@ -166,24 +166,24 @@ def main():
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
     parser.add_argument("--against", choices=["time", "displacement", "applied"], default="time",
                         help="the abscissa: time, a probe's displacement, or the scene's driven motion (default: time)")
-    parser.add_argument("--displacement", metavar="PROBE", help="the probe whose upward displacement that is (default: "
-                        "edge, or the only one)")
+    parser.add_argument("--displacement", metavar="PROBE", help="probe whose displacement normal to the wall is the "
+                        "abscissa of --against displacement (default: edge, or the only one)")
     parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
-                        "space _z)")
+                        "3D _z)")
     kind = parser.add_mutually_exclusive_group()
-    kind.add_argument("--speed", action="store_true", help="draw the speed of a probe, not the force")
-    kind.add_argument("--kinetic", action="store_true", help="draw the kinetic energy, not the force")
+    kind.add_argument("--speed", action="store_true", help="draw the speed of a probe instead of the force")
+    kind.add_argument("--kinetic", action="store_true", help="draw the kinetic energy instead of the force")
     parser.add_argument("--unit", type=options.scaled_unit, metavar="FACTOR,NAME",
-                        help="a second scale in another unit, of which E0 L0^2 or E0 L0 are FACTOR")
-    parser.add_argument("--probe", metavar="PROBE", help="the probe whose speed that is (default: the only one beside "
+                        help="add a second scale in the unit NAME: E0 L0^2 (in 2D E0 L0) is FACTOR NAME")
+    parser.add_argument("--probe", metavar="PROBE", help="probe of --speed (default: the only one besides "
                         "edge)")
     parser.add_argument("--zoom", type=options.zoom, action="append", default=[], metavar="X0,X1[,Y0,Y1]",
-                        help="a panel for this part of the abscissa, and perhaps of the ordinate (may be repeated)")
-    parser.add_argument("--reference", metavar="FOLDER", help="a run to draw broad and grey under the others")
+                        help="add a panel for this interval of the abscissa and, if given, the ordinate (repeatable)")
+    parser.add_argument("--reference", metavar="FOLDER", help="reference run, drawn broad and grey under the others")
     parser.add_argument("--marks", type=options.numbers, default=[], metavar="T1,T2,...",
-                        help="letters at these times on the first curve")
-    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: peeling, speed or "
-                        "kinetic; in FOLDER, or in the present folder where several are compared)")
+                        help="mark these times on the first curve with letters")
+    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: peeling, speed or "
+                        "kinetic, in FOLDER or, for several runs, in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
     for name, needed, given in (("probe", "--speed", arguments.speed),

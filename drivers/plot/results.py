@@ -90,7 +90,7 @@ class Run:
         if len(choice) == 1 and choice[0] in known:
             return choice[0]
         wanted = f"column '{name or '*'}_{kind}{self.up}'"
-        return self._refuse(f"several probes to choose from: {', '.join(choice)}" if len(choice) > 1 else
+        return self._refuse(f"several probes, an option must name one: {', '.join(choice)}" if len(choice) > 1 else
                             f"no {wanted}; its probes: {', '.join(known) or 'none'}")
 
     def speed(self, probe):
@@ -135,7 +135,7 @@ class Run:
         names = [entry.get("value") for entry in names if entry is not None]
         name = next((name for name in names if self.setting(f"Histories/{name}/Type") == "Rate Ramp"), None)
         if name is None:
-            raise ResultsError(f"{self.folder / 'effective.xml'} tells no motion that follows a Rate Ramp")
+            raise ResultsError(f"{self.folder / 'effective.xml'} has no motion that follows a Rate Ramp")
         path = f"Histories/{name}/Rate Ramp"
         rate, start, length = (float(self.setting(f"{path}/{word}") or 0) for word in ("Rate", "Start", "Length"))
         return rate * ramp_integral(np.asarray(times) - start, length, self.setting(f"{path}/Shape") or "Cosine")
@@ -163,14 +163,14 @@ def existing(folder):
     """The folder as a path, when it is one."""
     folder = pathlib.Path(folder)
     if not folder.is_dir():
-        raise ResultsError(f"there is no folder {folder}")
+        raise ResultsError(f"the folder {folder} does not exist")
     return folder
 
 
 def read_history(path):
     """Columns of history.csv by name. A last row cut short (the run was killed, or still writes) is left out."""
     if not path.is_file():
-        raise ResultsError(f"there is no file {path}")
+        raise ResultsError(f"the file {path} does not exist")
     with open(path, newline="") as file:
         rows = list(csv.reader(file))
     names, rows = (rows[0], rows[1:]) if rows else ([], [])

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what schemes do to the linear oscillator: spectral radius, period error and decay over the step in periods."""
+"""Draws spectral radius, period error and decay of schemes for the linear oscillator, over the step in periods."""
 import csv
 import pathlib
 import re
@@ -12,11 +12,11 @@ from results import ResultsError
 from style import plt
 
 EPILOG = """examples:
-  spectral_properties > spectrum.csv; spectrum.py spectrum.csv        -> spectrum.png in the present folder
+  spectral_properties > spectrum.csv; spectrum.py spectrum.csv        -> spectrum.png in the working folder
   spectrum.py spectrum.csv --until 0.2 --output docs/spectrum --format png,svg
 
 The file has the columns scheme, dt_over_T, spectral_radius, period_error and decay (fractions; empty where nothing
-oscillates). A scheme's colour is that of its name without parameters. Curves that agree are drawn as one."""
+oscillates). Curves of one scheme with different parameters have the same colour. Curves that agree are drawn once."""
 
 COLUMNS = ["dt_over_T", "spectral_radius", "period_error", "decay"]
 DASHES = ["-", (0, (5, 2)), (0, (1.5, 1.5)), (0, (7, 2, 1.5, 2))]
@@ -26,7 +26,7 @@ def read_curves(path):
     """Pairs of names and values, a column each of COLUMNS; names of schemes that agree are together."""
     path = pathlib.Path(path)
     if not path.is_file():
-        raise ResultsError(f"there is no file {path}")
+        raise ResultsError(f"the file {path} does not exist")
     curves = {}
     with open(path, newline="") as file:
         reader = csv.DictReader(file)
@@ -91,11 +91,11 @@ def explain(figure, handles, groups):
 def main():
     style.use_style()
     parser = options.Parser(__doc__, EPILOG)
-    parser.add_argument("file", metavar="CSVFILE", help="what spectral_properties prints")
+    parser.add_argument("file", metavar="CSVFILE", help="file with the output of spectral_properties")
     parser.add_argument("--until", type=options.positive, default=0.4, metavar="RATIO",
                         help="end of the axes of period error and decay, in periods (default: 0.4)")
     parser.add_argument("--output", metavar="NAME", default="spectrum",
-                        help="what to write, without ending (default: spectrum)")
+                        help="output file, without ending (default: spectrum)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 

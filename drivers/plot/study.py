@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws error over cost for the runs of a study, a picture a measure of error, and writes report.html, one file that
-opens by itself."""
+"""Draws error over cost for the runs of a study, one picture per measure of error, and writes report.html, a single
+file that needs no other."""
 import itertools
 import math
 import textwrap
@@ -18,9 +18,10 @@ from style import plt
 EPILOG = """examples:
   study.py ball.study     -> ball.study/work-precision-energy.png, .svg, ...; ball.study/report.html
 
-Reads study.csv and study.json, which ixos-study writes. A line joins the runs that differ in one axis only (the study's
-"connect"); it breaks where one did not reach its end. Crosses above a plot: runs that failed, at what they had cost by
-then. On the bottom edge: errors below 1e-17. Rings: the Pareto set, the runs that no other beats in cost and error."""
+The script reads study.csv and study.json, which ixos-study writes. A line joins runs that differ only in the axis
+Question/Connect of the study; it breaks at runs that did not reach their end. Crosses above a plot are runs that
+failed, at the cost up to the failure. Points on the bottom edge have errors below 1e-17. Rings mark the Pareto set: no
+other run is better in both cost and error."""
 
 MARKERS = "os^Dvp<>h"  # fewer than colours, so that the two together repeat late
 STROKES = [{"linestyle": "-"}, {"linestyle": (0, (4, 2)), "markerfacecolor": "white"},
@@ -199,7 +200,7 @@ def main():
     style.use_style()
     plt.rcParams["svg.hashsalt"] = "study"
     parser = options.Parser(__doc__, EPILOG)
-    parser.add_argument("folder", metavar="FOLDER", help="a study's folder (with study.csv and study.json)")
+    parser.add_argument("folder", metavar="FOLDER", help="results folder of a study (with study.csv and study.json)")
     study = Study(parser.parse_args().folder)
 
     pictures = {}

@@ -88,13 +88,13 @@ def plots(study, pictures):
     """The pictures, as data."""
     parts = ["<h2>Error over cost</h2>"]
     if not pictures:
-        return parts + [paragraph("There is no plot: no run reached its end with an error that is known and not zero.")]
+        return parts + [paragraph("There is no plot: no run that reached its end has a known error greater than 0.")]
     parts.append(paragraph(
-        "Further left is cheaper, further down more exact. " +
-        (f"A line joins the runs that differ in {study.connect} only, and breaks where one did not reach its end. "
+        "Runs further left are cheaper, runs further down more accurate. " +
+        (f"A line joins the runs that differ only in {study.connect} and breaks where one did not reach its end. "
          if study.connect else "") +
-        "Crosses above a plot: runs that failed, at what they had cost by then. Points on the bottom edge: errors "
-        "below 1e-17. Rings: the Pareto set, the runs that no other beats in both cost and error."))
+        "Crosses above a plot are runs that failed, at the cost up to the failure. Points on the bottom edge have "
+        "errors below 1e-17. Rings mark the Pareto set: no other run is better in both cost and error."))
     for measure, svg in pictures.items():
         file = f"work-precision-{ERRORS[measure]}"
         parts.append(f'<figure><img alt="relative error of the {ERRORS[measure]} over {COSTS[study.data["cost"]]}" '
@@ -113,7 +113,7 @@ def pareto(study, axes):
                                [(run is study.best, [text(run["run"]), *(text(run[axis]) for axis in axes),
                                                      number(run[study.data["cost"]], ".4g"), number(run[measure]),
                                                      number(run["steps"], ".0f")]) for run in runs]))
-    return parts if len(parts) > 2 else parts[:1] + [paragraph("None: no run reached its end with a known error.")]
+    return parts if len(parts) > 2 else parts[:1] + [paragraph("None: no run that reached its end has a known error.")]
 
 
 def usability(study):
@@ -129,11 +129,11 @@ def usability(study):
             more = f"error {error:.2g}{', within' if tolerance and error <= tolerance else ''}"
         return status(run, more)
 
-    told = "Completed: to the final time; stopped: before it, by a criterion of the scene."
-    told = f"A column a {study.connect}. {told}" if study.connect else told
+    told = "Completed runs reached the final time; a criterion of the scene ended stopped runs before it."
+    told = f"There is one column per {study.connect}. {told}" if study.connect else told
     told += f" The error is that of the {ERRORS[measure]}" if measure else ""
-    told += f"; within: no more than the tolerance, {tolerance:g}." if measure and tolerance else "." if measure else ""
-    return ["<h2>Where each stops being usable</h2>", paragraph(told),
+    told += f"; within: at most the tolerance, {tolerance:g}." if measure and tolerance else "." if measure else ""
+    return ["<h2>Which runs are usable</h2>", paragraph(told),
             table([*study.varying, *(study.labels() if study.connect else ["status"])], [],
                   [(False, [*map(text, name), *(cell(runs.get(label)) for label in study.labels())])
                    for name, runs in study.lines.items()])]
@@ -159,7 +159,7 @@ def origin(study):
     reference = data["reference"] or {"description": "None.", "folder": ""}
     return ["<h2>Reference</h2>", paragraph(reference["description"]), paragraph(reference["folder"], "soft"),
             "<h2>Settings that all runs share</h2>",
-            "<pre>" + html.escape("\n".join(shared)) + "</pre>" if shared else paragraph("None but the scene's."),
+            "<pre>" + html.escape("\n".join(shared)) + "</pre>" if shared else paragraph("Only those of the scene."),
             "<h2>To repeat this study</h2>", f"<pre>{html.escape(data['command'])}</pre>",
             paragraph(f"Version {data['version']}. All numbers: study.csv.", "soft")]
 

@@ -35,7 +35,7 @@ class Study:
                 raise self.wrong("study.json", f"unknown {name} '{self.data[name]}' (known: {', '.join(known)})")
         tolerance = self.data["tolerance"]
         if tolerance is not None and not 0 < tolerance < math.inf:
-            raise self.wrong("study.json", f"the tolerance {tolerance} is no number above zero")
+            raise self.wrong("study.json", f"the tolerance {tolerance} is not a number greater than 0")
         self.measures = sorted(ERRORS, key=lambda name: name != self.data["measure"])  # the named one first
         self.connect = self.data["connect"] if len(self.axes.get(self.data["connect"], [])) > 1 else None
         self.varying = [name for name, labels in self.axes.items() if len(labels) > 1 and name != self.connect]
@@ -43,7 +43,7 @@ class Study:
         best, pareto = self.data["recommendation"]["run"], self.data["pareto"]
         for name in itertools.chain([] if best is None else [best], *pareto.values()):
             if name not in self.runs:
-                raise self.wrong("study.json", f"there is no run '{name}' in study.csv")
+                raise self.wrong("study.json", f"it names the run '{name}', which study.csv does not have")
         self.best = self.runs.get(best)
         self.pareto = {measure: [self.runs[name] for name in pareto.get(measure, [])] for measure in self.measures}
         self.lines = {}  # by the labels of the varying axes: the runs, by the connecting axis' label
@@ -75,7 +75,7 @@ class Study:
                     raise self.wrong("study.csv", f"run '{run['run']}' has the unknown {column} '{run[column]}'")
             place = tuple(labels.index(run[axis]) for axis, labels in self.axes.items())
             if run["run"] in names or place in runs:
-                raise self.wrong("study.csv", f"run '{run['run']}' has the name or the settings of one before")
+                raise self.wrong("study.csv", f"run '{run['run']}' repeats the name or the settings of an earlier run")
             try:
                 run.update((column, float(run[column] or "nan")) for column in NUMBERS)
             except ValueError as error:
@@ -112,7 +112,7 @@ def read(path):
     try:
         return path.read_text(encoding="utf-8")
     except FileNotFoundError:
-        raise ResultsError(f"there is no file {path}") from None
+        raise ResultsError(f"the file {path} does not exist") from None
     except (OSError, ValueError) as error:
         raise ResultsError(f"{path}: {error}") from None
 
@@ -123,7 +123,7 @@ def read_json(path):
         if value is None and place in OPTIONAL:
             return
         if not isinstance(value, type(shape) if isinstance(shape, (dict, list)) else shape):
-            raise ResultsError(f"{path}: {f'the entry {place!r}' if place else 'what it holds'} is of the wrong kind")
+            raise ResultsError(f"{path}: {f'the entry {place!r}' if place else 'the content'} has the wrong type")
         for name, inner in shape.items() if isinstance(shape, dict) else ():
             below = f"{place}/{name}".strip("/")
             if name not in value:

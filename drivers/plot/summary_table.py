@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Prints a Markdown table of results folders, a row a run: how it went, what it cost, its energy error; of peeling runs
-the force's peak, the detachment, the force's oscillation and its distance from a reference run."""
+"""Prints a Markdown table of runs, one row per results folder: status, cost and energy error; for peeling runs also
+peak force, detachment, oscillation of the force and its difference from a reference run."""
 import argparse
 
 import numpy as np
@@ -20,17 +20,18 @@ EPILOG = """examples:
   summary_table.py *.results --columns scheme,dt,peak --reaction right_y --oscillation 60,100,5
   summary_table.py *.results --columns peeling --reference exact.results --interval 35,60
 
-Columns by name, or sets of them:
+Names for --columns are those of columns and these sets of columns:
 """ + "\n".join(f"  {name:9}{columns}" for name, columns in SETS.items()) + """
-A dash: not known, or not there.
+A dash stands for a value that is not known.
 
---oscillation T0,T1,W: root of the mean square of the force minus its smooth part from time T0 to T1. The smooth part
-at a time t is a parabola fitted to the force from t - W/2 to t + W/2: W should be five or more periods of what is to
-count. A dash where a run does not reach from T0 to T1 or has fewer than 5 rows in W. Relative: over the mean force's
-size.
+--oscillation T0,T1,W prints the root mean square, from time T0 to T1, of the force minus its smooth part. The smooth
+part at a time t is a parabola fitted to the force from t - W/2 to t + W/2; W should be at least five periods of the
+oscillation. The value is a dash if a run does not cover T0 to T1 or has fewer than 5 rows in W. The relative value is
+divided by the magnitude of the mean force.
 
---reference: root of the mean square, over --interval, of the force minus the reference's, interpolated linearly to the
-run's times. Relative: over the root of the mean square of the reference's force."""
+--reference prints the root mean square, over --interval, of the force minus that of the reference run, which is
+interpolated linearly to the run's times. The relative value is divided by the root mean square of the reference's
+force."""
 
 
 def count(run, name):
@@ -80,7 +81,7 @@ def column_names(text):
     names = [name for word in text.split(",") for name in SETS.get(word, word).split(",")]
     for name in names:
         if name not in COLUMNS:
-            raise argparse.ArgumentTypeError(f"unknown column '{name}': {', '.join([*SETS, *COLUMNS])}")
+            raise argparse.ArgumentTypeError(f"unknown column '{name}'; allowed: {', '.join([*SETS, *COLUMNS])}")
     return names
 
 
@@ -94,16 +95,19 @@ def main():
     parser.add_argument("folders", nargs="+", metavar="FOLDER", help="a results folder (with history.csv)")
     parser.add_argument("--columns", type=column_names, default="energy", metavar="NAME,...",
                         help="columns or sets of columns (default: %(default)s)")
-    parser.add_argument("--scale", type=options.positive, default=0.1549567, help="energy scale of error-scale "
-                        "(default: the ball's work of adhesion times its diameter, %(default)s E0 L0^2)")
+    parser.add_argument("--scale", type=options.positive, default=0.1549567, help="energy that the column "
+                        "error-scale is divided by (default: work of adhesion times diameter of xml/ball.xml, "
+                        "%(default)s E0 L0^2)")
     parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
-                        "space _z)")
-    parser.add_argument("--until", type=options.positive, metavar="T", help="the peak is the largest force up to this "
-                        "time: that of the peeling's beginning, not of the snap-off")
-    parser.add_argument("--oscillation", type=options.oscillation, metavar="T0,T1,W", help="oscillation of the force")
-    parser.add_argument("--reference", metavar="FOLDER", help="a run whose force is taken as exact")
+                        "3D _z)")
+    parser.add_argument("--until", type=options.positive, metavar="T", help="take the peak up to this time only, to "
+                        "get the peak at the start of peeling rather than at the snap-off")
+    parser.add_argument("--oscillation", type=options.oscillation, metavar="T0,T1,W",
+                        help="add the oscillation of the force (see below)")
+    parser.add_argument("--reference", metavar="FOLDER",
+                        help="add the error of the force relative to this run (see below)")
     parser.add_argument("--interval", type=options.interval, metavar="T0,T1",
-                        help="times of the comparison with it (default: all that both have)")
+                        help="times of the comparison with --reference (default: all that both runs have)")
     arguments = parser.parse_args()
     if arguments.interval and not arguments.reference:
         parser.error("--interval needs --reference")
@@ -116,7 +120,7 @@ def main():
         header += ["force error", "relative"]
         exact = Run(arguments.reference).reaction(arguments.reaction)[1:]
         if arguments.interval and not measures.covered(exact[0], arguments.interval):
-            raise ResultsError(f"{arguments.reference} does not reach from time {arguments.interval[0]:g} to "
+            raise ResultsError(f"{arguments.reference} does not cover the times from {arguments.interval[0]:g} to "
                                f"{arguments.interval[1]:g}")
     for run in map(Run, arguments.folders):
         row = [cell(value(run, arguments), form) for _, form, value in map(COLUMNS.get, arguments.columns)]

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Draws where a probe goes over time, a panel a coordinate, of one run or several: of free vibrations with several
-dampings or schemes."""
+"""Draws the coordinates of a probe over time, one panel per coordinate. It compares several runs, such as free
+vibrations with different damping or schemes."""
 import curves
 import options
 import style
@@ -11,7 +11,8 @@ EPILOG = """examples:
   vibration.py damping/Newmark-* --output damping               x and z of the only probe
   vibration.py ball.results --probe Top --components xy --time 0,1
 
-The probe's place at rest is read from effective.xml. A cross marks where a run diverged; the axes fit the others."""
+The position of the probe at rest is read from effective.xml. A cross marks where a run diverged; the limits of the axes
+fit the other runs."""
 
 
 def place(run, probe):
@@ -20,7 +21,7 @@ def place(run, probe):
     try:
         return dict(zip("xyz", [float(word) for word in (value or "").strip("{} ").split(",")]))
     except ValueError:
-        raise ResultsError(f"{run.folder / 'effective.xml'} tells no place of the probe '{probe}'") from None
+        raise ResultsError(f"{run.folder / 'effective.xml'} has no position of the probe '{probe}'") from None
 
 
 def main():
@@ -28,11 +29,12 @@ def main():
     parser = options.Parser(__doc__, EPILOG)
     parser.add_argument("folders", nargs="+", metavar="FOLDER",
                         help="a results folder (with history.csv, effective.xml)")
-    parser.add_argument("--probe", metavar="PROBE", help="the probe (default: edge, or the only one)")
-    parser.add_argument("--components", metavar="xyz", help="coordinates to draw (default: x and the upward one)")
-    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="the part to draw (default: all)")
-    parser.add_argument("--output", metavar="NAME", help="what to write, without ending (default: vibration; in "
-                        "FOLDER, or in the present folder where several are compared)")
+    parser.add_argument("--probe", metavar="PROBE", help="name of the probe (default: edge, or the only one)")
+    parser.add_argument("--components", metavar="xyz",
+                        help="coordinates to draw (default: x and the one normal to the wall)")
+    parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
+    parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: vibration, in "
+                        "FOLDER or, for several runs, in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     arguments = parser.parse_args()
 
@@ -41,7 +43,7 @@ def main():
     probe = runs[0].probe("u", arguments.probe)
     components = "x" + runs[0].up if arguments.components is None else arguments.components
     if not components or set(components) - set("xyz"[:runs[0].dimension]):
-        parser.error(f"--components: '{components}' is not made of {'xyz'[:runs[0].dimension]}")
+        parser.error(f"--components: '{components}' may only contain the letters {'xyz'[:runs[0].dimension]}")
     figure, grid = plt.subplots(len(components), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(7.2, 0.9 + 2.3 * len(components)))
     for axes, component in zip(grid[:, 0], components):

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace ixos {
 namespace {
@@ -26,17 +27,55 @@ std::size_t distance(const std::string& a, const std::string& b) {
   return d[a.size()][b.size()];
 }
 
+/// Returns the words of a name in lower case; blanks and hyphens separate them.
+std::vector<std::string> words(const std::string& name) {
+  std::vector<std::string> result;
+  bool inside = false;
+  for (char c : name) {
+    const bool separates = c == ' ' || c == '-';
+    if (!separates && !inside) result.emplace_back();
+    if (!separates) result.back() += lower(c);
+    inside = !separates;
+  }
+  return result;
+}
+
+/// Whether `name` abbreviates a candidate of several words: it consists of beginnings of all of them ("AVF",
+/// "gen-alpha") or of the first of them in full ("HHT").
+bool abbreviates(const std::string& name, const std::string& candidate) {
+  const std::vector<std::string> full = words(candidate);
+  if (full.size() < 2) return false;
+  std::string letters, first;
+  for (const std::string& word : words(name)) letters += word;
+  // Whether beginnings of the words so far spell the first k letters.
+  std::vector<bool> spelt(letters.size() + 1, false);
+  spelt[0] = true;
+  for (const std::string& word : full) {
+    first += word;
+    if (first == letters) return true;
+    std::vector<bool> next(spelt.size(), false);
+    for (std::size_t k = 0; k < letters.size(); ++k)
+      for (std::size_t n = 0; spelt[k] && n < word.size() && k + n < letters.size() && letters[k + n] == word[n]; ++n)
+        next[k + n + 1] = true;
+    spelt = std::move(next);
+  }
+  return spelt[letters.size()];
+}
+
 }  // namespace
 
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string beginning = name.substr(0, 255);  // the work is the product of the lengths
   std::string best;
   std::size_t least = std::numeric_limits<std::size_t>::max();
+  bool short_form = false;
   for (const std::string& candidate : candidates) {
     const std::size_t d = distance(beginning, candidate);
-    if (d < least) {
+    const bool fits = d <= 1 || abbreviates(beginning, candidate);
+    if (fits == short_form ? d < least : fits) {
       least = d;
       best = candidate;
+      short_form = fits;
     }
   }
   return best;

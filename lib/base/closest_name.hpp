@@ -5,8 +5,9 @@
 
 namespace ixos {
 
-/// The candidate with the smallest Damerau-Levenshtein distance to `name` (optimal string alignment, case ignored);
-/// empty when there is no candidate. Of a name longer than 255 bytes its beginning counts.
+/// Returns the candidate with the smallest Damerau-Levenshtein distance to `name` (optimal string alignment, case
+/// ignored); empty if there is no candidate. Candidates of several words that `name` abbreviates ("AVF", "gen-alpha",
+/// "HHT") and those within one edit come before all others. Ignores what follows the first 255 bytes of a name.
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates);
 
 /// `what "name" does not exist; did you mean "..."?`, followed by `there` and the names, as "The mesh has" "a", "b".

@@ -35,9 +35,9 @@ void check(const Mesh& mesh, const SideSet& set) {
     const std::string where =
         fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
     if (block.type != plain_type(block.type))
-      throw InputError(where + ": the cell has an enriched side already; a cell can have one");
+      throw InputError(where + ": the cell already has an enriched side; a cell can have only one");
     if (!cells.insert({side.block, side.cell}).second)
-      throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have one");
+      throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have only one");
   }
 }
 

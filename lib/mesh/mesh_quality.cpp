@@ -117,7 +117,7 @@ MeshQuality mesh_quality(const Mesh& mesh) {
 std::string to_string(const MeshQuality& quality) {
   return fmt::format(
       "{} cells, {} nodes, volume {:.6g}\n"
-      "scaled Jacobian: least {:.3f} ({}), 5 % at most {:.3f}, mean {:.3f}\n"
+      "scaled Jacobian: least {:.3f} ({}), 5th percentile {:.3f}, mean {:.3f}\n"
       "largest aspect ratio: {:.1f} ({})\n",
       quality.cells, quality.nodes, quality.volume, quality.least_scaled_jacobian,
       in_words(quality.most_distorted, quality.dimension), quality.low_scaled_jacobian, quality.mean_scaled_jacobian,

@@ -22,8 +22,8 @@ void check(const Mesh& mesh, const ElementBlock& block) {
       const double det = determinant(jacobian<D>(mesh.coordinates, &block.nodes[cell_entry(cell, N)], scale, gradient));
       if (!(det > 0))
         throw InputError(
-            fmt::format("block \"{}\", cell {}: inverted or degenerate (Jacobian {:.3g}); cells are numbered "
-                        "counter-clockwise, hexahedra bottom first",
+            fmt::format("block \"{}\", cell {}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered "
+                        "counter-clockwise, in a hexahedron the bottom face first",
                         block.name, cell + 1, det));
     }
   }

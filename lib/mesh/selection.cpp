@@ -25,7 +25,7 @@ const Set& set_named(const std::vector<Set>& sets, const std::string& name, cons
 template <class Set>
 void refuse_known(const std::vector<Set>& sets, const std::string& name, const char* what) {
   if (std::any_of(sets.begin(), sets.end(), [&](const Set& set) { return set.name == name; }))
-    throw InputError(std::string(what) + " \"" + name + "\" exists already; choose another name");
+    throw InputError(std::string(what) + " \"" + name + "\" already exists; choose another name");
 }
 
 class Inside {

@@ -115,7 +115,7 @@ MaterialPoint locate(const LocalMesh& mesh, const DofSpace& space, const std::ve
   const double none = std::numeric_limits<double>::infinity();
   const double owner = space.minimum(find(mesh, x, point) ? rank : none);
   if (owner == none)
-    throw InputError(fmt::format("the point ({}) lies outside the body, which in its reference configuration spans {}",
+    throw InputError(fmt::format("the point ({}) lies outside the body, whose reference configuration spans {}",
                                  fmt::join(x, ", "), span(mesh, space)));
   if (owner != rank) point = {};
   return point;

@@ -30,12 +30,12 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
   for (const Material& material : materials) {
     const auto same = [&](const Material& other) { return other.block == material.block; };
     if (std::count_if(materials.begin(), materials.end(), same) > 1)
-      throw InputError("block \"" + material.block + "\" has two materials; give each list its own Block");
+      throw InputError("block \"" + material.block + "\" has two materials; each list must name a different Block");
     for (std::size_t b : mesh_.blocks_named(material.block)) add_block(b, material);
   }
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
-      throw InputError("block \"" + block.name + "\" has no material");
+      throw InputError("block \"" + block.name + "\" has no material; add a list that names this Block");
   find_scales();
 }
 

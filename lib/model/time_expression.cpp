@@ -39,7 +39,7 @@ class Expression {
       const bool placed = error.GetPos() < 0 || error.GetMsg().find("position") != std::string::npos;
       refuse(error.GetMsg() + (placed ? "" : fmt::format(" At position {}.", error.GetPos())));
     }
-    if (parser_.GetNumResults() != 1) refuse("it is several, separated by commas");
+    if (parser_.GetNumResults() != 1) refuse("it contains several expressions, separated by commas");
   }
   Expression(const Expression&) = delete;  // the parser points to time_
   Expression& operator=(const Expression&) = delete;

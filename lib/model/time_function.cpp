@@ -56,7 +56,7 @@ class Ramp : public TimeFunction {
   Ramp(double amplitude, double start, double length, RampShape shape)
       : amplitude_(amplitude), start_(start), length_(length), shape_(shape) {
     if (!(std::isfinite(length) && length >= 0))
-      throw InputError(fmt::format("a ramp of length {}: must be at least 0", length));
+      throw InputError(fmt::format("the ramp has length {}; it must be at least 0", length));
   }
   double ramp_end() const override { return start_ + length_; }
 

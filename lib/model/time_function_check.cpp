@@ -54,7 +54,7 @@ class Check {
       if (!(std::abs(sum - change) <= tolerance))
         throw InputError(fmt::format(
             "the {0} is not the derivative of the {1}: from t = {2:.10g} to t = {3:.10g} the {1} changes by {4:.6g}, "
-            "the {0}'s integral is {5:.6g}",
+            "but the integral of the {0} is {5:.6g}",
             derivative_name, primitive_name, start, end, change, sum));
     }
   }

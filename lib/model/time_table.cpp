@@ -12,14 +12,16 @@ namespace ixos {
 namespace {
 
 void check(const std::vector<double>& times, const std::vector<double>& values) {
-  if (times.size() < 2) throw InputError(fmt::format("a table of {} times: must be at least 2", times.size()));
+  if (times.size() < 2) throw InputError(fmt::format("the table has {} times; it needs at least 2", times.size()));
   if (values.size() != times.size())
-    throw InputError(fmt::format("a table of {} times and {} values: must be as many", times.size(), values.size()));
+    throw InputError(fmt::format("the table has {} times and {} values; it needs as many values as times", times.size(),
+                                 values.size()));
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!std::isfinite(times[i]) || !std::isfinite(values[i]))
-      throw InputError(fmt::format("entry {} of a table is ({}, {}): must be finite", i + 1, times[i], values[i]));
+      throw InputError(
+          fmt::format("entry {} of the table is ({}, {}); both numbers must be finite", i + 1, times[i], values[i]));
     if (i > 0 && times[i] <= times[i - 1])
-      throw InputError(fmt::format("entry {} of a table: the times must increase, but {} follows {}", i + 1, times[i],
+      throw InputError(fmt::format("entry {} of the table: the times must increase, but {} follows {}", i + 1, times[i],
                                    times[i - 1]));
   }
 }

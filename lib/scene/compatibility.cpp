@@ -1,5 +1,7 @@
 #include "scene/compatibility.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -17,14 +19,14 @@ void check_adaptive(const List& scene, const AdaptiveOptions& asked, const Table
   if (asked.tolerance == 0 && asked.gap_ratio == 0)
     throw InputError(path + ": neither Tolerance nor Maximum Gap Ratio is given; one must be greater than 0");
   if (asked.gap_ratio > 0 && !(asked.gap_ratio > 1))
-    throw InputError(path + "/Maximum Gap Ratio: must be greater than 1");
+    throw InputError(fmt::format("{}/Maximum Gap Ratio: {} must be greater than 1, or 0", path, asked.gap_ratio));
   if (asked.tolerance > 0 && table.error_constant == 0)
     throw InputError(path + "/Tolerance: the scheme \"" + table.name + "\" has no estimate of its local error; use 0");
   if (asked.gap_ratio > 0 && sublists(scene.sublist("Interactions")).empty())
     throw InputError(path + "/Maximum Gap Ratio: the scene has no interaction; use 0");
   if (asked.time_points && table.interaction_points == 0)
-    throw InputError(path + "/Choose Time Points: the scheme \"" + table.name +
-                     "\", as it is set, has no points in time of the interaction that could be chosen");
+    throw InputError(path + "/Choose Time Points: with these settings the scheme \"" + table.name +
+                     "\" has no Gauss points in time for the interaction; use false");
 }
 
 void check_cutoff(const List& interactions, const Table& table) {
@@ -32,9 +34,10 @@ void check_cutoff(const List& interactions, const Table& table) {
                                  [](const Stage& stage) { return stage.interaction.mean == Mean::Exact; });
   for (const std::string& name : sublists(interactions))
     if (exact && interactions.sublist(name).get<double>("Cutoff") > 0)
-      throw InputError("Interactions/" + name + "/Cutoff: the scheme \"" + table.name +
-                       "\", as it is set, takes the exact mean of the interaction, which needs its whole range; use 0, "
-                       "or Interaction Points of at least 1");
+      throw InputError(
+          "Interactions/" + name + "/Cutoff: with these settings the scheme \"" + table.name +
+          "\" takes the exact mean of the interaction, which allows no cutoff; use 0, or Interaction Points "
+          "of at least 1");
 }
 
 void check_formulations(const List& materials, const Table& table) {
@@ -47,9 +50,11 @@ void check_formulations(const List& materials, const Table& table) {
     if (discrete && chosen != Formulation::Standard)
       throw InputError(path + "/Element Formulation: \"" + list.get<std::string>("Element Formulation") +
                        "\" has no discrete gradient, which the scheme \"" + table.name +
-                       "\" takes of the elastic energy; use \"Standard\", or the scheme \"Average Vector Field\"");
+                       "\" needs; use \"Standard\", or the scheme \"Average Vector Field\"");
     if (chosen == Formulation::Enhanced && list.get<int>("Quadrature Points") < 2)
-      throw InputError(path + "/Quadrature Points: 1 does not see the modes of \"Enhanced\" elements; use at least 2");
+      throw InputError(path +
+                       "/Quadrature Points: 1 is too few for \"Enhanced\" elements, whose modes vanish at the centre; "
+                       "use at least 2");
   }
 }
 

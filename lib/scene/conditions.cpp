@@ -20,7 +20,7 @@ void require_given(const List& list, const std::string& path, const char* name, 
   const bool given = array ? !list.get<Teuchos::Array<double>>(name).empty() : !list.get<std::string>(name).empty();
   const auto type = list.get<std::string>("Type");
   if (wanted && !given) throw InputError(fmt::format("{}/{} is missing: a {} needs it", path, name, type));
-  if (!wanted && given) throw InputError(fmt::format("{}/{}: a {} takes none", path, name, type));
+  if (!wanted && given) throw InputError(fmt::format("{}/{}: a {} has no {}; remove it", path, name, type, name));
 }
 
 void add_displacement(const List& list, const std::string& path, const Histories& histories, Model& model) {
@@ -33,7 +33,7 @@ void add_displacement(const List& list, const std::string& path, const Histories
   if (!history.empty()) motion = at(path + "/History", [&] { return histories.get(history, HistoryUse::Motion); });
   for (char component : components)
     if (component - 'x' >= mesh.dimension)
-      throw InputError(fmt::format("{}/Components: \"{}\" names z, but the scene has {} dimensions", path, components,
+      throw InputError(fmt::format("{}/Components: \"{}\" names z, but the mesh has {} dimensions", path, components,
                                    mesh.dimension));
   together<InputError>(model.space().comm(), [&] {
     for (char component : components)

@@ -35,7 +35,8 @@ void document(const List& valid, const std::string& path, std::string& text) {
                           entry.docString());
   if (!rows.empty())
     text += "| parameter | type | default | allowed | meaning |\n|---|---|---|---|---|\n" + rows + "\n";
-  if (is_free_form(valid)) text += "Free form: checked by the library that reads it.\n\n";
+  if (is_free_form(valid))
+    text += "Free form: Ixos does not check the names in this list; what reads the list checks them.\n\n";
   for (const auto& [name, entry] : entries(valid)) {
     if (!entry.isList()) continue;
     const std::string here = path.empty() ? name : fmt::format("{} / {}", path, name);
@@ -69,7 +70,7 @@ std::string comment(const std::string& text) {
 
 std::string comment(const Teuchos::ParameterEntry& valid) {
   const std::string range = allowed(valid);
-  return comment(valid.docString() + (range.empty() ? "" : "; " + range));
+  return comment(valid.docString() + (range.empty() ? "" : " Allowed: " + range));
 }
 
 void write(const List& list, const List& valid, const std::string& indent, std::string& text) {
@@ -122,8 +123,8 @@ std::string allowed(const Teuchos::ParameterEntry& valid) {
 
 std::string parameter_documentation(const List& valid, const std::string& title, const std::string& command) {
   std::string text = fmt::format(
-      "# {}\n\nMade from the validators by `{}`; do not edit. Lengths in L0, stresses in E0, times in T0. `<any name>` "
-      "stands for lists that the file names itself.\n\n",
+      "# {}\n\n`{}` generates this page; do not edit it. Lengths are in L0, stresses in E0, times in T0. `<any name>` "
+      "stands for a name that the file chooses.\n\n",
       title, command);
   document(valid, "", text);
   return text.substr(0, text.size() - 1);
@@ -142,8 +143,8 @@ std::string scene_template(const std::string& name) {
   scene = validated(scene, scene_parameters());
   scene.sublist("Linear Solver").set("Linear Solver Type", "Automatic");
   std::string text = fmt::format(
-      "<!-- Run with: ixos FILE. Every parameter that this scene uses, with its meaning; all but a few could be left "
-      "out. -->\n<ParameterList name=\"{}\">\n",
+      "<!-- Run this scene with: ixos FILE. It lists every parameter that it uses. Most of them have the default value "
+      "and can be omitted. -->\n<ParameterList name=\"{}\">\n",
       name);
   write(scene, scene_parameters(), "  ", text);
   return text + "</ParameterList>\n";

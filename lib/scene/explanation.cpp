@@ -44,17 +44,18 @@ std::string surroundings(const Simulation& simulation) {
   const List& interactions = simulation.parameters().sublist("Interactions");
   for (const auto& [name, entry] : entries(interactions)) {
     const List& list = interactions.sublist(name);
-    text += fmt::format("Interaction {}: {} between side set \"{}\" and a {}, {}, {} points a direction\n", name,
-                        list.get<std::string>("Law"), list.get<std::string>("Side Set"),
-                        list.get<std::string>("Obstacle"), list.get<std::string>("Contact Element"),
-                        list.get<int>("Surface Points") > 0 ? std::to_string(list.get<int>("Surface Points"))
-                                                            : "the element's own number of");
+    text += fmt::format(
+        "Interaction {}: {} between side set \"{}\" and a {}, {} contact elements, {} Gauss points per direction\n",
+        name, list.get<std::string>("Law"), list.get<std::string>("Side Set"), list.get<std::string>("Obstacle"),
+        list.get<std::string>("Contact Element"),
+        list.get<int>("Surface Points") > 0 ? std::to_string(list.get<int>("Surface Points"))
+                                            : "the element's default number of");
     if (const auto cutoff = list.get<double>("Cutoff"); cutoff > 0) {
       const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
       const double near = law.equilibrium_gap();
       text += fmt::format(
-          "  cut off at a gap of {} L0: tractions are off by at most {:.3g} E0, {:.2g} of the largest, the work of "
-          "adhesion by {:.2g} of it\n",
+          "  Cutoff at a gap of {} L0: the error of the traction is at most {:.3g} E0, {:.2g} of the largest "
+          "attraction; the relative error of the work of adhesion is {:.2g}\n",
           cutoff, std::abs(law.traction(cutoff)), std::abs(law.traction(cutoff) / law.traction(law.adhesion_gap())),
           1 - CutOff(law, cutoff).energy(near) / law.energy(near));
     }
@@ -65,10 +66,12 @@ std::string surroundings(const Simulation& simulation) {
     const auto type = list.get<std::string>("Type");
     const auto history = list.get<std::string>("History");
     if (type == "Displacement")
-      text += fmt::format("{} {}: node set \"{}\", components {}\n", history.empty() ? "Held" : "Driven by " + history,
-                          name, list.get<std::string>("Node Set"), list.get<std::string>("Components"));
+      text += fmt::format("Boundary condition {}: node set \"{}\", components {}, {}\n", name,
+                          list.get<std::string>("Node Set"), list.get<std::string>("Components"),
+                          history.empty() ? "held" : "driven by history " + history);
     else
-      text += fmt::format("{} {}: {}\n", type, name, history.empty() ? "constant" : "by history " + history);
+      text += fmt::format("Boundary condition {}: {}, {}\n", name, type,
+                          history.empty() ? "constant" : "driven by history " + history);
   }
   return text;
 }
@@ -78,11 +81,15 @@ std::string solution(const Simulation& simulation) {
   const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
   const List& linear = simulation.parameters().sublist("Linear Solver");
   const StepControlOptions control = simulation.step_control();
+  const std::string steps =
+      control.adaptive.on
+          ? fmt::format("adaptive steps, the first of {} T0", control.time_step)
+          : fmt::format("about {:.0f} steps of {} T0", (control.final_time - control.initial_time) / control.time_step,
+                        control.time_step);
   return fmt::format(
-      "Scheme: {}, order {}; conserves {}\nTime: to {} T0 in steps of {} T0, about {:.0f} steps\n"
+      "Scheme: {}, order {}; conserves {}\nTime: from {} to {} T0 in {}\n"
       "Newton: NOX, tolerance {}; linear solver {}\n",
-      chosen.name, chosen.order, chosen.conserves, control.final_time, control.time_step,
-      (control.final_time - control.initial_time) / control.time_step,
+      chosen.name, chosen.order, chosen.conserves, control.initial_time, control.final_time, steps,
       simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"), linear_solver_in_words(linear));
 }
 
@@ -99,8 +106,8 @@ std::string memory(const Simulation& simulation) {
   for (const LocalBlock& block : model.mesh().blocks) cells += block.cells();
   const double points = d == 2 ? 4 : 8, nodes = points;
   return fmt::format(
-      "Memory on this rank, without factorisations: {} tangent matrices {}, mass {}, element geometry and "
-      "offsets {}\n",
+      "Memory on this rank, without factorisations: tangent matrices ({}) {}, mass matrix {}, element "
+      "geometry and offsets {}\n",
       matrices, megabytes(matrices * pairs * d * d * 12), megabytes(model.mass() == nullptr ? 0 : pairs * 8),
       megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
 }
@@ -121,7 +128,7 @@ std::string left_out(const Simulation& simulation) {
   if (output.get<int>("Fields Interval") == 0 && output.get<double>("Fields Time Interval") == 0)
     absent.emplace_back("fields.e");
   for (const char* group : {"Energies", "Momenta", "Interaction"})
-    if (!output.get<bool>(group)) absent.push_back(std::string("history of ") + group);
+    if (!output.get<bool>(group)) absent.push_back(std::string(group) + " in history.csv");
   if (absent.empty()) return "Left out: nothing\n";
   std::string text = "Left out, at no cost:";
   for (const std::string& what : absent) text += (what == absent.front() ? " " : ", ") + what;

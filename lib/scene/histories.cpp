@@ -55,7 +55,7 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
   if (found == functions_.end()) {
     std::vector<std::string> names;
     for (const auto& [key, function] : functions_) names.push_back(key);
-    if (names.empty()) throw InputError("history \"" + name + "\" does not exist; the list Histories has none");
+    if (names.empty()) throw InputError("history \"" + name + "\" does not exist; the list Histories is empty");
     throw InputError(no_such("history", name, names, "There are"));
   }
   const List& own = list_.sublist(name);
@@ -67,10 +67,10 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
   at("Histories/" + name, [&] {
     const double slack = 1e-9 * (function.last_time() - function.first_time());
     if (function.first_time() > initial_time_ + slack || function.last_time() < final_time_ - slack)
-      throw InputError(fmt::format("the table goes from {} to {}, but the run from {} to {}", function.first_time(),
-                                   function.last_time(), initial_time_, final_time_));
+      throw InputError(fmt::format("the table covers the times {} to {}, but the run goes from {} to {}",
+                                   function.first_time(), function.last_time(), initial_time_, final_time_));
     if (function.ramp_end() > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      throw InputError(fmt::format("the ramp ends at {}, Start + Length, after the run's Final Time, {}",
+      throw InputError(fmt::format("the ramp ends at Start + Length = {}, after the Final Time {} of the run",
                                    function.ramp_end(), final_time_));
     check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
   });

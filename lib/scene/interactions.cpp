@@ -39,13 +39,13 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
   const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
   if (!std::isfinite(law.c1()) || !(law.c1() > 0) || !std::isfinite(law.c2()) || !(law.c2() > 0))
     throw InputError(
-        fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {}, c2 = {}", path, law.c1(), law.c2()));
+        fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {} and c2 = {} must be positive and finite", path,
+                    law.c1(), law.c2()));
   const auto cutoff = list.get<double>("Cutoff");
   if (cutoff > 0 && !(cutoff > law.adhesion_gap()))
-    throw InputError(
-        fmt::format("{}/Cutoff: {} cuts the attraction off; it must be greater than the gap of largest "
-                    "attraction, {:.6g}, or 0",
-                    path, cutoff, law.adhesion_gap()));
+    throw InputError(fmt::format(
+        "{}/Cutoff: {} cuts off the attraction; it must be 0, or greater than the gap of largest attraction, {:.6g}",
+        path, cutoff, law.adhesion_gap()));
   const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
   auto terms = make_half_space_terms(mesh, mesh.side_sets[set], model.pattern(), law, wall,
                                      {list.get<int>("Surface Points"), cutoff, list.get<double>("Step Margin")});
@@ -55,8 +55,7 @@ void add_interaction(const List& list, const std::string& path, Model& model) {
   const double gap = model.space().minimum(report.least_gap);
   if (!(gap > 0))
     throw InputError(
-        fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; it must be "
-                    "positive",
+        fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; all gaps must be positive",
                     path, list.get<std::string>("Side Set"), gap));
   for (auto& term : terms) model.add_interaction(std::move(term));
 }

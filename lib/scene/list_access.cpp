@@ -20,15 +20,15 @@ std::vector<double> numbers(const Teuchos::ParameterList& list, const std::strin
   const auto& values = list.get<Teuchos::Array<double>>(name);
   if (values.empty()) return fallback;
   if (static_cast<std::size_t>(values.size()) != count)
-    throw InputError(fmt::format("{}/{} has {} elements, not {}; is the mesh of the dimension that the scene is of?",
-                                 path, name, values.size(), count));
+    throw InputError(fmt::format("{}/{} has {} elements, not {}, which the dimension of the mesh requires", path, name,
+                                 values.size(), count));
   return {values.begin(), values.end()};
 }
 
 void check_column_name(const std::string& path, const std::string& name) {
   if (name.find_first_of(",\"\r\n") != std::string::npos)
     throw InputError(
-        fmt::format("{}: \"{}\" cannot name a column: it holds a comma, a quote or a line end", path, name));
+        fmt::format("{}: \"{}\" cannot name a column: it contains a comma, a quote or a line break", path, name));
 }
 
 }  // namespace ixos

@@ -66,11 +66,11 @@ class Reader {
 
   void begin(const std::string& tag, const XML_Char** attributes) {
     if (levels_.size() > deepest_list)
-      throw InputError(fmt::format("{}: lists within lists, deeper than {}", place(), deepest_list));
+      throw InputError(fmt::format("{}: lists are nested deeper than {} levels", place(), deepest_list));
     if (levels_.empty()) return begin_root(tag, attributes);
     Teuchos::ParameterList* list = levels_.back().list;
     if (tag == "Validators" || passing()) return levels_.push_back({nullptr, ""});  // Teuchos writes an empty one
-    if (list == nullptr) throw InputError(fmt::format("{}: <{}> inside of a parameter", place(), tag));
+    if (list == nullptr) throw InputError(fmt::format("{}: <{}> inside a parameter", place(), tag));
     if (tag != "Parameter" && tag != "ParameterList")
       throw InputError(fmt::format("{}: <{}> is neither <Parameter> nor <ParameterList>", place(), tag));
     const std::string name = required(attributes, "name", tag, place());
@@ -91,7 +91,7 @@ class Reader {
 
   void begin_root(const std::string& tag, const XML_Char** attributes) {
     if (tag != "ParameterList")
-      throw InputError(origin_ + ": the outermost element is <" + tag + ">, not <ParameterList>");
+      throw InputError(origin_ + ": the outermost element is <" + tag + ">; it must be <ParameterList>");
     if (const XML_Char* name = find(attributes, "name"); name != nullptr) {
       check_name(name);
       root_.setName(name);
@@ -105,7 +105,7 @@ class Reader {
 
   void refuse_text(const std::string& text) const {
     if (!passing() && text.find_first_not_of(" \t\r\n") != std::string::npos)
-      throw InputError(fmt::format("{}: line {} has text outside of tags, \"{}\"", origin_,
+      throw InputError(fmt::format("{}: line {} has text outside of tags: \"{}\"", origin_,
                                    XML_GetCurrentLineNumber(parser_.get()), text));
   }
 
@@ -132,7 +132,7 @@ class Reader {
 
 Teuchos::ParameterList list_from_xml(const std::string& xml, const std::string& origin) {
   if (xml.size() > largest_xml)
-    throw InputError(fmt::format("{}: is larger than {} bytes, the most that is allowed", origin, largest_xml));
+    throw InputError(fmt::format("{}: is larger than {} bytes, the largest size allowed", origin, largest_xml));
   return Reader(origin).read(xml);
 }
 

@@ -75,12 +75,13 @@ const std::string& checked_string(const std::string& text) {
 
 void check_name(const std::string& name) {
   if (name.size() > longest_name)
-    throw InputError(fmt::format("\"{}...\" is no name: {} bytes, at most {} are allowed", name.substr(0, 40),
-                                 name.size(), longest_name));
+    throw InputError(fmt::format("\"{}...\" is not a valid name: it has {} bytes, at most {} are allowed",
+                                 name.substr(0, 40), name.size(), longest_name));
   if (first_unfit_byte(name) != std::string::npos)
-    throw InputError("\"" + printable(name) + "\" is no name: it has a control character, or is not UTF-8");
+    throw InputError("\"" + printable(name) +
+                     "\" is not a valid name: it contains a control character, or is not UTF-8");
   if (name.size() > 1 && name.front() == '<' && name.back() == '>')
-    throw InputError("\"" + name + "\" is no name: it must not stand in angle brackets");
+    throw InputError("\"" + name + "\" is not a valid name: it must not be enclosed in angle brackets");
 }
 
 void set_from_text(Teuchos::ParameterList& list, const std::string& name, const std::string& type,

@@ -13,7 +13,8 @@ std::vector<Probe> find_probes(const Teuchos::ParameterList& list, const Model& 
     check_column_name(path, name);
     const auto d = static_cast<std::size_t>(model.mesh().dimension);
     const auto place = numbers(list.sublist(name), path, "Point", d, {});
-    if (place.empty()) throw InputError(path + "/Point is missing: the probe's place in the reference configuration");
+    if (place.empty())
+      throw InputError(path + "/Point is missing: the position of the probe in the reference configuration");
     probes.push_back({name, place, at(path + "/Point", [&] { return locate(model.mesh(), model.space(), place); })});
   }
   return probes;

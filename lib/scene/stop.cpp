@@ -16,7 +16,7 @@ const Probe& probe_named(const std::vector<Probe>& probes, const std::string& na
     if (probe.name == name) return probe;
     names.push_back(probe.name);
   }
-  if (names.empty()) throw InputError("probe \"" + name + "\" does not exist; Output/Probes has none");
+  if (names.empty()) throw InputError("probe \"" + name + "\" does not exist; Output/Probes is empty");
   throw InputError(no_such("probe", name, names, "Output/Probes has"));
 }
 
@@ -36,7 +36,7 @@ StopCriteria::StopCriteria(const Teuchos::ParameterList& list, const std::vector
                            [&]() -> const Probe* { return &probe_named(probes, probe.get<std::string>("Name")); });
       criterion.quantity = probe.get<std::string>("Quantity");
       if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
-        throw InputError(fmt::format("{}/Probe/Quantity: \"{}\" names z, but the scene has {} dimensions", path,
+        throw InputError(fmt::format("{}/Probe/Quantity: \"{}\" names z, but the mesh has {} dimensions", path,
                                      criterion.quantity, model.mesh().dimension));
       criterion.above = probe.get<std::string>("Side") == "Above";
       criterion.limit = probe.get<double>("Limit");
@@ -49,13 +49,13 @@ std::string StopCriteria::reason(const Model& model, const State& state) {
   for (const Criterion& criterion : criteria_) {
     if (criterion.probe == nullptr) {
       const bool attached = model.interaction_report(state.u.data()).measure > 0;
-      if (was_attached_ && !attached) return criterion.name + ": detached";
+      if (was_attached_ && !attached) return criterion.name + ": the surface is detached";
       was_attached_ = attached;
       continue;
     }
     const double value = probe_value(*criterion.probe, criterion.quantity, model, state);
     if (criterion.above ? value >= criterion.limit : value <= criterion.limit)
-      return fmt::format("{}: {} of probe {} is {:.6g}, {} {:.6g}", criterion.name, criterion.quantity,
+      return fmt::format("{}: {} of probe {} is {:.6g}, {} the limit {:.6g}", criterion.name, criterion.quantity,
                          criterion.probe->name, value, criterion.above ? "above" : "below", criterion.limit);
   }
   return "";

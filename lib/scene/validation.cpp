@@ -29,7 +29,7 @@ std::string join(const std::string& path, const std::string& name) { return path
     if (entry.isList() == sublist) names.push_back(key);
   const std::string what = sublist ? "list" : "parameter";
   std::string message = path + ": there is no " + what + " \"" + name + "\" here";
-  if (names.empty()) throw InputError(message + ", and no other " + what);
+  if (names.empty()) throw InputError(message + "; no " + what + " is allowed");
   throw InputError(message + "; did you mean \"" + closest_name(name, names) + "\"? Allowed: " + quoted_list(names));
 }
 
@@ -43,7 +43,7 @@ void check_entry(const std::string& name, const Entry& value, const Entry& valid
   else if (wanted == found)
     target.setEntry(name, Entry(value.getAny(false)));
   else
-    throw InputError(path + ": " + value_text(value) + " is of type " + found + ", but " + wanted + " is wanted");
+    throw InputError(path + ": " + value_text(value) + " is of type " + found + ", but it must be of type " + wanted);
   if (valid.validator().is_null()) return;
   const Entry& checked = *target.getEntryPtr(name);
   if (const auto words = Teuchos::rcp_dynamic_cast<const Teuchos::StringValidator>(valid.validator());

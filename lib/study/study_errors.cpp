@@ -103,7 +103,7 @@ double StudyReference::relative_distance(const Results& run, const std::vector<s
       ++rows;
     }
   }
-  if (rows < 2) throw InputError("fewer than two rows in Errors/Interval");
+  if (rows < 2) throw InputError("no errors: history.csv has fewer than two rows in Errors/Interval");
   return std::sqrt(error / scale);
 }
 
@@ -114,7 +114,8 @@ StudyErrors StudyReference::errors(const std::string& folder) const {
   const double from = std::max(options_.from, times.front()), to = std::min(options_.to, times.back());
   const double end = run.history.column("time").back();
   if (end < to - 0.05 * (to - from))
-    throw InputError(fmt::format("no errors: it ended at {:.6g} T0, the comparison goes to {:.6g}", end, to));
+    throw InputError(
+        fmt::format("no errors: the run ended at {:.6g} T0, before the end of the comparison at {:.6g} T0", end, to));
   const auto either = [&](const std::vector<std::string>& named, const std::vector<std::string>& usual) {
     if (!named.empty()) return relative_distance(run, named);
     std::vector<std::string> both;

@@ -31,7 +31,8 @@ Assignments assignments(const List& list, const std::string& path) {
   Assignments result;
   for (const auto& [name, entry] : entries(list)) {
     if (entry.isList())
-      throw InputError(fmt::format("{}/{} is a list; here are parameters only, each by its path", path, name));
+      throw InputError(fmt::format(
+          "{}/{} is a list; only parameters are allowed here, each named by its path in the scene", path, name));
     result.push_back(fmt::format("{}={}", name, value_text(entry)));
   }
   return result;
@@ -51,7 +52,7 @@ Axis read_axis(const List& list, const std::string& name) {
         {label, assignments(list.sublist("Settings").sublist(label), fmt::format("{}/Settings/{}", path, label))});
   std::set<std::string> labels;
   for (const AxisValue& value : axis.values)
-    if (!labels.insert(value.label).second) throw InputError(path + ": \"" + value.label + "\" is there twice");
+    if (!labels.insert(value.label).second) throw InputError(path + ": \"" + value.label + "\" is given twice");
   return axis;
 }
 
@@ -71,7 +72,8 @@ std::string file_name(const std::string& label) {
 
 [[noreturn]] void refuse_run_name(const StudyRun& run) {
   throw InputError("Axes: the labels \"" + fmt::format("{}", fmt::join(run.labels, "\", \"")) +
-                   "\" make no folder name of their own, \"" + run.name + "\"; choose other labels");
+                   "\" give the folder name \"" + run.name +
+                   "\", which another run has, which is reserved, or which is too long; choose other labels");
 }
 
 /// Every combination of the axes' values, the last axis running fastest.
@@ -106,7 +108,7 @@ Question read_question(const List& list, const std::vector<Axis>& axes) {
   Question question{list.get<std::string>("Connect"), list.get<std::string>("Cost"), list.get<std::string>("Measure"),
                     list.get<double>("Tolerance"), list.get<double>("Budget")};
   if (question.tolerance == 0 && question.budget == 0)
-    throw InputError("Question: Tolerance and Budget are both 0; nothing is asked");
+    throw InputError("Question: Tolerance and Budget are both 0; at least one must be greater than 0");
   if (question.connect.empty()) question.connect = axes.back().name;
   std::vector<std::string> names;
   names.reserve(axes.size());
@@ -125,7 +127,8 @@ ErrorOptions read_errors(const List& list) {
   if (list.get<Teuchos::Array<double>>("Interval").empty()) return options;
   const auto interval = numbers(list, "Errors", "Interval", 2, {});
   if (!(interval[0] < interval[1]))
-    throw InputError(fmt::format("Errors/Interval: {} is not before {}", interval[0], interval[1]));
+    throw InputError(
+        fmt::format("Errors/Interval: the start {} must be less than the end {}", interval[0], interval[1]));
   options.from = interval[0];
   options.to = interval[1];
   return options;
@@ -160,10 +163,11 @@ Study read(const std::string& path) {
                                     "linear_iterations",
                                     "peak_memory_bytes"};
   for (const std::string& name : sublists(list.sublist("Axes"))) {
-    if (taken.count(name) > 0) throw InputError("Axes/" + name + ": this is the name of a column; choose another");
+    if (taken.count(name) > 0)
+      throw InputError("Axes/" + name + ": this is the name of a column of study.csv; choose another name");
     study.axes.push_back(read_axis(list.sublist("Axes").sublist(name), name));
   }
-  if (study.axes.empty()) throw InputError("Axes: there is none; a study varies something");
+  if (study.axes.empty()) throw InputError("Axes is empty; a study needs at least one axis");
   const List& reference = list.sublist("Reference");
   study.reference = assignments(reference.sublist("Settings"), "Reference/Settings");
   study.reference_folder = reference.get<std::string>("Folder");
@@ -172,7 +176,7 @@ Study read(const std::string& path) {
   if (!study.reference_folder.empty()) {
     study.reference_folder = beside(path, study.reference_folder);
     if (!std::filesystem::exists(study.reference_folder + "/history.csv"))
-      throw InputError("Reference/Folder: there are no results in " + study.reference_folder);
+      throw InputError("Reference/Folder: " + study.reference_folder + " has no history.csv");
   }
   study.errors = read_errors(list.sublist("Errors"));
   study.question = read_question(list.sublist("Question"), study.axes);

@@ -17,32 +17,43 @@ void add_settings(List& list, const char* name, const char* documentation) {
 
 List make() {
   List study("Study");
-  study.set("Scene", required, "the scene's file; a relative path counts from the study's folder");
-  study.set("Jobs", 1, "runs at a time; two disturb each other's times", between(1, 2));
-  study.set("Time Limit", 0.0, "wall-clock seconds after which a run counts as failed; 0: none", at_least(0));
+  study.set("Scene", required, "Path of the scene file, relative to the study's folder.");
+  study.set("Jobs", 1, "Number of runs at the same time. Two runs affect each other's wall-clock times.",
+            between(1, 2));
+  study.set("Time Limit", 0.0,
+            "Seconds of wall-clock time after which a run is stopped and counts as failed. 0: no limit.", at_least(0));
   add_settings(study, "Common",
-               "settings of every run: the parameter's path in the scene is the name, \"Time Integrator/Type\"");
-  List& axis = study.sublist("Axes", false, "what is varied; every combination is run").sublist(any_name);
-  axis.set("Parameter", "", "path of the one parameter that Values are for");
-  axis.set("Values", Words(), "its values");
-  List& settings = axis.sublist("Settings", false, "or a list for each value: its name is the label");
+               "Settings of every run. The name of a setting is the parameter's path in the scene, such as \"Time "
+               "Integrator/Type\".");
+  List& axis = study.sublist("Axes", false, "Settings that are varied. Every combination of the axes' values is a run.")
+                   .sublist(any_name);
+  axis.set("Parameter", "",
+           "Path of the parameter that the axis varies. An axis has either Parameter and Values, or Settings.");
+  axis.set("Values", Words(), "Values of Parameter.");
+  List& settings = axis.sublist(
+      "Settings", false, "One list of settings for each value of the axis; the list's name is the value's label.");
   mark_free_form(settings.sublist(any_name));
-  List& reference = study.sublist("Reference", false, "what errors are taken against");
-  reference.set("Folder", "", "results of an earlier run; a relative path counts from the study's folder");
-  add_settings(reference, "Settings", "or the settings of a run, beyond the common ones");
-  List& errors = study.sublist("Errors", false, "how errors are taken, over rows of history.csv");
-  errors.set("Force", Words(), "columns; the contact force when empty");
-  errors.set("Position", Words(), "columns; the displacements of all probes when empty");
-  errors.set("Interval", Teuchos::Array<double>(), "{from, to} in time [T0]; the whole run when empty", any_number());
-  errors.set("Energy Scale", 0.0, "[E0 L0^D]; 0: the largest kinetic energy of the reference", at_least(0));
-  List& question = study.sublist("Question", false, "what is asked of the runs");
-  question.set("Connect", "", "axis along which a plot joins points; the last when empty");
-  question.set("Cost", "wall_seconds", "what a run costs",
+  List& reference =
+      study.sublist("Reference", false, "Reference that the runs are compared with. It has either Folder or Settings.");
+  reference.set("Folder", "", "Results folder of an earlier run, relative to the study's folder.");
+  add_settings(reference, "Settings", "Settings of a reference run, in addition to Common.");
+  List& errors = study.sublist("Errors", false, "How errors are computed from the rows of history.csv.");
+  errors.set("Force", Words(), "Columns of the force error. If empty, they are the contact force.");
+  errors.set("Position", Words(), "Columns of the position error. If empty, they are the displacements of all probes.");
+  errors.set("Interval", Teuchos::Array<double>(),
+             "Times {from, to} of the comparison [T0]. If empty, it is the whole run.", any_number());
+  errors.set("Energy Scale", 0.0,
+             "Energy that energy errors are divided by [E0 L0^D]. 0: the largest kinetic energy of the reference.",
+             at_least(0));
+  List& question = study.sublist("Question", false, "The question that the recommendation answers.");
+  question.set("Connect", "", "Axis along which a line of a plot joins points. If empty, it is the last axis.");
+  question.set("Cost", "wall_seconds", "Cost of a run: a column of study.csv.",
                one_of({"wall_seconds", "cpu_seconds", "newton_iterations"}));
-  question.set("Measure", "error_force", "which error counts",
+  question.set("Measure", "error_force", "Error that counts: a column of study.csv.",
                one_of({"error_energy", "error_momentum", "error_force", "error_position"}));
-  question.set("Tolerance", 0.01, "largest error; the cheapest run within it is recommended; 0: none", at_least(0));
-  question.set("Budget", 0.0, "largest cost; the most accurate run within it is named; 0: none", at_least(0));
+  question.set("Tolerance", 0.01, "Largest error. The cheapest run within it is recommended. 0: no tolerance.",
+               at_least(0));
+  question.set("Budget", 0.0, "Largest cost. The most accurate run within it is named. 0: no budget.", at_least(0));
   return study;
 }
 

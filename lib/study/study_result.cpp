@@ -100,7 +100,7 @@ Recommendation recommend(const Study& study, const std::vector<StudyResult>& res
   const auto best = pareto(results, asked.cost, asked.measure);  // cheaper first, more accurate last
   Recommendation answer;
   if (best.empty()) {
-    answer.sentence = "No run that reached its end has an " + error_text(asked.measure) + ".";
+    answer.sentence = "No run that reached its end has a known " + error_text(asked.measure) + ".";
     return answer;
   }
   if (asked.tolerance > 0) {
@@ -109,10 +109,11 @@ Recommendation recommend(const Study& study, const std::vector<StudyResult>& res
     });
     if (within != best.end()) {
       answer.run = *within;
-      answer.sentence = fmt::format("The cheapest within {:.3g}: {}.", asked.tolerance, sentence(study, **within));
-    } else {
       answer.sentence =
-          fmt::format("No run is within {:.3g}. The nearest: {}.", asked.tolerance, sentence(study, *best.back()));
+          fmt::format("The cheapest run within the tolerance {:.3g}: {}.", asked.tolerance, sentence(study, **within));
+    } else {
+      answer.sentence = fmt::format("No run is within the tolerance {:.3g}. The most accurate run: {}.",
+                                    asked.tolerance, sentence(study, *best.back()));
     }
   }
   if (asked.budget > 0) {
@@ -121,9 +122,9 @@ Recommendation recommend(const Study& study, const std::vector<StudyResult>& res
       if (result->cost(asked.cost) <= asked.budget) affordable = result;
     const std::string budget = cost_text(asked.cost, asked.budget);
     answer.sentence += answer.sentence.empty() ? "" : " ";
-    answer.sentence += affordable == nullptr
-                           ? "No run costs at most " + budget + "."
-                           : fmt::format("The most accurate for at most {}: {}.", budget, sentence(study, *affordable));
+    answer.sentence += affordable == nullptr ? "No run costs at most " + budget + "."
+                                             : fmt::format("The most accurate run for at most {}: {}.", budget,
+                                                           sentence(study, *affordable));
     if (asked.tolerance == 0) answer.run = affordable;
   }
   return answer;

@@ -66,7 +66,8 @@ class FolderLock {
     if (file_ < 0) throw FileError(folder + ": cannot be written");
     if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
       close(file_);
-      throw FileError(folder + ": another ixos-study works there");
+      throw FileError(folder +
+                      ": another ixos-study uses this folder; wait until it has ended, or choose another --output");
     }
   }
   ~FolderLock() { close(file_); }
@@ -153,7 +154,7 @@ class Runner {
   ChildProcess start(const StudyRun& run) const {
     std::error_code code;
     std::filesystem::create_directories(folder(run), code);
-    if (code) throw FileError(folder(run) + ": cannot be made: " + code.message());
+    if (code) throw FileError(folder(run) + ": cannot be created: " + code.message());
     std::filesystem::remove(folder(run) + "/run.json");
     std::filesystem::remove(folder(run) + "/summary.json");
     // A run that did not end is run again: it needs no checkpoints, unless the study sets some.
@@ -216,7 +217,8 @@ class Runner {
     const int status = entry(record, "exit_status", -1);
     if (const double limit = entry(record, "time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
       result.status = "failed";
-      result.reason = limit > 0 ? fmt::format("not done after {} s", limit) : last_line(folder(run) + "/log.txt");
+      result.reason = limit > 0 ? fmt::format("not finished after the time limit of {} s", limit)
+                                : last_line(folder(run) + "/log.txt");
       if (limit == 0 && status > 128) result.reason = fmt::format("ended by signal {}", status - 128);
       result.wall_seconds = limit;
       return result;

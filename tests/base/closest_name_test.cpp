@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace ixos {
 namespace {
 
@@ -38,6 +42,47 @@ TEST(ClosestNameTest, NothingIsNearestWhereThereIsNoCandidate) {
 TEST(ClosestNameTest, OfALongNameItsBeginningCounts) {
   const std::string long_name = "Newmark" + std::string(100000000, 'x');  // its whole table would take 6 GB
   EXPECT_EQ(closest_name(long_name, {"Bathe", "Newmarkx"}), "Newmarkx");
+}
+
+TEST(ClosestNameTest, AbbreviationsOfTheLiteratureAreUnderstood) {
+  const std::vector<std::string> schemes{"Newmark",
+                                         "Bathe Composite",
+                                         "Gautam-Sauer Composite",
+                                         "Average Vector Field",
+                                         "Energy-Momentum",
+                                         "Midpoint",
+                                         "Generalized-Alpha",
+                                         "HHT-Alpha",
+                                         "Central Difference",
+                                         "Static",
+                                         "Custom"};
+  const std::vector<std::pair<std::string, std::string>> cases{{"AVF", "Average Vector Field"},
+                                                               {"EM", "Energy-Momentum"},
+                                                               {"EnergyMomentum", "Energy-Momentum"},
+                                                               {"GA", "Generalized-Alpha"},
+                                                               {"gen-alpha", "Generalized-Alpha"},
+                                                               {"GenAlpha", "Generalized-Alpha"},
+                                                               {"HHT", "HHT-Alpha"},
+                                                               {"hht", "HHT-Alpha"},
+                                                               {"CD", "Central Difference"},
+                                                               {"Bathe", "Bathe Composite"},
+                                                               {"Newmrak", "Newmark"}};
+  for (const auto& [name, scheme] : cases) EXPECT_EQ(closest_name(name, schemes), scheme) << name;
+  for (const char* name : {"vdW", "LJ", "Lennard-Jones"})
+    EXPECT_EQ(closest_name(name, {"Van der Waals"}), "Van der Waals") << name;
+  EXPECT_EQ(closest_name("vdW", {"Hard", "Van der Waals"}), "Van der Waals");
+}
+
+TEST(ClosestNameTest, NamesThatAreWrittenInFullComeBeforeAbbreviated) {
+  EXPECT_EQ(closest_name("Time Step", {"Time Step Control", "Time Step"}), "Time Step");
+  EXPECT_EQ(closest_name("Tim Step", {"Time Step Control", "Time Stop", "Time Step"}), "Time Step");
+  EXPECT_EQ(closest_name("AVF", {"Average Vector Field", "AVX"}), "AVX");  // one edit is nearer than an abbreviation
+}
+
+TEST(ClosestNameTest, PartsOfWordsThatAreNotBeginningsAbbreviateNothing) {
+  EXPECT_EQ(closest_name("AV", {"Average Vector Field", "Box"}), "Box");    // a word is missing
+  EXPECT_EQ(closest_name("AVFX", {"Average Vector Field", "Box"}), "Box");  // a letter too many
+  EXPECT_EQ(closest_name("", {"Average Vector Field", "x"}), "x");
 }
 
 TEST(QuotedListTest, NamesAreQuotedAndSeparatedByCommas) {

@@ -236,7 +236,7 @@ class PeelingTest(ScriptTest):
 
     def test_what_is_wrong_is_said_on_one_line(self):
         for name in ("peeling.py", "cost.py", "summary_table.py"):
-            self.assert_refused("no folder", name, self.folder / "none")
+            self.assert_refused("does not exist", name, self.folder / "none")
             self.assert_refused("unrecognized", name, self.newmark, "--wrong")
         known = "its reactions: reaction_right_x, reaction_right_y"
         self.assert_refused(f"no column 'top_y'; {known}", "peeling.py", self.newmark, "--reaction", "top_y")
@@ -255,9 +255,9 @@ class PeelingTest(ScriptTest):
         for wrong in ("1,2", "2,1,3", "1,2,0", "1,2,x"):
             self.assert_refused("--oscillation", "summary_table.py", self.newmark, "--oscillation", wrong)
         self.assert_refused("unknown column 'peaks'", "summary_table.py", self.newmark, "--columns", "dt,peaks")
-        self.assert_refused("no number above zero", "summary_table.py", self.newmark, "--scale", "0")
+        self.assert_refused("not a number greater than 0", "summary_table.py", self.newmark, "--scale", "0")
         self.assert_refused("needs --reference", "summary_table.py", self.newmark, "--interval", "0,1")
-        self.assert_refused("does not reach", "summary_table.py", self.newmark, "--reference", self.short, "--interval",
+        self.assert_refused("does not cover", "summary_table.py", self.newmark, "--reference", self.short, "--interval",
                             "0,99")
         self.assert_refused("cannot be written", "cost.py", self.newmark, "--output", self.folder / "no" / "such")
         empty = self.altered("empty", lambda columns: columns.pop("reaction_right_y"))
@@ -274,10 +274,10 @@ class PeelingTest(ScriptTest):
         run = Run(self.newmark)
         run.columns["Q_vy"], run.columns["Q_uy"] = run["P_vy"], run["P_uy"]
         self.assertEqual((run.probe("u"), run.probe("v", "Q")), ("edge", "Q"))
-        with self.assertRaisesRegex(ResultsError, "several probes to choose from: P, Q"):
+        with self.assertRaisesRegex(ResultsError, "several probes, an option must name one: P, Q"):
             run.probe("v")
         del run.columns["edge_uy"]
-        with self.assertRaisesRegex(ResultsError, "several probes to choose from: P, Q"):
+        with self.assertRaisesRegex(ResultsError, "several probes, an option must name one: P, Q"):
             run.probe("u")
         self.assertEqual(options.zoom("1,2,-3,4"), [1, 2, -3, 4])
 

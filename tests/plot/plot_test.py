@@ -159,7 +159,7 @@ class PlotTest(ScriptTest):
         png, = self.draw("fields.py", self.folder / "cube", "--frames", 2, "--view=0.2,-1,0.2", "--range=-0.1,0.2",
                          "--output", self.folder / "other")
         self.assert_picture(png, "PNG", 1000, 1600)
-        self.assert_refused("no direction", "fields.py", self.folder / "cube", "--view=0,0,1")
+        self.assert_refused("not a direction", "fields.py", self.folder / "cube", "--view=0,0,1")
         self.assert_refused("not plane", "animate.py", self.folder / "cube")
 
     @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
@@ -192,12 +192,12 @@ class PlotTest(ScriptTest):
         bare = self.folder / "bare"
         bare.mkdir(exist_ok=True)
         for name in ("history.py", "fields.py", "animate.py"):
-            self.assert_refused("no folder", name, self.folder / "none")
-            self.assert_refused("no file", name, bare)
+            self.assert_refused("does not exist", name, self.folder / "none")
+            self.assert_refused("does not exist", name, bare)
             self.assert_refused("unrecognized", name, self.ball, "--wrong")
         self.assert_refused("no frame near time 7", "fields.py", self.ball, "--times", "0,7")
         self.assert_refused("no field 'stress'; it has", "fields.py", self.ball, "--field", "stress")
-        self.assert_refused("no interval", "fields.py", self.ball, "--range", "2,1")
+        self.assert_refused("not an interval", "fields.py", self.ball, "--range", "2,1")
         self.assert_refused("unknown format", "history.py", self.ball, "--format", "gif")
         self.assert_refused("neither initial nor", "history.py", self.ball, "--relative", "zero")
         self.assert_refused("no rows from time 3", "history.py", self.ball, "--time", "3,4")
@@ -214,9 +214,9 @@ class PlotTest(ScriptTest):
         (folder / "history.csv").write_text("\n".join(line.rsplit(",", 4)[0] for line in lines))
         self.assert_refused("no column 'min_gap'", "history.py", folder)
         (folder / "fields.e").write_text("nonsense")
-        self.assert_refused("no Exodus file", "fields.py", folder)
+        self.assert_refused("not an Exodus file", "fields.py", folder)
         (folder / "fields.e").rename(folder / "fields.e.2.0")
-        self.assert_refused("has 1 files and should have 2", "fields.py", folder)
+        self.assert_refused("has 1 files, not 2", "fields.py", folder)
 
 
 if __name__ == "__main__":

@@ -159,18 +159,18 @@ class SpatulaTest(ScriptTest):
 
     def test_what_is_wrong_is_said_on_one_line(self):
         for name in ("increments.py", "vibration.py"):
-            self.assert_refused("no folder", name, self.folder / "none")
+            self.assert_refused("does not exist", name, self.folder / "none")
             self.assert_refused("no rows from time 90", name, self.free, "--time", "90,99")
-        self.assert_refused("'xw' is not made of xyz", "vibration.py", self.free, "--components", "xw")
+        self.assert_refused("'xw' may only contain the letters xyz", "vibration.py", self.free, "--components", "xw")
         self.assert_refused("no column 'Q_uz'", "vibration.py", self.free, "--probe", "Q")
-        self.assert_refused("no factor and name", "peeling.py", self.free, "--unit", "2")
-        self.assert_refused("no number above zero", "peeling.py", self.free, "--unit", "0,nN")
+        self.assert_refused("not a factor and a name", "peeling.py", self.free, "--unit", "2")
+        self.assert_refused("not a number greater than 0", "peeling.py", self.free, "--unit", "0,nN")
         self.assert_refused("not allowed with", "peeling.py", self.free, "--speed", "--kinetic")
         self.assert_refused("--reaction needs a force", "peeling.py", self.free, "--kinetic", "--reaction", "end_z")
         bare = pull(self.folder / "bare")
         (bare / "effective.xml").unlink()
-        self.assert_refused("tells no motion", "peeling.py", bare, "--against", "applied")
-        self.assert_refused("tells no place of the probe 'P'", "vibration.py", bare)
+        self.assert_refused("has no motion", "peeling.py", bare, "--against", "applied")
+        self.assert_refused("has no position of the probe 'P'", "vibration.py", bare)
         run = Run(self.free)
         run.columns["newton_iterations"][:] = np.nan
         with self.assertRaisesRegex(ResultsError, "empty column 'newton_iterations'"):

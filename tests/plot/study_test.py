@@ -204,7 +204,7 @@ class StudyTest(ScriptTest):
         written, page = self.drawn(folder)
         self.assertEqual(written, ["report.html"])
         self.assertFalse((folder / "work-precision-force.png").exists())
-        for words in ("No run reached the end.", "There is no plot", "20 runs: 20 diverged", "None: no run reached"):
+        for words in ("No run reached the end.", "There is no plot", "20 runs: 20 diverged", "None: no run"):
             self.assertIn(words, page.text)
         self.assertEqual({row[4] for row in page.table("run", "scheme", "element", "time step")}, {"✗ diverged"})
         self.assertNotIn("--set", page.text)
@@ -222,18 +222,20 @@ class StudyTest(ScriptTest):
         refused("could not convert string to float: 'fast'", lambda rows: rows[2].update(wall_seconds="fast"))
         refused("has the unknown status 'lost'", lambda rows: rows[2].update(status="lost"))
         refused("has the unknown scheme 'Other'", lambda rows: rows[2].update(scheme="Other"))
-        refused("has the name or the settings of one before", lambda rows: rows.append({**rows[0], "run": "again"}))
-        refused("has the name or the settings of one before", lambda rows: rows[1].update(run=rows[0]["run"]))
+        refused("repeats the name or the settings of an earlier run",
+                lambda rows: rows.append({**rows[0], "run": "again"}))
+        refused("repeats the name or the settings of an earlier run", lambda rows: rows[1].update(run=rows[0]["run"]))
         refused("unknown connect 'dt' (known: scheme, element, time step)", connect="dt")
         refused("unknown cost 'money'", cost="money")
         refused("unknown measure 'error_x'", measure="error_x")
-        refused("the tolerance -1 is no number above zero", tolerance=-1)
-        refused("the entry 'name' is of the wrong kind", name=3)
-        refused("the entry 'common' is of the wrong kind", common=[3])
-        refused("the entry 'pareto' is of the wrong kind", pareto={"error_force": [3]})
+        refused("the tolerance -1 is not a number greater than 0", tolerance=-1)
+        refused("the entry 'name' has the wrong type", name=3)
+        refused("the entry 'common' has the wrong type", common=[3])
+        refused("the entry 'pareto' has the wrong type", pareto={"error_force": [3]})
         refused("study.json has no entry 'reference/folder'", reference={"description": ""})
-        refused("there is no run 'x' in study.csv", pareto={"error_force": ["x"]})
-        refused("there is no run 'x' in study.csv", recommendation={"run": "x", "settings": [], "sentence": ""})
+        refused("it names the run 'x', which study.csv does not have", pareto={"error_force": ["x"]})
+        refused("it names the run 'x', which study.csv does not have",
+                recommendation={"run": "x", "settings": [], "sentence": ""})
         folder = self.changed("damaged")
         text = (folder / "study.csv").read_text()
         for content, expected in ((text.splitlines()[0], "study.csv has no rows"), ("", "no column 'run'"),
@@ -251,14 +253,14 @@ class StudyTest(ScriptTest):
         (folder / "study.csv").write_bytes(b"run\xff")
         self.assert_refused("can't decode", "study.py", folder)
         (folder / "study.csv").unlink()
-        self.assert_refused("there is no file", "study.py", folder)
-        for content, expected in (("{", "study.json: Expecting"), ("[]", "what it holds is of the wrong kind"),
+        self.assert_refused("does not exist", "study.py", folder)
+        for content, expected in (("{", "study.json: Expecting"), ("[]", "the content has the wrong type"),
                                   ("{}", "study.json has no entry 'name'")):
             (folder / "study.json").write_text(content)
             self.assert_refused(expected, "study.py", folder)
         (folder / "study.json").unlink()
-        self.assert_refused("there is no file", "study.py", folder)
-        self.assert_refused("there is no folder", "study.py", self.folder / "none")
+        self.assert_refused("does not exist", "study.py", folder)
+        self.assert_refused("the folder", "study.py", self.folder / "none")
         self.assert_refused("unrecognized", "study.py", folder, "--wrong")
         self.assert_refused("FOLDER", "study.py")
         folder = self.changed("blocked")

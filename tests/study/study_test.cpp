@@ -98,11 +98,11 @@ TEST_F(StudyTest, BadStudiesAreRefused) {
                  "run N_0.01: Time Integrator/Type: \"Newmrak\" does not exist");
   expect_refused("{0.01, 0.001}", "{0.01, x}", "run N_x: --set Time Integrator/Time Step Control/Time Step");
   expect_refused("{0.01, 0.001}", "{0.01, -1}", "-1 is not allowed");
-  expect_refused("{0.01, 0.001}", "{0.01, 0.01}", "\"0.01\" is there twice");
+  expect_refused("{0.01, 0.001}", "{0.01, 0.01}", "\"0.01\" is given twice");
   expect_refused("{0.01, 0.001}", "{}", "Axes/Time Step: give either Parameter and Values, or Settings");
   expect_refused("Time Step Control/Time Step\"", "Time Step Control/Tim Step\"", "did you mean \"Time Step\"?");
   expect_refused("name=\"A, exact\"", "name=\"N\"", "N");
-  expect_refused("name=\"A, exact\"", "name=\"N!\"", "make no folder name of their own");
+  expect_refused("name=\"A, exact\"", "name=\"N!\"", "give the folder name");
   expect_refused("<ParameterList name=\"Scheme\">", "<ParameterList name=\"steps\">", "this is the name of a column");
   expect_refused("name=\"Axes\"", "name=\"Axis\"", "did you mean \"Axes\"?");
   expect_refused("<ParameterList name=\"Reference\">",
@@ -153,7 +153,7 @@ TEST_F(StudyTest, StudiesOutOfProportionAreRefused) {
               values + "\"/></ParameterList>";
     return "<ParameterList name=\"Axes\">" + text;
   };
-  expect_refused("<ParameterList name=\"Axes\">", axes(10000, "{value}"), "make no folder name of their own");
+  expect_refused("<ParameterList name=\"Axes\">", axes(10000, "{value}"), "give the folder name");
   expect_refused("<ParameterList name=\"Axes\">", axes(6, "{1,2,3,4,5,6,7,8,9}"), "Axes: more than 10000 runs");
   std::string many, common;
   for (int i = 0; i < 1000; ++i) {
@@ -256,12 +256,13 @@ TEST_F(StudyTest, TheCheapestWithinTheToleranceIsRecommended) {
   Recommendation answer = recommend(study, results);
   ASSERT_NE(answer.run, nullptr);
   EXPECT_EQ(answer.run->run.name, "c");
-  EXPECT_NE(answer.sentence.find("The cheapest within 0.05: Case c"), std::string::npos) << answer.sentence;
+  EXPECT_NE(answer.sentence.find("The cheapest run within the tolerance 0.05: Case c"), std::string::npos)
+      << answer.sentence;
   EXPECT_NE(answer.sentence.find("at most 2.5 s of wall-clock time: Case a"), std::string::npos) << answer.sentence;
   study.question.tolerance = 1e-4;
   answer = recommend(study, results);
   EXPECT_EQ(answer.run, nullptr);
-  EXPECT_NE(answer.sentence.find("The nearest: Case d"), std::string::npos) << answer.sentence;
+  EXPECT_NE(answer.sentence.find("The most accurate run: Case d"), std::string::npos) << answer.sentence;
   study.question.tolerance = 0;
   EXPECT_EQ(recommend(study, results).run->run.name, "a");
   study.question.budget = 0.01;
