@@ -1,5 +1,5 @@
 # What run.sh and the tests' run.sh share: packages, configuration, build. Sourced, not run.
-# Installs by apt what is missing of its own list and $extra_packages, configures the preset IXOS_PRESET (release) and builds
+# Installs by apt what is missing of its own list, of $extra_packages and of $IXOS_EXTRA_PACKAGES, configures the preset IXOS_PRESET (release) and builds
 # $targets (everything).
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -11,7 +11,7 @@ packages="g++ cmake ninja-build ccache lld openmpi-bin libopenmpi-dev trilinos-a
           libbenchmark-dev"
 
 missing=()
-for package in $packages ${extra_packages:-}; do
+for package in $packages ${extra_packages:-} ${IXOS_EXTRA_PACKAGES:-}; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
 done
 if [ ${#missing[@]} -gt 0 ]; then

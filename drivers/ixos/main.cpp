@@ -1,5 +1,5 @@
-// ixos: runs a scene. Exit status: 0 done; 1 a defect of ours; 2 bad input; 3 the solution could not be continued;
-// 4 input or output failed; 5 interrupted.
+// ixos: runs a scene. Exit status: 0 done; 1 a defect of ours; 2 bad input; 3 the solution could not be continued, or
+// memory ran out; 4 input, output or communication failed; 5 interrupted.
 #include <fmt/format.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -15,11 +15,14 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/pack.hpp"
 #include "base/parameter_entries.hpp"
 #include "base/printable.hpp"
+#include "console.hpp"
 #include "io/exodus_mesh.hpp"
 #include "io/hdf5_file.hpp"
+#include "ixos/mpi_errors.hpp"
 #include "progress_line.hpp"
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
@@ -67,18 +70,19 @@ const char* const how_to_begin =
 
 void print_schemes() {
   for (const ixos::Scheme& scheme : ixos::schemes()) {
-    fmt::print("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  cost:      {}\n  from:      {}\n", scheme.name,
-               scheme.order, scheme.stability, scheme.conserves, scheme.cost, scheme.citation);
+    ixos::console::say("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  cost:      {}\n  from:      {}\n",
+                       scheme.name, scheme.order, scheme.stability, scheme.conserves, scheme.cost, scheme.citation);
     for (const auto& [name, entry] : ixos::entries(scheme.parameters)) {
       std::ostringstream value;
       value << entry.getAny(false);
-      fmt::print("  {} = {}: {}\n", name, value.str(), entry.docString());
+      ixos::console::say("  {} = {}: {}\n", name, value.str(), entry.docString());
     }
   }
 }
 
 void print_version() {
-  fmt::print("ixos {}\nSIMD: {} doubles wide\nKLU2 from: {}\n", IXOS_VERSION, ixos::pack_width, ixos::klu2_library());
+  ixos::console::say("ixos {}\nSIMD: {} doubles wide\nKLU2 from: {}\n", IXOS_VERSION, ixos::pack_width,
+                     ixos::klu2_library());
 }
 
 /// Where it was not given, the scene file's name without folder and ending, with .results.
@@ -91,11 +95,12 @@ void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
   const auto& integrator = simulation.parameters().sublist("Time Integrator");
   const auto& linear = simulation.parameters().sublist("Linear Solver");
-  fmt::print("{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
-             simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-             model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
-             simulation.step_control().final_time, ixos::linear_solver_in_words(linear));
-  std::fflush(stdout);
+  ixos::console::say(
+      "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
+      simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
+      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
+      simulation.step_control().final_time, ixos::linear_solver_in_words(linear));
+  ixos::console::flush();
 }
 
 /// Where the scene file stands.
@@ -113,8 +118,8 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
   const ixos::Restart restart(simulation, file);
   if (!speaks) return;
-  fmt::print("{} is sound, and fits the scene.\n", ixos::printable(restart.path()));
-  for (const std::string& note : restart.notes()) fmt::print("{}\n", ixos::printable(note));
+  ixos::console::say("{} is sound, and fits the scene.\n", ixos::printable(restart.path()));
+  for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));
 }
 
 /// The command that goes on from a checkpoint.
@@ -129,11 +134,11 @@ std::string restart_command(const Arguments& arguments, const std::string& check
 void report_energy(const ixos::RunResult& result) {
   const double share = result.max_energy_error / result.largest_energy;
   if (!(share > 0.05)) return;
-  std::fflush(stdout);
-  fmt::print(stderr,
-             "ixos: the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction "
-             "energy; shorter steps or a scheme that conserves energy (--list-schemes) make it smaller\n",
-             result.max_energy_error, 100 * share);
+  ixos::console::flush();
+  ixos::console::complain(
+      "ixos: the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction "
+      "energy; shorter steps or a scheme that conserves energy (--list-schemes) make it smaller\n",
+      result.max_energy_error, 100 * share);
 }
 
 /// What the run came to, for a person.
@@ -141,15 +146,15 @@ void report_run(const ixos::RunResult& result, const Arguments& arguments, const
   const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
   if (done) {
     if (speaks)
-      fmt::print("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
-                 result.reason.empty() ? "" : ", ", result.reason, ixos::printable(folder));
+      ixos::console::say("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
+                         result.reason.empty() ? "" : ", ", result.reason, ixos::printable(folder));
     return;
   }
-  fmt::print(stderr, "ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
-             result.end_time, result.steps, result.reason, ixos::printable(folder));
+  ixos::console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
+                          result.end_time, result.steps, result.reason, ixos::printable(folder));
   if (!result.checkpoint.empty())
-    fmt::print(stderr, "ixos: to go on from there: {}\n",
-               ixos::printable(restart_command(arguments, result.checkpoint)));
+    ixos::console::complain("ixos: to go on from there: {}\n",
+                            ixos::printable(restart_command(arguments, result.checkpoint)));
 }
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
@@ -161,25 +166,29 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
-  if (const std::string bad = ixos::quality_warning(simulation.mesh_quality()); speaks && !bad.empty())
-    fmt::print(stderr, "ixos: warning: {}\n", bad);
+  for (const std::string& warning : simulation.warnings())
+    if (speaks) ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning));
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
-    if (comm->getRank() == 0) fmt::print("{}", explanation);
+    if (comm->getRank() == 0) ixos::console::print(explanation);
     return 0;
   }
   if (arguments.check) {
     if (!arguments.restart.empty()) check_restart(simulation, arguments.restart, speaks);
-    if (speaks) fmt::print("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
+    if (speaks) ixos::console::say("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
     return 0;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   ixos::RunOptions options;
   options.folder = results_folder(arguments);
   options.restart = arguments.restart;
-  if (speaks) options.tell = [](const std::string& line) { fmt::print("{}\n", ixos::printable(line)); };
+  if (speaks) options.tell = [](const std::string& line) { ixos::console::say("{}\n", ixos::printable(line)); };
+  if (speaks)
+    options.warn = [](const std::string& line) {
+      ixos::console::complain("ixos: warning: {}\n", ixos::printable(line));
+    };
   options.interrupted = [] { return signalled != 0; };
   ixos::ProgressLine line;
   if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
@@ -193,14 +202,15 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
 
 /// An error that all ranks see alike is said once.
 int report(int status, const std::string& what, const ixos::Comm& comm) {
-  if (comm->getRank() == 0) fmt::print(stderr, "ixos: {}\n", ixos::printable(what));
+  if (comm->getRank() == 0) ixos::console::complain("ixos: {}\n", ixos::printable(what));
   return status;
 }
 
-/// After an error that all ranks see: is there one that could not close a file? See Hdf5Output::left_open.
-bool any_left_open(const ixos::Comm& comm) {
-  std::fflush(stderr);
-  return !ixos::first_problem(comm, ixos::Hdf5Output::left_open() ? "a file was left open" : "").empty();
+/// Ends the job with a message of this rank: the others may be waiting in a collective operation.
+int end_all(int status, const std::string& what, const ixos::Comm& comm) {
+  ixos::console::complain("ixos: {}\n", ixos::printable(what));
+  if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, status);
+  return status;
 }
 
 int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
@@ -213,14 +223,13 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
                         begins(results_folder(arguments)) || (!arguments.restart.empty() && begins(arguments.restart));
     return report(2, placed ? what : arguments.scene + ": " + what, comm);
   } catch (const ixos::FileError& error) {
-    report(4, error.what(), comm);
-    if (any_left_open(comm)) MPI_Abort(MPI_COMM_WORLD, 4);
-    return 4;
+    return report(4, error.what(), comm);
+  } catch (const ixos::MemoryError& error) {
+    return end_all(3, error.what(), comm);
+  } catch (const std::bad_alloc&) {
+    return end_all(3, ixos::out_of_memory(), comm);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ixos: a defect of ours, please report it: {}\n", ixos::printable(error.what()));
-    // The other ranks may be waiting in a collective operation.
-    if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, 1);
-    return 1;
+    return end_all(1, std::string("a defect of ours, please report it: ") + error.what(), comm);
   }
 }
 
@@ -233,17 +242,24 @@ int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.version) print_version();
   if (arguments.list_schemes) print_schemes();
   if (arguments.parameters)
-    fmt::print("{}", ixos::parameter_documentation(ixos::scene_parameters(), "Parameters", "ixos --parameters"));
+    ixos::console::say("{}",
+                       ixos::parameter_documentation(ixos::scene_parameters(), "Parameters", "ixos --parameters"));
   if (!arguments.template_name.empty()) {
     try {
-      fmt::print("{}", ixos::scene_template(arguments.template_name));
+      ixos::console::say("{}", ixos::scene_template(arguments.template_name));
     } catch (const ixos::InputError& error) {
       return report(2, std::string("--template: ") + error.what(), comm);
     }
   }
   if (!arguments.version && !arguments.list_schemes && !arguments.parameters && arguments.template_name.empty())
-    fmt::print("{}", how_to_begin);
+    ixos::console::print(how_to_begin);
   return 0;
+}
+
+/// The exit status of a program that did what it was asked, if its answer reached standard output.
+int heard(const ixos::Comm& comm) {
+  const std::string lost = ixos::first_problem(comm, ixos::console::lost());
+  return lost.empty() ? 0 : report(4, lost, comm);
 }
 
 int parse_and_run(int argc, char** argv) {
@@ -270,13 +286,17 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    if (comm->getRank() == 0) fmt::print("{}", app.help());
-    return 0;
+    if (comm->getRank() == 0) ixos::console::print(app.help());
+    return heard(comm);
   } catch (const CLI::ParseError& error) {
     return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
   }
-  if (!arguments.scene.empty()) return guarded_run(arguments, comm);
-  return answer(arguments, comm);
+  int status = arguments.scene.empty() ? answer(arguments, comm) : guarded_run(arguments, comm);
+  if (status == 0) status = heard(comm);
+  // MPI_Finalize would end in a signal.
+  if (!ixos::first_problem(comm, ixos::hdf5_left_open() ? "a file was left open" : "").empty())
+    MPI_Abort(MPI_COMM_WORLD, status);
+  return status;
 }
 
 }  // namespace
@@ -285,7 +305,12 @@ int main(int argc, char** argv) {
   try {
     int none = 1;  // Kokkos would answer --help itself
     const Tpetra::ScopeGuard guard(&none, &argv);
+    ixos::end_on_mpi_errors();
+    std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
     return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "ixos: out of memory\n");
+    return 3;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ixos: cannot start: %s\n", error.what());
   } catch (...) {

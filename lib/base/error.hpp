@@ -1,5 +1,6 @@
-/// The two kinds of failure that a user can mend. Everything else that is thrown is a defect of ours.
+/// The kinds of failure that a user can mend. Everything else that is thrown is a defect of ours.
 #pragma once
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,17 @@ class InputError : public std::runtime_error {
 class FileError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// Memory ran out, on any rank. The driver ends with exit status 3: more memory, or more ranks, let the run continue.
+/// A std::bad_alloc, so that nobody takes it for a defect of what he called.
+class MemoryError : public std::bad_alloc {
+ public:
+  explicit MemoryError(const std::string& message) : message_(message) {}
+  const char* what() const noexcept override { return message_.what(); }
+
+ private:
+  std::runtime_error message_;  ///< copies without throwing
 };
 
 /// The last paragraph of a message of Teuchos or NOX: the ones before it say where the library threw.

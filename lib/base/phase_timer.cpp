@@ -17,7 +17,21 @@ const Timers& timers() {
   return all;
 }
 
+const char* current = nullptr;  ///< see current_phase()
+
 }  // namespace
+
+const char* current_phase() noexcept { return current; }
+
+TimedScope::TimedScope(Phase phase) : timer_(phase_timer(phase)), outer_(current) {
+  current = phase_names[static_cast<std::size_t>(phase)];
+  timer_.start();
+}
+
+TimedScope::~TimedScope() {
+  timer_.stop();
+  current = outer_;
+}
 
 Teuchos::Time& phase_timer(Phase phase) { return *timers()[static_cast<std::size_t>(phase)]; }
 

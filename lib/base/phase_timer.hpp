@@ -14,21 +14,25 @@ inline constexpr std::array<const char*, 5> phase_names{"residual", "tangent", "
 /// The timer of a phase, registered with Teuchos::TimeMonitor as "Ixos: <name>".
 Teuchos::Time& phase_timer(Phase phase);
 
+/// The innermost phase that is being timed; null outside of all.
+const char* current_phase() noexcept;
+
 /// Times a scope.
 class TimedScope {
  public:
-  explicit TimedScope(Phase phase) : timer_(phase_timer(phase)) { timer_.start(); }
-  ~TimedScope() { timer_.stop(); }
+  explicit TimedScope(Phase phase);
+  ~TimedScope();
   TimedScope(const TimedScope&) = delete;
   TimedScope& operator=(const TimedScope&) = delete;
 
  private:
   Teuchos::Time& timer_;
+  const char* outer_;
 };
 
 using PhaseSeconds = std::array<double, phase_names.size()>;
 
-/// Seconds in each phase so far.
+/// Returns the seconds in each phase so far.
 PhaseSeconds phase_seconds();
 
 }  // namespace ixos

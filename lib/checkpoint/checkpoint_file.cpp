@@ -81,9 +81,9 @@ void CheckpointWriter::share(const char* name, std::vector<double>& values) {
 }
 
 void CheckpointWriter::publish() {
-  file_->close();
+  std::vector<FilePiece> pieces = file_->close();
   on_first_rank(space_.comm(), [&] {
-    seal(beside(path_));
+    seal(beside(path_), std::move(pieces));
     replace_file(beside(path_), path_);
   });
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "checkpoint/digest.hpp"
+#include "base/digest.hpp"
 
 namespace ixos {
 namespace {
@@ -18,7 +18,7 @@ class MeshDigest : Digest {
     Digest::add(values.data(), values.size() * sizeof(T));
   }
   void add(const std::string& text) { add(std::vector<char>(text.begin(), text.end())); }
-  std::string text() const { return fmt::format("{:016x}{:016x}", value().high64, value().low64); }
+  std::string text() const { return fmt::format("{:016x}{:016x}", value()[0], value()[1]); }
 };
 
 }  // namespace

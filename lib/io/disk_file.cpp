@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -40,11 +41,13 @@ DiskFile::DiskFile(const std::string& path, Mode mode) : path_(path) {
   if (descriptor_ < 0) fail(mode == Mode::Create ? "cannot be written" : "cannot be opened");
   struct stat status {};
   if (fstat(descriptor_, &status) == 0 && (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode))) return;
-  close(descriptor_);
+  ::close(descriptor_);
   throw FileError(path + ": is not a file");
 }
 
-DiskFile::~DiskFile() { close(descriptor_); }
+DiskFile::~DiskFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
 
 void DiskFile::fail(const char* what) const { fail_at(path_, what); }
 
@@ -54,14 +57,12 @@ std::uint64_t DiskFile::length() const {
   return static_cast<std::uint64_t>(status.st_size);
 }
 
-void DiskFile::seek(std::uint64_t position) {
-  if (lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail("cannot be read");
-}
-
-std::size_t DiskFile::read(void* data, std::size_t size) {
+std::size_t DiskFile::read_at(std::uint64_t position, void* data, std::size_t size) const {
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count = persistent([&] { return ::read(descriptor_, static_cast<char*>(data) + done, size - done); });
+    const ssize_t count = persistent([&] {
+      return pread(descriptor_, static_cast<char*>(data) + done, size - done, static_cast<off_t>(position + done));
+    });
     if (count < 0) fail("cannot be read");
     if (count == 0) break;
     done += static_cast<std::size_t>(count);
@@ -69,12 +70,15 @@ std::size_t DiskFile::read(void* data, std::size_t size) {
   return done;
 }
 
-void DiskFile::write(const void* data, std::size_t size) {
+void DiskFile::write_at(std::uint64_t position, const void* data, std::size_t size) {
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count =
-        persistent([&] { return ::write(descriptor_, static_cast<const char*>(data) + done, size - done); });
-    if (count < 0) fail("cannot be written");
+    const ssize_t count = persistent([&] {
+      return pwrite(descriptor_, static_cast<const char*>(data) + done, size - done,
+                    static_cast<off_t>(position + done));
+    });
+    if (count == 0) errno = ENOSPC;  // no progress, and no reason given
+    if (count <= 0) fail("cannot be written");
     done += static_cast<std::size_t>(count);
   }
 }
@@ -87,17 +91,21 @@ void DiskFile::reserve(std::uint64_t bytes) {
 
 void DiskFile::lengthen(std::uint64_t bytes) {
   reserve(bytes);
-  if (length() < bytes && persistent([&] { return ftruncate(descriptor_, static_cast<off_t>(bytes)); }) != 0)
-    fail("cannot be written");
+  if (length() < bytes) set_length(bytes);
 }
 
-void DiskFile::give_back() {
-  const auto end = static_cast<off_t>(length());
-  if (persistent([&] { return ftruncate(descriptor_, end); }) != 0) fail("cannot be written");
+void DiskFile::set_length(std::uint64_t bytes) {
+  if (persistent([&] { return ftruncate(descriptor_, static_cast<off_t>(bytes)); }) != 0) fail("cannot be written");
 }
 
 void DiskFile::sync() {
   if (persistent([&] { return fsync(descriptor_); }) != 0) fail("cannot be written");
+}
+
+void DiskFile::close() {
+  // The descriptor is gone even if this fails, with EINTR too.
+  const int status = ::close(std::exchange(descriptor_, -1));
+  if (status != 0 && errno != EINTR) fail("cannot be written");
 }
 
 bool is_file(const std::string& path) {
@@ -112,7 +120,11 @@ void remove_link(const std::string& path) {
   if (std::filesystem::is_symlink(path, code)) std::filesystem::remove(path, code);
 }
 
-void sync_to_disk(const std::string& path) { DiskFile(path, DiskFile::Mode::Read).sync(); }
+void sync_to_disk(const std::string& path) {
+  DiskFile file(path, DiskFile::Mode::Read);
+  file.sync();
+  file.close();
+}
 
 std::string beside(const std::string& path) { return path + ".tmp"; }
 
@@ -124,11 +136,16 @@ void replace_file(const std::string& finished, const std::string& path) {
 
 void write_whole_file(const std::string& path, const std::string& text) {
   const std::string unfinished = beside(path);
-  {
+  try {
     DiskFile file(unfinished, DiskFile::Mode::Create);
-    file.write(text.data(), text.size());
+    file.write_at(0, text.data(), text.size());
+    file.sync();
+    file.close();
+    replace_file(unfinished, path);
+  } catch (const FileError&) {
+    std::remove(unfinished.c_str());
+    throw;
   }
-  replace_file(unfinished, path);
 }
 
 }  // namespace ixos

@@ -20,7 +20,7 @@ std::string system_word() {
   int number = 0;
   ex_get_err(&message, &function, &number);
   if (number > 0) return std::string(": ") + std::strerror(number);
-  for (int word : {ENOSPC, EFBIG, EDQUOT, EROFS, EIO, EACCES, ENOENT})
+  for (int word : {ENOSPC, EFBIG, EDQUOT, EROFS, EIO})
     if (errno == word) return std::string(": ") + std::strerror(word);
   return "";
 }
@@ -90,7 +90,10 @@ void require_written(int status, const ExodusHandle& file, const char* what) {
 }
 
 void require_created(int status, const std::string& path) {
-  if (status < 0) throw FileError(fmt::format("{}: cannot be written{}", path, system_word()));
+  const bool refused = errno == EACCES || errno == ENOENT;
+  if (status < 0)
+    throw FileError(fmt::format("{}: cannot be written{}", path,
+                                refused ? std::string(": ") + std::strerror(errno) : system_word()));
 }
 
 int create_exodus(const std::string& path, ExodusFormat format) {

@@ -12,13 +12,13 @@ namespace ixos {
 /// On what Exodus rests: netCDF's own format, or HDF5.
 enum class ExodusFormat { Classic, Hdf5 };
 
-/// Makes a file, or empties one that is there. Negative, as ex_create's, where that fails.
+/// Makes a file, or empties one that exists. Returns a negative number, as ex_create does, if that fails.
 int create_exodus(const std::string& path, ExodusFormat format = ExodusFormat::Classic);
 
 /// Writes coordinates, blocks (ids from 1), sets and id maps. Throws FileError.
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title);
 
-/// Throws FileError where `status` is an error of the Exodus library, with the system's word for it if there is one.
+/// Throws FileError if `status` is an error of the Exodus library, with the system's word for it if there is one.
 void require_written(int status, const ExodusHandle& file, const char* what);
 void require_created(int status, const std::string& path);
 

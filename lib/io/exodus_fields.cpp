@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/classic_layout.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/exodus_variables.hpp"
@@ -10,12 +13,6 @@
 
 namespace ixos {
 namespace {
-
-int make(const std::string& path) {
-  const int id = create_exodus(path);
-  require_created(id, path);
-  return id;
-}
 
 std::string file_name(const std::string& path, int rank, int ranks) {
   if (ranks == 1) return path;
@@ -37,103 +34,103 @@ class ExodusFields final : public FieldFile {
   void write(double time, const std::vector<std::vector<double>>& nodal,
              const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) override;
   FieldLength length() const override;
-  void sync() override { sync_to_disk(path_); }
+  void sync() override { file_->sync(); }
+  void close() override { file_->close(); }
 
  private:
-  void define(const ExodusHandle& file) const;
+  void define(const std::string& path) const;
   bool has_cells() const { return output_.mesh.nodes() > 0; }
-  void copy_frame(const ExodusHandle& from, const ExodusHandle& to, int frame) const;
-  void drop_frames(int frames) const;
+  std::vector<std::string> expected_variables() const;
+  void open(int frames);
 
   OutputMesh output_;
   FieldNames names_;
   std::string title_;
   std::string path_;
-  std::unique_ptr<ExodusHandle> file_;
+  std::unique_ptr<DiskFile> file_;
+  ClassicLayout layout_;
   int frame_ = 0;
 };
 
-void ExodusFields::define(const ExodusHandle& file) const {
+/// Has the library make the file: mesh, names, and the room of a record.
+void ExodusFields::define(const std::string& path) const {
+  const int id = create_exodus(path);
+  require_created(id, path);
+  ExodusHandle file(id, path);
   define_exodus_mesh(file, output_.mesh, output_.description, title_);
   define_variables(file, names_, has_cells());
-}
-
-void ExodusFields::copy_frame(const ExodusHandle& from, const ExodusHandle& to, int frame) const {
-  double time = 0;
-  std::vector<double> values;
-  const auto copy = [&](ex_entity_type type, int variable, int object, int64_t count) {
-    values.resize(static_cast<std::size_t>(count));
-    if (ex_get_var(from, frame, type, variable, object, count, values.data()) < 0)
-      throw InputError(from.path() + ": a frame to go on with cannot be read");
-    require_written(ex_put_var(to, frame, type, variable, object, count, values.data()), to, "a frame");
-  };
-  if (ex_get_time(from, frame, &time) < 0) throw InputError(from.path() + ": a frame's time cannot be read");
-  require_written(ex_put_time(to, frame, &time), to, "a time");
-  for (std::size_t v = 0; v < names_.nodal.size() && has_cells(); ++v)
-    copy(EX_NODAL, static_cast<int>(v) + 1, 1, output_.mesh.nodes());
-  for (std::size_t v = 0; v < names_.cell.size(); ++v)
-    for (std::size_t b = 0; b < output_.cells.size(); ++b)
-      if (!output_.cells[b].empty())
-        copy(EX_ELEM_BLOCK, static_cast<int>(v) + 1, static_cast<int>(b) + 1,
-             static_cast<int64_t>(output_.cells[b].size()));
-  if (!names_.global.empty()) copy(EX_GLOBAL, 1, 0, static_cast<int64_t>(names_.global.size()));
-}
-
-/// Leaves the file its first frames only. NetCDF cannot drop the last ones: the first are copied.
-void ExodusFields::drop_frames(int frames) const {
-  const std::string shorter = beside(path_);
-  {
-    const ExodusHandle old(open_exodus(path_, EX_READ), path_);
-    if (ex_inquire_int(old, EX_INQ_TIME) == frames) return;
-    const ExodusHandle copy(make(shorter), shorter);
-    define(copy);
-    for (int frame = 1; frame <= frames; ++frame) copy_frame(old, copy, frame);
+  if (has_cells() && !names_.cell.empty()) {
+    // Otherwise the library makes the variables of cells at the first frame, and moves everything behind them.
+    std::vector<int> present;
+    for (const auto& cells : output_.cells) present.insert(present.end(), names_.cell.size(), cells.empty() ? 0 : 1);
+    require_written(ex_put_truth_table(file, EX_ELEM_BLOCK, static_cast<int>(output_.cells.size()),
+                                       static_cast<int>(names_.cell.size()), present.data()),
+                    file, "variables");
   }
-  sync_to_disk(shorter);
-  replace_file(shorter, path_);
+  require_written(file.close(), file, "the mesh");
+}
+
+/// The names of the variables that grow, as the library calls them, in the order of write().
+std::vector<std::string> ExodusFields::expected_variables() const {
+  std::vector<std::string> names{"time_whole"};
+  for (std::size_t v = 1; v <= names_.nodal.size() && has_cells(); ++v)
+    names.push_back(fmt::format("vals_nod_var{}", v));
+  for (std::size_t v = 1; v <= names_.cell.size(); ++v)
+    for (std::size_t b = 1; b <= output_.cells.size(); ++b)
+      if (!output_.cells[b - 1].empty()) names.push_back(fmt::format("vals_elem_var{}eb{}", v, b));
+  if (!names_.global.empty()) names.emplace_back("vals_glo_var");
+  return names;
+}
+
+/// Opens the file to append frames behind these.
+void ExodusFields::open(int frames) {
+  file_ = std::make_unique<DiskFile>(path_, DiskFile::Mode::Change);
+  layout_ = read_classic_layout(*file_, path_);
+  frame_ = frames;
 }
 
 void ExodusFields::create() {
-  file_ = std::make_unique<ExodusHandle>(make(path_), path_);
-  define(*file_);
+  define(path_);
+  open(0);
 }
 
 void ExodusFields::verify(const FieldLength& keep) const {
   require_frames(path_, ExodusFormat::Classic, {output_.mesh.nodes(), output_.mesh.cells()}, names_, keep);
+  const DiskFile file(path_, DiskFile::Mode::Read);
+  const ClassicLayout layout = read_classic_layout(file, path_);
+  std::vector<std::string> found;
+  for (const auto& variable : layout.variables) found.push_back(variable.name);
+  std::vector<std::string> expected = expected_variables();
+  std::sort(found.begin(), found.end());
+  std::sort(expected.begin(), expected.end());
+  if (found != expected || file.length() < layout.end(keep.frames))
+    throw InputError(path_ +
+                     ": cannot resume: frames are missing or damaged. Choose another --output to start new files");
 }
 
 void ExodusFields::resume(const FieldLength& keep) {
-  drop_frames(keep.frames);
-  file_ = std::make_unique<ExodusHandle>(open_exodus(path_, EX_WRITE), path_);
-  frame_ = keep.frames;
+  open(keep.frames);
+  write_record_count(*file_, keep.frames);
+  file_->set_length(layout_.end(keep.frames));
 }
 
 FieldLength ExodusFields::length() const { return {frame_, bytes_of(path_)}; }
 
 void ExodusFields::write(double time, const std::vector<std::vector<double>>& nodal,
                          const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) {
-  const ExodusHandle& file = *file_;
-  ++frame_;
-  require_written(ex_put_time(file, frame_, &time), file, "a time");
-  std::vector<double> values;
-  for (std::size_t v = 0; v < nodal.size() && has_cells(); ++v) {
-    values = output_.nodal(nodal[v]);
-    require_written(ex_put_var(file, frame_, EX_NODAL, static_cast<int>(v) + 1, 1, static_cast<int64_t>(values.size()),
-                               values.data()),
-                    file, "a nodal field");
-  }
+  std::map<std::string, std::vector<double>> rows{{"time_whole", {time}}, {"vals_glo_var", global}};
+  for (std::size_t v = 0; v < nodal.size() && has_cells(); ++v)
+    rows[fmt::format("vals_nod_var{}", v + 1)] = output_.nodal(nodal[v]);
   for (std::size_t v = 0; v < cell.size(); ++v)
-    for (std::size_t b = 0; b < output_.cells.size(); ++b) {
-      values = output_.cell(b, cell[v][b]);
-      if (values.empty()) continue;
-      require_written(ex_put_var(file, frame_, EX_ELEM_BLOCK, static_cast<int>(v) + 1, static_cast<int64_t>(b) + 1,
-                                 static_cast<int64_t>(values.size()), values.data()),
-                      file, "a cell field");
-    }
-  if (!global.empty())
-    require_written(ex_put_var(file, frame_, EX_GLOBAL, 1, 0, static_cast<int64_t>(global.size()), global.data()), file,
-                    "global variables");
-  require_written(ex_update(file), file, "a frame");
+    for (std::size_t b = 0; b < output_.cells.size(); ++b)
+      rows[fmt::format("vals_elem_var{}eb{}", v + 1, b + 1)] = output_.cell(b, cell[v][b]);
+  std::vector<char> record;
+  record.reserve(layout_.record_bytes);
+  for (const ClassicLayout::Variable& variable : layout_.variables) append_numbers(rows.at(variable.name), record);
+  // The count follows the record: readers never see half of one.
+  file_->write_at(layout_.end(frame_), record.data(), record.size());
+  write_record_count(*file_, frame_ + 1);
+  ++frame_;
 }
 
 }  // namespace

@@ -6,16 +6,22 @@
 
 namespace ixos {
 
-/// Closes the file when it goes.
+/// An open Exodus file. The destructor closes it and ignores errors: close() what was written.
 class ExodusHandle {
  public:
   ExodusHandle(int id, std::string path) : id_(id), path_(std::move(path)) {}
-  ~ExodusHandle() { ex_close(id_); }
+  ~ExodusHandle() { close(); }
   ExodusHandle(const ExodusHandle&) = delete;
   ExodusHandle& operator=(const ExodusHandle&) = delete;
 
   operator int() const { return id_; }  // NOLINT: passed to the C interface as it is
   const std::string& path() const { return path_; }
+  /// Returns a negative status, as the library's, if the file cannot be closed: then something was not written.
+  int close() {
+    const int status = id_ >= 0 ? ex_close(id_) : 0;
+    id_ = -1;
+    return status;
+  }
 
  private:
   int id_;

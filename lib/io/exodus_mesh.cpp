@@ -244,14 +244,15 @@ Mesh read_tried_exodus_mesh(const std::string& path) { return Reader(path).read(
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title) {
   const int id = create_exodus(path);
   if (id < 0) throw FileError(path + ": cannot be written");
-  const ExodusHandle file(id, path);
+  ExodusHandle file(id, path);
   ExodusShare share;
   share.node_ids.resize(static_cast<std::size_t>(mesh.nodes()));
   share.cell_ids.resize(static_cast<std::size_t>(mesh.cells()));
   std::iota(share.node_ids.begin(), share.node_ids.end(), 1);
   std::iota(share.cell_ids.begin(), share.cell_ids.end(), 1);
   define_exodus_mesh(file, mesh, share, title);
-  require_written(ex_update(file), file, "the mesh");
+  require_written(file.close(), file, "the mesh");
+  sync_to_disk(path);
 }
 
 }  // namespace ixos

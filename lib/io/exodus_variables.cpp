@@ -34,7 +34,7 @@ bool has(const ExodusHandle& file, ex_entity_type type, const std::vector<std::s
 
 ExodusFormat format_of(const std::string& path) {
   std::array<char, 4> first{};
-  DiskFile(path, DiskFile::Mode::Read).read(first.data(), first.size());
+  DiskFile(path, DiskFile::Mode::Read).read_at(0, first.data(), first.size());
   return first == std::array<char, 4>{'\x89', 'H', 'D', 'F'} ? ExodusFormat::Hdf5 : ExodusFormat::Classic;
 }
 
@@ -46,17 +46,19 @@ bool fits(const ExodusHandle& file, const ExodusSize& size, const FieldNames& na
          has(file, EX_GLOBAL, names.global);
 }
 
-}  // namespace
-
-int open_exodus(const std::string& path, int mode) {
+/// Opens a file to read. Throws InputError if it is missing or damaged.
+int open_exodus(const std::string& path) {
   hdf5::prepare();
   int word = 8, stored = 0;
   float version = 0;
-  const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), mode, &word, &stored, &version) : -1;
+  const int id = std::filesystem::is_regular_file(path) ? ex_open(path.c_str(), EX_READ, &word, &stored, &version) : -1;
   if (id < 0)
-    throw InputError(path + ": the frames to go on with are not there, or damaged; another --output begins new ones");
+    throw InputError(path +
+                     ": cannot resume: frames are missing or damaged. Choose another --output to start new files");
   return id;
 }
+
+}  // namespace
 
 void define_variables(const ExodusHandle& file, const FieldNames& names, bool has_cells) {
   if (has_cells) {
@@ -68,13 +70,15 @@ void define_variables(const ExodusHandle& file, const FieldNames& names, bool ha
 
 void require_frames(const std::string& path, ExodusFormat format, const ExodusSize& size, const FieldNames& names,
                     const FieldLength& keep) {
-  try_reading(path, [&] { fits(ExodusHandle(open_exodus(path, EX_READ), path), size, names, keep.frames); });
-  const ExodusHandle file(open_exodus(path, EX_READ), path);
-  if (format_of(path) != format || !fits(file, size, names, keep.frames) || bytes_of(path) < keep.bytes)
-    throw InputError(
-        fmt::format("{}: is not the file to go on with: it should have this mesh and {} frames; another --output "
-                    "begins a new one",
-                    path, keep.frames));
+  const std::string misfit = fmt::format(
+      "{}: cannot resume: the file should have this mesh and {} frames. Choose another --output to start "
+      "new files",
+      path, keep.frames);
+  if (!is_file(path) || format_of(path) != format || bytes_of(path) < keep.bytes) throw InputError(misfit);
+  // Only the child opens it: a library that cannot close a file ends badly.
+  try_reading(path, [&] {
+    if (!fits(ExodusHandle(open_exodus(path), path), size, names, keep.frames)) throw InputError(misfit);
+  });
 }
 
 double bytes_of(const std::string& path) {

@@ -7,9 +7,6 @@
 
 namespace ixos {
 
-/// Opens a file to go on with (EX_READ, EX_WRITE). Throws InputError where it is not there, or damaged.
-int open_exodus(const std::string& path, int mode);
-
 /// Exodus refuses variables on nodes or cells where a file has none of: a rank may own no cells. Throws FileError.
 void define_variables(const ExodusHandle& file, const FieldNames& names, bool has_cells);
 

@@ -30,9 +30,9 @@ class FieldFile {
 
   /// Throws FileError.
   virtual void create() = 0;
-  /// Throws InputError where the file there is not of this mesh and these names, or has fewer frames or bytes.
+  /// Throws InputError if the existing file is not of this mesh and these names, or has fewer frames or bytes.
   virtual void verify(const FieldLength& keep) const = 0;
-  /// Goes on after the frames to keep in the file that verify() found to fit; later ones are dropped. Throws FileError.
+  /// Continues the file that verify() accepted after the frames to keep, and drops later ones. Throws FileError.
   virtual void resume(const FieldLength& keep) = 0;
 
   /// Appends a frame: `nodal[v]` by local node; `cell[v][b]` by cell of local block b; `global[v]` (the same on every
@@ -40,7 +40,8 @@ class FieldFile {
   virtual void write(double time, const std::vector<std::vector<double>>& nodal,
                      const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) = 0;
   virtual FieldLength length() const = 0;
-  virtual void sync() = 0;  ///< has the disk keep them; throws FileError
+  virtual void sync() = 0;   ///< has the disk keep the frames; throws FileError
+  virtual void close() = 0;  ///< after the last frame; throws FileError
 };
 
 /// What a file of fields is about.

@@ -1,30 +1,12 @@
 #include "io/gathered_mesh.hpp"
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "base/gather.hpp"
 
 namespace ixos {
 namespace {
-
-MPI_Datatype type_of(const int*) { return MPI_INT; }
-MPI_Datatype type_of(const double*) { return MPI_DOUBLE; }
-
-/// The values of all ranks, one rank after the other, on the first rank.
-template <class T>
-std::vector<T> gather(const std::vector<T>& mine, const Comm& comm) {
-  const MPI_Comm raw = *dynamic_cast<const Teuchos::MpiComm<int>&>(*comm).getRawMpiComm();
-  const auto ranks = static_cast<std::size_t>(comm->getSize());
-  const auto length = static_cast<int>(mine.size());
-  std::vector<int> lengths(ranks), offsets(ranks, 0);
-  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, raw);
-  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
-  std::vector<T> all(comm->getRank() == 0 ? static_cast<std::size_t>(offsets.back() + lengths.back()) : 0);
-  const MPI_Datatype type = type_of(mine.data());
-  MPI_Gatherv(mine.data(), length, type, all.data(), lengths.data(), offsets.data(), type, 0, raw);
-  return all;
-}
 
 /// Where each id first comes in a list, in the order of the ids.
 std::map<int, std::size_t> first_places(const std::vector<int>& ids) {

@@ -97,4 +97,13 @@ void try_reading(const std::string& path, const std::function<void()>& function)
   if (!end.empty()) throw InputError(end.rfind(path, 0) == 0 ? end : path + ": is damaged: " + end);
 }
 
+void write_apart(const std::string& path, std::uint64_t room, const std::function<void()>& function) {
+  constexpr std::uint64_t gibibyte = 1U << 30U;
+  const std::string end = trial(function, gibibyte + 100 * room, 60 + static_cast<unsigned>(room >> 20U));
+  const std::string trouble = "reading it ";
+  if (end.rfind(trouble, 0) == 0)
+    throw FileError(path + ": cannot be written: the library " + end.substr(trouble.size()));
+  if (!end.empty()) throw FileError(end.rfind(path, 0) == 0 ? end : path + ": cannot be written: " + end);
+}
+
 }  // namespace ixos

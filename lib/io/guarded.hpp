@@ -18,4 +18,8 @@ std::string trial(const std::function<void()>& function, std::uint64_t bytes, un
 /// did not end well, so that this process reads none but sound files.
 void try_reading(const std::string& path, const std::function<void()>& function);
 
+/// Lets a child process write a file with a library that may crash where the disk fails. `room` is about the file's
+/// length, in bytes. Throws FileError with the path if the child did not end well.
+void write_apart(const std::string& path, std::uint64_t room, const std::function<void()>& function);
+
 }  // namespace ixos

@@ -16,7 +16,7 @@ namespace {
 
 using Frame = std::vector<std::vector<double>>;  ///< by set, this rank's slab
 
-/// Exodus on HDF5: the library defines mesh and names on the first rank, parallel HDF5 writes the frames.
+/// Exodus on HDF5: the library defines mesh and names on the first rank; all ranks write the frames.
 class Hdf5Fields final : public FieldFile {
  public:
   Hdf5Fields(std::string path, FieldContents contents, const Comm& comm);
@@ -27,16 +27,14 @@ class Hdf5Fields final : public FieldFile {
   void write(double time, const std::vector<std::vector<double>>& nodal,
              const std::vector<std::vector<std::vector<double>>>& cell, const std::vector<double>& global) override;
   FieldLength length() const override { return {frame_, bytes_of(path_)}; }
-  void sync() override {
-    on_first_rank(comm_, [&] { sync_to_disk(path_); });
-  }
+  void sync() override { file_->sync(); }
+  void close() override { file_->close(); }
 
  private:
   void define(const std::string& path) const;
   std::unique_ptr<Hdf5Series> open(const std::string& path, Hdf5Series::Mode mode) const {
     return std::make_unique<Hdf5Series>(path, comm_, sets_, mode);
   }
-  void append(Hdf5Series& file, int frame, const Frame& values) const;
   void copy_first(int frames) const;
 
   std::string path_;
@@ -83,21 +81,24 @@ Hdf5Fields::Hdf5Fields(std::string path, FieldContents contents, const Comm& com
 void Hdf5Fields::define(const std::string& path) const {
   const GatheredMesh whole = gathered(contents_.output, comm_);
   on_first_rank(comm_, [&] {
-    // HDF5 does not survive a full disk: room for mesh and empty sets is there, or the beginning fails. The library
-    // empties the file that it makes.
+    // The library writes mesh and names itself, and does not survive a full disk: reserve the room before, twice, for
+    // it empties the file that it makes.
     const auto room = 16 * (whole.mesh.coordinates.size() + 9 * static_cast<std::size_t>(whole.mesh.cells())) +
                       (sets_.size() + 64) * 4096;
     DiskFile(path, DiskFile::Mode::Create).lengthen(room);
-    {
+    write_apart(path, room, [&] {
       const int id = create_exodus(path, ExodusFormat::Hdf5);
       require_created(id, path);
-      const ExodusHandle file(id, path);
+      ExodusHandle file(id, path);
       DiskFile(path, DiskFile::Mode::Change).reserve(room);
       define_exodus_mesh(file, whole.mesh, whole.description, contents_.title);
       define_variables(file, contents_.names, true);
-    }
+      require_written(file.close(), file, "the mesh");
+    });
     Hdf5Series::add(path, "time_step", sets_);
-    DiskFile(path, DiskFile::Mode::Change).give_back();
+    DiskFile file(path, DiskFile::Mode::Change);
+    file.set_length(file.length());
+    file.close();
   });
 }
 
@@ -127,8 +128,9 @@ void Hdf5Fields::copy_first(int frames) const {
       values.reserve(sets_.size());
       for (std::size_t s = 0; s < sets_.size(); ++s)
         values.push_back(from->read(s, static_cast<unsigned>(frame), slabs_[s]));
-      append(*to, frame, values);
+      to->append(values, slabs_);
     }
+    to->close();
   }
   on_first_rank(comm_, [&] {
     sync_to_disk(copy);
@@ -142,13 +144,6 @@ void Hdf5Fields::resume(const FieldLength& keep) {
   if (!first_problem(comm_, as_it_was ? "" : "it grew").empty()) copy_first(keep.frames);
   file_ = open(path_, Hdf5Series::Mode::Write);
   frame_ = keep.frames;
-}
-
-void Hdf5Fields::append(Hdf5Series& file, int frame, const Frame& values) const {
-  file.grow(static_cast<unsigned>(frame) + 1);
-  for (std::size_t s = 0; s < sets_.size(); ++s)
-    file.write(s, static_cast<unsigned>(frame), values[s].data(), slabs_[s]);
-  file.flush();
 }
 
 void Hdf5Fields::write(double time, const std::vector<std::vector<double>>& nodal,
@@ -169,7 +164,7 @@ void Hdf5Fields::write(double time, const std::vector<std::vector<double>>& noda
   for (std::size_t v = 0; v < cell.size(); ++v)
     for (std::size_t b = 0; b < blocks.size(); ++b)
       if (cells_[b].slab().total > 0) values.push_back(std::move(blocks[b][v]));
-  append(*file_, frame_, values);
+  file_->append(values, slabs_);
   ++frame_;
 }
 

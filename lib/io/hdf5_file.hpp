@@ -1,9 +1,12 @@
-/// HDF5 as checkpoints use it: numbers as attributes of groups, texts and arrays as data sets. Once used, HDF5 prints
-/// no errors of its own in this process any more: they are exceptions here.
+/// HDF5 as checkpoints use it: numbers as attributes of groups, texts and arrays as data sets. Once used, HDF5 no
+/// longer prints errors in this process: they are exceptions here.
 #pragma once
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "base/digest.hpp"
 #include "base/tpetra.hpp"
 
 namespace ixos {
@@ -15,12 +18,19 @@ struct Slab {
   unsigned long long total = 0;  ///< length of the data set
 };
 
-/// A file that is written by all ranks together (MPI-IO, collective transfers; on a single rank plainly). Names are of
-/// the present group.
+/// A part of a file that was written, and what it should hold.
+struct FilePiece {
+  std::uint64_t position;
+  std::uint64_t length;
+  Checksum checksum;  ///< of the bytes in memory, not of those on the disk
+};
+
+/// A file that all ranks write together. HDF5 makes its structure in the memory of the first rank; each rank writes
+/// its own slabs to the disk. Names are of the present group.
 class Hdf5Output {
  public:
-  /// `user_block` bytes, a power of two of at least 512, stay free at the beginning. Throws FileError where the disk
-  /// has no room for `size` bytes: what HDF5 and MPI-IO do on a full disk is not for the faint-hearted.
+  /// Leaves `user_block` bytes, a power of two of at least 512, free at the beginning. Throws FileError if the disk has
+  /// no room for `size` bytes.
   Hdf5Output(const std::string& path, const Comm& comm, int user_block, unsigned long long size);
   ~Hdf5Output();
   Hdf5Output(const Hdf5Output&) = delete;
@@ -28,24 +38,27 @@ class Hdf5Output {
 
   void enter(const std::string& group);
   void leave();
-  void put(const char* name, double value);  ///< the same on all ranks
+  void put(const char* name, double value);  ///< the first rank's
   void put(const char* name, const std::string& value);
   void put(const char* name, const double* values, const Slab& slab);
   void put(const char* name, const long long* values, const Slab& slab);
 
-  /// Closes the file. A failure on any rank since the beginning throws FileError here, on all ranks alike: until then
-  /// all go on, for none may leave the others alone in a collective call.
-  void close();
-
-  /// Did some file fail to close on this rank? HDF5 1.10 then crashes in MPI_Finalize: a program should not get there.
-  static bool left_open();
+  /// Writes the structure, has the disk keep what the other ranks wrote, and closes the file. Returns, on the first
+  /// rank, the pieces of the file behind the user block, in order and without gaps. Throws FileError on all ranks if
+  /// any rank failed since the beginning: until then all continue, for none may leave the others alone in a collective
+  /// call.
+  std::vector<FilePiece> close();
 
  private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// A file that each rank reads for itself. What is not there, or of another kind, throws InputError.
+/// Returns whether HDF5 could not close a file of this process, for a read of its structure failed. HDF5 1.10 then
+/// crashes in MPI_Finalize: a program should end without it.
+bool hdf5_left_open();
+
+/// A file that each rank reads for itself. A name that is missing, or of another kind, throws InputError.
 class Hdf5Input {
  public:
   explicit Hdf5Input(const std::string& path);

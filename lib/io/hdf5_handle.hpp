@@ -2,14 +2,14 @@
 #pragma once
 #include <hdf5.h>
 
-#include <Teuchos_DefaultMpiComm.hpp>
 #include <utility>
-
-#include "base/tpetra.hpp"
 
 namespace ixos::hdf5 {
 
-/// An identifier of HDF5 that is closed when it goes.
+/// Whether the library could not close some file of this process; see hdf5_left_open().
+inline bool some_left_open = false;
+
+/// An identifier of HDF5. The destructor closes it and ignores the status: release() what was written.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -23,6 +23,7 @@ class Handle {
   operator hid_t() const { return id_; }  // NOLINT: passed to the C interface as it is
   herr_t release() {
     const herr_t status = id_ >= 0 ? close_(id_) : -1;
+    if (id_ >= 0 && status < 0 && close_ == H5Fclose) some_left_open = true;
     id_ = H5I_INVALID_HID;
     return status;
   }
@@ -34,27 +35,12 @@ class Handle {
 
 inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
-/// Before any file is opened: failures are statuses here, which HDF5 would also print; and a file leads to no other,
-/// and to no plug-in that would decode it.
+/// Prepares the library before any file is opened: it no longer prints its errors, which are statuses here, and a file
+/// leads to no other file and to no plug-in that would decode it.
 inline void prepare() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   static const bool alone = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0 && H5PLset_loading_state(0) >= 0;
   (void)alone;
-}
-
-/// See Hdf5Output::left_open().
-inline bool some_left_open = false;
-
-/// Opens files by all ranks together.
-inline void share(hid_t access, const Comm& comm) {
-  H5Pset_fapl_mpio(access, *dynamic_cast<const Teuchos::MpiComm<int>&>(*comm).getRawMpiComm(), MPI_INFO_NULL);
-}
-
-/// Transfers that all ranks make together, in a file that is shared.
-inline Handle collective_transfer() {
-  Handle transfer = property_list(H5P_DATASET_XFER);
-  H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE);
-  return transfer;
 }
 
 }  // namespace ixos::hdf5

@@ -2,21 +2,21 @@
 
 #include <hdf5_hl.h>
 
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
-#include "io/hdf5_handle.hpp"
+#include "io/hdf5_image.hpp"
 
 namespace ixos {
 namespace {
 
 using hdf5::Handle;
 using hdf5::property_list;
-
-/// What a frame may add to the file beside its numbers: pages of the indices, of each set.
-constexpr unsigned long long index_bytes = 1 << 15;
 
 constexpr hsize_t numbers_in_chunk = 512;  ///< of sets without a width
 
@@ -82,10 +82,9 @@ bool add_set(hid_t file, hid_t frames, const Hdf5Series::Set& set) {
   H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);  // as parallel HDF5 demands
   H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
   const Handle space(H5Screate_simple(rank, size.data(), limit.data()), H5Sclose);
-  const Handle made(H5Dcreate2(file, set.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT),
-                    H5Dclose);
+  Handle made(H5Dcreate2(file, set.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
   if (made < 0 || H5DSattach_scale(made, frames, 0) < 0) return false;
-  return rank == 1 || H5DSattach_scale(made, open_set(file, set.scale), 1) >= 0;
+  return (rank == 1 || H5DSattach_scale(made, open_set(file, set.scale), 1) >= 0) && made.release() >= 0;
 }
 
 }  // namespace
@@ -94,47 +93,80 @@ struct Hdf5Series::Implementation {
   std::string path;
   Comm comm;
   std::vector<Set> descriptions;
-  std::unique_ptr<Handle> file{};
-  std::vector<Handle> sets{};
-  Handle transfer = hdf5::collective_transfer();
-  std::string problem{};  ///< the first on this rank
+  Mode mode;
+  std::unique_ptr<DiskFile> disk{};      ///< each rank's own
+  std::unique_ptr<hdf5::Image> image{};  ///< to write: on the first rank only
+  std::unique_ptr<Handle> file{};        ///< in the image
+  std::vector<Handle> sets{};            ///< where the file is open
+  unsigned long long frames = 0;
+  std::vector<std::uint64_t> chunks{};  ///< by set: where the chunk of the last row begins
+  std::uint64_t end = 0;                ///< of the file that the disk has
 
-  void check(bool good, const std::string& what) {
-    if (!good && problem.empty()) problem = path + ": " + what + " cannot be written";
-  }
-  void open(unsigned mode) {
-    const Handle access = property_list(H5P_FILE_ACCESS);
-    hdf5::share(access, comm);
+  bool first() const { return comm->getRank() == 0; }
+
+  void open() {
+    const bool writes = mode == Mode::Write;
+    disk = std::make_unique<DiskFile>(path, writes ? DiskFile::Mode::Change : DiskFile::Mode::Read);
+    if (writes && !first()) return;
+    hdf5::prepare();
+    image = std::make_unique<hdf5::Image>(disk.get());
+    const Handle access = image->access();
     // Without HDF5's own reserves, places in the file depend on the frames alone: not on where a run was interrupted.
     H5Pset_meta_block_size(access, 0);
     H5Pset_small_data_block_size(access, 0);
-    file = std::make_unique<Handle>(H5Fopen(path.c_str(), mode, access), H5Fclose);
+    file = std::make_unique<Handle>(H5Fopen(path.c_str(), writes ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose);
     if (*file < 0) throw InputError(path + ": HDF5 cannot open it");
-    sets.reserve(descriptions.size());
+    end = disk->length();
     for (const Set& set : descriptions) {
       sets.push_back(open_set(*file, set.name));
-      hsize_t frames = 0;
-      if (!has_rows(sets.back(), set, frames)) throw InputError(path + ": has no \"" + set.name + "\" of this mesh");
+      hsize_t rows = 0;
+      // A frame whose writing failed may have rows in some sets only; nothing is added to such a file.
+      if (!has_rows(sets.back(), set, rows) || (writes && &set != &descriptions.front() && rows != frames))
+        throw InputError(path + ": has no \"" + set.name + "\" of this mesh");
+      frames = rows;
+      chunks.push_back(writes && rows % chunk_of(set)[0] != 0 ? place_of_row(sets.back(), rows - 1) : 0);
     }
+    image->check();
+    image->new_raw_data();
   }
-  /// Calls back with the selections, in memory and in the file, of a part of a row.
-  template <class Call>
-  herr_t with_part(std::size_t set, unsigned long long frame, const Slab& slab, const Call& call) const {
-    const Handle space(H5Dget_space(sets[set]), H5Sclose);
-    const Extent start{frame, slab.offset}, count{1, slab.count};
-    const bool part =
-        slab.count > 0 && H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0;
-    if (!part) H5Sselect_none(space);
-    const auto selected = static_cast<hsize_t>(H5Sget_select_npoints(space));
-    const Handle memory(H5Screate_simple(1, &selected, nullptr), H5Sclose);
-    const herr_t status = call(memory, space);
-    return selected == slab.count ? status : -1;
+
+  std::uint64_t place_of_row(hid_t set, hsize_t row) const {
+    const Extent place{row, 0};
+    unsigned filters = 0;
+    haddr_t address = 0;
+    hsize_t bytes = 0;
+    if (H5Dget_chunk_info_by_coord(set, place.data(), &filters, &address, &bytes) < 0 || address == HADDR_UNDEF)
+      throw InputError(path + ": a frame's place cannot be found");
+    return address;
+  }
+
+  /// Has HDF5 make room for a row in each set. Returns where it begins. First rank only.
+  std::vector<std::uint64_t> grow() {
+    std::vector<std::uint64_t> places;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+      const Set& set = descriptions[s];
+      const Extent size{frames + 1, set.width}, chunk = chunk_of(set);
+      const hsize_t bytes = 8 * chunk[0] * (rank_of(set) == 1 ? 1 : chunk[1]), row = frames % chunk[0];
+      if (H5Dset_extent(sets[s], size.data()) < 0) throw FileError(path + ": " + set.name + " cannot grow");
+      if (row == 0) {
+        const auto made = image->new_raw_data();
+        chunks[s] = made.size() == 1 && made[0].second == bytes ? made[0].first : place_of_row(sets[s], frames);
+      }
+      places.push_back(chunks[s] + 8 * row);
+    }
+    const bool flushed = H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0;
+    image->check();
+    if (!flushed) throw FileError(path + ": the structure of a frame cannot be made");
+    disk->lengthen(std::max(image->end(), end));
+    return places;
   }
 };
 
 void Hdf5Series::add(const std::string& path, const std::string& frames, const std::vector<Set>& sets) {
   hdf5::prepare();
-  const Handle access = property_list(H5P_FILE_ACCESS);
+  DiskFile disk(path, DiskFile::Mode::Change);
+  hdf5::Image image(&disk);
+  const Handle access = image.access();
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);  // for the extensible arrays
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   bool good = file >= 0;
@@ -143,7 +175,12 @@ void Hdf5Series::add(const std::string& path, const std::string& frames, const s
     good = scale >= 0;
     for (const Set& set : sets) good = good && remove_set(file, scale, set) && add_set(file, scale, set);
   }
-  if (file.release() < 0 || !good) throw FileError(path + ": its data sets cannot be written");
+  const bool made = file.release() >= 0 && good;
+  image.check();
+  if (!made) throw FileError(path + ": HDF5 cannot make its data sets");
+  disk.lengthen(image.end());
+  image.commit(disk, 0);
+  disk.close();
 }
 
 void Hdf5Series::check(const std::string& path, const std::vector<Set>& sets, unsigned long long frames) {
@@ -155,62 +192,70 @@ void Hdf5Series::check(const std::string& path, const std::vector<Set>& sets, un
     hsize_t rows = 0;
     if (data < 0 || !has_rows(data, set, rows) || rows < frames || !is_plain(data, set) ||
         !has_frames(data, set, frames))
-      throw InputError(path + ": the frames of \"" + set.name + "\" to go on with are not there, or damaged");
+      throw InputError(path + ": the frames of \"" + set.name + "\" are missing or damaged");
   }
 }
 
 Hdf5Series::Hdf5Series(const std::string& path, const Comm& comm, const std::vector<Set>& sets, Mode mode)
-    : implementation_(std::make_unique<Implementation>(Implementation{path, comm, sets})) {
-  hdf5::prepare();
-  together<InputError>(comm, [&] { implementation_->open(mode == Mode::Read ? H5F_ACC_RDONLY : H5F_ACC_RDWR); });
+    : implementation_(std::make_unique<Implementation>(Implementation{path, comm, sets, mode})) {
+  together<InputError>(comm, [&] { implementation_->open(); });
 }
 
-Hdf5Series::~Hdf5Series() {
-  Implementation& self = *implementation_;
-  self.sets.clear();
-  if (self.file->release() < 0) hdf5::some_left_open = true;
-}
+Hdf5Series::~Hdf5Series() = default;
 
-void Hdf5Series::grow(unsigned long long frames) {
+void Hdf5Series::append(const std::vector<std::vector<double>>& values, const std::vector<Slab>& slabs) {
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
   Implementation& self = *implementation_;
+  std::vector<long long> places(self.descriptions.size());
   on_first_rank(self.comm, [&] {
-    DiskFile file(self.path, DiskFile::Mode::Change);
-    unsigned long long bytes = file.length();
-    for (const Set& set : self.descriptions)
-      bytes += 8 * std::max<unsigned long long>(set.width, numbers_in_chunk) + index_bytes;
-    file.lengthen(bytes);
+    const std::vector<std::uint64_t> made = self.grow();
+    std::copy(made.begin(), made.end(), places.begin());
   });
-  for (std::size_t s = 0; s < self.sets.size(); ++s) {
-    const Extent size{frames, self.descriptions[s].width};
-    self.check(H5Dset_extent(self.sets[s], size.data()) >= 0, self.descriptions[s].name);
-  }
-}
-
-void Hdf5Series::write(std::size_t set, unsigned long long frame, const double* values, const Slab& slab) {
-  Implementation& self = *implementation_;
-  const herr_t status = self.with_part(set, frame, slab, [&](hid_t memory, hid_t space) {
-    return H5Dwrite(self.sets[set], H5T_NATIVE_DOUBLE, memory, space, self.transfer, values);
+  if (self.comm->getSize() > 1) Teuchos::broadcast(*self.comm, 0, static_cast<int>(places.size()), places.data());
+  together(self.comm, [&] {
+    for (std::size_t s = 0; s < places.size(); ++s)
+      self.disk->write_at(static_cast<std::uint64_t>(places[s]) + 8 * slabs[s].offset, values[s].data(),
+                          8 * slabs[s].count);
   });
-  self.check(status >= 0, self.descriptions[set].name);
+  on_first_rank(self.comm, [&] {
+    self.image->commit(*self.disk, self.end);
+    self.end = self.disk->length();
+  });
+  ++self.frames;
 }
 
 std::vector<double> Hdf5Series::read(std::size_t set, unsigned long long frame, const Slab& slab) const {
   const Implementation& self = *implementation_;
   std::vector<double> values(slab.count);
-  const herr_t status = self.with_part(set, frame, slab, [&](hid_t memory, hid_t space) {
-    return H5Dread(self.sets[set], H5T_NATIVE_DOUBLE, memory, space, self.transfer, values.data());
-  });
   together<InputError>(self.comm, [&] {
-    if (status < 0) throw InputError(self.path + ": a frame to go on with cannot be read");
+    if (slab.count == 0) return;
+    const Handle space(H5Dget_space(self.sets[set]), H5Sclose);
+    const Extent start{frame, slab.offset}, count{1, slab.count};
+    const Handle memory(H5Screate_simple(1, &count[1], nullptr), H5Sclose);
+    const bool good = H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
+                      H5Dread(self.sets[set], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) >= 0;
+    self.image->check();
+    if (!good) throw InputError(self.path + ": an earlier frame cannot be read");
   });
   return values;
 }
 
-void Hdf5Series::flush() {
+void Hdf5Series::sync() {
+  together(implementation_->comm, [&] { implementation_->disk->sync(); });
+}
+
+void Hdf5Series::close() {
   Implementation& self = *implementation_;
-  self.check(H5Fflush(*self.file, H5F_SCOPE_GLOBAL) >= 0, "a frame");
-  const std::string problem = first_problem(self.comm, self.problem);
-  if (!problem.empty()) throw FileError(problem);
+  if (self.comm.is_null()) return;
+  together(self.comm, [&] {
+    for (Handle& set : self.sets)
+      if (set.release() < 0) throw FileError(self.path + ": HDF5 cannot close a data set");
+    if (self.file && self.file->release() < 0) throw FileError(self.path + ": HDF5 cannot close the file");
+    if (self.image) self.image->check();
+    if (self.image && self.mode == Mode::Write) self.image->commit(*self.disk, self.end);
+    self.disk->close();
+  });
+  self.comm = Teuchos::null;
 }
 
 }  // namespace ixos

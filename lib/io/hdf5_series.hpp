@@ -8,11 +8,13 @@
 
 namespace ixos {
 
-/// Data sets that grow by a row with each frame. Written by parallel HDF5, with collective transfers through MPI-IO.
+/// Data sets that grow by a row with each frame. HDF5 keeps the structure in the memory of the first rank; each rank
+/// writes its part of a row to the disk itself, at the place that HDF5 allocated.
 ///
 /// Whatever happens while a frame is written, the frames before it can be read: rows are only added behind others, the
 /// sets' index of rows only grows at its end (HDF5's extensible array; its older B-tree would divide nodes that are in
-/// use), and the file is as long as the frame needs before the first byte of it is written.
+/// use), the file is as long as the frame needs before the first byte of it is written, and the structure follows the
+/// rows.
 class Hdf5Series {
  public:
   /// Rows of `width` numbers. `scale` is the data set whose length that is; without one a row is a single number.
@@ -31,19 +33,22 @@ class Hdf5Series {
   /// numbers as they are, without filters, so that nothing of these rows is decoded. Not collective.
   static void check(const std::string& path, const std::vector<Set>& sets, unsigned long long frames);
 
-  /// Throws InputError where the file has no such sets, or rows of other widths. Collective, as all that follows.
+  /// Opens the file. Throws InputError if it has no such sets, or rows of other widths. Collective, as all that
+  /// follows.
   Hdf5Series(const std::string& path, const Comm& comm, const std::vector<Set>& sets, Mode mode);
   ~Hdf5Series();
   Hdf5Series(const Hdf5Series&) = delete;
   Hdf5Series& operator=(const Hdf5Series&) = delete;
 
-  /// Makes room for so many frames, on the disk too; throws FileError where it has none.
-  void grow(unsigned long long frames);
-  /// A rank's part of a row, of the set of that number; a rank's slab may be empty.
-  void write(std::size_t set, unsigned long long frame, const double* values, const Slab& slab);
+  /// Appends a row to each set; `values[s]` and `slabs[s]` are this rank's part of the row of set s, which may be
+  /// empty. Throws FileError on all ranks if any rank could not write.
+  void append(const std::vector<std::vector<double>>& values, const std::vector<Slab>& slabs);
+  /// Reads a rank's part of a row. Throws InputError on all ranks alike.
   std::vector<double> read(std::size_t set, unsigned long long frame, const Slab& slab) const;
-  /// Brings to the file what was written; throws FileError, on all ranks, where any rank could not write since last.
-  void flush();
+  /// Has the disk keep the frames. Throws FileError on all ranks alike.
+  void sync();
+  /// Closes the file; a later call does nothing. Throws FileError on all ranks alike.
+  void close();
 
  private:
   struct Implementation;

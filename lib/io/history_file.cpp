@@ -38,9 +38,10 @@ void HistoryFile::verify(const std::string& path, const std::vector<std::string>
   std::ifstream file = open_text(path);
   std::string line;
   if (!file.is_open() || !std::getline(file, line) || file.eof())  // a line that does not end is none
-    throw InputError(path + ": the table to go on with is not there; another --output begins a new one");
+    throw InputError(path + ": cannot resume: the table is missing. Choose another --output to start a new one");
   if (line != fmt::format("{}", fmt::join(columns, ",")))
-    throw InputError(path + ": the table has other columns than this run would write; give another --output");
+    throw InputError(path +
+                     ": cannot resume: the table has other columns than this run writes. Choose another --output");
   TableLength found{0, line.size() + 1};
   while (found.rows < length.rows && std::getline(file, line) && !file.eof()) {
     ++found.rows;
@@ -48,15 +49,16 @@ void HistoryFile::verify(const std::string& path, const std::vector<std::string>
   }
   if (found.rows != length.rows || found.bytes != length.bytes)
     throw InputError(
-        fmt::format("{}: is not the table to go on with: its first {} rows have {} bytes, not {}; another --output "
-                    "begins a new one",
+        fmt::format("{}: cannot resume: its first {} rows have {} bytes, and had {} when the checkpoint was written. "
+                    "Choose another --output to start a new table",
                     path, found.rows, found.bytes, length.bytes));
 }
 
 HistoryFile::~HistoryFile() {
+  if (buffer_.empty()) return;
   try {
     flush();
-  } catch (const FileError&) {  // whoever wants to know has flushed before
+  } catch (const std::exception&) {  // whoever wants to know has closed it before
   }
 }
 
@@ -80,14 +82,18 @@ void HistoryFile::write(const std::vector<double>& values) {
 void HistoryFile::flush() {
   last_flush_ = Teuchos::Time::wallTime();
   // After a failure it is written again from where it began: no row is torn, and none lost, where there is room later.
-  file_.seek(length_.bytes - buffer_.size());
-  file_.write(buffer_.data(), buffer_.size());
+  file_.write_at(length_.bytes - buffer_.size(), buffer_.data(), buffer_.size());
   buffer_.clear();
 }
 
 void HistoryFile::sync() {
   flush();
   file_.sync();
+}
+
+void HistoryFile::close() {
+  sync();
+  file_.close();
 }
 
 }  // namespace ixos

@@ -19,11 +19,11 @@ struct TableLength {
 /// Writes on the rank that opened it.
 class HistoryFile {
  public:
-  /// Throws FileError where the file cannot be made.
+  /// Throws FileError if the file cannot be made.
   HistoryFile(const std::string& path, const std::vector<std::string>& columns);
-  /// Goes on with the file that is there, which verify() found to fit: what it holds beyond `length` is dropped.
+  /// Continues the file that verify() accepted; drops what it holds beyond `length`.
   HistoryFile(const std::string& path, const TableLength& length);
-  /// Throws InputError where the file that is there has other columns, or never had that length.
+  /// Throws InputError if the existing file has other columns, or never had that length.
   static void verify(const std::string& path, const std::vector<std::string>& columns, const TableLength& length);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
@@ -34,6 +34,8 @@ class HistoryFile {
   void flush();
   /// Flushes, and has the disk keep it. Throws FileError.
   void sync();
+  /// Syncs and closes the file; nothing can be written any more. Throws FileError.
+  void close();
   const TableLength& length() const { return length_; }  ///< with what is not flushed yet
 
  private:

@@ -55,6 +55,10 @@ void FieldRecorder::sync() {
   together(comm_, [this] { file_->sync(); });
 }
 
+void FieldRecorder::close() {
+  together(comm_, [this] { file_->close(); });
+}
+
 void FieldRecorder::record() {
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();

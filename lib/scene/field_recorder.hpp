@@ -18,7 +18,8 @@ class FieldRecorder {
   void resume(const FieldLength& keep);
   void record();
   FieldLength length() const { return file_->length(); }
-  void sync();  ///< has the disk keep them
+  void sync();   ///< has the disk keep the frames; throws FileError
+  void close();  ///< after the last frame; throws FileError
 
  private:
   Simulation& simulation_;

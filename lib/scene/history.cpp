@@ -107,10 +107,10 @@ void History::record(const RowCounts& counts) {
     const double contact = model.has_interactions() ? model.interaction_energy(state.u.data()) : 0.0;
     const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
-    const double balance = total - external_work + integrator.dissipated_energy();
-    if (std::isnan(initial_energy_)) initial_energy_ = balance;
+    balance_ = total - external_work + integrator.dissipated_energy();
+    if (std::isnan(initial_energy_)) initial_energy_ = balance_;
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
-    const double error = balance - initial_energy_;
+    const double error = balance_ - initial_energy_;
     largest_energy_ = std::max({largest_energy_, momenta.kinetic_energy, std::abs(elastic), std::abs(contact)});
     // Not std::max: a NaN is to be seen.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
@@ -146,9 +146,9 @@ void History::record(const RowCounts& counts) {
   });
 }
 
-void History::flush() {
+void History::close() {
   together(simulation_.model().space().comm(), [&] {
-    if (file_) file_->flush();
+    if (file_) file_->close();
   });
 }
 

@@ -49,8 +49,10 @@ class History {
   double largest_energy() const { return largest_energy_; }
   /// By reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
-  void flush();
-  void sync();  ///< flushes, and has the disk keep the rows
+  /// The last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
+  double balance() const { return balance_; }
+  void sync();   ///< has the disk keep the rows; throws FileError
+  void close();  ///< after the last row; throws FileError
 
   /// For checkpoints: sums, and the length of the file.
   void transfer(Record& record);
@@ -65,6 +67,7 @@ class History {
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
   /// At the first row, less external work, plus dissipation; NaN where no energies were recorded yet.
   double initial_energy_ = std::numeric_limits<double>::quiet_NaN();
+  double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "scene/checkpoints.hpp"
+#include "scene/energy_watch.hpp"
 #include "scene/restart.hpp"
 #include "scene/run_files.hpp"
 #include "scene/summary.hpp"
@@ -26,7 +27,8 @@ class Run {
         control_(times_),
         stop_(simulation.stop_criteria()),
         checkpoints_(simulation, options.folder),
-        files_(simulation, options.folder) {
+        files_(simulation, options.folder),
+        watch_(simulation) {
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
@@ -58,10 +60,15 @@ class Run {
   bool good_enough(double dt);
   void end();
   void checkpoint();
+  void watch_energy();
+  void go_back();
   std::string with_position(const std::string& message) const;
   void transfer(Record& record);
   void tell(const std::string& line) const {
     if (options_.tell && comm_->getRank() == 0) options_.tell(line);
+  }
+  void warn(const std::string& line) const {
+    if (options_.warn && comm_->getRank() == 0) options_.warn(line);
   }
   double wall() const { return Teuchos::Time::wallTime() - start_; }
   PhaseSeconds phases() const {
@@ -83,6 +90,9 @@ class Run {
   StopCriteria stop_;
   Checkpoints checkpoints_;
   RunFiles files_;
+  EnergyWatch watch_;
+  bool warned_ = false;       ///< of the energy balance
+  std::string resumed_from_;  ///< the checkpoint that the watch went back to
   std::function<double(double)> stable_;
 
   RunResult result_;
@@ -169,8 +179,34 @@ void Run::step() {
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
   files_.record(result_.steps, dt, before);
+  watch_energy();
   if (options_.watch && comm_->getRank() == 0)
     options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
+}
+
+/// Looks at the row of the present state, if it has one.
+void Run::watch_energy() {
+  if (!watch_.on() || !files_.recorded()) return;
+  const History& history = files_.history();
+  const std::string wrong = watch_.look(result_.steps, history.balance(), history.largest_energy());
+  if (wrong.empty()) return;
+  const bool resumes = watch_.action() == EnergyWatch::Action::Resume && !checkpoints_.newest().empty() &&
+                       checkpoints_.newest() != resumed_from_;
+  if (!warned_ || resumes) warn(wrong);
+  warned_ = true;
+  if (resumes) return go_back();
+  if (watch_.action() != EnergyWatch::Action::Warn) fail(wrong);
+}
+
+/// Resumes from the newest checkpoint; a second time only from a later one.
+void Run::go_back() {
+  resumed_from_ = checkpoints_.newest();
+  Restart restart(simulation_, resumed_from_);
+  restart.load([this](Record& record) { transfer(record); });
+  ++result_.restarts;
+  resume_files();
+  result_.reason.clear();
+  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
 }
 
 /// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
@@ -243,6 +279,7 @@ void Run::transfer(Record& record) {
   integrator_.transfer(record);
   files_.history().transfer(record);
   stop_.transfer(record);
+  watch_.transfer(record);
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }

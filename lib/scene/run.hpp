@@ -23,6 +23,7 @@ struct RunOptions {
   std::string folder;                            ///< results go here; made where it does not exist
   std::string restart;                           ///< a checkpoint to go on from; may be empty
   std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
+  std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
   std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
 };

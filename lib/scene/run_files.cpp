@@ -111,7 +111,10 @@ void RunFiles::record(long step, double dt, double before) {
 void RunFiles::finish() {
   if (!recorded_) row();
   if (fields_ && !framed_) fields_->record();
-  history_.flush();
+  history_.close();
+  if (!fields_) return;
+  fields_->sync();
+  fields_->close();
 }
 
 void RunFiles::sync() {

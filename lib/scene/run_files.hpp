@@ -48,6 +48,7 @@ class RunFiles {
   void sync();  ///< has the disk keep rows and frames
 
   History& history() { return history_; }
+  bool recorded() const { return recorded_; }  ///< whether the present state has a row
   /// For checkpoints: all but what history() transfers. The run stands at that step and time of the clock.
   void transfer(Record& record, long step, double wall_seconds);
 

@@ -14,6 +14,7 @@
 #include "mesh/generators.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/soundness.hpp"
 #include "mesh/spatula.hpp"
 #include "scene/list_access.hpp"
 
@@ -80,6 +81,11 @@ Mesh spatula_mesh(const Teuchos::ParameterList& list) {
 Mesh exodus_mesh(const Teuchos::ParameterList& list) {
   const std::string path = list.get<std::string>("File");
   Mesh mesh = read_exodus_mesh(path);
+  try {
+    refuse_repeated_cells(mesh);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
   const int wanted = list.get<int>("Dimension");
   if (wanted != 0 && wanted != mesh.dimension)
     throw InputError(fmt::format("Mesh/Exodus/File: {} is a mesh of {} dimensions, but the scene wants {}", path,

@@ -5,6 +5,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/agreement.hpp"
@@ -18,6 +19,7 @@
 #include "scene/interactions.hpp"
 #include "scene/list_access.hpp"
 #include "scene/materials.hpp"
+#include "scene/mesh_inspection.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
@@ -32,6 +34,15 @@ using List = Teuchos::ParameterList;
 bool all_standard(const std::vector<Material>& materials) {
   return std::all_of(materials.begin(), materials.end(),
                      [](const Material& material) { return material.formulation == Formulation::Standard; });
+}
+
+/// Times are doubles: at 1e12 they are 1e-4 apart. A step or an interval has to be much longer than that.
+void check_resolution(const StepControlOptions& control, const std::string& path, double interval) {
+  const double coarsest = std::max(std::abs(control.initial_time), std::abs(control.final_time));
+  const double least = 200 * std::numeric_limits<double>::epsilon() * coarsest;
+  if (interval < least)
+    throw InputError(fmt::format("{}: {} is lost in rounding against the times {} to {}: it must be at least {:.3g}",
+                                 path, interval, control.initial_time, control.final_time, least));
 }
 
 void set_predictor(const std::string& name, Table& table) {
@@ -51,12 +62,10 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   if (!(control.final_time > control.initial_time))
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  control.final_time, control.initial_time));
-  if (!(control.initial_time + control.time_step > control.initial_time &&
-        control.final_time - control.time_step < control.final_time))
-    throw InputError(
-        fmt::format("Time Integrator/Time Step Control/Time Step: {} is lost in rounding against the times {} "
-                    "to {}",
-                    control.time_step, control.initial_time, control.final_time));
+  check_resolution(control, "Time Integrator/Time Step Control/Time Step", control.time_step);
+  for (const char* name : {"History Time Interval", "Fields Time Interval"})
+    if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
+      check_resolution(control, std::string("Output/") + name, interval);
   Table table = chosen_table();
   check_compatibility(parameters_, control.adaptive, table);
   build_model(comm, folder, table.mass);
@@ -124,10 +133,12 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   Mesh mesh;
   together<InputError>(comm, [&] {
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
+    warnings_ = inspect_mesh(parameters_, mesh);
     enrich_surfaces(parameters_.sublist("Interactions"), mesh);
   });
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
+  if (std::string bad = quality_warning(mesh_quality_); !bad.empty()) warnings_.push_back(std::move(bad));
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   const std::vector<Material> bodies = materials(parameters_.sublist("Materials"));

@@ -31,6 +31,8 @@ class Simulation {
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
+  /// About the scene, for a person: what is allowed and may be a mistake.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -47,6 +49,7 @@ class Simulation {
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
+  std::vector<std::string> warnings_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };

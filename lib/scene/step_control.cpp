@@ -9,7 +9,7 @@
 namespace ixos {
 namespace {
 
-/// What rounding makes of a time: one nearer than that to another is the same.
+/// The rounding of a time: two times that are nearer to each other are the same.
 double slack(double interval, double time) {
   return 1e-8 * interval + 8 * std::numeric_limits<double>::epsilon() * std::abs(time);
 }
@@ -25,7 +25,9 @@ StepControl::StepControl(const StepControlOptions& options)
     : options_(options), length_(std::min(options.time_step, options.maximum_step)) {}
 
 bool StepControl::done(double time) const {
-  return !(options_.final_time - time > slack(options_.time_step, options_.final_time));
+  // A step longer than the run is cut to the run: it must not make the run look done.
+  const double step = std::min(options_.time_step, options_.final_time - options_.initial_time);
+  return !(options_.final_time - time > slack(step, options_.final_time));
 }
 
 /// To the next time that must be hit.

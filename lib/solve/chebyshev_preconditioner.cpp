@@ -102,7 +102,7 @@ class Polynomial final : public TpetraPreconditioner {
     record.number("largest eigenvalue", spectrum_.largest);
     if (!record.loading()) return;
     if (!std::isfinite(spectrum_.largest) || !(spectrum_.least <= spectrum_.largest) || spectrum_.largest < 0)
-      throw InputError("the spectrum of a preconditioner makes no sense");
+      throw InputError("the eigenvalues of a preconditioner are not valid");
     loaded_ = std::move(values);
     waits_ = spectrum_.largest > 0;
   }
@@ -111,7 +111,7 @@ class Polynomial final : public TpetraPreconditioner {
   void restore() {
     together<InputError>(tpetra_->getRangeMap()->getComm(), [&] {
       const auto view = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
-      if (loaded_.size() != view.extent(0)) throw InputError("a diagonal of the checkpoint has another size");
+      if (loaded_.size() != view.extent(0)) throw InputError("a diagonal of the checkpoint has a different size");
       for (double value : loaded_)
         if (!(std::isfinite(value) && value > 0)) throw InputError("a diagonal of the checkpoint is not positive");
       std::copy(loaded_.begin(), loaded_.end(), view.data());
@@ -125,7 +125,7 @@ class Polynomial final : public TpetraPreconditioner {
       const auto to = inverse_diagonal_->getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (std::size_t i = 0; i < from.extent(0); ++i) {
         const double magnitude = std::abs(from(i, 0));  // attraction may make a row negative; D stays positive
-        if (!(magnitude > 0)) throw std::runtime_error("a row of the tangent has no number but zero on its diagonal");
+        if (!(magnitude > 0)) throw std::runtime_error("a diagonal entry of the tangent is zero or not a number");
         to(i, 0) = 1 / magnitude;
       }
     });
@@ -168,11 +168,11 @@ Teuchos::RCP<const Teuchos::ParameterList> ChebyshevPreconditionerFactory::getVa
   const auto list = Teuchos::rcp(new Teuchos::ParameterList("Chebyshev"));
   list->set(
       "Degree", 3,
-      "applications of the inverse diagonal; a product less. An odd one stays positive definite where the tangent "
-      "outgrows the estimate",
+      "Degree of the polynomial. One application takes this many of the inverse diagonal and one product with the "
+      "tangent less. Odd degrees stay positive definite if the largest eigenvalue exceeds its estimate.",
       Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(1, 100)));
   list->set("Eigenvalue Ratio", 20.0,
-            "at most, of the largest eigenvalue to the least that the polynomial takes in [-]",
+            "Largest ratio of the eigenvalues at the two ends of the polynomial's interval [-].",
             Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(1.1, 1e6)));
   return list;
 }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/memory.hpp"
 #include "solve/collected_matrix.hpp"
 #include "solve/factorization.hpp"
 
@@ -38,9 +39,7 @@ class Cholmod final : public Factorization {
     matrix_->refresh();
     int status = CHOLMOD_OK;
     if (matrix_->root()) status = analyze_again();
-    status = matrix_->agreed(status);
-    if (status != CHOLMOD_OK)
-      throw std::runtime_error(fmt::format("CHOLMOD cannot analyze the matrix (status {})", status));
+    require(matrix_->agreed(status), "analyze");
   }
 
   void factor() override {
@@ -56,15 +55,13 @@ class Cholmod final : public Factorization {
       }
       status = common_.status;
     }
-    status = matrix_->agreed(status);
-    if (status != CHOLMOD_OK)
-      throw std::runtime_error(fmt::format("CHOLMOD cannot factor the matrix (status {})", status));
+    require(matrix_->agreed(status), "factor");
   }
 
   void solve(const MultiVector& b, MultiVector& x) override {
     matrix_->solve(b, x, [this](const double* rhs) {
       // It fails only for want of memory; to agree on that would cost a message in every Krylov iteration.
-      if (!solve_column(rhs)) throw std::bad_alloc();
+      if (!solve_column(rhs)) require(CHOLMOD_OUT_OF_MEMORY, "solve with");
       return static_cast<const double*>(solution_->x);
     });
   }
@@ -76,6 +73,15 @@ class Cholmod final : public Factorization {
   }
 
  private:
+  static void require(int status, const char* what) {
+    if (status == CHOLMOD_OUT_OF_MEMORY) {
+      note_failed_allocation(0);
+      throw std::bad_alloc();
+    }
+    if (status != CHOLMOD_OK)
+      throw std::runtime_error(fmt::format("CHOLMOD cannot {} the matrix (status {})", what, status));
+  }
+
   /// The matrix is symmetric, so its rows are its columns; CHOLMOD reads the upper triangle of that (our lower) and
   /// skips the rest.
   cholmod_sparse matrix_view() {

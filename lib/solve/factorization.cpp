@@ -7,9 +7,21 @@
 
 namespace ixos {
 
+std::vector<std::string> factorizations() {
+#ifdef IXOS_CHOLMOD
+  return {"CHOLMOD", "KLU", "MUMPS", "MUMPS Single"};
+#else
+  return {"KLU", "MUMPS", "MUMPS Single"};
+#endif
+}
+
+std::string first_rank_factorization() { return factorizations().front(); }
+
 std::unique_ptr<Factorization> make_factorization(const std::string& type) {
-  if (type == "KLU") return make_klu();
+#ifdef IXOS_CHOLMOD
   if (type == "CHOLMOD") return make_cholmod();
+#endif
+  if (type == "KLU") return make_klu();
   return make_mumps(type == "MUMPS Single");
 }
 
@@ -36,10 +48,10 @@ void KeptFactorization::transfer(Record& record) {
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
   valid->set(
-      "Solver Type", "CHOLMOD",
-      "\"CHOLMOD\" (symmetric matrices) or \"KLU\" (any), both on the first rank; \"MUMPS\" (symmetric matrices), on "
-      "all ranks; \"MUMPS Single\", in single precision: a preconditioner",
-      one_of({"CHOLMOD", "KLU", "MUMPS", "MUMPS Single"}));
+      "Solver Type", first_rank_factorization(),
+      "Factorisation. CHOLMOD (symmetric matrices) and KLU (any matrix) work on the first rank, MUMPS (symmetric "
+      "matrices) on all ranks. MUMPS Single works in single precision and can only be a preconditioner.",
+      one_of(factorizations()));
   return valid;
 }
 

@@ -36,6 +36,7 @@ class Factorization {
 /// all; the row map's ranges must follow each other in rank order, as a DofSpace's do. Supernodal Cholesky where the
 /// matrix is large; simplicial L D L^T where it is small, and from the first matrix on that is not positive definite.
 /// Of an unsymmetric matrix it takes the lower triangle for both: a preconditioner, not a solver.
+/// In a build with IXOS_CHOLMOD only.
 std::unique_ptr<Factorization> make_cholmod();
 
 /// KLU (Davis and Palamadai Natarajan 2010): any matrix, on the first rank likewise. The pivots of one matrix serve for
@@ -47,7 +48,14 @@ std::unique_ptr<Factorization> make_klu();
 /// the memory and time: a preconditioner.
 std::unique_ptr<Factorization> make_mumps(bool single_precision);
 
-/// The factorisation of that name: "CHOLMOD", "KLU", "MUMPS" or "MUMPS Single".
+/// Returns the names of the factorisations in this build: "CHOLMOD" (built with IXOS_CHOLMOD only), "KLU", "MUMPS",
+/// "MUMPS Single".
+std::vector<std::string> factorizations();
+
+/// Returns the fastest of them for small symmetric matrices: CHOLMOD, or KLU in a build without it.
+std::string first_rank_factorization();
+
+/// Makes the factorisation of that name.
 std::unique_ptr<Factorization> make_factorization(const std::string& type);
 
 /// A factorisation and the matrix that it belongs to.

@@ -17,7 +17,7 @@ class WithFactorizationList : public WithParameterList<Base> {
   /// A factorisation of the chosen type for `matrix`, renewed: `kept`, where that is one of the same matrix object.
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, KeptFactorization& kept) const {
     const auto list = this->getParameterList();
-    kept.renew(matrix, list.is_null() ? "CHOLMOD" : list->template get<std::string>("Solver Type"));
+    kept.renew(matrix, list.is_null() ? first_rank_factorization() : list->template get<std::string>("Solver Type"));
   }
 };
 

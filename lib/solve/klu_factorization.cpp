@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "base/memory.hpp"
 #include "solve/collected_matrix.hpp"
 #include "solve/factorization.hpp"
 
@@ -37,7 +39,7 @@ class Klu final : public Factorization {
       done = symbolic_ != nullptr;
       solution_.resize(static_cast<std::size_t>(matrix_->size()));
     }
-    if (matrix_->agreed(done ? 0 : 1) != 0) throw std::runtime_error("KLU cannot analyze the matrix");
+    require(done, "analyze");
   }
 
   void factor() override {
@@ -50,8 +52,7 @@ class Klu final : public Factorization {
         done = choose_pivots();
       }
     }
-    if (matrix_->agreed(done ? 0 : 1) != 0)
-      throw std::runtime_error(fmt::format("KLU cannot factor the matrix (status {})", common_.status));
+    require(done, "factor");
   }
 
   /// KLU wants columns and has our rows: it factors the transpose, and solves with the transpose of that.
@@ -70,6 +71,15 @@ class Klu final : public Factorization {
   }
 
  private:
+  void require(bool done, const char* what) const {
+    const int status = matrix_->agreed(done ? KLU_OK : common_.status != KLU_OK ? common_.status : KLU_SINGULAR);
+    if (status == KLU_OUT_OF_MEMORY) {
+      note_failed_allocation(0);
+      throw std::bad_alloc();
+    }
+    if (status != KLU_OK) throw std::runtime_error(fmt::format("KLU cannot {} the matrix (status {})", what, status));
+  }
+
   /// New values with the pivots of last time, as long as these do not shrink.
   bool refactor() {
     if (numeric_ == nullptr) return false;

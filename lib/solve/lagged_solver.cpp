@@ -77,7 +77,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   void transfer_least_iterations(Record& record) {
     auto families = static_cast<int>(least_iterations_.size());
     record.number("families", families);
-    if (families < 0 || families > 1000) throw InputError("families is not a number from 0 to 1000");
+    if (families < 0 || families > 1000) throw InputError("the number of families is not between 0 and 1000");
     least_iterations_.resize(static_cast<std::size_t>(families), unknown);
     for (int i = 0; i < families; ++i) {
       int& least = least_iterations_[static_cast<std::size_t>(i)];
@@ -135,7 +135,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const std::vector<double> present(here.data(), here.data() + here.extent(0));
     const auto make_from = [&](const std::vector<double>& earlier) {
       together<InputError>(matrix_of(*source_)->getComm(), [&] {
-        if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has another size");
+        if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has a different size");
       });
       std::copy(earlier.begin(), earlier.end(), here.data());
       make();
@@ -184,7 +184,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       if (old && indefinite && !refused_) {
         refused_ = true;
         stale_ = false;
-        throw std::runtime_error("the matrix is not positive definite");
+        throw std::runtime_error("the matrix of the linear system is not positive definite");
       }
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
@@ -196,6 +196,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     renew();
     try {
       return attempt(b, x, criteria);
+    } catch (const std::bad_alloc&) {
+      throw;
     } catch (const std::exception& error) {
       throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }

@@ -48,7 +48,7 @@ double take_setup_cost(Teuchos::ParameterList& list) {
     if (name != "Setup Cost")
       throw InputError("Linear Solver/Reuse: there is no parameter \"" + name + "\" here; allowed: \"Setup Cost\"");
     if (!entry.isType<double>() || !(Teuchos::getValue<double>(entry) >= 0))
-      throw InputError("Linear Solver/Reuse/Setup Cost: must be a double of at least 0");
+      throw InputError("Linear Solver/Reuse/Setup Cost: it must be of type double and at least 0");
   }
   return reuse.isParameter("Setup Cost") ? reuse.get<double>("Setup Cost") : 20.0;
 }
@@ -96,6 +96,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
     configure(self.krylov_builder, plain);
     if (self.preconditioned) configure(self.preconditioner_builder, list);
     self.strategy();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + last_paragraph(error.what()));
   }

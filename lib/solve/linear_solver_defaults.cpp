@@ -5,6 +5,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "solve/factorization.hpp"
 
 namespace ixos {
 namespace {
@@ -28,7 +29,13 @@ std::string preconditioning_factorization(const ProblemSize& size) {
   if (!size.symmetric) return "KLU";
   // CHOLMOD's way with indefinite matrices, the simplicial L D L^T, is slow in three dimensions.
   const bool alone = size.ranks == 1 && size.dimension == 3;
-  return alone || !factorize_on_first_rank(size) ? "MUMPS Single" : "CHOLMOD";
+  return alone || !factorize_on_first_rank(size) ? "MUMPS Single" : first_rank_factorization();
+}
+
+/// KLU, where there is no CHOLMOD, fills in too much in three dimensions.
+std::string direct_factorization(const ProblemSize& size) {
+  if (!size.symmetric) return "KLU";
+  return first_rank_factorization() == "KLU" && size.dimension == 3 ? "MUMPS" : first_rank_factorization();
 }
 
 /// A cube of 108,000 degrees of freedom: Chebyshev's polynomial takes a fifth of MueLu's time at a stiffness of 3, half
@@ -47,9 +54,11 @@ void refuse_symmetric(const std::string& place, const std::string& solver, const
 
 void complete_direct(ParameterList& list, const ProblemSize& size) {
   ParameterList& direct = list.sublist("Linear Solver Types").sublist("Direct");
-  const std::string type = direct.get("Solver Type", std::string(size.symmetric ? "CHOLMOD" : "KLU"));
+  const std::string type = direct.get("Solver Type", direct_factorization(size));
   if (type == "MUMPS Single")
-    throw InputError("Linear Solver/Linear Solver Types/Direct/Solver Type: \"MUMPS Single\" is a preconditioner only");
+    throw InputError(
+        "Linear Solver/Linear Solver Types/Direct/Solver Type: \"MUMPS Single\" can only be a preconditioner; use "
+        "\"MUMPS\"");
   if (!size.symmetric && type != "KLU") refuse_symmetric("Direct", type, "\"KLU\"");
 }
 
@@ -119,12 +128,14 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
         "\"Assembled\"");
   if (op == "Matrix-Free" && !can)
     throw InputError(std::string("Linear Solver/Operator: ") +
-                     (size.symmetric ? type + " needs the matrix; Belos does without, or use \"Assembled\""
-                                     : "\"Matrix-Free\" needs a symmetric tangent, and this scheme's is not; use "
-                                       "\"Assembled\""));
+                     (size.symmetric ? "\"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +
+                                           "\"; or use \"Assembled\""
+                                     : "\"Matrix-Free\" needs a symmetric tangent, and this scheme's tangent is not "
+                                       "symmetric; use \"Assembled\""));
   list.set("Operator", op == "Matrix-Free" || (op == "Automatic" && can && large) ? "Matrix-Free" : "Assembled");
   if (type != "Belos" && preconditioner != "None")
-    throw InputError("Linear Solver/Preconditioner Type: " + type + " takes no preconditioner; Belos does");
+    throw InputError("Linear Solver/Preconditioner Type: \"" + preconditioner +
+                     "\" needs Linear Solver Type \"Belos\"; \"" + type + "\" has no preconditioner");
   list.set("Linear Solver Type", type);
   list.set("Preconditioner Type", preconditioner);
   if (type == "Belos") complete_belos(list, size);
@@ -144,6 +155,8 @@ ParameterList completed_linear_solver(const ParameterList& user, const ProblemSi
     return complete(user, size);
   } catch (const InputError&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {  // a list where a parameter is due, or a value of the wrong type
     throw InputError("Linear Solver: " + last_paragraph(error.what()));
   }
@@ -159,7 +172,7 @@ std::string linear_solver_in_words(const ParameterList& completed) {
   const auto preconditioner = list.get<std::string>("Preconditioner Type");
   if (preconditioner != "None") text += ", preconditioner " + named("Preconditioner Types", preconditioner);
   return text +
-         (list.get<std::string>("Operator") == "Matrix-Free" ? ", tangents matrix-free" : ", tangents assembled");
+         (list.get<std::string>("Operator") == "Matrix-Free" ? ", matrix-free tangents" : ", assembled tangents");
 }
 
 }  // namespace ixos

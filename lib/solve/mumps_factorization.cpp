@@ -8,10 +8,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
+#include "base/memory.hpp"
 #include "solve/factorization.hpp"
 
 namespace ixos {
@@ -61,7 +63,7 @@ class Mumps final : public Factorization {
     data_.irn_loc = rows_.data();
     data_.jcn_loc = columns_.data();
     run(1);
-    if (data_.infog[0] < 0) throw std::runtime_error(failure("analyze"));
+    require("analyze");
   }
 
   void factor() override {
@@ -74,7 +76,7 @@ class Mumps final : public Factorization {
       set(14, more);
       run(2);
     }
-    if (data_.infog[0] < 0) throw std::runtime_error(failure("factor"));
+    require("factor");
   }
 
   void solve(const MultiVector& b, MultiVector& x) override {
@@ -88,7 +90,7 @@ class Mumps final : public Factorization {
       data_.lrhs = data_.n;
       data_.rhs = all_.data();
       run(3);
-      if (data_.infog[0] < 0) throw std::runtime_error(failure("solve with"));
+      require("solve with");
       MPI_Scatterv(all_.data(), counts_.data(), starts_.data(), type(), mine_.data(), static_cast<int>(mine_.size()),
                    type(), 0, comm_);
       const auto to = x.getVectorNonConst(j)->getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -109,8 +111,16 @@ class Mumps final : public Factorization {
   /// By the number that MUMPS' documentation gives it, from 1.
   void set(int control, int value) { data_.icntl[control - 1] = value; }
 
-  std::string failure(const char* what) const {
-    return fmt::format("MUMPS cannot {} the matrix (status {}, {})", what, data_.infog[0], data_.infog[1]);
+  void require(const char* what) const {
+    const int status = data_.infog[0], detail = data_.infog[1];
+    if (status >= 0) return;
+    if (status == -5 || status == -7 || status == -13) {
+      // It asked for so many integers (-7) or reals; negative: millions of them.
+      const double entries = detail < 0 ? -1e6 * detail : detail;
+      note_failed_allocation(static_cast<std::size_t>(entries * (status == -7 ? sizeof(MUMPS_INT) : sizeof(Real))));
+      throw std::bad_alloc();
+    }
+    throw std::runtime_error(fmt::format("MUMPS cannot {} the matrix (status {}, {})", what, status, detail));
   }
 
   void collect_pattern() {

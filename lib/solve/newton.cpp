@@ -39,7 +39,7 @@ class ForceTest final : public NOX::StatusTest::Generic {
     for (int i = 0; i < indent; ++i) stream << ' ';
     return stream << status_ << "|f| = " << norm_ << " <= " << bound_ << '\n';
   }
-  std::string describe() const { return fmt::format("|f| = {:.3g}, wanted {:.3g}", norm_, bound_); }
+  std::string describe() const { return fmt::format("|f| = {:.3g}, the tolerance requires {:.3g}", norm_, bound_); }
 
  private:
   const NonlinearProblem& problem_;
@@ -136,8 +136,7 @@ struct NewtonSolver::Implementation {
                                         force->describe())
                           : fmt::format(
                                 "Newton's iteration broke down after {} iterations: at every step length tried an "
-                                "element inverts, a gap "
-                                "closes, a number overflows or the potential rises",
+                                "element inverts, a gap closes, a number overflows or the potential rises",
                                 result.iterations);
     }
     return result;
@@ -172,6 +171,8 @@ NewtonSolver::NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory&
     implementation_ = std::make_unique<Implementation>(problem, linear_solver, options);
     implementation_->build();
   } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     throw InputError("Nonlinear Solver/NOX: NOX refuses the list: " + last_paragraph(error.what()));

@@ -34,7 +34,7 @@ class StageReader {
     stage.interaction = exact ? exact_rule() : rule("Interaction Points", "Interaction Weights", path);
     stage.load = load(stage.end);
     if (!(stage.inertia.unknown > 0) || stage.elastic.points.empty())
-      fail("Inertia", "a stage is implicit: its inertia and its elastic force depend on the unknown");
+      fail("Inertia", "the coefficient of the unknown must be greater than 0: only implicit stages are allowed");
     return stage;
   }
 
@@ -49,8 +49,9 @@ class StageReader {
     const Numbers& values = numbers(name);
     const auto size = static_cast<std::size_t>(values.size());
     if (size % 3 != 1 || size > 1 + 3 * known_)
-      fail(name, fmt::format("{} numbers; a row has one for the unknown and three for each known state, at most {}",
-                             size, 1 + 3 * known_));
+      fail(name,
+           fmt::format("it has {} numbers; a row has one for the unknown and three for each known state, at most {}",
+                       size, 1 + 3 * known_));
     Row result;
     result.unknown = values[0];
     for (int k = 1; k < values.size(); k += 3) result.known.push_back({values[k], values[k + 1], values[k + 2]});
@@ -61,7 +62,8 @@ class StageReader {
     const Numbers& xi = numbers(points);
     const Numbers& w = numbers(weights);
     if (xi.size() != w.size() || xi.empty())
-      fail(weights, fmt::format("{} weights for {} points", w.size(), xi.size()));
+      fail(weights,
+           fmt::format("there are {} weights for {} points; their numbers must be equal", w.size(), xi.size()));
     return point_rule({xi.begin(), xi.end()}, {w.begin(), w.end()}, path);
   }
 
@@ -70,7 +72,8 @@ class StageReader {
     const Numbers& times = numbers("Load Times");
     const Numbers& weights = numbers("Load Weights");
     if (times.size() != weights.size())
-      fail("Load Weights", fmt::format("{} weights for {} times", weights.size(), times.size()));
+      fail("Load Weights",
+           fmt::format("there are {} weights for {} times; their numbers must be equal", weights.size(), times.size()));
     std::vector<TimePoint> result;
     result.reserve(static_cast<std::size_t>(times.size()));
     for (int k = 0; k < times.size(); ++k) result.push_back({times[k], weights[k]});
@@ -85,32 +88,49 @@ class StageReader {
 
 List custom_parameters() {
   List list;
-  list.set("Closing", "Kinematic", "the end's acceleration: the last row's, or solved for from the balance there",
+  list.set("Closing", "Kinematic",
+           "Acceleration at the end of the step. Kinematic takes it from the last stage's row; Collocate solves the "
+           "balance of forces for it.",
            one_of({"Kinematic", "Collocate"}));
   list.set("Driven Rates", "Exact",
-           "velocity and acceleration of driven degrees of freedom, where Closing is Kinematic",
+           "Velocity and acceleration of driven degrees of freedom if Closing is Kinematic. Exact takes those of the "
+           "motion, Own those of the rows.",
            one_of({"Exact", "Own"}));
-  list.set("Work", "Increment", "how the work of external and damping forces is summed (docs/theory.md)",
+  list.set("Work", "Increment",
+           "How the work of external and damping forces is summed (docs/theory.md, Energy balance).",
            one_of({"Increment", "End Mean", "Stages"}));
-  list.set("Work Weights", Numbers(), "of the step's start and each stage's end, for Stages", any_number());
-  list.set("Error Constant", 0.0,
-           "of the local error of displacements, times dt^3 u''', for adaptive steps; 0: not known", any_number());
-  List& stage = list.sublist("Stages", false, "the stages in order").sublist(any_name);
-  stage.set("End", 1.0, "time of the stage's unknown in steps", greater_than(0));
-  stage.set("Velocity", Numbers(), "dt v: {s, p0, q0, r0, p1, ...} of u_s, u_0, dt v_0, dt^2 a_0, u_1, ...",
+  list.set("Work Weights", Numbers(), "Weights of the step's start and of each stage's end, if Work is Stages.",
+           any_number());
+  list.set("Error Constant", 0.0, "Local error of a displacement over dt^3 u''', for adaptive steps [-]. 0: not known.",
+           any_number());
+  List& stage = list.sublist("Stages", false, "The stages of a step, in order.").sublist(any_name);
+  stage.set("End", 1.0, "Time of the stage's unknown u_s, as a fraction of the step [-].", greater_than(0));
+  stage.set("Velocity", Numbers(),
+            "Row of dt v: the coefficients {s, p0, q0, r0, p1, ...} of u_s, u_0, dt v_0, dt^2 a_0, u_1, ... State 0 is "
+            "the step's start, state 1 the first stage's end, and so on.",
             any_number());
-  stage.set("Acceleration", Numbers(), "dt^2 a", any_number());
-  stage.set("Inertia", Numbers(), "dt^2 times what M multiplies; Acceleration when empty", any_number());
-  stage.set("Damping", Numbers(), "dt times what C multiplies; Velocity when empty", any_number());
-  stage.set("Elastic Points", Numbers(1, 1.0), "times on the path from the step's start to u_s", between(0, 1));
-  stage.set("Elastic Weights", Numbers(1, 1.0), "sum to 1", any_number());
-  stage.set("Interaction Points", Numbers(1, 1.0), "as Elastic Points", between(0, 1));
-  stage.set("Interaction Weights", Numbers(1, 1.0), "sum to 1", any_number());
-  stage.set("Interaction Mean", "Points", "at these points, or the exact mean over the linear path, in closed form",
+  stage.set("Acceleration", Numbers(), "Row of dt^2 a, in the order of Velocity.", any_number());
+  stage.set("Inertia", Numbers(),
+            "Row of dt^2 times the vector that the mass matrix multiplies. If empty, it is Acceleration.",
+            any_number());
+  stage.set("Damping", Numbers(),
+            "Row of dt times the vector that the damping matrix multiplies. If empty, it is Velocity.", any_number());
+  stage.set("Elastic Points", Numbers(1, 1.0),
+            "Points on the path from the step's start (0) to u_s (1) at which elastic forces are taken.",
+            between(0, 1));
+  stage.set("Elastic Weights", Numbers(1, 1.0), "Weights of Elastic Points. They must sum to 1.", any_number());
+  stage.set("Interaction Points", Numbers(1, 1.0), "Points on that path at which interaction forces are taken.",
+            between(0, 1));
+  stage.set("Interaction Weights", Numbers(1, 1.0), "Weights of Interaction Points. They must sum to 1.", any_number());
+  stage.set("Interaction Mean", "Points",
+            "Mean of the interaction. Points takes Interaction Points; Exact takes the exact mean over the linear "
+            "path, in closed form.",
             one_of({"Points", "Exact"}));
-  stage.set("Path", "Linear", "of the interaction", one_of({"Linear", "Kinematic"}));
-  stage.set("Load Times", Numbers(), "of external forces, in steps; End when empty", any_number());
-  stage.set("Load Weights", Numbers(), "sum to 1", any_number());
+  stage.set("Path", "Linear", "Path of the displacement on which interaction forces are taken.",
+            one_of({"Linear", "Kinematic"}));
+  stage.set("Load Times", Numbers(),
+            "Times at which external forces are taken, as fractions of the step. If empty, it is End.", any_number());
+  stage.set("Load Weights", Numbers(), "Weights of Load Times. They must sum to 1.", any_number());
   return list;
 }
 
@@ -120,7 +140,7 @@ Table custom_table(const List& list) {
   const List& stages = list.sublist("Stages");
   for (const auto& [name, entry] : entries(stages))
     table.stages.push_back(StageReader(stages.sublist(name), table.stages.size() + 1).read());
-  if (table.stages.empty()) throw std::invalid_argument("Stages has none");
+  if (table.stages.empty()) throw std::invalid_argument("Stages is empty; a scheme needs at least one stage");
   table.closing = list.get<std::string>("Closing") == "Kinematic" ? Closing::Kinematic : Closing::Collocate;
   table.driven_rates = list.get<std::string>("Driven Rates") == "Exact" ? DrivenRates::Exact : DrivenRates::Own;
   table.error_constant = list.get<double>("Error Constant");

@@ -9,7 +9,9 @@ Table energy_momentum() {
   stage.interaction = discrete_gradient_rule();
   stage.load = gauss_times(0);
   stage.nearby = {gauss_rule(4), gauss_rule(16)};  // the average vector field
-  return momentum_form_table("Energy-Momentum", stage);
+  Table table = momentum_form_table("Energy-Momentum", stage);
+  table.energy_promise = 1e-10;
+  return table;
 }
 
 }  // namespace ixos

@@ -43,11 +43,12 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
   if (is_static(table_) != (model.mass() == nullptr))
-    throw std::invalid_argument(
-        "scheme \"" + table_.name +
-        "\": " + (is_static(table_) ? "it has no inertia, but the model has" : "the model has no inertia"));
+    throw std::invalid_argument("scheme \"" + table_.name + "\": " +
+                                (is_static(table_) ? "it has no inertia, but the model has a mass"
+                                                   : "it needs inertia, but the model has no mass"));
   if (model.mass() != nullptr && model.mass()->is_lumped() != (table_.mass == Inertia::Lumped))
-    throw std::invalid_argument("scheme \"" + table_.name + "\": the model's mass is of the other kind");
+    throw std::invalid_argument("scheme \"" + table_.name +
+                                "\": it needs a lumped mass and the model has a consistent one, or the reverse");
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
@@ -82,7 +83,7 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   if (needs_acceleration_ || table_.closing != Closing::Collocate || has_external_)
     acceleration();
   else if (!balance_.balance(time, start.u, start.v))
-    throw InputError("a gap is not positive, or an element is inverted");
+    throw InputError("the state at the start is not admissible: a gap is not positive, or an element is inverted");
   if (has_external_) balance_.record_forces(time, start);
 }
 
@@ -97,7 +98,7 @@ const std::vector<double>& Integrator::acceleration() {
   if (!know_acceleration())
     throw InputError(
         "the acceleration cannot be solved for: a gap is not positive, an element is inverted, the mass "
-        "matrix is singular, or the linear solver cannot solve with it");
+        "matrix is singular, or the linear solver failed");
   return states_.front().a;
 }
 

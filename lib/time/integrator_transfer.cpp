@@ -13,7 +13,7 @@ namespace ixos {
 void Integrator::check_whole(const char* name, const std::vector<double>& field, Extent extent) const {
   const int size = extent == Extent::Local ? model_.space().local() : model_.space().owned();
   if (field.size() != static_cast<std::size_t>(size))
-    throw InputError(fmt::format("\"{}\" is empty, and the state needs it", name));
+    throw InputError(fmt::format("\"{}\" is empty, but the state needs it", name));
 }
 
 void Integrator::transfer(Record& record) {

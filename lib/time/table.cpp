@@ -61,19 +61,22 @@ bool is_symmetric(const Table& table) {
 
 void check(const Table& table) {
   if (table.work.form == WorkSum::Form::Stages && table.work.weights.size() != table.stages.size() + 1)
-    throw std::invalid_argument(fmt::format("scheme \"{}\": {} weights for the work of {} stages", table.name,
-                                            table.work.weights.size(), table.stages.size()));
+    throw std::invalid_argument(
+        fmt::format("scheme \"{}\": there are {} weights for the work of {} stages; there must be one for the step's "
+                    "start and one for each stage",
+                    table.name, table.work.weights.size(), table.stages.size()));
   if (is_explicit(table) != (table.closing == Closing::Explicit) ||
       (is_explicit(table) && table.mass != Inertia::Lumped))
     throw std::invalid_argument(
-        fmt::format("scheme \"{}\": an explicit table closes explicitly and has a lumped mass", table.name));
+        fmt::format("scheme \"{}\": an explicit table must close explicitly and have a lumped mass", table.name));
   if (table.stages.back().end != 1)
     throw std::invalid_argument(fmt::format("scheme \"{}\": the last stage ends at {}, not at the step's end, 1",
                                             table.name, table.stages.back().end));
   for (std::size_t s = 0; s + 1 < table.stages.size(); ++s)
     if (!(table.stages[s].end < 1))
-      throw std::invalid_argument(fmt::format("scheme \"{}\", stage {}: it ends at {}, not before the step's end",
-                                              table.name, s + 1, table.stages[s].end));
+      throw std::invalid_argument(
+          fmt::format("scheme \"{}\", stage {}: it ends at {}, but only the last stage may end at the step's end, 1",
+                      table.name, s + 1, table.stages[s].end));
   const bool no_inertia = is_static(table);
   std::vector<double> times{0.0};
   for (std::size_t s = 0; s < table.stages.size(); ++s) {

@@ -72,6 +72,9 @@ struct Table {
   /// Gauss points of the interaction's mean along the straight path, where their number may change from step to step;
   /// else 0.
   int interaction_points = 0;
+  /// Largest change of the energy balance in a step, over the largest energy, that rounding and quadrature over a step
+  /// of sensible length account for; 0: the scheme promises nothing.
+  double energy_promise = 0;
   double safety = 1;  ///< explicit schemes: share of the stable step that a run uses
 };
 

@@ -20,7 +20,7 @@ class SealTest : public testing::Test {
     write(contents);
     seal(path_);
     sealed_ = test::contents(path_);
-    ASSERT_EQ(sealed_.size(), contents.size());
+    ASSERT_GT(sealed_.size(), contents.size());  // and the table
   }
   void TearDown() override { std::filesystem::remove(path_); }
   void write(const std::string& contents) const { std::ofstream(path_) << contents; }
@@ -48,8 +48,32 @@ TEST_F(SealTest, EveryTruncationAndEveryAdditionIsNoticed) {
     ASSERT_NE(seal_problem(path_), "") << length;
   }
   write(sealed_ + '\0');
-  EXPECT_NE(seal_problem(path_).find("it has 5513 bytes, and was written with 5512"), std::string::npos)
+  const std::size_t length = sealed_.size();
+  EXPECT_NE(seal_problem(path_).find("it has " + std::to_string(length + 1) + " bytes, and was written with " +
+                                     std::to_string(length)),
+            std::string::npos)
       << seal_problem(path_);
+}
+
+TEST_F(SealTest, ChecksumsAreOfWhatWasMeantNotOfWhatIsOnTheDisk) {
+  const std::string meant(1000, 'm');
+  write(std::string(seal_bytes, '\0') + meant + meant);
+  const FilePiece first{seal_bytes, 1000, checksum(meant.data(), meant.size())};
+  FilePiece second{seal_bytes + 1000, 1000, first.checksum};
+  seal(path_, {first, second});
+  EXPECT_EQ(seal_problem(path_), "");
+  const std::string lost = meant.substr(1) + 'l';  // the disk has something else
+  second.checksum = checksum(lost.data(), lost.size());
+  seal(path_, {first, second});
+  EXPECT_NE(seal_problem(path_).find("checksum"), std::string::npos) << seal_problem(path_);
+}
+
+TEST_F(SealTest, PiecesThatLeaveAGapAreNotSound) {
+  write(std::string(seal_bytes + 2000, 'x'));
+  const std::string part(900, 'x');
+  const Checksum sum = checksum(part.data(), part.size());
+  seal(path_, {{seal_bytes, 900, sum}, {seal_bytes + 1100, 900, sum}});
+  EXPECT_NE(seal_problem(path_), "");
 }
 
 TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
@@ -58,9 +82,9 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   write("");
   EXPECT_EQ(seal_problem(path_), "is not a checkpoint of Ixos");
   std::string later = sealed_;
-  later[16] = 3;
+  later[16] = 4;
   write(later);
-  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 3, and this version reads format 2");
+  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 4, and this version reads format 3");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
   EXPECT_THROW(seal("/nowhere/checkpoint.h5"), FileError);
 }

@@ -10,12 +10,16 @@ namespace ixos::test {
 namespace {
 
 TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
+  // The wind is undefined from 20.85 to 20.95. The step from 20 to 24 takes it at 20.923, a Gauss point in time; the
+  // two halves of that step do not.
   const std::vector<std::string> arguments{
       strip, "--quiet", "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}", "--set",
       "Time Integrator/Time Step Control/Time Step=4", "--set", "Output/Fields Time Interval=0", "--set",
       "Time Integrator/Stop/Peeled/Probe/Name=edge", "--set", "Time Integrator/Stop/Peeled/Probe/Quantity=uy", "--set",
-      // Too few iterations for the steps in which peeling begins.
-      "Nonlinear Solver/Maximum Iterations=6", "--set", "Time Integrator/Time Step Control/Maximum Cuts=8"};
+      "Histories/Gap/Type=Expression", "--set", "Histories/Gap/Expression/Value=1e-9*sqrt((t-20.85)*(t-20.95))",
+      "--set", "Boundary Conditions/Wind/Type=Traction", "--set", "Boundary Conditions/Wind/Side Set=top", "--set",
+      "Boundary Conditions/Wind/Vector={0, 1}", "--set", "Boundary Conditions/Wind/History=Gap", "--set",
+      "Time Integrator/Time Step Control/Maximum Cuts=8"};
   const Outcome outcome = ixos(arguments, folder_);
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const std::string summary = contents(folder_ + "/out/summary.json");
@@ -187,22 +191,6 @@ TEST_F(DriverTest, ResultsAreWrittenAndTheEffectiveSceneRepeatsTheRun) {
     EXPECT_NE(summary.find(key), std::string::npos) << key;
 }
 
-TEST_F(DriverTest, NewmarkFailsOnTheBallWithReadableResults) {
-  const Outcome outcome = ixos({ball, "--set", "Time Integrator/Type=Newmark", "--output", "out"}, folder_);
-  EXPECT_EQ(outcome.status, 3) << outcome.output;
-  EXPECT_NE(outcome.output.find("the run ended at t = "), std::string::npos);
-  EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"diverged\""), std::string::npos);
-  const std::string history = contents(folder_ + "/out/history.csv");
-  EXPECT_GT(std::count(history.begin(), history.end(), '\n'), 1500);
-}
-
-TEST_F(DriverTest, ASignalIsExitStatusFiveWithResultsOnDisk) {
-  const Outcome outcome = shell(
-      quoted_driver() + " " + ball + " --quiet --output out & pid=$!; sleep 1.5; kill -TERM $pid; wait $pid", folder_);
-  EXPECT_EQ(outcome.status, 5) << outcome.output;
-  EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"interrupted\""), std::string::npos);
-}
-
 TEST_F(DriverTest, ResultFilesKeepTheirContract) {
   ASSERT_EQ(
       ixos({ball, "--set", "Time Integrator/Time Step Control/Final Time=0.01", "--output", "out"}, folder_).status, 0);
@@ -229,7 +217,7 @@ TEST_F(DriverTest, TwoRanksEndAlike) {
   EXPECT_EQ(refused.output.find(said), refused.output.rfind(said)) << "said by both ranks";
   // A file that only rank 0 opens: both ranks must hear of it.
   std::filesystem::create_directories(folder_ + "/three/history.csv");
-  EXPECT_EQ(shell("timeout 30 " + run + " --output three", folder_).status, 4);
+  EXPECT_EQ(shell(run + " --output three", folder_).status, 4);
 }
 
 TEST_F(DriverTest, AFailedStepIsExitStatusThreeWithResultsOnDisk) {

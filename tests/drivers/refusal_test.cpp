@@ -69,11 +69,11 @@ TEST_F(DriverRefusalTest, BadStepControlAndCutoffsAreRefused) {
   refused({control + "Type=Adaptve"}, "did you mean \"Adaptive\"?");
   refused({adaptive}, "neither Tolerance nor Maximum Gap Ratio is given");
   refused({adaptive, list + "Tolerance=-1"}, "-1 is not allowed: it must be at least 0");
-  refused({adaptive, list + "Maximum Gap Ratio=0.5"}, "Maximum Gap Ratio: must be greater than 1");
+  refused({adaptive, list + "Maximum Gap Ratio=0.5"}, "Maximum Gap Ratio: 0.5 must be greater than 1, or 0");
   refused({adaptive, list + "Tolerance=1e-3", "Time Integrator/Type=Static"}, "has no estimate of its local error");
   refused({adaptive, list + "Tolerance=1e-3", list + "Choose Time Points=true", "Time Integrator/Type=Newmark"},
-          "has no points in time of the interaction that could be chosen");
-  refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts the attraction off");
+          "has no Gauss points in time for the interaction");
+  refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts off the attraction");
   refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Gautam-Sauer Composite/Interaction Points=0"},
           "takes the exact mean of the interaction");
   refused({"Time Integrator/Type=Central Difference", "Interactions/Wall/Contact Element=Q1CH"}, "has no lumped mass");
@@ -100,9 +100,9 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
   refused({table, "Histories/Pull/Table/Times={0, 2}", "Histories/Pull/Table/Values={0, 1, 2}"},
           "Histories/Pull/Table: ");
   refused({table, "Histories/Pull/Table/Times={0, 2, 5}", "Histories/Pull/Table/Values={0, 1, 2}"},
-          "the table goes from 0 to 5, but the run from 0 to 160");
+          "the table covers the times 0 to 5, but the run goes from 0 to 160");
   refused({"Histories/Pull/Rate Ramp/Length=200"},
-          "the ramp ends at 200, Start + Length, after the run's Final Time, 160");
+          "the ramp ends at Start + Length = 200, after the Final Time 160 of the run");
   refused({"Histories/Pull/Rate Ramp/Length=-1"}, "must be at least 0");
   refused({"Boundary Conditions/Pull/History=Pul"}, "history \"Pul\" does not exist; did you mean \"Pull\"?");
   refused({"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Guide/Components=xy",
@@ -110,7 +110,8 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
           "prescribe different motions for one degree of freedom");
   refused({"Boundary Conditions/Other/Node Set=right", "Boundary Conditions/Other/Components=y"},
           "Boundary Conditions/Other: two conditions prescribe different motions");
-  refused({"Boundary Conditions/Guide/Vector={1, 0}"}, "Boundary Conditions/Guide/Vector: a Displacement takes none");
+  refused({"Boundary Conditions/Guide/Vector={1, 0}"},
+          "Boundary Conditions/Guide/Vector: a Displacement has no Vector");
   refused({"Boundary Conditions/Wind/Type=Traction"}, "Boundary Conditions/Wind/Side Set is missing");
   refused({"Boundary Conditions/Wind/Type=Traction", "Boundary Conditions/Wind/Side Set=top"},
           "Boundary Conditions/Wind/Vector is missing");
@@ -121,13 +122,13 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
   refused({"Output/Probes/P/Point={0}"}, "Output/Probes/P/Point has 1 elements, not 2");
   refused({"Output/Reactions={rihgt}"}, "Output/Reactions: node set \"rihgt\" does not exist; did you mean \"right\"?");
   refused({"Time Integrator/Stop/Peeled/Probe/Name=Q"}, "Time Integrator/Stop/Peeled/Probe/Name: probe \"Q\"");
-  refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the scene has 2 dimensions");
+  refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the mesh has 2 dimensions");
   refused({"Interactions/Wall/Contact Element=Q1C5"}, "\"Q1C5\" does not exist");
   refused({"Interactions/Wall/Side Set=surface"},
           "Interactions/Wall/Contact Element: side set \"surface\", block \"body\", cell 1: two sides");
   refused({"Interactions/Second/Side Set=contact"}, "another interaction wants Q1C4 on the side set \"contact\"");
   refused({"Interactions/Second/Side Set=bottom", "Interactions/Second/Contact Element=Q1C2"},
-          "the cell has an enriched side already");
+          "the cell already has an enriched side");
   refused({"Mesh/Sets/contact/From=botom"}, "Mesh/Sets/contact: side set \"botom\" does not exist");
   refused({"Mesh/Sets/contact/Upper={-1, 1}"}, "Mesh/Sets/contact: no side of \"bottom\" lies in the region");
   // The end of the shaft is an O-grid in part: three faces meet at some nodes.

@@ -121,9 +121,9 @@ TEST(ExodusTest, SizesBeyondTheFilesAreRefused) {
                                 "num_el_in_blk1", "num_nod_ns1", "num_side_ss1"}) {
     write_exodus_mesh(disk({}), path("claims.e"), "disk");
     claim("claims.e", dimension, 2000000000);
-    EXPECT_NE(refusal(path("claims.e")), "accepted") << dimension;
+    EXPECT_NE(refusal(path("claims.e")), "") << dimension << ": accepted";
     claim("claims.e", dimension, 300000);
-    EXPECT_NE(refusal(path("claims.e")), "accepted") << dimension;
+    EXPECT_NE(refusal(path("claims.e")), "") << dimension << ": accepted";
   }
   // HDF5 keeps no place for what was never written: netCDF has nothing to say against it.
   int word = 8, stored = 8;

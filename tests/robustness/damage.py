@@ -291,6 +291,8 @@ def main():
         if os.geteuid() == 0:
             full_disks(driver, table, work)
             folders(driver, table, work)
+        else:
+            print("left out: full disks and folders without permission, which only root can make", flush=True)
         limited_files(driver, table, work)
         damaged_checkpoints(driver, table, work, chance)
         damaged_results(driver, table, work, chance)

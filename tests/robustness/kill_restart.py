@@ -190,6 +190,8 @@ def main():
     parser.add_argument("--only", default="", help="scenes whose name contains this")
     options = parser.parse_args()
     chosen = [s for s in scenarios() if options.only in s[0]]
+    if not chosen:
+        sys.exit('no scene has "%s" in its name' % options.only)
     share = -(-options.kills // len(chosen))
     chance = random.Random(options.seed)
     total = dict(kills=0, writing=0, restarts=0, beginnings=0, ends=0, launchers=0)

@@ -28,9 +28,10 @@ def main():
     parser.add_argument("--only", default="", help="scenarios whose name has this in it")
     options = parser.parse_args()
     differ = 0
-    for name, scene, settings, ranks in scenarios():
-        if ranks != 2 or options.only not in name:
-            continue
+    chosen = [s for s in scenarios() if s[3] == 2 and options.only in s[0]]
+    if not chosen:
+        sys.exit(f"no scenario has \"{options.only}\" in its name")
+    for name, scene, settings, ranks in chosen:
         with tempfile.TemporaryDirectory() as folder:
             runs = []
             for turn in ("first", "second"):

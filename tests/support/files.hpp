@@ -1,5 +1,7 @@
 /// Reading results in tests.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <fstream>
 #include <sstream>
@@ -15,8 +17,10 @@ inline std::string contents(const std::string& path) {
   return text.str();
 }
 
-/// The rows of a folder's history.csv, the header too, without their wall-clock seconds.
+/// The rows of a folder's history.csv, the header too, without their wall-clock seconds. Fails the test where there are
+/// none.
 inline std::vector<std::string> history_rows(const std::string& folder) {
+  EXPECT_TRUE(std::ifstream(folder + "/history.csv").good()) << folder << " has no history.csv";
   std::istringstream file(contents(folder + "/history.csv"));
   std::vector<std::string> rows;
   std::ptrdiff_t clock = 0;

@@ -1,0 +1,202 @@
+#include "mesh/soundness.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+/// Nodes in ascending order, -1 where there are fewer.
+template <std::size_t Most>
+using Key = std::array<int, Most>;
+
+template <std::size_t Most>
+Key<Most> key(const int* nodes, const std::vector<int>& places) {
+  Key<Most> result;
+  result.fill(-1);
+  for (std::size_t i = 0; i < places.size(); ++i) result[i] = nodes[places[i]];
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// A cell's number over all blocks, and its nodes.
+template <class Call>
+void for_each_cell(const Mesh& mesh, const Call& call) {
+  int cell = 0;
+  for (const ElementBlock& block : mesh.blocks)
+    for (int c = 0; c < block.cells(); ++c)
+      call(cell++, plain_type(block.type), &block.nodes[static_cast<std::size_t>(c * nodes_per_cell(block.type))]);
+}
+
+struct CellSide {
+  Key<4> nodes;
+  int cell;
+  bool operator<(const CellSide& other) const { return nodes < other.nodes; }
+};
+
+/// Every side of every cell; equal ones are neighbours.
+std::vector<CellSide> sorted_sides(const Mesh& mesh) {
+  std::vector<CellSide> sides;
+  for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
+    for (int side = 0; side < sides_per_cell(type); ++side)
+      sides.push_back({key<4>(nodes, side_nodes(type, side)), cell});
+  });
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+
+std::vector<double> place(const Mesh& mesh, int node) {
+  const auto first = mesh.coordinates.begin() + static_cast<std::ptrdiff_t>(node) * mesh.dimension;
+  return {first, first + mesh.dimension};
+}
+
+double size_of(const Mesh& mesh) {
+  const auto [low, high] = std::minmax_element(mesh.coordinates.begin(), mesh.coordinates.end());
+  return *high - *low;
+}
+
+/// Disjoint sets of cells.
+class Parts {
+ public:
+  explicit Parts(int cells) : parent_(static_cast<std::size_t>(cells)) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int of(int cell) {
+    int& up = parent_[static_cast<std::size_t>(cell)];
+    if (up == cell) return cell;
+    return up = of(up);
+  }
+  void join(int a, int b) { parent_[static_cast<std::size_t>(of(a))] = of(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+struct Part {
+  int cells = 0;
+  int node = 0;    ///< one of them
+  int shared = 0;  ///< nodes that other parts have too
+  bool held = false;
+};
+
+}  // namespace
+
+void refuse_repeated_cells(const Mesh& mesh) {
+  std::vector<std::pair<Key<8>, int>> cells;
+  for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
+    std::vector<int> all(static_cast<std::size_t>(nodes_per_cell(type)));
+    std::iota(all.begin(), all.end(), 0);
+    cells.emplace_back(key<8>(nodes, all), cell);
+  });
+  std::sort(cells.begin(), cells.end());
+  const auto twice =
+      std::adjacent_find(cells.begin(), cells.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != cells.end())
+    throw InputError(
+        fmt::format("elements {} and {} have the same nodes", twice->second + 1, std::next(twice)->second + 1));
+}
+
+void require_sides(const SideSet& set) {
+  if (set.sides.empty()) throw InputError("the side set \"" + set.name + "\" has no sides");
+}
+
+void require_outer_sides(const Mesh& mesh, const SideSet& set) {
+  const std::vector<CellSide> sides = sorted_sides(mesh);
+  std::vector<int> first{0};
+  for (const ElementBlock& block : mesh.blocks) first.push_back(first.back() + block.cells());
+  for (const Side& side : set.sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const int* nodes = &block.nodes[static_cast<std::size_t>(side.cell * nodes_per_cell(block.type))];
+    const CellSide wanted{key<4>(nodes, side_nodes(plain_type(block.type), side.side)), 0};
+    const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), wanted);
+    if (end - begin > 1)
+      throw InputError(
+          fmt::format("the side set \"{}\" has side {} of element {}, which lies inside the body: "
+                      "element {} is on its other side",
+                      set.name, side.side + 1, first[static_cast<std::size_t>(side.block)] + side.cell + 1,
+                      (begin->cell == first[static_cast<std::size_t>(side.block)] + side.cell ? std::next(begin)->cell
+                                                                                              : begin->cell) +
+                          1));
+  }
+}
+
+void require_nodes(const NodeSet& set) {
+  if (set.nodes.empty()) throw InputError("the node set \"" + set.name + "\" has no nodes");
+}
+
+std::string coincident_nodes(const Mesh& mesh) {
+  // Nodes within the tolerance fall into one box of this grid, or of the one that is shifted by half a box.
+  const double box = 2e-9 * size_of(mesh);
+  if (!(box > 0)) return "";
+  std::map<int, int> partner;  // by node, an earlier one at its place
+  for (const double shift : {0.0, 0.5}) {
+    std::map<std::vector<double>, int> earlier;
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      std::vector<double> cell = place(mesh, node);
+      for (double& x : cell) x = std::floor(x / box + shift);
+      const auto [found, fresh] = earlier.emplace(cell, node);
+      if (!fresh) partner.emplace(node, found->second);
+    }
+  }
+  if (partner.empty()) return "";
+  const auto [node, other] = *partner.begin();
+  return fmt::format(
+      "{} node(s) of the mesh stand where another one stands, the first at ({:.6g}): nodes {} and {}. The body is not "
+      "connected there; merge them in the mesh generator unless a crack is meant",
+      partner.size(), fmt::join(place(mesh, node), ", "), other + 1, node + 1);
+}
+
+std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& held) {
+  Parts parts(mesh.cells());
+  const std::vector<CellSide> sides = sorted_sides(mesh);
+  for (std::size_t i = 1; i < sides.size(); ++i)
+    if (sides[i].nodes == sides[i - 1].nodes) parts.join(sides[i].cell, sides[i - 1].cell);
+
+  std::map<int, Part> found;
+  std::vector<int> part_of_node(static_cast<std::size_t>(mesh.nodes()), -1);
+  std::vector<bool> shared(part_of_node.size(), false);
+  const auto for_each_node = [&](const auto& call) {
+    for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
+      for (int k = 0; k < nodes_per_cell(type); ++k) call(parts.of(cell), static_cast<std::size_t>(nodes[k]));
+    });
+  };
+  for_each_cell(mesh, [&](int cell, CellType, const int* nodes) {
+    Part& part = found[parts.of(cell)];
+    ++part.cells;
+    part.node = nodes[0];
+  });
+  if (found.size() < 2) return {};
+  for_each_node([&](int part, std::size_t node) {
+    if (part_of_node[node] >= 0 && part_of_node[node] != part) shared[node] = true;
+    part_of_node[node] = part;
+    if (held[node]) found[part].held = true;
+  });
+  std::vector<std::pair<int, std::size_t>> counted;  // a node counts once in each part
+  for_each_node([&](int part, std::size_t node) {
+    if (shared[node]) counted.emplace_back(part, node);
+  });
+  std::sort(counted.begin(), counted.end());
+  counted.erase(std::unique(counted.begin(), counted.end()), counted.end());
+  for (const auto& entry : counted) ++found[entry.first].shared;
+
+  const auto body = std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.second.held, a.second.cells) < std::pair(b.second.held, b.second.cells);
+  });
+  std::vector<std::string> warnings;
+  for (const auto& [name, part] : found) {
+    if (name == body->first || (part.shared == 0 && part.held) || warnings.size() == 5) continue;
+    warnings.push_back(
+        fmt::format("{} of the mesh's {} elements, around ({:.6g}), share no side with the rest, and {}", part.cells,
+                    mesh.cells(), fmt::join(place(mesh, part.node), ", "),
+                    part.shared > 0 ? fmt::format("hang on it by {} node(s)", part.shared) : "nothing holds them"));
+  }
+  return warnings;
+}
+
+}  // namespace ixos

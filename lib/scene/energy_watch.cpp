@@ -1,0 +1,56 @@
+#include "scene/energy_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/list_access.hpp"
+
+namespace ixos {
+namespace {
+
+bool damped(const Teuchos::ParameterList& materials) {
+  const auto names = sublists(materials);
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    const Teuchos::ParameterList& list = materials.sublist(name);
+    return list.get<double>("Mass Damping") != 0 || list.get<double>("Stiffness Damping") != 0;
+  });
+}
+
+}  // namespace
+
+EnergyWatch::EnergyWatch(const Simulation& simulation)
+    : scheme_(simulation.parameters().sublist("Time Integrator").get<std::string>("Type")) {
+  const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
+  const Teuchos::ParameterList& list = output.sublist("Watch");
+  const auto action = list.get<std::string>("Action");
+  if (action == "Off" || !output.get<bool>("Energies")) return;
+  action_ = action == "Stop" ? Action::Stop : action == "Resume" ? Action::Resume : Action::Warn;
+  allowed_ = list.get<double>("Tolerance");
+  const double promise = simulation.integrator().table().energy_promise;
+  if (allowed_ > 0 || promise == 0 || damped(simulation.parameters().sublist("Materials"))) return;
+  // Each step of Newton's method leaves a residual that does work.
+  allowed_ = promise + 10 * simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance");
+}
+
+std::string EnergyWatch::look(long step, double balance, double largest_energy) {
+  const double change = std::abs(balance - last_);
+  const double bound = allowed_ * largest_energy * static_cast<double>(std::max(step - last_step_, 1L));
+  const bool first = std::isnan(last_), good = first ? std::isfinite(balance) : change <= bound;
+  last_ = balance;
+  last_step_ = step;
+  if (good) return "";
+  return fmt::format(
+      "step {}: the energy balance moved by {:.3g}, and {} as it is set keeps it within {:.3g}: the step is too long "
+      "for its points in time, or memory was damaged",
+      step, change, scheme_, bound);
+}
+
+void EnergyWatch::transfer(Record& record) {
+  const Record::Section section(record, "watch");
+  record.number("balance", last_);
+  record.number("step", last_step_);
+}
+
+}  // namespace ixos
