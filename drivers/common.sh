@@ -1,6 +1,6 @@
 # What run.sh and the tests' run.sh share: packages, configuration, build. Sourced, not run.
-# Installs by apt what is missing of its own list, of $extra_packages and of $IXOS_EXTRA_PACKAGES, configures the preset IXOS_PRESET (release) and builds
-# $targets (everything).
+# Installs by apt what is missing of its own list, of $extra_packages and of $IXOS_EXTRA_PACKAGES, configures the preset
+# IXOS_PRESET (release) and builds $targets (everything).
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=${IXOS_PRESET:-release}
@@ -24,6 +24,8 @@ fi
 
 # Containers run as root; the two cores are shared.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OPENBLAS_NUM_THREADS=1
+# Precompiled headers are cached by what they hold, not by their time.
+export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 (
   cd "$root"

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/printable.hpp"
+#include "console.hpp"
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
 #include "study/child_process.hpp"
@@ -56,8 +58,8 @@ void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t to
   if (!result.reason.empty()) what += ": " + result.reason;
   if (!result.run.labels.empty() && std::isfinite(result.error(measure)))
     what += fmt::format(", {} {:.3g}", measure, result.error(measure));
-  fmt::print("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, ixos::printable(what), result.wall_seconds,
-             reused ? " (reused)" : "");
+  ixos::console::say("[{}/{}] {}: {}, {:.3g} s{}\n", done, total, result.run.name, ixos::printable(what),
+                     result.wall_seconds, reused ? " (reused)" : "");
   std::fflush(stdout);
 }
 
@@ -68,11 +70,10 @@ int make_report(const std::string& folder, bool quiet) {
   while (!script.ended(outcome)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (outcome.exit_status == 0) {
     std::filesystem::remove(log);
-    if (!quiet) fmt::print("Plots and report: {}/report.html\n", ixos::printable(folder));
+    if (!quiet) ixos::console::say("Plots and report: {}/report.html\n", ixos::printable(folder));
     return 0;
   }
-  fmt::print(
-      stderr,
+  ixos::console::complain(
       "ixos-study: study.csv is complete, but the script for plots and report failed; {} has its messages (it needs "
       "python3 with matplotlib). To repeat it: {} {}\n",
       ixos::printable(log), report_script(), ixos::printable(folder));
@@ -83,7 +84,7 @@ int run(const Arguments& arguments) {
   const ixos::Study study = ixos::read_study(arguments.study);
   if (arguments.list) {
     for (const ixos::StudyRun& run : study.runs)
-      fmt::print("{}: {}\n", run.name, ixos::printable(fmt::format("{}", fmt::join(run.settings, "; "))));
+      ixos::console::say("{}: {}\n", run.name, ixos::printable(fmt::format("{}", fmt::join(run.settings, "; "))));
     return 0;
   }
   ixos::RunnerOptions options;
@@ -104,18 +105,18 @@ int run(const Arguments& arguments) {
   std::vector<ixos::StudyResult> results;
   const ixos::StudyStatus status = ixos::run_study(study, options, results);
   if (status == ixos::StudyStatus::ReferenceFailed) {
-    fmt::print(stderr, "ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
-               ixos::printable(results.front().reason));
+    ixos::console::complain("ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
+                            ixos::printable(results.front().reason));
     return 3;
   }
   if (status == ixos::StudyStatus::Interrupted) {
-    fmt::print(stderr, "ixos-study: interrupted; run the same command again to resume\n");
+    ixos::console::complain("ixos-study: interrupted; run the same command again to resume\n");
     return 5;
   }
   const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
                               (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
   ixos::write_study(study, results, options.folder, command, options.version);
-  if (!arguments.quiet) fmt::print("{}\n", ixos::printable(ixos::recommend(study, results).sentence));
+  if (!arguments.quiet) ixos::console::say("{}\n", ixos::printable(ixos::recommend(study, results).sentence));
   return make_report(options.folder, arguments.quiet);
 }
 
@@ -124,19 +125,23 @@ int guarded(const Arguments& arguments) {
     return run(arguments);
   } catch (const ixos::InputError& error) {
     const std::string what = error.what();
-    fmt::print(stderr, "ixos-study: {}\n",
-               ixos::printable(what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what));
+    ixos::console::complain(
+        "ixos-study: {}\n",
+        ixos::printable(what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what));
     return 2;
   } catch (const ixos::FileError& error) {
-    fmt::print(stderr, "ixos-study: {}\n", ixos::printable(error.what()));
+    ixos::console::complain("ixos-study: {}\n", ixos::printable(error.what()));
     return 4;
+  } catch (const std::bad_alloc&) {
+    ixos::console::complain("ixos-study: {}\n", ixos::out_of_memory());
+    return 3;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "ixos-study: internal error, please report it: {}\n", ixos::printable(error.what()));
+    ixos::console::complain("ixos-study: internal error, please report it: {}\n", ixos::printable(error.what()));
     return 1;
   }
 }
 
-int parse_and_run(int argc, char** argv) {
+int answer(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Runs a scene with many settings and compares their accuracy and cost.", "ixos-study");
   app.footer(how_to_begin);
@@ -150,21 +155,30 @@ int parse_and_run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    ixos::console::print(app.help());
     return 0;
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "ixos-study: {} (ixos-study --help lists the options)\n", error.what());
+    ixos::console::complain("ixos-study: {} (ixos-study --help lists the options)\n", error.what());
     return 2;
   }
   if (!arguments.study.empty()) return guarded(arguments);
   if (arguments.version)
-    fmt::print("ixos-study {}\n", IXOS_VERSION);
+    ixos::console::say("ixos-study {}\n", IXOS_VERSION);
   else if (arguments.parameters)
-    fmt::print("{}", ixos::parameter_documentation(ixos::study_parameters(), "Parameters of a study",
-                                                   "ixos-study --parameters"));
+    ixos::console::say("{}", ixos::parameter_documentation(ixos::study_parameters(), "Parameters of a study",
+                                                           "ixos-study --parameters"));
   else
-    fmt::print("{}", how_to_begin);
+    ixos::console::print(how_to_begin);
   return 0;
+}
+
+int parse_and_run(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
+  const int status = answer(argc, argv);
+  const std::string lost = ixos::console::lost();
+  if (status != 0 || lost.empty()) return status;
+  ixos::console::complain("ixos-study: {}\n", lost);
+  return 4;
 }
 
 }  // namespace

@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
@@ -33,6 +35,7 @@
 #include "scene/scene_mesh.hpp"
 #include "scene/validation.hpp"
 #include "shell_word.hpp"
+#include "solve/factorization.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
@@ -60,12 +63,12 @@ struct Arguments {
 const char* const how_to_begin =
     "Ixos simulates dynamic adhesion. Give it a scene:\n"
     "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
-    "  ixos xml/ball.xml --check                  is the scene sound?\n"
-    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   go on from where a run was stopped\n"
-    "  ixos xml/ball.xml --explain                what does it model, and what does it leave out?\n"
-    "  ixos --template block > block.xml          a scene to begin with, every parameter explained\n"
+    "  ixos xml/ball.xml --check                  check the scene\n"
+    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
+    "  ixos xml/ball.xml --explain                say what the scene models and what it leaves out\n"
+    "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
-    "  ixos --list-schemes                        what the time integrators are good for\n"
+    "  ixos --list-schemes                        describe the time integrators\n"
     "  ixos --help                                all options\n";
 
 void print_schemes() {
@@ -81,7 +84,8 @@ void print_schemes() {
 }
 
 void print_version() {
-  ixos::console::say("ixos {}\nSIMD: {} doubles wide\nKLU2 from: {}\n", IXOS_VERSION, ixos::pack_width,
+  ixos::console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION,
+                     ixos::pack_width, fmt::format("{}", fmt::join(ixos::factorizations(), ", ")),
                      ixos::klu2_library());
 }
 
@@ -118,7 +122,7 @@ int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, 
 void check_restart(const ixos::Simulation& simulation, const std::string& file, bool speaks) {
   const ixos::Restart restart(simulation, file);
   if (!speaks) return;
-  ixos::console::say("{} is sound, and fits the scene.\n", ixos::printable(restart.path()));
+  ixos::console::say("{} is sound and fits the scene.\n", ixos::printable(restart.path()));
   for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));
 }
 
@@ -137,7 +141,7 @@ void report_energy(const ixos::RunResult& result) {
   ixos::console::flush();
   ixos::console::complain(
       "ixos: the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction "
-      "energy; shorter steps or a scheme that conserves energy (--list-schemes) make it smaller\n",
+      "energy; reduce it with shorter steps or with a scheme that conserves energy (see --list-schemes)\n",
       result.max_energy_error, 100 * share);
 }
 
@@ -153,8 +157,7 @@ void report_run(const ixos::RunResult& result, const Arguments& arguments, const
   ixos::console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
                           result.end_time, result.steps, result.reason, ixos::printable(folder));
   if (!result.checkpoint.empty())
-    ixos::console::complain("ixos: to go on from there: {}\n",
-                            ixos::printable(restart_command(arguments, result.checkpoint)));
+    ixos::console::complain("ixos: to resume: {}\n", ixos::printable(restart_command(arguments, result.checkpoint)));
 }
 
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
@@ -208,6 +211,7 @@ int report(int status, const std::string& what, const ixos::Comm& comm) {
 
 /// Ends the job with a message of this rank: the others may be waiting in a collective operation.
 int end_all(int status, const std::string& what, const ixos::Comm& comm) {
+  ixos::console::flush();
   ixos::console::complain("ixos: {}\n", ixos::printable(what));
   if (comm->getSize() > 1) MPI_Abort(MPI_COMM_WORLD, status);
   return status;
@@ -217,6 +221,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
   try {
     return run_scene(arguments, comm);
   } catch (const ixos::InputError& error) {
+    if (ixos::memory_ran_out()) return end_all(3, ixos::out_of_memory() + " (" + error.what() + ")", comm);
     const std::string what = error.what();
     const auto begins = [&what](const std::string& place) { return what.rfind(place, 0) == 0; };
     const bool placed = begins(arguments.scene) || begins("--set") || begins("/") ||
@@ -229,7 +234,11 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
   } catch (const std::bad_alloc&) {
     return end_all(3, ixos::out_of_memory(), comm);
   } catch (const std::exception& error) {
-    return end_all(1, std::string("a defect of ours, please report it: ") + error.what(), comm);
+    const std::string what = error.what();
+    // Kokkos allocates by itself, and throws an error of its own.
+    if (ixos::memory_ran_out() || what.find("failed to allocate") != std::string::npos)
+      return end_all(3, ixos::out_of_memory() + " (" + what + ")", comm);
+    return end_all(1, std::string("internal error, please report it: ") + error.what(), comm);
   }
 }
 
@@ -273,16 +282,16 @@ int parse_and_run(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
   app.add_option("--restart", arguments.restart,
-                 "go on from this checkpoint of the scene, or a folder's newest sound one")
+                 "resume from this checkpoint, or from the newest sound checkpoint of this folder")
       ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
   app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
-  app.add_flag("--explain", arguments.explain, "say what the scene models and what it leaves out, but do not run it");
+  app.add_flag("--explain", arguments.explain, "print what the scene models and what it leaves out, but do not run it");
   app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");
   app.add_option("--write-mesh", arguments.mesh_file, "write the scene's mesh to this Exodus file, but do not run it");
-  app.add_flag("--parameters", arguments.parameters, "every parameter of a scene, as Markdown");
-  app.add_flag("--list-schemes", arguments.list_schemes, "the time integrators, and what each is good for");
-  app.add_flag("--version", arguments.version, "version and build");
-  app.add_flag("--quiet", arguments.quiet, "say nothing but errors");
+  app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
+  app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
+  app.add_flag("--version", arguments.version, "print version and build");
+  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -292,29 +301,55 @@ int parse_and_run(int argc, char** argv) {
     return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
   }
   int status = arguments.scene.empty() ? answer(arguments, comm) : guarded_run(arguments, comm);
-  if (status == 0) status = heard(comm);
-  // MPI_Finalize would end in a signal.
-  if (!ixos::first_problem(comm, ixos::hdf5_left_open() ? "a file was left open" : "").empty())
-    MPI_Abort(MPI_COMM_WORLD, status);
-  return status;
+  Teuchos::broadcast(*comm, 0, &status);  // one rank answers for all
+  return status == 0 ? heard(comm) : status;
 }
 
-}  // namespace
+/// Some libraries call exit() when memory runs out, HDF5's identifiers among them.
+bool running = false;
+void ended_by_a_library() {
+  if (!running) return;
+  std::fputs("ixos: a library ended the program; memory may have run out\n", stderr);
+  _exit(3);
+}
 
-int main(int argc, char** argv) {
+/// Runs the command. Nothing is thrown into MPI_Finalize, where the other ranks would not be.
+int with_words(int argc, char** argv) {
+  const ixos::Comm comm = Tpetra::getDefaultComm();
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return end_all(3, ixos::out_of_memory(), comm);
+  } catch (const std::exception& error) {
+    return end_all(1, std::string("internal error, please report it: ") + error.what(), comm);
+  }
+}
+
+int run_program(int argc, char** argv) {
   try {
     int none = 1;  // Kokkos would answer --help itself
     const Tpetra::ScopeGuard guard(&none, &argv);
     ixos::end_on_mpi_errors();
     std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
-    return parse_and_run(argc, argv);
+    running = true;
+    const int status = with_words(argc, argv);
+    running = false;
+    return status;
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "ixos: out of memory\n");
     return 3;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "ixos: cannot start: %s\n", error.what());
   } catch (...) {
-    std::fprintf(stderr, "ixos: a defect of ours, please report it\n");
+    std::fprintf(stderr, "ixos: internal error, please report it\n");
   }
   return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::atexit(ended_by_a_library);
+  ixos::start_hdf5();
+  return run_program(argc, argv);
 }

@@ -40,14 +40,14 @@ std::vector<std::string> words(const std::string& name) {
   return result;
 }
 
-/// Whether `name` abbreviates a candidate of several words: it consists of beginnings of all of them ("AVF",
+/// Returns whether `name` abbreviates a candidate of several words: it consists of beginnings of all of them ("AVF",
 /// "gen-alpha") or of the first of them in full ("HHT").
 bool abbreviates(const std::string& name, const std::string& candidate) {
   const std::vector<std::string> full = words(candidate);
   if (full.size() < 2) return false;
   std::string letters, first;
   for (const std::string& word : words(name)) letters += word;
-  // Whether beginnings of the words so far spell the first k letters.
+  // True if beginnings of the words so far spell the first k letters.
   std::vector<bool> spelt(letters.size() + 1, false);
   spelt[0] = true;
   for (const std::string& word : full) {

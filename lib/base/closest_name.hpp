@@ -10,11 +10,12 @@ namespace ixos {
 /// "HHT") and those within one edit come before all others. Ignores what follows the first 255 bytes of a name.
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-/// `what "name" does not exist; did you mean "..."?`, followed by `there` and the names, as "The mesh has" "a", "b".
+/// Returns `what "name" does not exist; did you mean "..."?`, followed by `there` and the names: "The mesh has" "a",
+/// "b".
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& names,
                     const std::string& there);
 
-/// The names in double quotes, separated by commas.
+/// Returns the names in double quotes, separated by commas.
 std::string quoted_list(const std::vector<std::string>& names);
 
 }  // namespace ixos

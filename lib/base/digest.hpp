@@ -10,7 +10,7 @@ namespace ixos {
 /// The two words of a checksum of 128 bits, high word first.
 using Checksum = std::array<std::uint64_t, 2>;
 
-/// XXH3, 128 bits (Collet), of bytes that come in pieces.
+/// XXH3, 128 bits (Collet), of bytes that are added piece by piece.
 class Digest {
  public:
   Digest();

@@ -1,4 +1,4 @@
-/// The kinds of failure that a user can mend. Everything else that is thrown is a defect of ours.
+/// The kinds of failure that a user can correct. Any other exception is a defect of Ixos.
 #pragma once
 #include <new>
 #include <stdexcept>
@@ -20,7 +20,7 @@ class FileError : public std::runtime_error {
 };
 
 /// Memory ran out, on any rank. The driver ends with exit status 3: more memory, or more ranks, let the run continue.
-/// A std::bad_alloc, so that nobody takes it for a defect of what he called.
+/// It is a std::bad_alloc, so that no caller takes it for a defect of the function that threw it.
 class MemoryError : public std::bad_alloc {
  public:
   explicit MemoryError(const std::string& message) : message_(message) {}
@@ -30,7 +30,7 @@ class MemoryError : public std::bad_alloc {
   std::runtime_error message_;  ///< copies without throwing
 };
 
-/// The last paragraph of a message of Teuchos or NOX: the ones before it say where the library threw.
+/// Returns the last paragraph of a message of Teuchos or NOX: the paragraphs before it say where the library threw.
 inline std::string last_paragraph(std::string message) {
   const auto count = message.find("\nThrow number = ");
   if (count != std::string::npos && message.find("\n\n", count) == message.rfind("\n\n")) message.resize(count);

@@ -1,4 +1,4 @@
-/// Arrays of all ranks on the first one.
+/// Gathering the arrays of all ranks on the first one.
 #pragma once
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <cstdint>

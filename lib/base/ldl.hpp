@@ -31,19 +31,19 @@ class Ldl {
     }
   }
 
-  /// Least entry of D: K is positive definite where it is positive. NaN may pass for either.
+  /// Returns the least entry of D: K is positive definite if that is positive. A NaN may count as either.
   const T& least_pivot() const { return least_pivot_; }
-  /// 1/D_r.
+  /// Returns 1/D_r.
   const T& inverse_pivot(std::size_t r) const { return inverse_pivot_[r]; }
 
-  /// x = K^-1 x.
+  /// Sets x = K^-1 x.
   void solve(std::array<T, N>& x) const {
     forward(x);
     for (std::size_t r = 0; r < N; ++r) x[r] *= inverse_pivot_[r];
     for (std::size_t r = N; r-- > 0;)
       for (std::size_t m = r + 1; m < N; ++m) x[r] -= lower_[m][r] * x[m];
   }
-  /// x = L^-1 x.
+  /// Sets x = L^-1 x.
   void forward(std::array<T, N>& x) const {
     for (std::size_t r = 0; r < N; ++r)
       for (std::size_t m = 0; m < r; ++m) x[r] -= lower_[r][m] * x[m];

@@ -7,7 +7,8 @@
 namespace ixos {
 namespace {
 
-// Of the process, as memory is. Nothing is allocated to note them.
+// They belong to the process, as memory does. Noting a failure allocates nothing.
+bool failed = false;
 std::size_t failed_bytes = 0;
 const char* failed_phase = nullptr;
 
@@ -22,9 +23,12 @@ std::string in_words(double bytes) {
 }  // namespace
 
 void note_failed_allocation(std::size_t bytes) noexcept {
+  failed = true;
   failed_bytes = bytes;
   failed_phase = current_phase();
 }
+
+bool memory_ran_out() noexcept { return failed; }
 
 std::string out_of_memory() {
   std::string text = "out of memory";

@@ -6,7 +6,7 @@
 
 namespace ixos {
 
-/// Accepts these words only.
+/// Returns a validator that accepts these words only.
 Teuchos::RCP<const Teuchos::ParameterEntryValidator> one_of(const std::vector<std::string>& words);
 
 }  // namespace ixos

@@ -1,4 +1,4 @@
-/// The SIMD scalar that element kernels are run with, and the few functions that kernels need on every scalar type.
+/// The SIMD scalar with which element kernels run, and the few functions that kernels need on every scalar type.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace ixos {
 using Pack = std::experimental::native_simd<double>;
 inline constexpr int pack_width = static_cast<int>(Pack::size());
 
-/// A pack's lanes in single precision: half the memory, for what is kept. Arithmetic is done on packs.
+/// A pack's lanes in single precision: half the memory, for stored data. Arithmetic is done on packs.
 using NarrowPack = std::experimental::rebind_simd_t<float, Pack>;
 
-/// To and from the type that a scalar or pack is kept in.
+/// Converts to and from the type in which a scalar or pack is stored.
 template <class Kept, class T>
 Kept narrow(const T& x) {
   if constexpr (std::is_same_v<Kept, NarrowPack>)
@@ -33,7 +33,7 @@ template <class T, class Kept>
     return static_cast<T>(x);
 }
 
-/// `yes` where the condition holds, `no` elsewhere; both are evaluated.
+/// Returns `yes` in the lanes that meet the condition, `no` in the others. Both are evaluated.
 template <class T>
 T select(bool condition, const T& yes, const T& no) {
   return condition ? yes : no;
@@ -44,22 +44,23 @@ inline Pack select(const Pack::mask_type& condition, const Pack& yes, const Pack
   return result;
 }
 
-/// Whether the condition holds in all lanes.
+/// Returns whether the condition holds in all lanes.
 inline bool everywhere(bool condition) { return condition; }
 inline bool everywhere(const Pack::mask_type& condition) { return all_of(condition); }
 
-/// Smallest of the lanes.
+/// Returns the smallest of the lanes.
 inline double least(double x) { return x; }
 inline double least(const Pack& x) { return std::experimental::hmin(x); }
 
-/// Sum of the lanes.
+/// Returns the sum of the lanes.
 inline double total(double x) { return x; }
 inline double total(const Pack& x) { return std::experimental::reduce(x); }
 
 inline double smaller(double a, double b) { return std::min(a, b); }
 inline Pack smaller(const Pack& a, const Pack& b) { return std::experimental::min(a, b); }
 
-/// Three packs lane by lane: rows[4 lane + j] is lane of x, y, z, and 0 for j = 3. Vectors of space go to memory so.
+/// Interleaves three packs lane by lane: rows[4 lane + j] is that lane of x, y, z, and 0 for j = 3. Vectors in space
+/// are stored in memory like this.
 inline void interleave(const Pack& x, const Pack& y, const Pack& z, double* rows) {
 #if defined(__AVX512F__) && defined(__GNUC__) && !defined(__clang__)
   using V = double __attribute__((vector_size(64)));
@@ -87,7 +88,7 @@ inline void interleave(const Pack& x, const Pack& y, const Pack& z, double* rows
 #endif
 }
 
-/// Lane `i` of a scalar or a pack.
+/// Returns lane `i` of a scalar or a pack.
 inline double lane(double x, std::size_t) { return x; }
 inline double lane(const Pack& x, std::size_t i) { return x[i]; }
 

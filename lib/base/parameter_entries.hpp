@@ -1,4 +1,4 @@
-/// Iteration over a Teuchos parameter list, and the name that stands for any in a list of what is valid.
+/// Iteration over a Teuchos parameter list, and the name that stands for any name in a list of valid parameters.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
@@ -10,7 +10,7 @@ namespace ixos {
 /// In a list of valid parameters, the name of a sublist that stands for any number of sublists of any names.
 inline constexpr const char* any_name = "<any name>";
 
-/// Names and entries of a list, in order, for structured bindings. Valid as long as the list is not changed.
+/// Returns names and entries of a list, in order, for structured bindings. They are valid until the list changes.
 inline std::vector<std::pair<const std::string&, const Teuchos::ParameterEntry&>> entries(
     const Teuchos::ParameterList& list) {
   std::vector<std::pair<const std::string&, const Teuchos::ParameterEntry&>> result;

@@ -33,6 +33,10 @@ TimedScope::~TimedScope() {
   current = outer_;
 }
 
+NamedScope::NamedScope(const char* name) : outer_(current) { current = name; }
+
+NamedScope::~NamedScope() { current = outer_; }
+
 Teuchos::Time& phase_timer(Phase phase) { return *timers()[static_cast<std::size_t>(phase)]; }
 
 PhaseSeconds phase_seconds() {

@@ -1,4 +1,4 @@
-/// Where the time goes.
+/// Timers for the phases of a run.
 #pragma once
 #include <Teuchos_Time.hpp>
 #include <array>
@@ -6,18 +6,18 @@
 
 namespace ixos {
 
-/// The phases that are timed. Their seconds add up over all objects of the process.
+/// The timed phases. Their seconds add up over all objects of the process.
 enum class Phase { Residual, Tangent, Factorization, LinearSolve, Output };
 inline constexpr std::array<const char*, 5> phase_names{"residual", "tangent", "factorization", "linear solve",
                                                         "output"};
 
-/// The timer of a phase, registered with Teuchos::TimeMonitor as "Ixos: <name>".
+/// Returns the timer of a phase, registered with Teuchos::TimeMonitor as "Ixos: <name>".
 Teuchos::Time& phase_timer(Phase phase);
 
-/// The innermost phase that is being timed; null outside of all.
+/// Returns the name of the innermost phase that is being timed; null outside all phases.
 const char* current_phase() noexcept;
 
-/// Times a scope.
+/// A guard that times a scope.
 class TimedScope {
  public:
   explicit TimedScope(Phase phase);
@@ -27,6 +27,18 @@ class TimedScope {
 
  private:
   Teuchos::Time& timer_;
+  const char* outer_;
+};
+
+/// Names what a scope does, for current_phase(); times nothing.
+class NamedScope {
+ public:
+  explicit NamedScope(const char* name);
+  ~NamedScope();
+  NamedScope(const NamedScope&) = delete;
+  NamedScope& operator=(const NamedScope&) = delete;
+
+ private:
   const char* outer_;
 };
 

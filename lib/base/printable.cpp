@@ -13,7 +13,7 @@ unsigned byte_at(const std::string& text, std::size_t i) {
   return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
 }
 
-/// Bytes of the well-formed character that begins at i; 0 where there is none.
+/// Returns the number of bytes of the well-formed character that begins at i; 0 if there is none.
 std::size_t character(const std::string& text, std::size_t i) {
   const unsigned lead = byte_at(text, i);
   if (lead < 0x80) return 1;
@@ -21,14 +21,14 @@ std::size_t character(const std::string& text, std::size_t i) {
   if (lead < 0xc2 || lead > 0xf4) return 0;
   for (std::size_t k = 1; k < bytes; ++k)
     if ((byte_at(text, i + k) & 0xc0U) != 0x80) return 0;
-  // Not longer than need be, no surrogates, not beyond U+10FFFF.
+  // Refuses characters longer than necessary, surrogates, and numbers beyond U+10FFFF.
   const unsigned second = byte_at(text, i + 1);
   const bool allowed = (lead != 0xe0 || second >= 0xa0) && (lead != 0xed || second < 0xa0) &&
                        (lead != 0xf0 || second >= 0x90) && (lead != 0xf4 || second < 0x90);
   return allowed ? bytes : 0;
 }
 
-/// C0, delete, and C1 (U+0080 to U+009F).
+/// Returns whether the character is one of C0, delete, or C1 (U+0080 to U+009F).
 bool controls(const std::string& text, std::size_t i) {
   const unsigned c = byte_at(text, i);
   if (c == 0xc2) return byte_at(text, i + 1) < 0xa0;

@@ -1,15 +1,15 @@
-/// Text of files and command lines, made fit for a terminal.
+/// Text from files and command lines, made safe for a terminal.
 #pragma once
 #include <string>
 
 namespace ixos {
 
-/// The text with control characters, but for tabs and line ends, spelt as \x1b: whatever a file says, it moves no
-/// cursor and sets no title. Of a text longer than 4000 bytes the middle is left out.
+/// Returns the text with control characters (except tabs and line ends) spelt as \x1b: no content of a file can move
+/// the cursor or set the title. Omits the middle of a text longer than 4000 bytes.
 std::string printable(const std::string& text);
 
-/// The first byte of a text that is not UTF-8 (RFC 3629) or a control character, tabs and line ends included;
-/// std::string::npos where there is none.
+/// Returns the position of the first byte that is not UTF-8 (RFC 3629) or is a control character, tabs and line ends
+/// included; returns std::string::npos if there is none.
 std::string::size_type first_unfit_byte(const std::string& text);
 
 }  // namespace ixos

@@ -13,7 +13,7 @@
 namespace ixos {
 namespace {
 
-/// The numbers in an entry; empty where it holds none.
+/// Returns the numbers in an entry; empty if it holds none.
 std::vector<double> numbers(const Teuchos::ParameterEntry& entry) {
   std::vector<double> values;
   if (entry.isType<double>()) values.push_back(Teuchos::getValue<double>(entry));

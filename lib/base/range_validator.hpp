@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// Accepts an int or a double, or an array of either, whose every element is finite and lies in the interval. Unlike
-/// Teuchos' own number validators it knows open ends and refuses NaN; its message is one line.
+/// A validator that accepts an int or a double, or an array of either, if every element is finite and in the interval.
+/// Unlike Teuchos' own number validators it knows open ends and refuses NaN; its message is one line.
 class RangeValidator final : public Teuchos::ParameterEntryValidator {
  public:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -16,7 +16,7 @@ class RangeValidator final : public Teuchos::ParameterEntryValidator {
   RangeValidator(double lower, End lower_end, double upper, End upper_end)
       : lower_(lower), upper_(upper), lower_end_(lower_end), upper_end_(upper_end) {}
 
-  /// The interval in words: "greater than 0", "at least 0 and less than 0.5", "finite".
+  /// Returns the interval in words: "greater than 0", "at least 0 and less than 0.5", "finite".
   std::string words() const;
   bool contains(double value) const;
 

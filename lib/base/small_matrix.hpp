@@ -19,7 +19,7 @@ T determinant(const Small<T, 3>& m) {
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// det(I + M) - 1 without cancellation where M is small: the sum of M's invariants.
+/// Returns det(I + M) - 1 without cancellation for small M: the sum of M's invariants.
 template <class T>
 T determinant_minus_one(const Small<T, 2>& m) {
   return m[0][0] + m[1][1] + determinant(m);
@@ -32,7 +32,7 @@ T determinant_minus_one(const Small<T, 3>& m) {
   return m[0][0] + m[1][1] + m[2][2] + minors + determinant(m);
 }
 
-/// Inverse, given the determinant.
+/// Returns the inverse, given the determinant.
 template <class T>
 Small<T, 2> inverse(const Small<T, 2>& m, const T& det) {
   const T r = 1.0 / det;

@@ -13,7 +13,7 @@
 namespace ixos {
 namespace {
 
-/// Where the rank's owned degrees of freedom, or nodes, stand in arrays of all ranks.
+/// Returns the position of the rank's owned degrees of freedom, or nodes, in arrays of all ranks.
 Slab owned_slab(const DofSpace& space, int per_node) {
   const auto d = static_cast<unsigned long long>(space.dimension());
   const auto n = static_cast<unsigned long long>(per_node);
@@ -28,7 +28,7 @@ std::vector<long long> lengths_of_shares(const Comm& comm, long long mine) {
   return lengths;
 }
 
-/// The rank's part of the concatenated shares.
+/// Returns the rank's part of the concatenated shares.
 Slab share_slab(const std::vector<long long>& lengths, int rank) {
   Slab slab;
   for (std::size_t r = 0; r < lengths.size(); ++r) {
@@ -42,7 +42,7 @@ Slab share_slab(const std::vector<long long>& lengths, int rank) {
 
 std::string lengths_name(const char* name) { return std::string(name) + " lengths"; }
 
-/// The numbers of the rank's own nodes in the mesh.
+/// Returns the numbers of the rank's own nodes in the mesh.
 std::vector<long long> owned_nodes(const LocalMesh& mesh) {
   return {mesh.original_ids.begin(), mesh.original_ids.begin() + mesh.owned_nodes};
 }

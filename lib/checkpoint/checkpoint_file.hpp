@@ -11,7 +11,7 @@
 
 namespace ixos {
 
-/// Counts what a checkpoint will need. Not collective.
+/// A record that computes the size of a checkpoint. Not collective.
 class CheckpointSize final : public Record {
  public:
   bool loading() const override { return false; }
@@ -22,7 +22,7 @@ class CheckpointSize final : public Record {
   void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
   void share(const char*, std::vector<double>& values) override { add(8 * values.size()); }
 
-  /// At most, of this rank's data and what HDF5 adds to it.
+  /// Returns an upper bound of the size of this rank's data and of HDF5's additions.
   double bytes() const { return bytes_; }
 
  private:
@@ -33,11 +33,11 @@ class CheckpointSize final : public Record {
   double bytes_ = 32768;
 };
 
-/// Writes a checkpoint beside its place, seals it, and puts it there in one step: whatever happens on the way, what
-/// stood there before stands there still. Failures show in publish(). Collective.
+/// A record that writes a checkpoint beside its place, seals it, and moves it into place in one step: if any step
+/// fails, the previous file remains. Failures show in publish(). Collective.
 class CheckpointWriter final : public Record {
  public:
-  /// Throws FileError where the file cannot be made, or the disk has no room for `bytes` (this rank's: see
+  /// Throws FileError if the file cannot be made, or the disk has no room for `bytes` (this rank's: see
   /// CheckpointSize).
   CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes);
 
@@ -49,7 +49,7 @@ class CheckpointWriter final : public Record {
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
 
-  /// Throws FileError, on all ranks, where anything since the beginning could not be written.
+  /// Throws FileError, on all ranks, if anything since the beginning could not be written.
   void publish();
 
  private:
@@ -62,8 +62,9 @@ class CheckpointWriter final : public Record {
   std::unique_ptr<Hdf5Output> file_;
 };
 
-/// Reads a checkpoint whose seal is whole (see seal_problem). On the partition that wrote it every rank reads its part;
-/// on another one, each picks its nodes' values by their numbers in the mesh. Throws InputError. Collective.
+/// A record that reads a checkpoint whose seal is intact (see seal_problem). On the partition that wrote it, every rank
+/// reads its part; on another one, each rank picks its nodes' values by their numbers in the mesh. Throws InputError.
+/// Collective.
 class CheckpointReader final : public Record {
  public:
   CheckpointReader(const std::string& path, const DofSpace& space, const LocalMesh& mesh);
@@ -76,7 +77,7 @@ class CheckpointReader final : public Record {
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
 
-  int ranks() const { return ranks_; }  ///< that wrote it
+  int ranks() const { return ranks_; }  ///< number of ranks that wrote it
   void set_same(bool scene, bool solution) {
     same_scene_ = scene;
     same_solution_ = solution;
@@ -93,7 +94,7 @@ class CheckpointReader final : public Record {
   int ranks_ = 0;
   bool same_scene_ = true, same_solution_ = true;
   bool same_partition_ = false;
-  std::vector<std::size_t> place_;  ///< of another partition: per owned node, where its values stand
+  std::vector<std::size_t> place_;  ///< for another partition: per owned node, the position of its values
 };
 
 }  // namespace ixos

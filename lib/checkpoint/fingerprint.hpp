@@ -1,4 +1,4 @@
-/// Fingerprints, by which a checkpoint knows its mesh.
+/// Fingerprints, by which a checkpoint identifies its mesh.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// XXH3 (128 bits) of what gives a mesh's degrees of freedom their meaning, as 32 hexadecimal digits: coordinates,
-/// cells and their blocks, derivative nodes. Not of its sets.
+/// Returns XXH3 (128 bits) of the data that give a mesh's degrees of freedom their meaning, as 32 hexadecimal digits:
+/// coordinates, cells and their blocks, derivative nodes. The sets do not count.
 std::string fingerprint(const Mesh& mesh);
 
 }  // namespace ixos

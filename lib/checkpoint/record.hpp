@@ -1,4 +1,4 @@
-/// What a checkpoint holds of an object, by name.
+/// The named contents of an object in a checkpoint.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -10,26 +10,26 @@
 
 namespace ixos {
 
-/// How much of a model an array by degree of freedom covers: the rank's own nodes, or its ghosts too.
+/// The part of a model that an array by degree of freedom covers: the rank's own nodes, or its ghosts too.
 enum class Extent { Owned, Local };
 
-/// One function of an object, transfer(Record&), names its members once, for writing and for reading. Collective: all
-/// ranks name the same things in the same order.
+/// Access to a checkpoint, for writing or reading. An object's one function transfer(Record&) names its members once
+/// for both. Collective: all ranks name the same things in the same order.
 class Record {
  public:
   virtual ~Record() = default;
 
   virtual bool loading() const = 0;
-  /// Loading: is the scene the one that it was written of, in all that bears on the motion?
+  /// Returns, when loading, whether the scene equals the one of the checkpoint in all that bears on the motion.
   virtual bool same_scene() const = 0;
-  /// Loading: and the solvers too?
+  /// Returns, when loading, whether the solvers are equal too.
   virtual bool same_solution() const = 0;
-  /// Loading: is the partition the same? If not, shares of ranks must not be asked for.
+  /// Returns, when loading, whether the partition is equal. If not, shares of ranks must not be asked for.
   virtual bool same_partition() const = 0;
   bool exact() const { return same_scene() && same_solution() && same_partition(); }
 
-  /// A number or a truth value, the same on all ranks; where it is not, the first rank's counts. Throws InputError
-  /// where a loaded one does not fit the type.
+  /// Transfers a number or a truth value that is the same on all ranks; if it is not, the first rank's value is used.
+  /// Throws InputError if a loaded value does not fit the type.
   template <class T>
   void number(const char* name, T& value) {
     static_assert(std::is_arithmetic_v<T>);
@@ -45,13 +45,13 @@ class Record {
     }
   }
   virtual void text(const char* name, std::string& value) = 0;
-  /// An array by degree of freedom, empty on all ranks or zero where it is empty on some. Loading sets the ghosts from
-  /// their owners.
+  /// Transfers an array by degree of freedom. If it is empty on some ranks only, zeros are written for those ranks.
+  /// Loading sets the ghosts from their owners.
   virtual void field(const char* name, std::vector<double>& values, Extent extent) = 0;
-  /// An array of each rank's own, of any length.
+  /// Transfers an array of any length that belongs to the rank.
   virtual void share(const char* name, std::vector<double>& values) = 0;
 
-  /// What is named within the life of a Section is named in its group.
+  /// A guard: names used during its life belong to its group.
   class Section {
    public:
     Section(Record& record, const std::string& name) : record_(record) { record_.enter(name); }

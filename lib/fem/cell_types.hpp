@@ -15,7 +15,7 @@ struct TypeTag {
   using type = T;
 };
 
-/// function(TypeTag<Element>) for the element of that cell type.
+/// Calls function(TypeTag<Element>) for the element of that cell type.
 template <class Function>
 decltype(auto) with_element(CellType type, const Function& function) {
   switch (type) {
@@ -43,8 +43,8 @@ decltype(auto) with_element(CellType type, const Function& function) {
   throw std::logic_error("unknown cell type");
 }
 
-/// function(TypeTag<Element>) for the element of a side of that cell type. Of an enriched hexahedron the sides beside
-/// the contact face are enriched along the edge that they share with it.
+/// Calls function(TypeTag<Element>) for the element of a side of that cell type. The sides of an enriched hexahedron
+/// beside the contact face are enriched along the edge that they share with it.
 template <class Function>
 decltype(auto) with_side_element(CellType type, int side, const Function& function) {
   const bool contact = side == contact_side(type);

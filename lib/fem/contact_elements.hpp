@@ -69,7 +69,7 @@ struct ContactQuad {
   static constexpr int nodes = Edge::nodes + 2;
   static constexpr std::array<int, 2> default_points{Edge::default_points[0], 2};
 
-  /// The element's node that is node `a` of the edge.
+  /// Returns the element's node that is node `a` of the edge.
   static constexpr std::size_t edge_node(std::size_t a) { return a < 2 ? a : a + 2; }
 
   static void evaluate(const std::array<double, 2>& xi, std::array<double, nodes>& value,
@@ -101,7 +101,7 @@ using Quad4C3 = ContactQuad<LagrangeEdge<3>>;
 using Quad4C4 = ContactQuad<LagrangeEdge<4>>;
 using Quad4CH = ContactQuad<HermiteEdge>;
 
-/// Are the element's nodes beyond its corners derivatives?
+/// Whether the element's nodes beyond its corners are derivatives.
 template <class Element>
 struct IsHermite : std::bool_constant<std::is_same_v<Element, HermiteEdge> || std::is_same_v<Element, Quad4CH>> {};
 

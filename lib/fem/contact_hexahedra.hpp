@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// Shape functions that are products of those of a face's two edges, along xi and along eta: Face::factors().
+/// Evaluates shape functions that are products of those of a face's two edges, along xi and along eta: Face::factors().
 template <class Face>
 void evaluate_products(const std::array<double, 2>& xi, std::array<double, Face::nodes>& value,
                        std::array<std::array<double, 2>, Face::nodes>& gradient) {
@@ -34,7 +34,7 @@ struct LagrangeFace {
   static constexpr std::array<int, 2> default_points{Order + 1, Order + 1};
   static constexpr std::size_t inner = Order - 1;  ///< nodes inside an edge
 
-  /// The nodes of the two edges, along xi and along eta, whose functions' product is node `a`'s.
+  /// Returns the nodes of the two edges, along xi and along eta, whose functions' product is node `a`'s.
   static constexpr std::array<std::size_t, 2> factors(std::size_t a) {
     if (a < 4) return {a == 1 || a == 2 ? 1U : 0U, a / 2};
     const std::size_t edge = (a - 4) / inner, k = (a - 4) % inner;
@@ -70,7 +70,7 @@ struct HermiteFace {
   static constexpr int nodes = 16;
   static constexpr std::array<int, 2> default_points{5, 5};
 
-  /// As of LagrangeFace.
+  /// Returns the nodes of the two edges, see LagrangeFace::factors().
   static constexpr std::array<std::size_t, 2> factors(std::size_t a) {
     const std::size_t corner = a < 4 ? a : (a - 4) / 3, kind = a < 4 ? 3 : (a - 4) % 3;
     const std::size_t i = corner == 1 || corner == 2 ? 1 : 0, j = corner / 2;
@@ -82,7 +82,7 @@ struct HermiteFace {
     evaluate_products<HermiteFace>(xi, value, gradient);
   }
 
-  /// The derivatives along each edge at its ends. Those across it, and the mixed ones, do not bend it.
+  /// Returns the derivatives along each edge at its ends. The derivatives across it and the mixed ones do not bend it.
   static constexpr std::array<InnerNode, 8> inner_nodes() {
     return {inner_derivative(0, 4, 0, 1),  inner_derivative(0, 7, 0, 1),   //
             inner_derivative(1, 8, 1, 2),  inner_derivative(1, 11, 1, 2),  //
@@ -94,14 +94,14 @@ struct HermiteFace {
 /// A hexahedron with the face at zeta = -1: N = (1 - zeta)/2 face for the face's nodes, (1 + zeta)/2 times the bilinear
 /// functions for the four nodes opposite. The face is seen from outside: its coordinates are (eta, xi). Node order:
 /// those of the trilinear hexahedron, then the face's other nodes in the face's order. A side that shares an edge with
-/// the face is a ContactQuad (bilinear where that edge is tied), the far face bilinear.
+/// the face is a ContactQuad (bilinear if that edge is tied), the far face bilinear.
 template <class Face>
 struct ContactHex {
   static constexpr int dimension = 3;
   static constexpr int nodes = Face::nodes + 4;
   static constexpr std::array<int, 3> default_points{Face::default_points[1], Face::default_points[0], 2};
 
-  /// The element's node that is node `a` of the face.
+  /// Returns the element's node that is node `a` of the face.
   static constexpr std::size_t face_node(std::size_t a) { return a >= 4 ? a + 4 : a == 1 ? 3 : a == 3 ? 1 : a; }
 
   static void evaluate(const std::array<double, 3>& xi, std::array<double, nodes>& value,

@@ -18,10 +18,9 @@ namespace ixos {
 /// D (D + 1)/2 numbers a point and D^2 + 1 for each time point, 16 in three dimensions for one; and the point's mass
 /// times a factor, so that W u = (K + factor M) u costs little more than K u. Data of an element: points x
 /// point_size().
-///
-/// They may be kept in single precision, for the product waits for memory: then it is that of a tangent whose entries
-/// are off by 1e-7, symmetric still, and in which a rotation costs no energy, as h + h^T is summed in double precision.
-/// The type of `data` chooses.
+/// The data may be kept in single precision, because the speed of the product is limited by memory. The product is then
+/// that of a tangent with errors of 1e-7 in its entries. That tangent is still symmetric, and a rotation still
+/// costs no energy in it, as h + h^T is summed in double precision. The type of `data` selects the precision.
 template <class Element, class Material>
 struct ElasticAction {
   using Kernel = ElasticKernel<Element, Material>;
@@ -32,8 +31,8 @@ struct ElasticAction {
   template <class T>
   using Nodal = typename Kernel::template Nodal<T>;
 
-  /// Of what data is kept: lambda times the weight of each time point (those of the rule, and one for the undeformed
-  /// body if that counts), and whether there is mass.
+  /// The layout of the kept data: lambda times the weight of each time point (those of the rule, and one for the
+  /// undeformed body if that counts), and whether a mass is included.
   struct Layout {
     Layout() = default;
     Layout(const Material& material, const Rule& rule, double rest, double inertia) : has_mass(inertia != 0) {
@@ -45,7 +44,7 @@ struct ElasticAction {
     bool has_mass = false;
   };
 
-  /// Of as many points as the table has.
+  /// Scratch arrays for as many points as the table has.
   template <class T>
   struct Scratch {
     explicit Scratch(std::size_t points) : gradients(points), values(points) {}
@@ -95,7 +94,7 @@ struct ElasticAction {
     }
   }
 
-  /// f += W u.
+  /// Adds W u to f.
   template <class T, class Kept>
   static void add_product(const ShapeTable<Element>& table, const Layout& layout, const Kept* data, const Nodal<T>& u,
                           Scratch<T>& scratch, Nodal<T>& f) {
@@ -105,7 +104,7 @@ struct ElasticAction {
       add_product<false>(table, layout, data, u, scratch, f);
   }
 
-  /// d += the diagonal of K; the mass's is not added.
+  /// Adds the diagonal of K to d, without that of the mass.
   template <class T, class Kept>
   static void add_diagonal(const ShapeTable<Element>& table, const Layout& layout, const Kept* data,
                            Nodal<T>& diagonal) {
@@ -145,9 +144,9 @@ struct ElasticAction {
     PointGradients<Element>::template integrate<HasMass>(table, gradients, values, f);
   }
 
-  // The compiler would call these for each point, through memory: half the speed.
+  // These functions are inlined: as calls for each point, through memory, they would halve the speed.
 
-  /// Of the upper triangle, row by row.
+  /// Returns the position of an entry in the upper triangle, stored row by row.
   static constexpr std::size_t metric_index(std::size_t d, std::size_t e) {
     return d > e ? metric_index(e, d) : d * D - d * (d + 1) / 2 + e;
   }

@@ -26,7 +26,7 @@ struct ElasticKernel {
   using Shape = Element;
   using Law = Material;
   using Table = ShapeTable<Element>;
-  /// Does the kernel know Mean::DiscreteGradient?
+  /// Whether the kernel knows Mean::DiscreteGradient.
   static constexpr bool has_discrete_gradient = true;
 
   template <class T>
@@ -34,7 +34,7 @@ struct ElasticKernel {
   template <class T>
   using Tangent = Small<T, N * D>;
 
-  /// At one quadrature point: dxi_d/dX_J, and quadrature weight times reference volume [L0^D].
+  /// Data at one quadrature point: dxi_d/dX_J, and quadrature weight times reference volume [L0^D].
   template <class T>
   struct Point {
     Small<T, D> inverse_jacobian;
@@ -47,7 +47,7 @@ struct ElasticKernel {
     std::vector<Point<T>> points;
   };
 
-  /// The ends of the segment: u_from and h v_from may be null where the rule does not use them.
+  /// The ends of the segment: u_from and h v_from may be null if the rule does not use them.
   template <class T>
   struct Segment {
     const Nodal<T>* from;
@@ -55,7 +55,7 @@ struct ElasticKernel {
     const Nodal<T>* to;
   };
 
-  /// Geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
+  /// Computes the geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
   template <class T>
   static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
     Geometry<T> result{&table, std::vector<Point<T>>(table.size())};
@@ -68,7 +68,7 @@ struct ElasticKernel {
     return result;
   }
 
-  /// Stored energy [E0 L0^D].
+  /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     T sum(0.0);
@@ -77,8 +77,8 @@ struct ElasticKernel {
     return sum;
   }
 
-  /// Means over the reference volume: tr(sigma) [E0], J, W [E0], in this order. tr(sigma) = P:F/J, and in plane strain
-  /// the stress out of the plane.
+  /// Returns means over the reference volume: tr(sigma) [E0], J, W [E0], in this order. tr(sigma) = P:F/J, and in plane
+  /// strain also the stress out of the plane.
   template <class T>
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     return means_of(material, geometry, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); });
@@ -115,8 +115,8 @@ struct ElasticKernel {
   template <class T>
   static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                           const Rule& rule, Tangent<T>& k) {
-    // One time point in three dimensions: the spatial form is twice as fast. Several share the contraction of their
-    // mean moduli.
+    // With one time point in three dimensions the spatial form is twice as fast. Several time points share the
+    // contraction of their mean moduli.
     if (D == 3 && rule.points.size() == 1 && rule.mean == Mean::Points)
       return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
@@ -162,7 +162,7 @@ struct ElasticKernel {
       return h;
     }
 
-    /// J at the end of the segment.
+    /// Returns J at the end of the segment.
     T jacobian() const {
       Small<T, D> f = to;
       for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
@@ -173,7 +173,7 @@ struct ElasticKernel {
     bool has_from, has_velocity;
   };
 
-  /// dN_a/dX_J at point q.
+  /// Returns dN_a/dX_J at point q.
   template <class T>
   static Nodal<T> shape_gradients(const Geometry<T>& geometry, std::size_t q) {
     const auto& reference = geometry.table->gradient[q];
@@ -185,7 +185,7 @@ struct ElasticKernel {
     return dn;
   }
 
-  /// H_iJ = sum_a u_ai dN_a/dX_J; of reference gradients dN_a/dxi_d the derivative by xi.
+  /// Returns H_iJ = sum_a u_ai dN_a/dX_J; given reference gradients dN_a/dxi_d, the derivative by xi.
   template <class T, class S>
   static Small<T, D> gradient(const Nodal<T>& u, const Nodal<S>& dn) {
     Small<T, D> h{};
@@ -196,7 +196,7 @@ struct ElasticKernel {
   }
 
  protected:
-  /// means() of the displacement gradients that gradient_at(q) gives for the quadrature points.
+  /// Returns means() of the displacement gradients that gradient_at(q) gives for the quadrature points.
   template <class T, class GradientAt>
   static std::array<T, 3> means_of(const Material& material, const Geometry<T>& geometry,
                                    const GradientAt& gradient_at) {
@@ -222,7 +222,7 @@ struct ElasticKernel {
     return sums;
   }
 
-  /// The reference volume.
+  /// Returns the reference volume.
   template <class T>
   static T volume(const Geometry<T>& geometry) {
     T sum(0.0);

@@ -15,16 +15,16 @@ namespace ixos {
 /// Armero 1992). int g_d dV = 0, so that homogeneous states have alpha = 0: the patch test. alpha_d are vectors in
 /// space, so the energy is objective.
 ///
-/// alpha is found anew at each evaluation, by Newton's method from 0 to roundoff: no state, hence nothing to
-/// checkpoint, and the force, the partial derivative at that alpha, is the gradient of W(u); the tangent is condensed.
-/// Where the iteration fails, or alpha is not a minimum (condensation would be indefinite), the displacement is
+/// alpha is computed anew at each evaluation, by Newton's method from 0 to roundoff: the kernel has no state, and
+/// checkpoints need none. The force, the partial derivative at that alpha, is the gradient of W(u); the tangent is
+/// condensed. If the iteration fails, or alpha is not a minimum (condensation would be indefinite), the displacement is
 /// inadmissible: the least J is at most 0, the energy NaN.
 ///
 /// Known weaknesses: a square or cube squeezed to 0.6 to 0.7 of its height buckles into an hourglass (Wriggers and
-/// Reese 1996). Where the law is nearly incompressible and u far from it, alpha is not found: beyond nu = 0.499
-/// Newton's iteration for u may break down at finite strains. Hexahedra keep four volumetric constraints instead of
-/// one, see MeanDilatationKernel. One quadrature point does not see the modes: two a direction at least. J at the end
-/// of a segment that is no time point is that of the displacement without modes.
+/// Reese 1996). If the law is nearly incompressible and u far from incompressible, the iteration for alpha fails:
+/// beyond nu = 0.499 Newton's iteration for u may break down at finite strains. Hexahedra keep four volumetric
+/// constraints instead of one, see MeanDilatationKernel. One quadrature point does not see the modes: two a direction
+/// are needed at least. If the end of a segment is no time point, J there is that of the displacement without modes.
 template <class Element, class Material>
 struct EnhancedKernel : ElasticKernel<Element, Material> {
   using Base = ElasticKernel<Element, Material>;
@@ -62,7 +62,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     return result;
   }
 
-  /// Stored energy [E0 L0^D].
+  /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     const Relaxed<T> state(material, geometry, u);
@@ -79,8 +79,8 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     return Base::means_of(material, geometry, [&](std::size_t q) { return state.gradient[q]; });
   }
 
-  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, or 0 where alpha was
-  /// not found, lane by lane.
+  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; 0 in
+  /// lanes in which the iteration for alpha failed.
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
@@ -130,7 +130,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
         add_contraction<true>(modes, modes, moduli, inner);
         add_contraction<false>(dn, modes, moduli, mixed);
       }
-      // Both blocks carry the factor, so one of it is left.
+      // Both blocks carry the factor, so one factor of it remains.
       const Ldl<T, D * D> ldl(inner);
       for (auto& row : mixed) ldl.forward(row);
       for (std::size_t r = 0; r < N * D; ++r) {
@@ -147,14 +147,14 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   }
 
  private:
-  /// The displacement gradients at the quadrature points, with the modes that make the energy least.
+  /// The displacement gradients at the quadrature points, with the modes that minimise the energy.
   template <class T>
   struct Relaxed {
     Relaxed(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u)
         : gradient(geometry.points.size()), found(0.0) {
       for (std::size_t q = 0; q < gradient.size(); ++q)
         gradient[q] = Base::gradient(u, Base::shape_gradients(geometry, q));
-      // Scalars with derivatives are one iteration behind with those.
+      // Derivatives carried by the scalar type lag one iteration behind the values.
       int more = std::is_same_v<T, double> || std::is_same_v<T, Pack> ? 0 : 1;
       T done(0.0);
       for (int iteration = 0; iteration < maximum_iterations; ++iteration) {
@@ -164,10 +164,10 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     }
 
     std::vector<Small<T, D>> gradient;
-    T found;  ///< 1 where the iteration ended at a minimum, else 0
+    T found;  ///< 1 if the iteration ended at a minimum, else 0
 
    private:
-    /// One Newton step of the lanes that are not done; they are where the next step would be lost in rounding.
+    /// Takes one Newton step in the lanes that are not done; a lane is done when rounding would swallow its next step.
     void iterate(const Material& material, const Geometry<T>& geometry, T& done) {
       std::array<T, D * D> step{};
       Small<T, D * D> tangent{};
@@ -212,7 +212,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     }
   };
 
-  /// g_d at point q, [d][J].
+  /// Returns g_d at point q, [d][J].
   template <class T>
   static Small<T, D> mode_gradients(const Geometry<T>& geometry, std::size_t q) {
     // weight = table weight times det J.
@@ -223,7 +223,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     return modes;
   }
 
-  /// The displacement at a time point.
+  /// Returns the displacement at a time point.
   template <class T>
   static Nodal<T> at(const Segment<T>& segment, const RulePoint& point) {
     Nodal<T> u = *segment.to;

@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// What each node's shape function counts with in its cell, see node_scale(). `Block` is an ElementBlock or a
+/// Returns the factor of each node's shape function in its cell, see node_scale(). `Block` is an ElementBlock or a
 /// LocalBlock.
 template <class Element, class Block>
 std::array<double, Element::nodes> cell_scales(const Block& block, int cell) {
@@ -18,8 +18,8 @@ std::array<double, Element::nodes> cell_scales(const Block& block, int cell) {
   return scales;
 }
 
-/// dX_i/dxi_d at a point with shape gradients dN_a/dxi_d, in a space of S dimensions [L0]. `coordinates`: nodes x S;
-/// `nodes` and `scales`: the element's.
+/// Returns dX_i/dxi_d at a point with shape gradients dN_a/dxi_d, in a space of S dimensions [L0]. `coordinates`: nodes
+/// x S; `nodes` and `scales`: the element's.
 template <std::size_t S, std::size_t N, std::size_t D>
 Small<double, S, D> jacobian(const std::vector<double>& coordinates, const int* nodes,
                              const std::array<double, N>& scales,

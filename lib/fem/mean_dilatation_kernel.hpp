@@ -5,19 +5,19 @@
 
 namespace ixos {
 
-/// The energy int W(F~) dV of the displacement alone, with F~ = (Jm/J)^(1/D) F and Jm = 1/V int J dV: where Jm = 1 the
-/// law's bulk stiffness is silent, so that an element keeps one volumetric constraint instead of one a quadrature point
-/// (Nagtegaal, Parks and Rice 1974; Simo, Taylor and Pister 1985). Jm is varied fully, so the force is the gradient of
-/// that energy and the tangent is symmetric; the B-bar and F-bar methods that freeze it have no energy.
+/// The energy int W(F~) dV of the displacement alone, with F~ = (Jm/J)^(1/D) F and Jm = 1/V int J dV. At Jm = 1 the
+/// law's bulk stiffness has no effect, so an element has one volumetric constraint instead of one for each quadrature
+/// point (Nagtegaal, Parks and Rice 1974; Simo, Taylor and Pister 1985). Jm is varied fully, so the force is the
+/// gradient of that energy and the tangent is symmetric; the B-bar and F-bar methods that freeze it have no energy.
 ///
 /// In plane strain F is the part in the plane and F~_33 = 1 stays: with the exponent 1/2 det F~ = Jm at every point, so
 /// the pressure of laws like ours, a function of det F~ alone, is constant in the element. (The three-dimensional split
 /// with the exponent 1/3 does as much, but leaves F~_33 /= 1 and so the material's plane strain.)
 ///
-/// Of a linear law it is the limit of small strains, H~ = H + (mean(tr H) - tr H)/D I (Hughes 1980), exactly linear.
+/// For a linear law it is the limit of small strains, H~ = H + (mean(tr H) - tr H)/D I (Hughes 1980), exactly linear.
 ///
-/// An element in a homogeneous state equals the ElasticKernel's. Jm couples the quadrature points, so time points
-/// cannot share one B^T A B alone: each has a rank-two part besides. There is no discrete gradient.
+/// In a homogeneous state the element equals that of ElasticKernel. Jm couples the quadrature points, so time points
+/// cannot share one B^T A B alone: each adds a rank-two part. The kernel has no discrete gradient.
 template <class Element, class Material>
 struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   using Base = ElasticKernel<Element, Material>;
@@ -34,7 +34,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   using Segment = typename Base::template Segment<T>;
 
-  /// Stored energy [E0 L0^D].
+  /// Returns the stored energy [E0 L0^D].
   template <class T>
   static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     const T mean = mean_dilatation(geometry, u);
@@ -44,7 +44,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     return sum;
   }
 
-  /// See ElasticKernel::means(); of F~, so the second is Jm (of a linear law 1).
+  /// Returns ElasticKernel::means() of F~, so the second is Jm (1 for a linear law).
   template <class T>
   static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
     const T mean = mean_dilatation(geometry, u);
@@ -52,8 +52,8 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
                           [&](std::size_t q) { return State<T>(gradient_at(geometry, q, u), mean).scaled; });
   }
 
-  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; where
-  /// it is positive so is Jm.
+  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; if it
+  /// is positive, so is Jm.
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
@@ -135,7 +135,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   template <class T>
   using Ends = typename Base::template Ends<T>;
 
-  /// What one time point sums over the quadrature points.
+  /// The sums of one time point over the quadrature points.
   template <class T>
   struct Mean {
     T dilatation{0.0};    ///< Jm - 1
@@ -144,7 +144,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     Nodal<T> gradient{};  ///< V dJm/du
     Nodal<T> coupling{};  ///< sum w phi_Ft dN
 
-    /// The present volume; of a linear law the reference volume.
+    /// Returns the present volume; the reference volume for a linear law.
     T volume(const T& reference) const {
       if constexpr (finite) return reference * (1.0 + dilatation);
       return reference;
@@ -174,7 +174,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     return Base::gradient(u, Base::shape_gradients(geometry, q));
   }
 
-  /// Jm - 1.
+  /// Returns Jm - 1.
   template <class T>
   static T mean_dilatation(const Geometry<T>& geometry, const Nodal<T>& u) {
     T sum(0.0);
@@ -183,7 +183,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     return sum / Base::volume(geometry);
   }
 
-  /// One Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
+  /// Returns one Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
   template <class T>
   static std::vector<Mean<T>> dilatations(const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                                           T& least_jacobian) {
@@ -202,7 +202,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     return means;
   }
 
-  /// S of each time point.
+  /// Returns S of each time point.
   template <class T>
   static void add_pressures(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
                             const Rule& rule, std::vector<Mean<T>>& means) {

@@ -1,4 +1,4 @@
-/// What a mean dilatation makes of the deformation at one quadrature point.
+/// The deformation at one quadrature point under a mean dilatation.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -7,11 +7,11 @@
 
 namespace ixos {
 
-/// Of the energy W(F~), F~ = (Jm/J)^(1/D) F, see MeanDilatationKernel: a point's part and its derivatives by F and by
-/// theta = ln Jm. Of a linear law the limit of small strains.
+/// One point's part of the energy W(F~), F~ = (Jm/J)^(1/D) F (see MeanDilatationKernel), and its derivatives by F and
+/// by theta = ln Jm. For a linear law it is the limit of small strains.
 template <class Material, std::size_t D>
 struct MeanDilatationPoint {
-  /// Small-strain laws can take any F; their J is 1.
+  /// Small-strain laws accept any F; their J is 1.
   static constexpr bool finite = Material::can_invert;
 
   template <class T>
@@ -21,14 +21,14 @@ struct MeanDilatationPoint {
     return sum;
   }
 
-  /// J - 1; of a linear law its linear part.
+  /// Returns J - 1; for a linear law its linear part.
   template <class T>
   static T dilatation(const Small<T, D>& h) {
     if constexpr (finite) return determinant_minus_one(h);
     return trace(h);
   }
 
-  /// H~ at a point and what its variation needs; of a linear law all but H~ is that at rest.
+  /// H~ at a point and the quantities that its variation needs; for a linear law all except H~ are those at rest.
   template <class T>
   struct State {
     State(const Small<T, D>& h, const T& mean_dilatation) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
@@ -49,7 +49,7 @@ struct MeanDilatationPoint {
       for (std::size_t i = 0; i < D; ++i) scaled[i][i] += change;
     }
 
-    /// m:F~; of a linear law the trace.
+    /// Returns m:F~; for a linear law the trace.
     T product(const Small<T, D>& m) const {
       T sum = trace(m);
       if constexpr (finite)
@@ -76,7 +76,7 @@ struct MeanDilatationPoint {
     Small<T, D> inverse;  ///< F^-1
 
    private:
-    /// (1 + x)^(1/D) - 1 without cancellation.
+    /// Returns (1 + x)^(1/D) - 1 without cancellation.
     static T root_minus_one(const T& x) {
       using std::cbrt;
       using std::sqrt;
@@ -88,11 +88,11 @@ struct MeanDilatationPoint {
 
   /// Second derivatives at a point, with the law's moduli A, P = P~, B = A:F~, t = P:F~, G = F^-T, c = scale:
   ///   phi_FF = c^2 A - (Q (x) G + G (x) Q)/D + z/D G (x) G + t/D G x G,  phi_Ft = (Q - z G)/D,  phi_tt = z/D,
-  /// Q = c (P + B), z = (F~:B + t)/D, (G x G)_iJkL = G_iL G_kJ; of a linear law without the terms in P. To phi_FF is
-  /// added sigma (G (x) G - G x G), sigma = J S/(V Jm), of the second derivative of Jm.
+  /// Q = c (P + B), z = (F~:B + t)/D, (G x G)_iJkL = G_iL G_kJ; for a linear law without the terms in P. The second
+  /// derivative of Jm adds sigma (G (x) G - G x G), sigma = J S/(V Jm), to phi_FF.
   template <class T>
   struct Moduli {
-    // A call for each point, through memory, would cost a tenth of a tangent's speed.
+    // It is inlined: a call for each point, through memory, would cost a tenth of a tangent's speed.
     [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& sigma) {
       Small<T, D> p;
       Small<T, D * D> a;

@@ -8,9 +8,9 @@
 
 namespace ixos {
 
-/// k_ai,bk += dN_a,J A_iJkL dM_b,L, `left` dN_a/dX_J and `right` dM_b/dX_L. If `symmetric`, left is right and A is
-/// symmetric: the upper triangle of pairs is computed and mirrored. A call for each point, through memory, would cost
-/// small elements up to a third of their speed.
+/// Adds dN_a,J A_iJkL dM_b,L to k_ai,bk, with `left` dN_a/dX_J and `right` dM_b/dX_L. If `symmetric`, left is right and
+/// A is symmetric: the upper triangle of pairs is computed and mirrored. The function is inlined: a call for each
+/// point, through memory, would cost small elements up to a third of their speed.
 template <bool symmetric, class T, std::size_t L, std::size_t R, std::size_t D>
 [[gnu::always_inline]] inline void add_contraction(const Small<T, L, D>& left, const Small<T, R, D>& right,
                                                    const Small<T, D * D>& moduli, Small<T, L * D, R * D>& k) {
@@ -39,12 +39,12 @@ struct SpatialPoint {
   SpatialTangent<T> moduli;
 };
 
-/// Points that add_products() takes at once: their gradients stay in the nearest cache.
+/// Number of points that add_products() takes at once: their gradients stay in the nearest cache.
 constexpr std::size_t points_at_once = 8;
 
-/// k_ai,bk = sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent; n and
-/// g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums stay
-/// in registers; one triangle is computed and mirrored.
+/// Adds to k_ai,bk the sum over points of mu (n_a . n_b) delta_ik + c g_bi g_ak + lambda g_ai g_bk, see SpatialTangent;
+/// n and g are the shape gradients in the reference and the deformed body. Node pairs are the outer loop, so that sums
+/// stay in registers; one triangle is computed and mirrored.
 template <class T, std::size_t N, std::size_t D>
 inline void add_products(const std::array<SpatialPoint<T, N, D>, points_at_once>& points, std::size_t count,
                          Small<T, N * D>& k) {

@@ -43,13 +43,13 @@ struct TabulatedGradients {
   }
 };
 
-/// The same as fast as the element allows.
+/// TabulatedGradients, or a faster specialisation if the element has one.
 template <class Element>
 struct PointGradients : TabulatedGradients<Element> {};
 
-/// The trilinear hexahedron on 2 x 2 x 2 points by sum factorisation: nodal values become coefficients of 1, xi, eta,
-/// zeta, xi eta, ... in 24 additions, and each derivative is bilinear in the two other directions. A third of the
-/// operations of the product with the table.
+/// The trilinear hexahedron on 2 x 2 x 2 points by sum factorisation: 24 additions turn nodal values into coefficients
+/// of 1, xi, eta, zeta, xi eta, ..., and each derivative is bilinear in the two other directions. This takes a third of
+/// the operations of the product with the table.
 template <>
 struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   using Tabulated = TabulatedGradients<Hex8>;
@@ -86,8 +86,9 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
  private:
   static constexpr double g = 0.57735026918962576451;  ///< the Gauss points are +-g
 
-  /// Of u = mean/8 + (x xi + y eta + z zeta)/8 + (xy xi eta + ...)/8, the products' already times g or g^2 and all over
-  /// 8, so that with signs for coordinates they are values at the Gauss points.
+  /// The coefficients of u = mean/8 + (x xi + y eta + z zeta)/8 + (xy xi eta + ...)/8. Those of products already carry
+  /// the factor g or g^2, and all are divided by 8, so that signs in place of coordinates give values at the Gauss
+  /// points.
   template <class T>
   struct Coefficients {
     T x, y, z, xy, xz, yz, xyz, mean;
@@ -109,7 +110,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
             0.125 * (bottom + top)};
   }
 
-  /// The transpose.
+  /// Applies the transpose of coefficients().
   template <class T>
   [[gnu::always_inline]] static void add_nodal(const Coefficients<T>& c, std::size_t i, Small<T, N, D>& f) {
     const T x = 0.125 * c.x, y = 0.125 * c.y, z = 0.125 * c.z, mean = 0.125 * c.mean;
@@ -129,7 +130,8 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
     f[7][i] += s3 - d3;
   }
 
-  /// mean + g (x s + y t + z r + xy s t + ... + xyz s t r) at the points' signs s, t, r: each pass takes one direction.
+  /// Computes mean + g (x s + y t + z r + xy s t + ... + xyz s t r) at the points' signs s, t, r: each pass takes one
+  /// direction.
   template <class T>
   [[gnu::always_inline]] static void spread_values(const Coefficients<T>& c, std::size_t i, std::array<T, D>* values) {
     T v[8] = {c.mean, g * c.x, g * c.y, g * c.xy, g * c.z, g * c.xz, g * c.yz, g * c.xyz};
@@ -145,7 +147,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
     c = {-g * v[6], -g * v[5], -g * v[3], g * v[4], g * v[2], g * v[1], -g * v[0], v[7]};
   }
 
-  /// v_k, v_k+n become v_k - v_k+n, v_k + v_k+n: for n = 1, 2, 4 in turn.
+  /// Replaces v_k, v_k+n by v_k - v_k+n, v_k + v_k+n, for n = 1, 2, 4 in turn.
   template <class T>
   [[gnu::always_inline]] static void add_and_subtract(T (&v)[8]) {
     for (std::size_t n = 1; n < 8; n *= 2)
@@ -157,7 +159,8 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
         }
   }
 
-  /// Number of the point whose first, second coordinates beside direction `Along` have these signs (0 or 1).
+  /// Returns the number of the point whose first, second coordinates beside direction `Along` have these signs (0 or
+  /// 1).
   template <std::size_t Along>
   static constexpr std::size_t point(std::size_t along, std::size_t first, std::size_t second) {
     if (Along == 0) return along + 2 * first + 4 * second;
@@ -165,7 +168,8 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
     return first + 2 * second + 4 * along;
   }
 
-  /// c + a s + b t + ab s t at the signs s, t of the two other coordinates, for both points along the direction.
+  /// Computes c + a s + b t + ab s t at the signs s, t of the two other coordinates, for both points along the
+  /// direction.
   template <std::size_t Along, class T>
   [[gnu::always_inline]] static void spread(const T& c, const T& a, const T& b, const T& ab, std::size_t i,
                                             Small<T, D>* gradients) {

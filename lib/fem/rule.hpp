@@ -19,45 +19,44 @@ struct RulePoint {
   double to;
 };
 
-/// F = sum_i weight_i f(u(xi_i)) + kept_weight f(u_from). Points at xi = 0 depend on nothing unknown: they are gathered
-/// in `kept_weight`.
-///
-/// The other means have neither points nor a kept part:
-/// - Exact, F = int_0^1 f(u(xi)) dxi over the straight path in closed form: of interactions whose law has one;
-/// - DiscreteGradient, a force with F . (u_s - u_from) = Pi(u_s) - Pi(u_from) exactly, objective, F = f(u) where both
-///   ends are u. Its tangent is unsymmetric. Of interactions with a flat wall it is the exact mean.
+/// The kind of mean. Exact and DiscreteGradient have neither points nor a kept part:
+/// - Exact, F = int_0^1 f(u(xi)) dxi over the straight path in closed form: for interactions whose law has one;
+/// - DiscreteGradient, a force with F . (u_s - u_from) = Pi(u_s) - Pi(u_from) exactly, objective, F = f(u) if both ends
+///   are u. Its tangent is unsymmetric. For interactions with a flat wall it is the exact mean.
 enum class Mean { Points, Exact, DiscreteGradient };
 
+/// F = sum_i weight_i f(u(xi_i)) + kept_weight f(u_from), or another Mean. Points at xi = 0 do not depend on the
+/// unknown: `kept_weight` gathers them.
 struct Rule {
   std::vector<RulePoint> points;
   double kept_weight = 0;
   Mean mean = Mean::Points;
 
-  /// True where the force depends on the displacement at the start of the segment.
+  /// Returns whether the force depends on the displacement at the start of the segment.
   bool uses_start() const;
-  /// True where some point uses the velocity of the known state.
+  /// Returns whether some point uses the velocity of the known state.
   bool uses_velocity() const;
-  /// Is the force a gradient in u_s, and so its tangent symmetric?
+  /// Returns whether the force is a gradient in u_s, and hence its tangent symmetric.
   bool is_gradient() const { return mean != Mean::DiscreteGradient; }
-  /// Sum of all weights: 1 for a consistent rule.
+  /// Returns the sum of all weights: 1 for a consistent rule.
   double total_weight() const;
-  /// The derivative of the points' mean displacement by u_s: the share of the stiffness in the tangent.
+  /// Returns the derivative of the points' mean displacement by u_s: the share of the stiffness in the tangent.
   double end_weight() const;
 };
 
-/// The force at the end of the segment.
+/// Returns the rule for the force at the end of the segment.
 Rule end_rule();
 
-/// Points xi in [0, 1] with weights.
+/// Returns the rule with points xi in [0, 1] and these weights.
 Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weights, Path path = Path::Linear);
 
-/// The exact mean over the straight path.
+/// Returns the exact mean over the straight path.
 Rule exact_rule();
 
-/// The discrete gradient of the energy.
+/// Returns the discrete gradient of the energy.
 Rule discrete_gradient_rule();
 
-/// n Gauss-Legendre points. Throws InputError unless 1 <= n <= 64.
+/// Returns the mean by n Gauss-Legendre points. Throws InputError unless 1 <= n <= 64.
 Rule gauss_rule(int n, Path path = Path::Linear);
 
 }  // namespace ixos

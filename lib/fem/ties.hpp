@@ -6,7 +6,7 @@
 
 namespace ixos {
 
-/// A node that only bends its enriched edge: what it is where the field is linear along the edge.
+/// A node that only bends its enriched edge, and its value if the field is linear along the edge.
 struct InnerNode {
   std::size_t edge;  ///< the element's edge, from 0
   std::size_t node;
@@ -14,27 +14,28 @@ struct InnerNode {
   double first_share, second_share;  ///< the node's value is the sum of the ends' times these
 };
 
-/// A node at a point of the edge, from 0 at the first end to 1 at the second.
+/// Returns a node at a point of the edge, `place` from 0 at the first end to 1 at the second.
 constexpr InnerNode inner_point(std::size_t edge, std::size_t node, std::size_t first, std::size_t second,
                                 double place) {
   return {edge, node, first, second, 1 - place, place};
 }
 
-/// The derivative along an edge whose coordinate goes from -1 at the first end to 1 at the second.
+/// Returns the derivative along an edge whose coordinate goes from -1 at the first end to 1 at the second.
 constexpr InnerNode inner_derivative(std::size_t edge, std::size_t node, std::size_t first, std::size_t second) {
   return {edge, node, first, second, -0.5, 0.5};
 }
 
-/// Does the element list inner_nodes() of its edges?
+/// Whether the element lists inner_nodes() of its edges.
 template <class Element, class = void>
 struct HasInnerNodes : std::false_type {};
 template <class Element>
 struct HasInnerNodes<Element, std::void_t<decltype(Element::inner_nodes())>> : std::true_type {};
 
-/// Shape functions of an element of whose edges some are tied, bit k of `tied` the k-th: the field is linear along
-/// them. Their inner nodes' functions go to the edges' ends in proportion, and are zero: whatever number stands for
-/// such a node in a cell, its field does not count, and it gets no force, mass or stiffness. This is T^T K T for the
-/// linear relation T between tied and free nodes, done once, in the shape functions.
+/// Evaluates the shape functions of an element with tied edges: bit k of `tied` stands for the k-th edge. The field is
+/// linear along a tied edge. The functions of the edge's inner nodes are added to those of its ends in proportion, then
+/// set to zero: whatever number stands for such a node in a cell, its field does not count, and it gets no force, mass
+/// or stiffness. This is T^T K T for the linear relation T between tied and free nodes, done once, in the shape
+/// functions.
 template <class Element>
 void evaluate_tied(unsigned tied, const std::array<double, Element::dimension>& xi,
                    std::array<double, Element::nodes>& value,

@@ -34,7 +34,7 @@ class CutOff {
     return select(r < range_, law_.stiffness(r), T(0.0));
   }
 
-  /// The law's own mean over the part of the way that is in range.
+  /// Returns the law's own mean over the part of the way that is in range.
   template <class T>
   T mean_traction(const T& r0, const T& r1) const {
     const Part<T> part(*this, r0, r1);
@@ -49,8 +49,8 @@ class CutOff {
     const T inside = select(r1 < range_, T(part.share * law_.mean_stiffness(part.from, part.to)), T(0.0));
     return inside - growth * (law_.mean_traction(part.from, part.to) - traction_);
   }
-  /// It has none in closed form: schemes whose residual is the gradient of one cannot have both, an exact mean and a
-  /// range. Throws std::logic_error.
+  /// Throws std::logic_error: a cut-off law has no mean potential in closed form. A scheme whose residual is the
+  /// gradient of one cannot have both an exact mean and a range.
   template <class T>
   T mean_potential(const T& /*r0*/, const T& /*r1*/) const {
     throw std::logic_error("an interaction with a cutoff has no potential of its exact mean");

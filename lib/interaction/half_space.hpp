@@ -4,7 +4,7 @@
 
 namespace ixos {
 
-/// The rigid half-space { x : (x - point) . normal <= 0 }. The gap of a point is its distance, (x - point) . normal.
+/// The rigid half-space { x : (x - point) . normal <= 0 }. The gap of a point is its distance (x - point) . normal.
 struct HalfSpace {
   std::array<double, 3> point{};                ///< on the wall [L0]
   std::array<double, 3> normal{0.0, 1.0, 0.0};  ///< unit vector out of the wall

@@ -11,7 +11,8 @@
 namespace ixos {
 
 /// Before a flat wall the gap at a quadrature point is sum_a N_a g_a of the nodal gaps g_a, and the force is along the
-/// wall's normal: everything is scalar. Nodal arrays are gaps at the side's N nodes; f_a and k_ab multiply n and n n^T.
+/// wall's normal, so all quantities are scalar. Nodal arrays are gaps at the side's N nodes; f_a and k_ab multiply n
+/// and n n^T.
 template <class Side, class Law>
 struct SurfaceKernel {
   static constexpr std::size_t N = Side::nodes;
@@ -34,7 +35,7 @@ struct SurfaceKernel {
     return sum;
   }
 
-  /// Energy [E0 L0^D]; `measure[q]` is the quadrature weight times reference length or area [L0^(D-1)].
+  /// Returns the energy [E0 L0^D]; `measure[q]` is the quadrature weight times reference length or area [L0^(D-1)].
   template <class T>
   static T energy(const Law& law, const Table& quadrature, const T* measure, const Nodal<T>& gap) {
     T sum(0.0);
@@ -88,16 +89,16 @@ struct SurfaceKernel {
     }
   }
 
-  /// The largest s <= 1 with r + s p dr >= margin min(r, near) at the end of the segment, and at every time point where
-  /// the path is not linear (a linear path between two points before a flat wall never leaves their segment). `change`
-  /// holds nodal gap changes dr; p = du(xi)/du_s.
+  /// Returns the largest s <= 1 with r + s p dr >= margin min(r, near) at the end of the segment and, if the path is
+  /// not linear, at every time point (a linear path between two points before a flat wall never leaves their segment).
+  /// `change` holds nodal gap changes dr; p = du(xi)/du_s.
   template <class T>
   static T admissible_step(const Table& quadrature, const Segment<T>& segment, const Rule& rule, const Nodal<T>& change,
                            double margin, double near) {
     T step(1.0);
     const auto restrict_to = [&](const T& r, const T& dr) {
       const T room = r - margin * smaller(r, T(near));
-      // dr < 0: s <= room/-dr; elsewhere the divisor is 1 and the quotient is discarded.
+      // If dr < 0: s <= room/-dr. Otherwise the divisor is 1 and the quotient is discarded.
       step = smaller(step, select(dr < 0.0, T(room / (select(dr < 0.0, T(-dr), T(1.0)))), T(1.0)));
     };
     for (std::size_t q = 0; q < quadrature.size(); ++q) {
@@ -132,7 +133,7 @@ struct SurfaceKernel {
     bool has_from, has_velocity;
   };
 
-  /// Nothing acts at this point in any lane: on a straight path no time point is nearer than the ends.
+  /// Returns whether no force acts at this point in any lane: on a straight path no time point is nearer than the ends.
   template <class T>
   static bool out_of_range(const Law& law, const Ends<T>& ends) {
     if constexpr (Law::has_range) {

@@ -24,7 +24,7 @@ class VanDerWaals {
     return s * ((c1_ / 8) * (s2 * s) - c2_ / 2);
   }
 
-  /// T = -dpsi/dr, positive away from the half-space.
+  /// Returns T = -dpsi/dr, positive away from the half-space.
   template <class T>
   T traction(const T& r) const {
     const T inverse = 1.0 / r;
@@ -32,33 +32,33 @@ class VanDerWaals {
     return s * inverse * (c1_ * (s * s * s) - c2_);
   }
 
-  /// d2psi/dr2 = -dT/dr [E0/L0], negative beyond the gap of largest attraction.
+  /// Returns d2psi/dr2 = -dT/dr [E0/L0], negative beyond the gap of largest attraction.
   template <class T>
   T stiffness(const T& r) const {
     const T s = 1.0 / (r * r);
     return s * s * ((9 * c1_) * (s * s * s) - 3 * c2_);
   }
 
-  /// Mean traction over gaps from r0 to r1, their integral over [0, 1] along the straight path, without cancellation:
-  /// of r^-m it is sum_{k=1..m-1} r1^-k r0^-(m-k)/(m - 1).
+  /// Returns the mean traction over gaps from r0 to r1, the integral over [0, 1] along the straight path, without
+  /// cancellation: the mean of r^-m is sum_{k=1..m-1} r1^-k r0^-(m-k)/(m - 1).
   template <class T>
   T mean_traction(const T& r0, const T& r1) const {
     return c1_ * mean_power<9>(r0, r1) - c2_ * mean_power<3>(r0, r1);
   }
 
-  /// -d(mean traction)/dr1.
+  /// Returns -d(mean traction)/dr1.
   template <class T>
   T mean_stiffness(const T& r0, const T& r1) const {
     return c1_ * mean_power_slope<9>(r0, r1) - c2_ * mean_power_slope<3>(r0, r1);
   }
 
-  /// The potential whose derivative in r1 is minus the mean traction, zero at r1 = r0.
+  /// Returns the potential whose derivative in r1 is minus the mean traction, zero at r1 = r0.
   template <class T>
   T mean_potential(const T& r0, const T& r1) const {
     return -c1_ * mean_power_integral<9>(r0, r1) + c2_ * mean_power_integral<3>(r0, r1);
   }
 
-  /// What the traction's rounding error is measured by: both parts without their signs, and |dT/dr| r.
+  /// Returns the scale of the traction's rounding error: both parts without their signs, and |dT/dr| r.
   template <class T>
   T magnitude(const T& r) const {
     const T inverse = 1.0 / r;
@@ -68,9 +68,9 @@ class VanDerWaals {
 
   double c1() const { return c1_; }
   double c2() const { return c2_; }
-  /// T = 0: 15^(-1/6) r0 [L0].
+  /// Returns the gap at which T = 0: 15^(-1/6) r0 [L0].
   double equilibrium_gap() const { return std::pow(15.0, -1.0 / 6) * r0_; }
-  /// The gap of largest attraction, dT/dr = 0: 5^(-1/6) r0 [L0].
+  /// Returns the gap of largest attraction, dT/dr = 0: 5^(-1/6) r0 [L0].
   double adhesion_gap() const { return std::pow(5.0, -1.0 / 6) * r0_; }
 
  private:
@@ -83,7 +83,7 @@ class VanDerWaals {
     return sum * (1.0 / (M - 1));
   }
 
-  /// Minus its derivative in r1: sum_k k r1^-(k+1) r0^-(M-k)/(M - 1).
+  /// Returns minus the derivative of the mean of r^-M in r1: sum_k k r1^-(k+1) r0^-(M-k)/(M - 1).
   template <int M, class T>
   static T mean_power_slope(const T& r0, const T& r1) {
     const T s0 = 1.0 / r0, s1 = 1.0 / r1;
@@ -92,7 +92,8 @@ class VanDerWaals {
     return sum * s1 * (1.0 / (M - 1));
   }
 
-  /// Its integral from r1 = r0: (r0^-(M-1) ln(r1/r0) + sum_{k=2..M-1} r0^-(M-k) (r0^-(k-1) - r1^-(k-1))/(k-1))/(M - 1).
+  /// Returns its integral from r1 = r0:
+  ///   (r0^-(M-1) ln(r1/r0) + sum_{k=2..M-1} r0^-(M-k) (r0^-(k-1) - r1^-(k-1))/(k-1))/(M - 1).
   template <int M, class T>
   static T mean_power_integral(const T& r0, const T& r1) {
     using std::log;

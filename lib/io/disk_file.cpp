@@ -1,5 +1,6 @@
 #include "io/disk_file.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "base/error.hpp"
@@ -111,6 +113,20 @@ void DiskFile::close() {
 bool is_file(const std::string& path) {
   std::error_code code;
   return std::filesystem::is_regular_file(path, code);
+}
+
+std::vector<std::string> names_in(const std::string& folder) {
+  // Not std::filesystem's iterator, which ends the program where memory runs out.
+  const std::unique_ptr<DIR, int (*)(DIR*)> stream(opendir(folder.empty() ? "." : folder.c_str()), closedir);
+  if (!stream) {
+    if (errno == ENOENT || errno == ENOTDIR) return {};
+    fail_at(folder, "cannot be read");
+  }
+  std::vector<std::string> names;
+  for (errno = 0; const dirent* entry = readdir(stream.get()); errno = 0)
+    if (const std::string name = entry->d_name; name != "." && name != "..") names.push_back(name);
+  if (errno != 0) fail_at(folder, "cannot be read");
+  return names;
 }
 
 std::ifstream open_text(const std::string& path) { return is_file(path) ? std::ifstream(path) : std::ifstream(); }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace ixos {
 
@@ -42,6 +43,9 @@ class DiskFile {
 
 /// Returns whether the path leads to a file: a pipe would make its reader wait, a device never ends.
 bool is_file(const std::string& path);
+
+/// Returns the names in a folder, in no order; none if there is no such folder. Throws FileError if it cannot be read.
+std::vector<std::string> names_in(const std::string& folder);
 
 /// Opens a text to read; the stream is not open if the path does not lead to a file.
 std::ifstream open_text(const std::string& path);

@@ -13,8 +13,8 @@
 namespace ixos {
 namespace {
 
-/// NetCDF's positive error numbers are the system's. Where Exodus lost it on the way, errno may still have it; other
-/// values of errno are leftovers.
+/// Returns the system's message for an error. NetCDF's positive error numbers are the system's. If Exodus lost the
+/// number, errno may still have it; other values of errno are leftovers.
 std::string system_word() {
   const char *message = nullptr, *function = nullptr;
   int number = 0;
@@ -69,7 +69,7 @@ void put_sets(const ExodusHandle& file, const Mesh& mesh) {
   }
 }
 
-/// What ParaView needs to join the files of a series.
+/// Writes the description that ParaView needs to join the files of a series.
 void put_share(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share) {
   char kind[] = "p";
   require_written(ex_put_init_info(file, share.ranks, 1, kind), file, "the series");

@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// On what Exodus rests: netCDF's own format, or HDF5.
+/// The format below Exodus: netCDF's own, or HDF5.
 enum class ExodusFormat { Classic, Hdf5 };
 
 /// Makes a file, or empties one that exists. Returns a negative number, as ex_create does, if that fails.

@@ -10,6 +10,7 @@
 #include "io/exodus_definition.hpp"
 #include "io/exodus_variables.hpp"
 #include "io/field_file.hpp"
+#include "io/guarded.hpp"
 
 namespace ixos {
 namespace {
@@ -39,6 +40,7 @@ class ExodusFields final : public FieldFile {
 
  private:
   void define(const std::string& path) const;
+  void define_here(const std::string& path) const;
   bool has_cells() const { return output_.mesh.nodes() > 0; }
   std::vector<std::string> expected_variables() const;
   void open(int frames);
@@ -52,8 +54,13 @@ class ExodusFields final : public FieldFile {
   int frame_ = 0;
 };
 
-/// Has the library make the file: mesh, names, and the room of a record.
+/// Has the library make the file: mesh, names, and the layout of a record.
 void ExodusFields::define(const std::string& path) const {
+  const std::size_t bytes = 64 * (output_.mesh.coordinates.size() + 9 * static_cast<std::size_t>(output_.mesh.cells()));
+  write_apart(path, bytes, [&] { define_here(path); });
+}
+
+void ExodusFields::define_here(const std::string& path) const {
   const int id = create_exodus(path);
   require_created(id, path);
   ExodusHandle file(id, path);
@@ -127,6 +134,8 @@ void ExodusFields::write(double time, const std::vector<std::vector<double>>& no
   std::vector<char> record;
   record.reserve(layout_.record_bytes);
   for (const ClassicLayout::Variable& variable : layout_.variables) append_numbers(rows.at(variable.name), record);
+  if (record.size() != layout_.record_bytes)
+    throw FileError(path_ + ": a frame has another length than the file wants");
   // The count follows the record: readers never see half of one.
   file_->write_at(layout_.end(frame_), record.data(), record.size());
   write_record_count(*file_, frame_ + 1);

@@ -16,7 +16,7 @@ class ExodusHandle {
 
   operator int() const { return id_; }  // NOLINT: passed to the C interface as it is
   const std::string& path() const { return path_; }
-  /// Returns a negative status, as the library's, if the file cannot be closed: then something was not written.
+  /// Returns a negative status, as the library does, if the file cannot be closed: then some data were not written.
   int close() {
     const int status = id_ >= 0 ? ex_close(id_) : 0;
     id_ = -1;

@@ -26,7 +26,7 @@ template <class... Values>
   throw InputError(path + ": " + fmt::format(text, std::forward<Values>(values)...));
 }
 
-/// NetCDF's three formats begin with CDF or with HDF5's signature; anything else is not handed to the library.
+/// NetCDF's three formats begin with CDF or with HDF5's signature; other files do not reach the library.
 void check_start(const std::string& path) {
   if (!is_file(path)) refuse(path, "the mesh file cannot be read");
   std::ifstream file(path, std::ios::binary);
@@ -93,7 +93,7 @@ class Reader {
       }
   }
 
-  /// The ids of all objects of a kind, each given once.
+  /// Returns the ids of all objects of a kind, each given once.
   std::vector<int> ids(ex_entity_type type, int64_t count, const char* what) const {
     if (count > most_) refuse(path(), "is damaged: it claims {} {}s", count, what);
     std::vector<int> result(static_cast<std::size_t>(std::max<int64_t>(count, 0)));
@@ -104,7 +104,7 @@ class Reader {
     return result;
   }
 
-  /// The object's name, or prefix_id; each name given once.
+  /// Returns the object's name, or prefix_id; each name given once.
   std::string name(ex_entity_type type, int id, const char* prefix, std::set<std::string>& taken) const {
     std::vector<char> text(name_length + 1, '\0');
     ex_get_name(file_, type, id, text.data());
@@ -159,7 +159,7 @@ class Reader {
     if (lonely != used.end()) refuse(path(), "node {} belongs to no element", lonely - used.begin() + 1);
   }
 
-  /// Entries of a set, and for side sets the side numbers.
+  /// Returns the entries of a set, and for side sets the side numbers.
   std::vector<int> read_set(ex_entity_type type, int id, int64_t largest, const std::string& set_name,
                             std::vector<int>* extra) {
     ex_set set{};

@@ -9,12 +9,12 @@ namespace ixos {
 
 /// Reads blocks of QUAD4 (two-dimensional files) or HEX8 (three-dimensional ones), node sets and side sets. Blocks and
 /// sets without a name are called block_<id>, nodelist_<id> and surface_<id>. Every rank may call it. Throws
-/// InputError, with the file and what is wrong, for a file that is not there, not Exodus, truncated or inconsistent:
-/// node or element numbers out of range, ids or names given twice, nodes that belong to no cell, other element types.
-/// netCDF and HDF5 are not safe against files that were made to harm: another process tries it first.
+/// InputError, with the file and the fault, for a file that does not exist, is not Exodus, or is truncated or
+/// inconsistent: node or element numbers out of range, ids or names given twice, nodes that belong to no cell, other
+/// element types. netCDF and HDF5 are not safe against malicious files: another process tries to read the file first.
 Mesh read_exodus_mesh(const std::string& path);
 
-/// The same without that trial.
+/// Reads a mesh as read_exodus_mesh() does, without the trial in another process.
 Mesh read_tried_exodus_mesh(const std::string& path);
 
 /// Writes blocks and sets. Throws FileError.

@@ -7,7 +7,8 @@
 
 namespace ixos {
 
-/// Exodus refuses variables on nodes or cells where a file has none of: a rank may own no cells. Throws FileError.
+/// Defines the variables. Exodus refuses variables on nodes or cells if a file has none of them: a rank may own no
+/// cells. Throws FileError.
 void define_variables(const ExodusHandle& file, const FieldNames& names, bool has_cells);
 
 struct ExodusSize {
@@ -15,11 +16,12 @@ struct ExodusSize {
   long long cells;
 };
 
-/// Throws InputError unless the file there is of that format, size and names, and has what is to be kept.
+/// Throws InputError unless the existing file has that format, size and names, and at least the frames and bytes to
+/// keep.
 void require_frames(const std::string& path, ExodusFormat format, const ExodusSize& size, const FieldNames& names,
                     const FieldLength& keep);
 
-/// The length of a file, 0 where it is not there.
+/// Returns the length of a file, 0 if it does not exist.
 double bytes_of(const std::string& path);
 
 }  // namespace ixos

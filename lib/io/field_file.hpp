@@ -16,14 +16,14 @@ struct FieldNames {
   std::vector<std::string> global;
 };
 
-/// How far a file goes.
+/// The length of a file in frames and bytes.
 struct FieldLength {
   int frames = 0;
-  double bytes = 0;  ///< 0: not known, for another number of ranks wrote it
+  double bytes = 0;  ///< 0: not known, as another number of ranks wrote it
 };
 
-/// A file that grows by a frame at a time. Each function is called by all ranks; an exception may come on some only,
-/// where there is a file for each rank.
+/// A file that grows by a frame at a time. All ranks call each function. If there is a file for each rank, an exception
+/// may reach some ranks only.
 class FieldFile {
  public:
   virtual ~FieldFile() = default;
@@ -44,19 +44,20 @@ class FieldFile {
   virtual void close() = 0;  ///< after the last frame; throws FileError
 };
 
-/// What a file of fields is about.
+/// The mesh, the names and the title of a file of fields.
 struct FieldContents {
   OutputMesh output;
   FieldNames names;
   std::string title;
 };
 
-/// Exodus, in the classic format of netCDF: `path` holds all of a single rank. Of several, each has a file of its own
-/// cells and their nodes, with the numbers of the whole mesh, in the series path.N.r that ParaView opens.
+/// Makes a file in Exodus, in the classic format of netCDF. On a single rank, `path` holds everything. On several
+/// ranks, each writes a file of its cells and their nodes, with the numbers of the whole mesh, in the series path.N.r
+/// that ParaView opens.
 std::unique_ptr<FieldFile> exodus_fields(const std::string& path, FieldContents contents, const Comm& comm);
 
-/// One HDF5 file that all ranks write together: Exodus as netCDF 4 lays it out, for the readers of Exodus and of HDF5.
-/// Nodes and cells stand in the order of the mesh, on any number of ranks.
+/// Makes one HDF5 file that all ranks write together: Exodus as netCDF 4 lays it out, for the readers of Exodus and of
+/// HDF5. Nodes and cells stand in the order of the mesh, on any number of ranks.
 std::unique_ptr<FieldFile> hdf5_fields(const std::string& path, FieldContents contents, const Comm& comm);
 
 }  // namespace ixos

@@ -8,7 +8,7 @@
 namespace ixos {
 namespace {
 
-/// Where each id first comes in a list, in the order of the ids.
+/// Returns the first position of each id in a list, in the order of the ids.
 std::map<int, std::size_t> first_places(const std::vector<int>& ids) {
   std::map<int, std::size_t> places;
   for (std::size_t i = 0; i < ids.size(); ++i) places.emplace(ids[i], i);
@@ -38,7 +38,7 @@ Numbers gather_nodes(const OutputMesh& share, const Comm& comm, GatheredMesh& wh
   return numbers;
 }
 
-/// Returns where each cell stands, as the side of a set says it.
+/// Returns the place of each cell as the sides of a set name it.
 std::map<int, Side> gather_cells(const OutputMesh& share, const Comm& comm, const Numbers& nodes, GatheredMesh& whole) {
   std::map<int, Side> places;
   auto first = share.description.cell_ids.begin();

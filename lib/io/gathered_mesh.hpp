@@ -11,8 +11,8 @@ struct GatheredMesh {
   ExodusShare description;
 };
 
-/// On the first rank the whole mesh, nodes, cells and sets in the order of their numbers, so the same on any number of
-/// ranks. Collective.
+/// Returns, on the first rank, the whole mesh: nodes, cells and sets in the order of their numbers, and thus the same
+/// for any number of ranks. Collective.
 GatheredMesh gathered(const OutputMesh& share, const Comm& comm);
 
 }  // namespace ixos

@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// The ids in equal shares, one after the other, and the way there from where they are.
+/// The ids in equal shares, one after the other, and the communication that brings the values there.
 struct GlobalOrder::Plan {
   Plan(const Comm& comm, const std::vector<GlobalId>& ids, long long largest)
       : here(Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), ids, 0, comm))),

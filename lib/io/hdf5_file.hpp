@@ -45,8 +45,8 @@ class Hdf5Output {
 
   /// Writes the structure, has the disk keep what the other ranks wrote, and closes the file. Returns, on the first
   /// rank, the pieces of the file behind the user block, in order and without gaps. Throws FileError on all ranks if
-  /// any rank failed since the beginning: until then all continue, for none may leave the others alone in a collective
-  /// call.
+  /// any rank failed to write since the beginning: until then all continue, for none may leave the others alone in a
+  /// collective call.
   std::vector<FilePiece> close();
 
  private:
@@ -54,9 +54,9 @@ class Hdf5Output {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// Returns whether HDF5 could not close a file of this process, for a read of its structure failed. HDF5 1.10 then
-/// crashes in MPI_Finalize: a program should end without it.
-bool hdf5_left_open();
+/// Starts the HDF5 library so that its end is no part of MPI_Finalize or exit(): HDF5 1.10 may crash there after a
+/// failure. Programs call it before MPI_Init.
+void start_hdf5();
 
 /// A file that each rank reads for itself. A name that is missing, or of another kind, throws InputError.
 class Hdf5Input {

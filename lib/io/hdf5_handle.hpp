@@ -2,12 +2,13 @@
 #pragma once
 #include <hdf5.h>
 
+#include <string>
 #include <utility>
 
-namespace ixos::hdf5 {
+#include "base/error.hpp"
+#include "base/memory.hpp"
 
-/// Whether the library could not close some file of this process; see hdf5_left_open().
-inline bool some_left_open = false;
+namespace ixos::hdf5 {
 
 /// An identifier of HDF5. The destructor closes it and ignores the status: release() what was written.
 class Handle {
@@ -23,7 +24,6 @@ class Handle {
   operator hid_t() const { return id_; }  // NOLINT: passed to the C interface as it is
   herr_t release() {
     const herr_t status = id_ >= 0 ? close_(id_) : -1;
-    if (id_ >= 0 && status < 0 && close_ == H5Fclose) some_left_open = true;
     id_ = H5I_INVALID_HID;
     return status;
   }
@@ -33,7 +33,19 @@ class Handle {
   Close close_;
 };
 
-inline Handle property_list(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
+/// Throws MemoryError if a call failed that works in memory only.
+inline void require(bool good, const std::string& what) {
+  if (good) return;
+  note_failed_allocation(0);
+  throw MemoryError(out_of_memory() + ": HDF5: " + what);
+}
+
+/// Throws MemoryError.
+inline Handle property_list(hid_t kind) {
+  Handle list(H5Pcreate(kind), H5Pclose);
+  require(list >= 0, "a property list");
+  return list;
+}
 
 /// Prepares the library before any file is opened: it no longer prints its errors, which are statuses here, and a file
 /// leads to no other file and to no plug-in that would decode it.

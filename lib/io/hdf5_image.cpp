@@ -15,6 +15,7 @@ struct Image::Contents {
   std::uint64_t allocated = 0;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> raw{};
   std::string problem{};  ///< the first, of reading the base
+  bool out_of_memory = false;
 
   /// The first piece that ends after a position.
   Pieces::iterator first_after(std::uint64_t position) {
@@ -78,7 +79,9 @@ herr_t status_of(Image::Contents& contents, const Call& call) noexcept {
     return 0;
   } catch (const FileError& error) {
     if (contents.problem.empty()) contents.problem = error.what();
-  } catch (const std::exception&) {  // out of memory: HDF5's own status says enough
+  } catch (const std::bad_alloc&) {
+    contents.out_of_memory = true;
+  } catch (const std::exception&) {  // nothing else is thrown
   }
   return -1;
 }
@@ -144,7 +147,7 @@ hid_t driver() {
     H5FD_class_t methods{};
     methods.name = "ixos_image";
     methods.maxaddr = HADDR_MAX;
-    methods.fc_degree = H5F_CLOSE_WEAK;
+    methods.fc_degree = H5F_CLOSE_STRONG;
     methods.fapl_size = sizeof(Shared);
     methods.fapl_copy = copy_shared;
     methods.fapl_free = free_shared;
@@ -172,7 +175,7 @@ Image::Image(const DiskFile* base) : contents_(std::make_shared<Contents>(Conten
 
 Handle Image::access() const {
   Handle list = property_list(H5P_FILE_ACCESS);
-  H5Pset_driver(list, driver(), &contents_);
+  require(H5Pset_driver(list, driver(), &contents_) >= 0, "the driver");
   return list;
 }
 
@@ -183,6 +186,7 @@ std::uint64_t Image::end() const { return contents_->allocated; }
 std::vector<std::pair<std::uint64_t, std::uint64_t>> Image::new_raw_data() { return std::exchange(contents_->raw, {}); }
 
 void Image::check() const {
+  if (contents_->out_of_memory) throw std::bad_alloc();
   if (!contents_->problem.empty()) throw FileError(contents_->problem);
 }
 

@@ -38,7 +38,8 @@ class Image {
   /// Throws FileError; the pieces stay.
   void commit(DiskFile& file, std::uint64_t old_end);
 
-  /// Throws FileError if the file could not be read since the beginning, whatever HDF5 made of that.
+  /// Throws FileError if the file could not be read since the beginning, whatever HDF5 made of that; std::bad_alloc if
+  /// memory ran out.
   void check() const;
 
   struct Contents;

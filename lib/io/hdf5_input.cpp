@@ -26,7 +26,10 @@ Handle memory(const Slab& slab) {
 
 }  // namespace
 
-bool hdf5_left_open() { return hdf5::some_left_open; }
+void start_hdf5() {
+  H5dont_atexit();
+  H5open();
+}
 
 struct Hdf5Input::Implementation {
   explicit Implementation(const std::string& file_path)

@@ -26,16 +26,18 @@ struct Hdf5Output::Implementation {
       : path(file_path), comm(ranks), beginning(user_block) {}
 
   bool first() const { return comm->getRank() == 0; }
-  void check(bool good, const char* what) {
-    if (!good && problem.empty()) problem = path + ": " + what + " cannot be written";
+  /// HDF5 meets no disk here: it fails for want of memory only, and is not to be used any more then.
+  void check(bool good, const char* what) const {
+    image.check();
+    hdf5::require(good, path + ": " + what);
   }
-  /// Runs what may throw on this rank only; the others learn of it in close().
+  /// Runs a write, whose FileError stays on this rank until close().
   template <class Function>
   void attempt(const Function& function) {
     if (!problem.empty()) return;
     try {
       function();
-    } catch (const std::exception& error) {
+    } catch (const FileError& error) {
       problem = error.what();
     }
   }
@@ -49,9 +51,9 @@ struct Hdf5Output::Implementation {
   /// Makes a data set that has its room in the file at once. First rank only.
   Handle create(const char* name, hid_t type, hid_t space) {
     const Handle creation = property_list(H5P_DATASET_CREATE);
-    H5Pset_obj_track_times(creation, false);
-    H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY);
-    H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
+    check(H5Pset_obj_track_times(creation, false) >= 0 && H5Pset_alloc_time(creation, H5D_ALLOC_TIME_EARLY) >= 0 &&
+              H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER) >= 0,
+          name);
     Handle set(H5Dcreate2(here(), name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose);
     check(set >= 0, name);
     return set;
@@ -60,17 +62,20 @@ struct Hdf5Output::Implementation {
   template <class T>
   void put(const char* name, const T* values, const Slab& slab) {
     static_assert(sizeof(T) == 8 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
-    std::uint64_t place = 0;  // no data set begins there
+    long long place = 0;  // no data set begins there
     if (first()) {
       Handle set = create(name, on_disk(values), whole(slab));
-      if (slab.total > 0 && set >= 0) place = H5Dget_offset(set);
-      check(set.release() >= 0 && place != HADDR_UNDEF, name);
-      if (!problem.empty()) place = 0;
+      const haddr_t offset = slab.total > 0 ? H5Dget_offset(set) : 0;
+      check(set.release() >= 0 && offset != HADDR_UNDEF, name);
+      place = static_cast<long long>(offset);
     }
     if (slab.total == 0) return;
-    if (comm->getSize() > 1) Teuchos::broadcast(*comm, 0, 1, reinterpret_cast<long long*>(&place));
-    if (place == 0 || slab.count == 0) return;
-    attempt([&] { pieces.push_back(write(place + sizeof(T) * slab.offset, values, sizeof(T) * slab.count)); });
+    if (comm->getSize() > 1) Teuchos::broadcast(*comm, 0, &place);
+    if (slab.count == 0) return;
+    attempt([&] {
+      pieces.push_back(
+          write(static_cast<std::uint64_t>(place) + sizeof(T) * slab.offset, values, sizeof(T) * slab.count));
+    });
   }
 
   /// Writes what HDF5 kept in memory, and zeros between the pieces: then the whole file is known. First rank only.
@@ -83,7 +88,7 @@ struct Hdf5Output::Implementation {
     std::vector<FilePiece> all;
     std::uint64_t end = beginning;
     for (const FilePiece& piece : known) {
-      if (piece.position < end) throw FileError(path + ": HDF5 gave one place to two pieces");
+      if (piece.position < end) throw FileError(path + ": HDF5 allocated one place twice");
       const std::vector<char> zeros(piece.position - end);
       if (!zeros.empty()) all.push_back(write(end, zeros.data(), zeros.size()));
       all.push_back(piece);
@@ -126,11 +131,12 @@ Hdf5Output::Hdf5Output(const std::string& path, const Comm& comm, int user_block
     self.disk->reserve(size);
     hdf5::prepare();
     const Handle creation = property_list(H5P_FILE_CREATE);
-    H5Pset_userblock(creation, static_cast<hsize_t>(user_block));
     const Handle access = self.image.access();
-    H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+    self.check(H5Pset_userblock(creation, static_cast<hsize_t>(user_block)) >= 0 &&
+                   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST) >= 0,
+               "properties");
     self.file = std::make_unique<Handle>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose);
-    if (*self.file < 0) throw FileError(path + ": HDF5 cannot make the file");
+    self.check(*self.file >= 0, "the file");
   });
   if (comm->getSize() > 1)
     together(comm, [&] {

@@ -167,7 +167,9 @@ void Hdf5Series::add(const std::string& path, const std::string& frames, const s
   DiskFile disk(path, DiskFile::Mode::Change);
   hdf5::Image image(&disk);
   const Handle access = image.access();
-  H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);  // for the extensible arrays
+  hdf5::require(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST) >= 0,
+                "properties");  // for the
+                                // extensible arrays
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   bool good = file >= 0;
   if (good) {

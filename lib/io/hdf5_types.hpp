@@ -17,7 +17,7 @@ inline hid_t on_disk(const long long*) { return H5T_STD_I64LE; }
 
 inline Handle text_type(std::size_t length) {
   Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type, std::max<std::size_t>(length, 1));
+  require(H5Tset_size(type, std::max<std::size_t>(length, 1)) >= 0, "a text's type");
   return type;
 }
 

@@ -81,7 +81,8 @@ void HistoryFile::write(const std::vector<double>& values) {
 
 void HistoryFile::flush() {
   last_flush_ = Teuchos::Time::wallTime();
-  // After a failure it is written again from where it began: no row is torn, and none lost, where there is room later.
+  // After a failure the next attempt writes again from the same position. Once the disk has room, no row is torn or
+  // lost.
   file_.write_at(length_.bytes - buffer_.size(), buffer_.data(), buffer_.size());
   buffer_.clear();
 }

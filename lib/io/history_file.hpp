@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// How far a table goes: its rows after the header, and its bytes.
+/// The length of a table: its rows after the header, and its bytes.
 struct TableLength {
   std::uint64_t rows = 0;
   std::uint64_t bytes = 0;
@@ -29,10 +29,10 @@ class HistoryFile {
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
-  /// One row, as many values as columns. Throws FileError where the disk refuses it.
+  /// Writes one row, as many values as columns. Throws FileError if the disk refuses it.
   void write(const std::vector<double>& values);
   void flush();
-  /// Flushes, and has the disk keep it. Throws FileError.
+  /// Flushes, and makes the disk keep the rows. Throws FileError.
   void sync();
   /// Syncs and closes the file; nothing can be written any more. Throws FileError.
   void close();

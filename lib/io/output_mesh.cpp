@@ -8,7 +8,7 @@
 namespace ixos {
 namespace {
 
-/// Into how many pieces a cell is cut along each direction of its contact side.
+/// Returns the number of pieces into which a cell is cut along each direction of its contact side.
 int divisions(CellType type) {
   switch (type) {
     case CellType::Quad4C2:
@@ -27,13 +27,13 @@ int divisions(CellType type) {
   }
 }
 
-/// Into how many cells one is cut.
+/// Returns the number of cells into which one is cut.
 int pieces(CellType type) {
   const int n = divisions(type);
   return plain_type(type) == CellType::Hex8 ? n * n : n;
 }
 
-/// Has piece k of a cell a part of the cell's side? Pieces are cells of the same sides.
+/// Returns whether piece k of a cell has a part of the cell's side. Pieces are cells of the same sides.
 bool has_part(CellType type, int k, int side) {
   const int n = divisions(type), i = k % n, j = k / n;
   if (plain_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
@@ -41,7 +41,7 @@ bool has_part(CellType type, int k, int side) {
   return side % 2 == 0 ? j == (side == 2 ? n - 1 : 0) : i == (side == 1 ? n - 1 : 0);
 }
 
-/// The point of the cell at those reference coordinates, as nodes and weights.
+/// Returns the point of the cell at those reference coordinates, as nodes and weights.
 std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, const std::array<double, 3>& place) {
   return with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
@@ -59,7 +59,7 @@ std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, 
   });
 }
 
-/// One that no other block of the output has: tied edges split blocks of one name.
+/// Returns a name that no other block of the output has: tied edges split blocks of one name.
 std::string unused(const std::string& name, const std::vector<ElementBlock>& blocks) {
   std::string result = name;
   for (int k = 2; std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.name == result; });

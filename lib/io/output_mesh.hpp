@@ -1,4 +1,4 @@
-/// One rank's share of a mesh as ParaView shows it right.
+/// One rank's share of a mesh in the form that ParaView shows correctly.
 #pragma once
 #include <utility>
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace ixos {
 
-/// What a file of one rank says of the whole.
+/// The description of the whole mesh in a file of one rank.
 struct ExodusShare {
   int ranks = 1;
   long long global_nodes = 0;
@@ -17,16 +17,16 @@ struct ExodusShare {
   std::vector<int> cell_ids;            ///< from 1, by cell, block after block
 };
 
-/// The rank's own cells and their nodes as a mesh of their own. An enriched cell becomes a row of bilinear
-/// quadrilaterals, or rows of trilinear hexahedra, one for each piece of its contact side (four along a Hermite side),
-/// so that the curved side shows; their nodes are fixed combinations of the mesh's. Blocks get names of their own:
+/// The rank's own cells and their nodes as a separate mesh. An enriched cell becomes a row of bilinear quadrilaterals,
+/// or rows of trilinear hexahedra, one for each piece of its contact side (four along a Hermite side), so that the
+/// curved side shows; their nodes are fixed combinations of the mesh's. Their blocks get separate names:
 /// "body_contact", "body_contact_2".
 struct OutputMesh {
   OutputMesh(const LocalMesh& local, int ranks);
 
-  /// The value at each node of a field given by local node.
+  /// Returns the value at each node of a field given by local node.
   std::vector<double> nodal(const std::vector<double>& field) const;
-  /// The value at each cell of a block of a field given by local cell.
+  /// Returns the value at each cell of a block of a field given by local cell.
   std::vector<double> cell(std::size_t block, const std::vector<double>& field) const;
 
   Mesh mesh;

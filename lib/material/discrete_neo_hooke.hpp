@@ -11,10 +11,10 @@ namespace ixos {
 
 /// Neo-Hooke (see NeoHooke) between the displacement gradients H0 and H1 (J > 0 at both), objective: P = F_m S with F_m
 /// the mean of F0 and F1, and S symmetric with S:(C1 - C0)/2 = W1 - W0. Gonzalez' (2000) construction needs a switch
-/// where C1 - C0 vanishes; ln det C, a function of one number, needs none: with D the mean cofactor of C along C0 to
-/// C1, x = D:(C1 - C0)/det C0 and q = log_one_plus(x)/(x det C0), S = mu I + q c D, c = -mu + lambda/4 (ln det C0 + ln
-/// det C1). Near the undeformed body it is written in A = C - I, so that small strains keep their digits; else in F,
-/// for C has lost a squeezed body's: a stretch of 1e-8 is a 1e-16 in it, beside 1.
+/// when C1 - C0 vanishes; ln det C, a function of one number, needs none: with D the mean cofactor of C along C0 to C1,
+/// x = D:(C1 - C0)/det C0 and q = log_one_plus(x)/(x det C0), S = mu I + q c D, c = -mu + lambda/4 (ln det C0 + ln det
+/// C1). Near the undeformed body it is written in A = C - I, so that small strains keep their digits. Otherwise it is
+/// written in F, because C loses the digits of a squeezed body: a stretch of 1e-8 is 1e-16 in C, beside 1.
 template <std::size_t D, class T>
 class DiscreteNeoHooke {
  public:
@@ -42,10 +42,10 @@ class DiscreteNeoHooke {
     path_ = select_path(near_undeformed(first, j0) && near_undeformed(first1, j1), near);
   }
 
-  /// P_iJ [E0].
+  /// Returns P_iJ [E0].
   Small<T, D> stress() const { return product(mean_, path_.second); }
 
-  /// A[iJ][kL] = dP_iJ/dF1_kL [E0]; unsymmetric.
+  /// Computes A[iJ][kL] = dP_iJ/dF1_kL [E0]; unsymmetric.
   void moduli(Small<T, D * D>& a) const {
     const T c = path_.pressure - lame_.mu;
     const Small<T, D> g = inverse(end_, determinant(end_));
@@ -64,7 +64,7 @@ class DiscreteNeoHooke {
   }
 
  private:
-  /// What the way from C0 to C1 says.
+  /// The path from C0 to C1: its mean cofactor D, the stress S and their scalars.
   struct Path {
     Small<T, D> cofactor;       ///< D
     Small<T, D> second;         ///< S
@@ -140,7 +140,7 @@ class DiscreteNeoHooke {
       for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * n[i][j];
     return sum;
   }
-  /// cof(F^T F), of F.
+  /// Returns cof(F^T F), computed from F.
   static Small<T, D> right_cofactor(const Small<T, D>& f) {
     Small<T, D> result;
     if constexpr (D == 2) {
@@ -174,7 +174,7 @@ class DiscreteNeoHooke {
       }
     return result;
   }
-  /// cof(I + A) - I of a symmetric A.
+  /// Returns cof(I + A) - I of a symmetric A.
   static Small<T, D> cofactor_of_identity_plus(const Small<T, D>& a) {
     Small<T, D> result;
     if constexpr (D == 3)

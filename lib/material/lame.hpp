@@ -9,13 +9,13 @@ struct Lame {
   double lambda;
 };
 
-/// E = mu (3 lambda + 2 mu)/(lambda + mu).
+/// Returns E = mu (3 lambda + 2 mu)/(lambda + mu).
 constexpr double youngs_modulus(const Lame& lame) {
   return lame.mu * (3 * lame.lambda + 2 * lame.mu) / (lame.lambda + lame.mu);
 }
 
-/// From Young's modulus E > 0 [E0] and Poisson's ratio nu in (-1, 0.5): mu = E/(2 (1 + nu)), lambda = E nu/((1 + nu)
-/// (1 - 2 nu)). The caller has checked the range.
+/// Returns Lame's constants from Young's modulus E > 0 [E0] and Poisson's ratio nu in (-1, 0.5): mu = E/(2 (1 + nu)),
+/// lambda = E nu/((1 + nu) (1 - 2 nu)). The caller has checked the range.
 constexpr Lame lame_constants(double young, double poissons_ratio) {
   return {young / (2 * (1 + poissons_ratio)),
           young * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio))};

@@ -11,7 +11,7 @@ struct LinearElastic {
   static constexpr bool can_invert = false;
   Lame lame;
 
-  /// Energy per volume [E0].
+  /// Returns the energy per volume [E0].
   template <std::size_t D, class T>
   T energy(const Small<T, D>& h) const {
     Small<T, D> p;
@@ -23,7 +23,7 @@ struct LinearElastic {
     return 0.5 * sum;
   }
 
-  /// Cauchy stress [E0]. Returns 1: a linear material never inverts.
+  /// Computes the Cauchy stress [E0]. Returns 1: a linear material never inverts.
   template <std::size_t D, class T>
   T stress(const Small<T, D>& h, Small<T, D>& p) const {
     T trace = h[0][0];
@@ -36,7 +36,8 @@ struct LinearElastic {
     return T(1.0);
   }
 
-  /// The stress whose work from H0 to H1 is the change of the energy, that in the middle, and its derivative in H1.
+  /// Computes the stress whose work from H0 to H1 is the change of the energy (the stress in the middle), and its
+  /// derivative in H1.
   template <std::size_t D, class T>
   void discrete_gradient(const Small<T, D>& h0, const Small<T, D>& h1, Small<T, D>& p) const {
     Small<T, D> mean;
@@ -52,13 +53,13 @@ struct LinearElastic {
       for (T& value : row) value *= 0.5;
   }
 
-  /// The stress out of the plane in plane strain, lambda tr eps [E0].
+  /// Returns the stress out of the plane in plane strain, lambda tr eps [E0].
   template <class T>
   T out_of_plane_stress(const Small<T, 2>& h) const {
     return lame.lambda * (h[0][0] + h[1][1]);
   }
 
-  /// Stress and constant moduli, A[iJ][kL] = dP_iJ/dH_kL.
+  /// Computes the stress and the constant moduli, A[iJ][kL] = dP_iJ/dH_kL.
   template <std::size_t D, class T>
   T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {
     for (std::size_t i = 0; i < D; ++i)
@@ -74,7 +75,7 @@ struct LinearElastic {
     return stress(h, p);
   }
 
-  /// The same in a body that is taken as undeformed, and F^-1 = I.
+  /// Computes the moduli in the deformed body, which is taken as undeformed, and F^-1 = I.
   template <std::size_t D, class T>
   SpatialTangent<T> spatial_tangent(const Small<T, D>& /*h*/, Small<T, D>& inverse_deformation) const {
     for (std::size_t i = 0; i < D; ++i)

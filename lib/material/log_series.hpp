@@ -1,4 +1,4 @@
-/// Differences of logarithms that keep their digits near 0. Each is given l = log1p(x), which its caller has.
+/// Differences of logarithms that keep their digits near 0. The caller passes l = log1p(x) to each function.
 #pragma once
 #include <cmath>
 
@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// ln(1 + x): of packs by 2 artanh(x/(2 + x)), whose series needs eleven terms for |x| < 0.3, and lane by lane where
-/// some lane is larger.
+/// Returns ln(1 + x). For packs it uses 2 artanh(x/(2 + x)), whose series needs eleven terms for |x| < 0.3; if some
+/// lane is larger, it computes lane by lane.
 template <class T>
 T log_one_plus(const T& x) {
   using std::log1p;
@@ -21,7 +21,7 @@ inline Pack log_one_plus(const Pack& x) {
   return 2.0 * s * sum;
 }
 
-/// The same, also where x is close to -1: given sqrt(1 + x), which has the more digits where |x| is not small.
+/// Returns ln(1 + x), also for x close to -1: given sqrt(1 + x), which has more correct digits unless |x| is small.
 template <class T>
 T log_one_plus(const T& x, const T& root) {
   using std::abs;
@@ -30,15 +30,17 @@ T log_one_plus(const T& x, const T& root) {
   return select(small, log_one_plus(T(select(small, x, T(0.0)))), T(log(T(root * root))));
 }
 
-/// Whether A = C - I is small, given its trace and det C - 1: of a mask's lanes. Up to there C has the more digits.
+/// Returns whether A = C - I is small (for packs: the mask of lanes), given its trace and det C - 1. Up to that size C
+/// has more correct digits.
 template <class T>
 auto near_undeformed(const T& trace, const T& j) {
   using std::abs;
   return abs(j) + abs(trace) < 0.5;
 }
 
-/// ln det C, given A = C - I's trace, j = det C - 1 and J = det F. Near the undeformed state, turned or not, j has the
-/// more digits; far from it J, for det C has the rounding error of a square: none are left of it at J = 1e-8.
+/// Returns ln det C, given the trace of A = C - I, j = det C - 1 and J = det F. Near the undeformed state, rotated or
+/// not, j has more correct digits. Far from it J has: det C has the rounding error of a square, and no correct digit at
+/// J = 1e-8.
 template <class T>
 T log_determinant(const T& trace, const T& j, const T& jacobian) {
   using std::log;
@@ -47,7 +49,7 @@ T log_determinant(const T& trace, const T& j, const T& jacobian) {
   return everywhere(near) ? close : select(near, close, T(log(T(jacobian * jacobian))));
 }
 
-/// (x - log1p(x))/x^2 by its series, sum_{k>=2} (-1)^k x^(k-2)/k: for |x| < 0.02, where ten terms leave 2e-18.
+/// Returns (x - log1p(x))/x^2 by its series, sum_{k>=2} (-1)^k x^(k-2)/k: for |x| < 0.02, where ten terms leave 2e-18.
 template <class T>
 T minus_log1p_series(const T& x) {
   T sum = T(-1.0 / 11) * x + T(1.0 / 10);
@@ -55,7 +57,7 @@ T minus_log1p_series(const T& x) {
   return sum;
 }
 
-/// 1 - log1p(x)/x, 0 at x = 0.
+/// Returns 1 - log1p(x)/x, 0 at x = 0.
 template <class T>
 T minus_log1p_quotient(const T& x, const T& l) {
   using std::abs;
@@ -63,7 +65,7 @@ T minus_log1p_quotient(const T& x, const T& l) {
   return select(small, T(minus_log1p_series(x) * x), T((x - l) / select(small, T(1.0), x)));
 }
 
-/// log1p(x)/x, 1 at x = 0.
+/// Returns log1p(x)/x, 1 at x = 0.
 template <class T>
 T log1p_quotient(const T& x, const T& l) {
   using std::abs;
@@ -71,7 +73,7 @@ T log1p_quotient(const T& x, const T& l) {
   return select(small, T(1.0 - minus_log1p_series(x) * x), T(l / select(small, T(1.0), x)));
 }
 
-/// 1 + x times the derivative of log1p(x)/x, (x - (1 + x) log1p(x))/x^2, -1/2 at x = 0.
+/// Returns 1 + x times the derivative of log1p(x)/x, (x - (1 + x) log1p(x))/x^2, -1/2 at x = 0.
 template <class T>
 T scaled_log1p_quotient_slope(const T& x, const T& l) {
   // sum_{k>=2} (-1)^(k+1) (k-1)/k x^(k-2)

@@ -11,16 +11,16 @@
 namespace ixos {
 
 /// W = mu/2 (tr B - 3) - mu ln J + lambda/2 (ln J)^2 (Zienkiewicz and Taylor 2005; Gautam and Sauer 2014, eq. 36), in
-/// plane strain (D = 2, B_33 = 1) and in three dimensions. Written in A = F^T F - I with j = det C - 1 and L = ln det
-/// C, so that W = mu/2 (j - L - I2 - I3) + lambda/8 L^2, where j is not small mu/2 (tr A - L) + lambda/8 L^2, and P =
-/// F^-T (mu A + lambda/2 L I) keep their digits at strains down to roundoff, and up to a J of roundoff. Moduli are
-/// stored A[iJ][kL], row iJ = i D + J.
+/// plane strain (D = 2, B_33 = 1) and in three dimensions. It is written in A = F^T F - I with j = det C - 1 and L = ln
+/// det C: W = mu/2 (j - L - I2 - I3) + lambda/8 L^2, or mu/2 (tr A - L) + lambda/8 L^2 if j is not small, and P = F^-T
+/// (mu A + lambda/2 L I). These forms keep their digits at strains down to roundoff, and up to a J of roundoff. Moduli
+/// are stored A[iJ][kL], row iJ = i D + J.
 struct NeoHooke {
   /// J <= 0 is inadmissible.
   static constexpr bool can_invert = true;
   Lame lame;
 
-  /// Energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.
+  /// Returns the energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.
   template <std::size_t D, class T>
   T energy(const Small<T, D>& h) const {
     const Small<T, D> a = green_strain_doubled(h);
@@ -32,7 +32,7 @@ struct NeoHooke {
     return lame.mu / 2 * stretch + lame.lambda / 8 * (l * l);
   }
 
-  /// First Piola-Kirchhoff stress P_iJ [E0]. Returns J = det F.
+  /// Computes the first Piola-Kirchhoff stress P_iJ [E0]. Returns J = det F.
   template <std::size_t D, class T>
   T stress(const Small<T, D>& h, Small<T, D>& p) const {
     State<D, T> s(h);
@@ -40,8 +40,8 @@ struct NeoHooke {
     return s.jacobian;
   }
 
-  /// The stress whose work from H0 to H1 is the change of the energy, P:(H1 - H0) = W1 - W0, and its derivative in H1
-  /// (unsymmetric). J > 0 at both ends.
+  /// Computes the stress whose work from H0 to H1 is the change of the energy, P:(H1 - H0) = W1 - W0, and its
+  /// derivative in H1 (unsymmetric). J > 0 at both ends.
   template <std::size_t D, class T>
   void discrete_gradient(const Small<T, D>& h0, const Small<T, D>& h1, Small<T, D>& p) const {
     p = DiscreteNeoHooke<D, T>(lame, h0, h1).stress();
@@ -51,14 +51,14 @@ struct NeoHooke {
     DiscreteNeoHooke<D, T>(lame, h0, h1).moduli(moduli);
   }
 
-  /// The stress out of the plane in plane strain, sigma_33 = lambda ln J/J [E0].
+  /// Returns the stress out of the plane in plane strain, sigma_33 = lambda ln J/J [E0].
   template <class T>
   T out_of_plane_stress(const Small<T, 2>& h) const {
     const State<2, T> s(h);
     return lame.lambda / 2 * s.l / s.jacobian;
   }
 
-  /// Stress and its derivative A[iJ][kL] = dP_iJ/dF_kL [E0]; the derivative is symmetric. Returns J.
+  /// Computes the stress and its derivative A[iJ][kL] = dP_iJ/dF_kL [E0]; the derivative is symmetric. Returns J.
   template <std::size_t D, class T>
   T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {
     State<D, T> s(h);
@@ -75,7 +75,7 @@ struct NeoHooke {
     return s.jacobian;
   }
 
-  /// The same derivative in the deformed body, and F^-1.
+  /// Computes the moduli in the deformed body, and F^-1.
   template <std::size_t D, class T>
   SpatialTangent<T> spatial_tangent(const Small<T, D>& h, Small<T, D>& inverse_deformation) const {
     const State<D, T> s(h);
@@ -84,7 +84,7 @@ struct NeoHooke {
   }
 
  private:
-  /// What stress and moduli share: A, g = F^-1, J and L = ln det C.
+  /// The quantities that stress and moduli share: A, g = F^-1, J and L = ln det C.
   template <std::size_t D, class T>
   struct State {
     explicit State(const Small<T, D>& h) : a(green_strain_doubled(h)) {

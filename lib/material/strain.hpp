@@ -4,7 +4,7 @@
 
 namespace ixos {
 
-/// A = F^T F - I = H + H^T + H^T H, for the displacement gradient H_iJ = du_i/dX_J.
+/// Returns A = F^T F - I = H + H^T + H^T H, for the displacement gradient H_iJ = du_i/dX_J.
 template <std::size_t D, class T>
 Small<T, D> green_strain_doubled(const Small<T, D>& h) {
   Small<T, D> a;
@@ -24,7 +24,7 @@ T trace(const Small<T, D>& m) {
   return sum;
 }
 
-/// The sum I2 + I3 of the second and third invariant of A (plane strain: A_33 = 0, I3 = 0).
+/// Returns the sum I2 + I3 of the second and third invariant of A (plane strain: A_33 = 0, I3 = 0).
 template <class T>
 T higher_invariants(const Small<T, 2>& a) {
   return determinant(a);
@@ -37,7 +37,7 @@ T higher_invariants(const Small<T, 3>& a) {
   return i2 + determinant(a);
 }
 
-/// F = I + H.
+/// Returns F = I + H.
 template <std::size_t D, class T>
 Small<T, D> deformation_gradient(const Small<T, D>& h) {
   Small<T, D> f = h;

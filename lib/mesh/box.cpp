@@ -22,13 +22,13 @@ void check(const BoxShape& shape) {
   if (nodes > 5e7) throw InputError(fmt::format("box: divisions make {:.3g} nodes; at most 5e7 are allowed", nodes));
 }
 
-/// The names of the sides, by local side number.
+/// Returns the names of the sides, by local side number.
 std::vector<std::string> side_names(int dimension) {
   if (dimension == 2) return {"bottom", "right", "top", "left"};
   return {"front", "right", "back", "left", "bottom", "top"};
 }
 
-/// Is the side of cell (i, j, k) on the boundary of the box?
+/// Returns whether the side of cell (i, j, k) is on the boundary of the box.
 bool on_boundary(const std::string& name, const std::array<int, 3>& cell, const std::array<int, 3>& n, int dimension) {
   const std::size_t last = dimension == 2 ? 1 : 2;
   if (name == "left") return cell[0] == 0;

@@ -45,8 +45,8 @@ double length(const Mesh& mesh, const Edge& edge) {
 }
 
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
-  // Counts for each edge of the set's faces those faces less all cells around it. A cell has one face in the set, so
-  // that nothing is left where every cell at the edge is enriched along it; cells may also meet in the edge alone.
+  // Counts, for each edge of the set's faces, those faces less all cells around it. A cell has one face in the set, so
+  // the count is zero if every cell at the edge is enriched along it; cells may also meet in the edge alone.
   constexpr std::array<std::array<int, 2>, 12> edges{
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   std::map<Edge, int> balance;

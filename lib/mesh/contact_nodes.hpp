@@ -8,49 +8,50 @@
 
 namespace ixos {
 
-/// What an enriched side has beyond its corners.
+/// The nodes of an enriched side beyond its corners.
 struct ExtraNodes {
   std::vector<int> nodes;                ///< in the order of the side's element
   std::vector<double> derivative_scale;  ///< see ElementBlock
   unsigned tied = 0;                     ///< see ElementBlock
 };
 
-/// The corners of a side of a plain cell, counter-clockwise seen from outside.
+/// Returns the corners of a side of a plain cell, counter-clockwise seen from outside.
 std::vector<int> side_corners(const Mesh& mesh, const Side& side);
 
-/// A new node at the mesh's end; `derivative_of` as in Mesh.
+/// Adds a node at the mesh's end and returns its number; `derivative_of` as in Mesh.
 int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of);
 
-/// The places of nodes between others.
+/// The nodes that lie between given corners.
 struct Between {
   std::vector<int> corners;
   std::vector<int> nodes;
 };
 
-/// Gives each node set that holds all of the corners the nodes between them.
+/// Adds the nodes in between to each node set that holds all of their corners.
 void complete_node_sets(Mesh& mesh, const std::vector<Between>& added);
 
 using Edge = std::pair<int, int>;
 
-/// The same for both directions of an edge.
+/// Returns one key for both directions of an edge.
 Edge edge_key(int a, int b);
 
-/// Of the straight line between an edge's nodes, in either direction.
+/// Returns the length of the straight line between an edge's nodes [L0]; the direction of the edge does not matter.
 double length(const Mesh& mesh, const Edge& edge);
 
-/// The edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key().
+/// Returns the edges of a set of faces that also belong to a hexahedron without a face of the set there, by edge_key().
 std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set);
 
-/// Nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces; side by side of the set. Edges of
-/// tied_edges() get no nodes, but their bit in `tied`.
+/// Adds the nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces, and returns them side by
+/// side of the set. Edges of tied_edges() get no nodes, but their bit in `tied`.
 std::vector<ExtraNodes> add_lagrange_nodes(Mesh& mesh, const SideSet& set, int order);
 
-/// Derivative nodes of Hermite sides of quadrilaterals, one for each node of the set; side by side of the set.
+/// Adds the derivative nodes of Hermite sides of quadrilaterals, one for each node of the set, and returns them side by
+/// side of the set.
 std::vector<ExtraNodes> add_hermite_nodes(Mesh& mesh, const SideSet& set);
 
-/// Derivative nodes of Hermite faces of hexahedra, three for each node of the set; face by face of the set. Edges of
-/// tied_edges() need none along them, and set their bit in `tied`. Throws InputError where the faces are no regular
-/// grid: other than four around a node inside the set, or more than three around one of its rim.
+/// Adds the derivative nodes of Hermite faces of hexahedra, three for each node of the set, and returns them face by
+/// face of the set. Edges of tied_edges() need none along them, and set their bit in `tied`. Throws InputError if the
+/// faces are no regular grid: other than four around a node inside the set, or more than three around one of its rim.
 std::vector<ExtraNodes> add_hermite_face_nodes(Mesh& mesh, const SideSet& set);
 
 }  // namespace ixos

@@ -22,7 +22,7 @@ void check(const DiskShape& shape) {
                                  shape.core_divisions, shape.rings, nodes));
 }
 
-/// Grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.
+/// Returns the grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.
 std::vector<std::array<int, 2>> core_boundary(int n) {
   std::vector<std::array<int, 2>> nodes;
   nodes.reserve(4 * static_cast<std::size_t>(n));

@@ -47,7 +47,7 @@ struct Turn {
   std::vector<int> side;    ///< by old side: the new one
 };
 
-/// The corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
+/// Returns the corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
 int opposite(int corner, const std::vector<int>& corners) {
   const int layer = corner / 4 * 4, above = (corner + 4) % 8;
   for (int other : {layer + (corner + 1) % 4, layer + (corner + 3) % 4})

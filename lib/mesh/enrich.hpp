@@ -17,10 +17,10 @@ enum class ContactElement { Q1C1, Q1C2, Q1C3, Q1C4, Q1CH };
 /// edge, or all corners of a face, gets the nodes between them. `points` are Gauss points along the side, 0 for the
 /// element's own. Q1C1 changes nothing.
 ///
-/// Where an edge of an enriched face also belongs to a hexahedron that has no face of the set there, at the rim of the
-/// set inside a body, it is tied: it stays straight and gets no nodes (ElementBlock::tied). At a free rim it is
-/// enriched as any other. Throws InputError where a cell has two sides in the set or is enriched already, and where the
-/// faces of a set with Q1CH are no regular grid: four around each node inside it, at most three around one of its rim.
+/// An edge of an enriched face that also belongs to a hexahedron without a face of the set there (at the rim of the
+/// set, inside a body) is tied: it stays straight and gets no nodes (ElementBlock::tied). At a free rim it is enriched
+/// as any other. Throws InputError if a cell has two sides in the set or is enriched already, and if the faces of a set
+/// with Q1CH are no regular grid: four around each node inside it, at most three around one of its rim.
 void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points = 0);
 
 }  // namespace ixos

@@ -16,28 +16,28 @@ using Face = std::array<int, 4>;
 struct Fan {
   int node;
   std::vector<int> spokes;         ///< their other ends, counter-clockwise
-  std::vector<std::size_t> faces;  ///< as many as spokes where the fan is closed, else one less
+  std::vector<std::size_t> faces;  ///< as many as spokes if the fan is closed, else one less
 };
 
-/// Throws InputError where a closed fan has other than four faces, an open one more than three, or an edge more than
-/// two.
+/// The grid of a set's faces. Throws InputError if a closed fan has other than four faces, an open one more than three,
+/// or an edge more than two.
 class FaceGrid {
  public:
   FaceGrid(const Mesh& mesh, const SideSet& set);
 
   const std::vector<Face>& faces() const { return faces_; }
-  /// Nodes where faces meet in a corner only have several.
+  /// Returns the fans. A node at which faces meet in a corner only has several.
   const std::vector<Fan>& fans() const { return fans_; }
 
   struct Place {
     std::size_t fan;
     std::size_t position;  ///< of the face in it
   };
-  /// Where a corner of a face stands.
+  /// Returns the place of a face's corner.
   const Place& place(std::size_t face, std::size_t corner) const { return places_[face][corner]; }
 
-  /// The mean length of the edges that lie opposite each other in a row of faces, this edge among them [L0]. That all
-  /// have one width lets derivatives across a line of the grid match along all of it.
+  /// Returns the mean length of the edges that lie opposite each other in a row of faces, this edge among them [L0]. As
+  /// all of them have one width, derivatives across a line of the grid match along all of it.
   double width(int a, int b) const { return widths_.at(edge_key(a, b)); }
 
  private:

@@ -15,8 +15,8 @@ struct DiskShape {
   double core_half_side = 0.4;     ///< half side of the core over the radius, in (0, 0.7)
 };
 
-/// (core_divisions)^2 + 4 core_divisions rings cells, counter-clockwise. Block "body"; node and side set "surface"; the
-/// node set "center" is the node at the centre. Throws InputError for a value out of range.
+/// Returns (core_divisions)^2 + 4 core_divisions rings cells, counter-clockwise. Block "body"; node and side set
+/// "surface"; the node set "center" is the node at the centre. Throws InputError for a value out of range.
 Mesh disk(const DiskShape& shape);
 
 /// A box of quadrilaterals (dimension 2) or hexahedra (dimension 3).
@@ -27,8 +27,8 @@ struct BoxShape {
   std::array<int, 3> divisions{1, 1, 1};         ///< cells along x, y, z, >= 1
 };
 
-/// Block "body"; node and side sets "left", "right" (x), "bottom", "top" (the last direction: y in 2D, z in 3D),
-/// "front", "back" (y in 3D) and "surface" (all). Throws InputError for a value out of range.
+/// Returns a box. Block "body"; node and side sets "left", "right" (x), "bottom", "top" (the last direction: y in 2D, z
+/// in 3D), "front", "back" (y in 3D) and "surface" (all). Throws InputError for a value out of range.
 Mesh box(const BoxShape& shape);
 
 }  // namespace ixos

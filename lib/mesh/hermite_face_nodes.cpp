@@ -6,7 +6,7 @@
 namespace ixos {
 namespace {
 
-/// Which of a node's derivatives: along its fan's spokes 0 and 2, along 1 and 3, or mixed.
+/// The kinds of a node's derivatives: along its fan's spokes 0 and 2, along 1 and 3, or mixed.
 constexpr std::size_t mixed = 2;
 
 /// The derivative along a spoke points to the end of the first of its direction, and away from that of the second.
@@ -26,7 +26,7 @@ class HermiteFaceNodes {
 
  private:
   ExtraNodes add_face(std::size_t number) {
-    // Of a corner: its face's edges along xi and eta, and whether it is at the end of their coordinates.
+    // By corner: its face's edges along xi and eta, and whether it is at the end of their coordinates.
     constexpr std::size_t edges[4][2] = {{0, 3}, {0, 1}, {2, 1}, {2, 3}};
     constexpr bool at_end[4][2] = {{false, false}, {true, false}, {true, true}, {false, true}};
     const Face& face = grid_.faces()[number];
@@ -64,7 +64,7 @@ class HermiteFaceNodes {
 
   double width(const Fan& fan, std::size_t spoke) const { return grid_.width(fan.node, fan.spokes[spoke]); }
 
-  /// The length that a node's derivative is scaled by: the mean of its spokes'.
+  /// Returns the length that scales a node's derivative: the mean of its spokes' lengths.
   double nodal_width(const Fan& fan, std::size_t direction) const {
     double sum = 0, count = 0;
     for (std::size_t spoke = direction; spoke < fan.spokes.size(); spoke += 2, ++count) sum += width(fan, spoke);
@@ -83,7 +83,7 @@ class HermiteFaceNodes {
     for (std::size_t i = 0; i < 3; ++i) sum[i] += factor * mesh_.coordinates[3 * static_cast<std::size_t>(node) + i];
   }
 
-  /// dX/dxi of a face of the nodal width: the mean of the spokes' slopes.
+  /// Returns dX/dxi of a face of the nodal width: the mean of the spokes' slopes.
   std::vector<double> tangent(const Fan& fan, std::size_t direction) const {
     std::vector<double> sum(3, 0.0);
     const double spans = fan.spokes.size() > direction + 2 ? 2 : 1;
@@ -94,7 +94,7 @@ class HermiteFaceNodes {
     return sum;
   }
 
-  /// d2X/dxi deta of a face of the nodal widths: of bilinear faces, weighted with their widths.
+  /// Returns d2X/dxi deta of a face of the nodal widths: of bilinear faces, weighted with their widths.
   std::vector<double> twist(const Fan& fan) const {
     double area = 0;
     for (std::size_t k = 0; k < fan.faces.size(); ++k) area += width(fan, k) * width(fan, (k + 1) % fan.spokes.size());
@@ -113,7 +113,7 @@ class HermiteFaceNodes {
   Mesh& mesh_;
   FaceGrid grid_;
   std::set<Edge> tied_;
-  std::vector<std::array<int, 3>> nodes_;  ///< by fan: its derivative nodes, -1 where none was needed yet
+  std::vector<std::array<int, 3>> nodes_;  ///< by fan: its derivative nodes, -1 if none was needed yet
   std::vector<Between> added_;
 };
 

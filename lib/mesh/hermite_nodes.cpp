@@ -35,13 +35,13 @@ class HermiteNodes {
   }
 
  private:
-  /// The node's neighbours along the set, itself where the set ends.
+  /// Returns the node's neighbours along the set; at an end of the set, the node itself.
   Edge neighbours(int node) const {
     const auto before = previous_.find(node), after = next_.find(node);
     return {before == previous_.end() ? node : before->second, after == next_.end() ? node : after->second};
   }
 
-  /// The length that a node's derivative is scaled by: the mean of its two sides'.
+  /// Returns the length that scales a node's derivative: the mean of its two sides' lengths.
   double nodal_length(int node) const {
     const auto [before, after] = neighbours(node);
     const double lengths = length(mesh_, {before, node}) + length(mesh_, {node, after});

@@ -29,7 +29,7 @@ std::vector<long long> number_by_rank(const std::vector<int>& owner, int ranks) 
   return number;
 }
 
-/// For each block, which cells touch a node of this rank.
+/// Returns, for each block, which cells touch a node of this rank.
 std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector<int>& owner, int rank) {
   std::vector<std::vector<int>> result;
   for (const ElementBlock& block : mesh.blocks) {

@@ -28,8 +28,8 @@ struct LocalBlock {
   int cells() const { return static_cast<int>(owned.size()); }
 };
 
-/// The owned nodes come first, then one layer of ghosts: the other nodes of every cell that touches an owned node. A
-/// rank assembles only the rows of its own nodes, and needs no other rank's cells for it. Each rank's nodes have
+/// A rank's owned nodes, then one layer of ghosts: the other nodes of every cell that touches an owned node. A rank
+/// assembles only the rows of its owned nodes, and needs no cell of another rank for that. The nodes of each rank have
 /// consecutive global numbers. A cell belongs to the rank that owns its first node.
 struct LocalMesh {
   int dimension = 2;
@@ -49,16 +49,16 @@ struct LocalMesh {
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
   bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
-  /// Was the node added by enrich()?
+  /// Returns whether enrich() added the node.
   bool is_added(std::size_t node) const { return plain_nodes >= 0 && original_ids[node] >= plain_nodes; }
-  /// Index of the set of that name; throws InputError that names the nearest one.
+  /// Returns the index of the set of that name. Throws InputError that names the nearest name if no set has it.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;
-  /// Indices of the blocks of that name, several where some cells are enriched; throws InputError likewise.
+  /// Returns the indices of the blocks of that name, several if some cells are enriched. Throws InputError likewise.
   std::vector<std::size_t> blocks_named(const std::string& name) const;
 };
 
-/// Cuts rank `rank`'s part out of the mesh.
+/// Extracts rank `rank`'s part of the mesh.
 LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks);
 
 }  // namespace ixos

@@ -5,15 +5,15 @@ namespace {
 
 using Sides = std::vector<std::vector<int>>;
 
-/// Of a quadrilateral whose first side has that many more nodes.
+/// Returns the sides of a quadrilateral whose first side has that many more nodes.
 Sides quad_sides(int extra) {
   Sides sides = {{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   for (int k = 0; k < extra; ++k) sides[0].push_back(4 + k);
   return sides;
 }
 
-/// Of a hexahedron whose bottom has three derivatives at each corner: along its first and second edge, seen from
-/// outside, and mixed. A side beside it has those along the edge that they share.
+/// Returns the sides of a hexahedron whose bottom has three derivatives at each corner: along its first and second
+/// edge, seen from outside, and mixed. A side beside the bottom has the derivatives along the edge that they share.
 Sides hermite_sides() {
   Sides sides = {{0, 1, 5, 4, 9, 18}, {1, 2, 6, 5, 17, 14}, {2, 3, 7, 6, 15, 12}, {3, 0, 4, 7, 11, 8}, {0, 3, 2, 1}};
   for (int k = 8; k < 20; ++k) sides.back().push_back(k);
@@ -21,14 +21,14 @@ Sides hermite_sides() {
   return sides;
 }
 
-/// Of a hexahedron whose bottom has that many nodes inside each edge.
+/// Returns the sides of a hexahedron whose bottom has that many nodes inside each edge.
 Sides hex_sides(int inner) {
   if (inner == 0) return {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}};
   Sides sides;
   for (int side = 0; side < 4; ++side) {
     const int next = (side + 1) % 4;
     sides.push_back({side, next, next + 4, side + 4});
-    // The bottom, seen from outside, runs through its edges the other way round.
+    // Seen from outside, the bottom runs through its edges in the opposite direction.
     for (int k = inner - 1; k >= 0; --k) sides.back().push_back(8 + (3 - side) * inner + k);
   }
   sides.push_back({0, 3, 2, 1});

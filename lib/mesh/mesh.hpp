@@ -1,4 +1,4 @@
-/// A mesh as a generator or a file gives it: whole, in memory, numbered from zero.
+/// A mesh as a generator or a file provides it: whole, in memory, numbered from zero.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,21 +14,21 @@ enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, H
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
-/// The cell without its enrichment: Quad4 or Hex8.
+/// Returns the type of the cell without its enrichment: Quad4 or Hex8.
 CellType plain_type(CellType type);
-/// The side that is enriched: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 of plain cells.
+/// Returns the enriched side: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 for plain cells.
 int contact_side(CellType type);
-/// Are the other nodes of the contact side derivatives? Of Quad4CH and Hex8CH.
+/// Returns whether the other nodes of the contact side are derivatives: true for Quad4CH and Hex8CH.
 bool is_hermite(CellType type);
 
-/// Where node `a` of a cell stands in a table of cells x nodes per cell.
+/// Returns the position of node `a` of a cell in a table of cells x nodes per cell.
 inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
   return static_cast<std::size_t>(cell) * static_cast<std::size_t>(nodes_per_cell) + static_cast<std::size_t>(a);
 }
 
-/// The local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside, counter-
-/// clockwise. Two nodes for a quadrilateral, four for a hexahedron; of an enriched side then the others. The sides of
-/// an enriched hexahedron that share an edge with its contact side begin with that edge.
+/// Returns the local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside,
+/// counter-clockwise. Two nodes for a quadrilateral, four for a hexahedron; an enriched side adds its other nodes. The
+/// sides of an enriched hexahedron that share an edge with its contact side begin with that edge.
 const std::vector<int>& side_nodes(CellType type, int side);
 
 /// Cells of one type and one material.
@@ -36,9 +36,9 @@ struct ElementBlock {
   std::string name;
   CellType type = CellType::Quad4;
   std::vector<int> nodes;  ///< cells x nodes per cell, row by row, in Exodus order
-  /// Hermite cells only, cells x their 2 or 12 derivative nodes: what the nodes' shape functions are multiplied by, the
-  /// side's length over the length that scales the node's derivative; of a face less than 0 where its direction is the
-  /// opposite, and a product for the mixed derivative.
+  /// Hermite cells only, cells x their 2 or 12 derivative nodes: the factor of each node's shape function, the side's
+  /// length over the length that scales the node's derivative. On a face it is negative if its direction is the
+  /// opposite; for the mixed derivative it is a product.
   std::vector<double> derivative_scale{};
   int points = 0;  ///< Gauss points along an enriched side; 0: the element's own
   /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept straight: evaluate_tied().
@@ -47,8 +47,8 @@ struct ElementBlock {
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }
 };
 
-/// What node `a` of the cell counts with in its cell: 1, or its entry in `derivative_scale`. `Block` is an ElementBlock
-/// or a LocalBlock.
+/// Returns the factor of the shape function of node `a` in the cell: 1, or its entry in `derivative_scale`. `Block` is
+/// an ElementBlock or a LocalBlock.
 template <class Block>
 double node_scale(const Block& block, int cell, int a) {
   const int corners = nodes_per_cell(plain_type(block.type));
@@ -56,8 +56,8 @@ double node_scale(const Block& block, int cell, int a) {
   return block.derivative_scale[cell_entry(cell, nodes_per_cell(block.type) - corners, a - corners)];
 }
 
-/// What node `a` of a side counts with in the side's own element. The edge that a hexahedron's side 2 or 3 shares with
-/// the contact side runs against that side's coordinate, and so does the derivative along it.
+/// Returns the factor of node `a` of a side in the side's own element. The edge that a hexahedron's side 2 or 3 shares
+/// with the contact side runs against that side's coordinate, and so does the derivative along it.
 template <class Block>
 double side_node_scale(const Block& block, int cell, int side, std::size_t a) {
   const int node = side_nodes(block.type, side)[a];
@@ -65,7 +65,7 @@ double side_node_scale(const Block& block, int cell, int side, std::size_t a) {
   return block.type == CellType::Hex8CH && node >= 8 && (side == 2 || side == 3) ? -scale : scale;
 }
 
-/// The tied edges of a side of the block's cells, as its own element counts them. `Block` as above.
+/// Returns the tied edges of a side of the block's cells, as its own element counts them. `Block` as above.
 template <class Block>
 unsigned side_ties(const Block& block, int side) {
   if (block.tied == 0 || side > contact_side(block.type)) return 0;
@@ -93,15 +93,15 @@ struct NodeSet {
 struct Mesh {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension, row by row [L0]
-  /// Empty, or per node: -1 for a point of the body; else this node stands for a derivative along the boundary at that
-  /// node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds; or, with two
-  /// such factors, for the mixed derivative along a surface's two directions.
+  /// Empty, or per node: -1 for a point of the body; otherwise this node stands for a derivative along the boundary at
+  /// that node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds; or, with
+  /// two such factors, for the mixed derivative along a surface's two directions.
   std::vector<int> derivative_of;
   std::vector<ElementBlock> blocks;
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
 
-  int plain_nodes = -1;  ///< number of nodes before enrich() added some behind them; -1: none were added
+  int plain_nodes = -1;  ///< number of nodes before enrich() appended some; -1: none were added
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int cells() const;

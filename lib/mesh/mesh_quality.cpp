@@ -20,7 +20,7 @@ struct CellQuality {
   double volume = 0;
 };
 
-/// The determinant of the matrix whose columns are those of `m` scaled to length 1.
+/// Returns the determinant of the matrix whose columns are those of `m` scaled to length 1.
 template <std::size_t D>
 double scaled_determinant(const Small<double, D>& m) {
   double product = 1;
@@ -32,7 +32,8 @@ double scaled_determinant(const Small<double, D>& m) {
   return product > 0 ? determinant(m) / product : 0;
 }
 
-/// Of the element with as many corners as `Element`, whose Jacobian at a corner has half the edges there as columns.
+/// Returns the quality of a cell from the element with as many corners as `Element`. The columns of that element's
+/// Jacobian at a corner are half the edges there.
 template <class Element>
 CellQuality cell_quality(const Mesh& mesh, const int* nodes) {
   constexpr std::size_t D = Element::dimension, N = Element::nodes;

@@ -4,8 +4,10 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
+#include "base/memory.hpp"
 #include "fem/cell_types.hpp"
 #include "mesh/selection.hpp"
 
@@ -57,7 +59,7 @@ std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<
   std::vector<int> owner(static_cast<std::size_t>(mesh.nodes()), 0);
   if (ranks == 1) return owner;
   if (mesh.nodes() <= 2 * ranks) {
-    // METIS balances parts of many nodes; of so few, a rank gets one each and further ranks none.
+    // METIS balances parts of many nodes. With so few, each rank gets one node and further ranks none.
     for (std::size_t node = 0; node < owner.size(); ++node) owner[node] = static_cast<int>(node) % ranks;
     return owner;
   }
@@ -82,6 +84,10 @@ std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<
   const int status =
       METIS_PartMeshNodal(&cells, &node_count, start.data(), nodes.data(), weights.empty() ? nullptr : weights.data(),
                           nullptr, &parts, nullptr, options.data(), &cut, cell_part.data(), node_part.data());
+  if (status == METIS_ERROR_MEMORY) {
+    note_failed_allocation(0);
+    throw std::bad_alloc();
+  }
   if (status != METIS_OK) throw std::runtime_error(fmt::format("METIS failed with status {}", status));
   for (std::size_t i = 0; i < owner.size(); ++i) owner[i] = static_cast<int>(node_part[i]);
   return owner;

@@ -1,4 +1,4 @@
-/// Is a mesh fit for computation, and how good is it?
+/// Checks of a mesh before computation, and figures of its quality.
 #pragma once
 #include <array>
 #include <string>
@@ -7,23 +7,24 @@
 
 namespace ixos {
 
-/// Throws InputError, naming block and cell (from 1), where a cell's reference Jacobian is not positive at some corner
-/// point xi = +-1/sqrt(3): an inverted, degenerate or wrongly numbered cell.
+/// Throws InputError, naming block and cell (from 1), if a cell's reference Jacobian is not positive at some corner
+/// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered.
 void check_cells(const Mesh& mesh);
 
-/// A cell, as a person finds it.
+/// The place of a cell, as a message names it.
 struct CellPlace {
   std::string block;
   int cell = 0;                    ///< of the block, from 1
   std::array<double, 3> centre{};  ///< mean of its corners [L0]
 };
 
-/// Figures of the whole mesh, of the cells' corners only: the further nodes of enriched cells do not change their
+/// Figures of the whole mesh. They use the cells' corners only: the further nodes of enriched cells do not change their
 /// shape.
 struct MeshQuality {
   int cells = 0, nodes = 0;
-  /// Of a cell: the least Jacobian determinant of edges scaled to length 1, at its corners and, in 3D, its centre. 1: a
-  /// rectangle or brick; 0 or less: degenerate or inverted. Knupp (2000), as computed by Verdict.
+  /// The least scaled Jacobian of all cells. That of a cell is the least Jacobian determinant of edges scaled to length
+  /// 1, at its corners and, in 3D, its centre. 1: a rectangle or brick; 0 or less: degenerate or inverted. Knupp
+  /// (2000), as computed by Verdict.
   double least_scaled_jacobian = 0;
   CellPlace most_distorted{};      ///< the cell with the least scaled Jacobian
   double low_scaled_jacobian = 0;  ///< 5 % of the cells have this or less
@@ -36,12 +37,12 @@ struct MeshQuality {
 
 MeshQuality mesh_quality(const Mesh& mesh);
 
-/// Three lines.
+/// Returns the figures in three lines.
 std::string to_string(const MeshQuality& quality);
 
-/// A line where a cell is so bad that results there are not to be trusted and iterative solvers suffer: a scaled
-/// Jacobian below 0.1 (Verdict calls 0.3 of quadrilaterals, 0.5 of hexahedra acceptable), or an aspect ratio beyond
-/// 100. Else empty.
+/// Returns a warning if a cell is so bad that results there are not to be trusted and iterative solvers suffer: a
+/// scaled Jacobian below 0.1 (Verdict calls 0.3 of quadrilaterals, 0.5 of hexahedra acceptable), or an aspect ratio
+/// beyond 100. Returns an empty string otherwise.
 std::string quality_warning(const MeshQuality& quality);
 
 }  // namespace ixos

@@ -49,7 +49,7 @@ class Inside {
     return true;
   }
 
-  /// The mesh's bounding box, for a message.
+  /// Returns the mesh's bounding box, for a message.
   std::string span() const {
     const auto d = static_cast<std::size_t>(mesh_.dimension);
     std::vector<double> low(mesh_.coordinates.begin(), mesh_.coordinates.begin() + mesh_.dimension), high(low);

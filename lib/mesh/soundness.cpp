@@ -14,7 +14,7 @@
 namespace ixos {
 namespace {
 
-/// Nodes in ascending order, -1 where there are fewer.
+/// Nodes in ascending order, -1 for missing ones.
 template <std::size_t Most>
 using Key = std::array<int, Most>;
 
@@ -68,13 +68,13 @@ class Parts {
  public:
   explicit Parts(int cells) : parent_(static_cast<std::size_t>(cells)) { std::iota(parent_.begin(), parent_.end(), 0); }
   int of(int cell) {
-    int& up = parent_[static_cast<std::size_t>(cell)];
-    if (up == cell) return cell;
-    return up = of(up);
+    while (up(cell) != cell) cell = up(cell) = up(up(cell));
+    return cell;
   }
-  void join(int a, int b) { parent_[static_cast<std::size_t>(of(a))] = of(b); }
+  void join(int a, int b) { up(std::max(of(a), of(b))) = std::min(of(a), of(b)); }
 
  private:
+  int& up(int cell) { return parent_[static_cast<std::size_t>(cell)]; }
   std::vector<int> parent_;
 };
 

@@ -23,9 +23,9 @@ void require_nodes(const NodeSet& set);
 /// not connected there. Gives their number and the place of the first. Empty if there are none.
 std::string coincident_nodes(const Mesh& mesh);
 
-/// Returns a warning for each part of the mesh, but for the largest one that is held, that shares no side with the rest and either
-/// shares some nodes with it (a hinge) or is not held; at most 5. `held` has a flag for each node: a displacement is
-/// prescribed there, or an interaction acts.
+/// Returns a warning for each loose part of the mesh, at most 5. A part shares no side with the rest. It is loose if it
+/// shares some nodes with the rest (a hinge) or is not held; the largest part that is held counts as the body. `held`
+/// has a flag for each node: a displacement is prescribed there, or an interaction acts.
 std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& held);
 
 }  // namespace ixos

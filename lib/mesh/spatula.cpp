@@ -47,8 +47,8 @@ class Builder {
   }
 
  private:
-  /// Row `row` around the tip. Beyond the core's outermost columns are the columns of the last station: there sides and
-  /// tip are sewn together.
+  /// Row `row` around the tip. Beyond the core's outermost columns it uses the columns of the last station, where the
+  /// sides are joined to the tip.
   Place tip_place(int row, int column) const {
     const int n = d_.core_cells, k = d_.tip_rows, last = d_.stations();
     if (column == k) return {last, k - row};

@@ -44,17 +44,19 @@ struct SpatulaDivisions {
   int cells() const;
 };
 
-/// Throws InputError, with the name, the value and what is allowed, for a value out of range.
+/// Returns the divisions of the shape. Throws InputError, with the name, the value and what is allowed, for a value out
+/// of range.
 SpatulaDivisions spatula_divisions(const SpatulaShape& shape);
 
-/// Hexahedra, block "body". Side and node sets "pad" (the flat underside; a cell has at most one side in it), "shaft
-/// end" (the plane cut at the top) and "surface" (all of it); node set "tip": the underside's foremost node, on y = 0.
+/// Returns the mesh of hexahedra, block "body". Side and node sets "pad" (the flat underside; a cell has at most one
+/// side in it), "shaft end" (the plane cut at the top) and "surface" (all of it); node set "tip": the underside's
+/// foremost node, on y = 0.
 ///
 /// Sections across are O-grids: a core of core_cells x core_layers cells and rings around it. A section is swept from
-/// the shaft to the pad. There the outline is smooth, so a sweep would end in cells with an angle of 180 degrees where
-/// sides and tip meet; instead the outermost tip_rows columns of either side turn around the tip, and so do the cells
-/// at the narrow ends of the sections. Throws InputError as spatula_divisions() does, and where the transition would
-/// sink below the pad's underside.
+/// the shaft to the pad. The pad's outline is smooth, so a sweep to the tip would end in cells with an angle of 180
+/// degrees at the meeting of sides and tip. Instead the outermost tip_rows columns of either side turn around the tip,
+/// and so do the cells at the narrow ends of the sections. Throws InputError as spatula_divisions() does, and if the
+/// transition would sink below the pad's underside.
 Mesh spatula(const SpatulaShape& shape);
 
 }  // namespace ixos

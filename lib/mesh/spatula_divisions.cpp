@@ -57,8 +57,8 @@ void check_counts(const SpatulaShape& s) {
   require(s.layer_ratio >= 1 && s.layer_ratio <= 100, "layer ratio", s.layer_ratio, "between 1 and 100");
 }
 
-/// Fewer cells in a section for small targets, in the proportions of the section given, so that stations remain for a
-/// mesh of 50,000 cells or less.
+/// Reduces the cells in a section for small targets, in the proportions of the section given, so that stations remain
+/// for a mesh of 50,000 cells or less.
 void coarsen_section(const SpatulaShape& shape, SpatulaDivisions& d) {
   const double scale = std::sqrt(shape.target_cells / 50000.0);
   if (scale >= 1) return;
@@ -67,7 +67,7 @@ void coarsen_section(const SpatulaShape& shape, SpatulaDivisions& d) {
   d.tip_rows = std::clamp(static_cast<int>(std::lround(scale * shape.tip_rows)), 1, d.core_cells / 2 - 1);
 }
 
-/// Cells of the tip beyond those of the sweep.
+/// Returns the cells of the tip beyond those of the sweep.
 int tip_cells(const SpatulaDivisions& d) {
   return (d.core_cells - 2 * d.tip_rows) * (d.tip_rows * (d.core_layers + 2 * d.rings) + d.rings * d.core_layers);
 }

@@ -83,9 +83,9 @@ Point SpatulaPad::inside(const Edge& edge, double share, double inset) const {
   return {edge.point[0] - inward * edge.outward[0], edge.point[1] - inward * edge.outward[1]};
 }
 
-/// Coons' patch within the band's inner boundary: u along, v across. The rear end is straight and evenly divided, so
-/// its terms cancel. What the neck's tilt moves the sides along x fades inwards, so that stations on the axis stay
-/// evenly spaced.
+/// Returns a point of Coons' patch within the band's inner boundary: u along, v across. The rear end is straight and
+/// evenly divided, so its terms cancel. The neck's tilt moves the sides along x; this shift fades inwards, so that
+/// stations on the axis stay evenly spaced.
 Point SpatulaPad::core(double u, double v) const {
   const auto at_side = [this](double s) { return inside(side(s), 0, 0); };
   const auto at_tip = [this](double s) {

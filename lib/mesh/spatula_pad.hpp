@@ -15,11 +15,11 @@ class SpatulaPad {
 
   SpatulaPad(const SpatulaShape& shape, const SpatulaDivisions& divisions);
 
-  /// Node of the sweep: `station` from 0 (rear end) to divisions.pad, where the columns outside the core end on the
-  /// diagonal at 45 degrees; `column` from 0 (smallest y) to core_cells.
+  /// Returns a node of the sweep: `station` from 0 (rear end) to divisions.pad, where the columns outside the core end
+  /// on the diagonal at 45 degrees; `column` from 0 (smallest y) to core_cells.
   Point swept(int station, int column, double inset) const;
-  /// Node of the rows around the tip: `row` from 0, the last station, to tip_rows, the outline; `column` from tip_rows
-  /// to core_cells - tip_rows.
+  /// Returns a node of the rows around the tip: `row` from 0, the last station, to tip_rows, the outline; `column` from
+  /// tip_rows to core_cells - tip_rows.
   Point at_tip(int row, int column, double inset) const;
 
   double thickness(double x) const;  ///< [L0]

@@ -26,7 +26,7 @@ class SpatulaLayers {
   std::vector<double> heights_;
 };
 
-/// The node in the shaft's disk, [L0]: lateral and upward from the centreline.
+/// Returns the node in the shaft's disk, [L0]: lateral and upward from the centreline.
 std::array<double, 2> disk_node(const SpatulaShape& shape, const SpatulaDivisions& divisions, const SectionNode& node);
 
 /// The centreline from the pad's rear end on: an arc, then straight.
@@ -36,12 +36,12 @@ struct CenterlinePoint {
 };
 CenterlinePoint centerline(const SpatulaShape& shape, double length);
 
-/// How far the section is on its way from the pad's rectangle, 0, to the shaft's disk, 1: a quintic with no slope and
-/// no curvature at the ends.
+/// Returns how far the section is on its way from the pad's rectangle, 0, to the shaft's disk, 1: a quintic with no
+/// slope and no curvature at the ends.
 double roundness(const SpatulaShape& shape, double length);
 
-/// Distance from the pad's rear end, along the centreline, of station `station` counted from the shaft's end. Cells
-/// grow geometrically along the transition.
+/// Returns the distance from the pad's rear end, along the centreline, of station `station` counted from the shaft's
+/// end. Cells grow geometrically along the transition.
 double station_length(const SpatulaShape& shape, const SpatulaDivisions& divisions, int station);
 
 }  // namespace ixos

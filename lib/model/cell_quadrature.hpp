@@ -8,8 +8,8 @@
 
 namespace ixos {
 
-/// Gauss points along each direction: of an enriched element what its block says along the contact side, of others
-/// `points` in every direction; 0 stands for the element's own number.
+/// Returns the Gauss points along each direction. For an enriched element the block gives the number along the contact
+/// side; other elements take `points` in every direction. 0 stands for the element's own number.
 template <class Element>
 std::array<int, Element::dimension> cell_points(const LocalBlock& block, int points) {
   std::array<int, Element::dimension> counts = Element::default_points;
@@ -19,7 +19,7 @@ std::array<int, Element::dimension> cell_points(const LocalBlock& block, int poi
   return counts;
 }
 
-/// Cells x nodes factors, see node_scale(); empty where all are 1.
+/// Returns cells x nodes factors, see node_scale(); empty if all are 1.
 inline std::vector<double> node_scales(const LocalBlock& block) {
   std::vector<double> scales;
   if (block.derivative_scale.empty()) return scales;

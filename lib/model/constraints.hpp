@@ -12,19 +12,19 @@ namespace ixos {
 /// that sees them. A motion is evaluated once for all its degrees of freedom.
 class Constraints {
  public:
-  /// Without a motion the degree of freedom is held at zero. One that is constrained already may be so again by the
-  /// same motion and factor. Throws InputError for another.
+  /// Constrains a degree of freedom; without a motion it is held at zero. A constrained one may be constrained again by
+  /// the same motion and factor. Throws InputError if motion or factor differ.
   void add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
 
   bool empty() const { return entries_.empty(); }
   bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
   const std::vector<int>& dofs() const { return dofs_; }
-  /// Does any degree of freedom move?
+  /// Returns whether any degree of freedom moves.
   bool driven() const { return driven_; }
 
   /// Puts displacement, velocity and acceleration at `time` into local arrays; each may be null.
   void set(double time, double* u, double* v, double* a) const;
-  /// Are all motions defined at `time`, and their derivatives?
+  /// Returns whether all motions and their derivatives are defined at `time`.
   bool are_finite(double time) const;
 
  private:

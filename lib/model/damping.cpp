@@ -7,7 +7,7 @@
 namespace ixos {
 namespace {
 
-/// A tangent of the undeformed body, `factor` times.
+/// Returns the rule for the tangent of the undeformed body, times `factor`.
 Rule rest_rule(double factor) {
   Rule rule = end_rule();
   rule.points[0].weight = factor;

@@ -10,7 +10,7 @@
 namespace ixos {
 
 /// The constant matrix C = sum over blocks of alpha_1 M + alpha_2 K_el(0), rows of owned nodes. alpha_1 in 1/T0,
-/// alpha_2 in T0. It exists only where a material asks for damping. The stiffness part is not objective: it damps
+/// alpha_2 in T0. It exists only if a material asks for damping. The stiffness part is not objective: it damps
 /// finite rigid rotations.
 class Damping {
  public:
@@ -20,19 +20,19 @@ class Damping {
   void add_mass(double alpha_1, std::unique_ptr<Mass> mass);
   /// The term must outlive the damping.
   void add_stiffness(double alpha_2, const Term& term);
-  /// C is applied from the terms' actions, and assembled anew at each add_to(): for models whose tangent is applied so
-  /// too. Else its matrix is made at the first use, and kept.
+  /// Applies C from the terms' actions, and assembles it anew at each add_to(): for models whose tangent is applied
+  /// without a matrix too. Without this call the matrix is made at the first use, and cached.
   void do_without_matrix();
 
-  /// y += factor C x: x local, y the rows of owned nodes.
+  /// Adds factor C x to y: x local, y the rows of owned nodes.
   void multiply_add(double factor, const double* x, double* y) const;
-  /// y += factor times the part of C that is mass, sum alpha_1 M x.
+  /// Adds to y factor times the part of C that is mass, sum alpha_1 M x.
   void multiply_add_mass(double factor, const double* x, double* y) const;
-  /// d += factor times the diagonal of that part, rows of owned nodes.
+  /// Adds to d factor times the diagonal of that part, rows of owned nodes.
   void add_mass_diagonal(double factor, double* d) const;
-  /// sums_r = sum over columns of |C_rc|, rows of owned nodes. Needs the matrix.
+  /// Sets sums_r = sum over columns of |C_rc|, rows of owned nodes. Needs the matrix.
   void row_sums(double* sums) const;
-  /// values += factor C, in the layout of Pattern::create_matrix.
+  /// Adds factor C to values, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
 
  private:
@@ -43,7 +43,7 @@ class Damping {
   struct StiffnessPart {
     double alpha;
     const Term* term;
-    std::unique_ptr<TangentAction> action;  ///< null where the matrix is kept
+    std::unique_ptr<TangentAction> action;  ///< null if the matrix is kept
   };
   void multiply_add_matrix(double factor, const double* x, double* y) const;
   void assemble(double factor, double* values) const;

@@ -22,11 +22,11 @@ class DofSpace {
   const Teuchos::RCP<const Map>& owned_map() const { return owned_map_; }
   const Teuchos::RCP<const Map>& local_map() const { return local_map_; }
 
-  /// local = owned entries and their owners' values for the ghosts. Collective.
+  /// Sets local = owned entries and, by a ghost exchange, their owners' values for the ghosts. Collective.
   void import(const Vector& owned, double* local) const;
-  /// Replaces the ghosts' entries of a local array by their owners'. Collective.
+  /// Replaces the ghosts' entries of a local array by those of their owners (ghost exchange). Collective.
   void update_ghosts(double* local) const;
-  /// Sum over ranks; no communication on one rank. Collective.
+  /// Sums over ranks; no communication on one rank. Collective.
   void sum(double* values, int count) const;
   double minimum(double value) const;
   double maximum(double value) const;

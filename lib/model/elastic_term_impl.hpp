@@ -81,7 +81,7 @@ class ElasticTerm final : public Term {
     });
   }
 
-  /// Of the standard kernel only.
+  /// Returns null unless the kernel is ElasticKernel.
   std::unique_ptr<TangentAction> create_action() const override {
     if constexpr (is_standard) return std::make_unique<Action>(*this);
     return nullptr;
@@ -116,7 +116,7 @@ class ElasticTerm final : public Term {
  private:
   using CellTangent = typename Kernel::template Tangent<Pack>;
 
-  /// visit(batch, tangent) of all cells.
+  /// Calls visit(batch, tangent) for all cells.
   template <class Visit>
   void for_each_batch(const Segment& segment, const Rule& rule, const Visit& visit) const {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
@@ -145,7 +145,7 @@ class ElasticTerm final : public Term {
       }
     }
 
-    /// Where its points are those of Mass.
+    /// Returns whether the quadrature points are those of Mass.
     bool applies_mass() const override { return term_.has_default_points_; }
 
     void add_product(const double* x, double* y) const override {
@@ -173,7 +173,7 @@ class ElasticTerm final : public Term {
     std::vector<NarrowPack> data_;
   };
 
-  /// The segment's arrays at one batch; those that are absent stay null.
+  /// The segment's arrays at one batch; absent arrays stay null.
   class Gathered {
    public:
     Gathered(const ElementBatches<N, D>& batches, std::size_t b, const Segment& segment)
@@ -200,7 +200,7 @@ class ElasticTerm final : public Term {
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };
 
-/// The term of Kernel<Element, law>.
+/// Returns the term of Kernel<Element, law>.
 template <template <class, class> class Kernel, class Element>
 std::unique_ptr<Term> make_kernel_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                        ElasticLaw law, const Lame& lame, int points) {
@@ -210,7 +210,7 @@ std::unique_ptr<Term> make_kernel_term(const LocalMesh& mesh, const LocalBlock& 
   return std::make_unique<ElasticTerm<Kernel<Element, NeoHooke>>>(mesh, block, pattern, NeoHooke{lame}, points);
 }
 
-/// make_elastic_term() of one formulation each, so that they compile apart. An enhanced block is not enriched.
+/// Makes the elastic term of one formulation each, so that they compile apart. An enhanced block is not enriched.
 std::unique_ptr<Term> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                                 ElasticLaw law, const Lame& lame, int points);
 std::unique_ptr<Term> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,

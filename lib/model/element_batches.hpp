@@ -43,7 +43,7 @@ class ElementBatches {
   std::size_t size() const { return dofs_.size(); }
   std::size_t lanes(std::size_t batch) const { return std::min(width, cells_ - batch * width); }
 
-  /// First local degree of freedom of a node.
+  /// Returns the first local degree of freedom of a node.
   int first_dof(std::size_t batch, std::size_t node, std::size_t lane) const { return dofs_[batch][node][lane]; }
 
   void gather(std::size_t batch, const double* local, Small<Pack, N, D>& values) const {
@@ -54,7 +54,7 @@ class ElementBatches {
     scale(batch, values);
   }
 
-  /// The factor of a node's shape function in that cell.
+  /// Returns the factor of a node's shape function in that cell.
   double scale(std::size_t batch, std::size_t node, std::size_t lane) const {
     return scale_.empty() ? 1.0 : scale_[batch][node][lane];
   }
@@ -72,14 +72,14 @@ class ElementBatches {
     }
   }
 
-  /// Of a diagonal that was computed with the shape functions as the kernel knows them.
+  /// Scatters a diagonal that was computed with the kernel's shape functions, without their factors in the cells.
   void scatter_diagonal(std::size_t batch, Small<Pack, N, D> values, double* local) const {
     scale(batch, values);
     scatter_force(batch, values, local);
   }
 
-  /// Adds the rows of owned nodes to the matrix values, cell by cell one node's rows after another's: a row's memory is
-  /// visited once.
+  /// Adds the rows of owned nodes to the matrix values, cell by cell and in each cell node by node, so that the memory
+  /// of a row is visited once.
   void scatter_tangent(std::size_t batch, const Small<Pack, N * D>& k, double* values) const {
     const Places& places = places_[batch];
     const std::size_t used = lanes(batch);
@@ -94,7 +94,7 @@ class ElementBatches {
           rows[i][c] = Rows(vector);
         }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        if (places.offset[a][0][lane] < 0) continue;  // and so are all of its row
+        if (places.offset[a][0][lane] < 0) continue;  // the rank does not own this row
         for (std::size_t i = 0; i < D; ++i) {
           double* row = values + static_cast<std::size_t>(places.stride[a][lane]) * i;
           for (std::size_t c = 0; c < N; ++c) {
@@ -142,7 +142,7 @@ class ElementBatches {
   std::size_t cells_;
   std::vector<Dofs> dofs_;  ///< apart from the places, which products without a matrix do not need
   std::vector<Places> places_;
-  std::vector<std::array<Pack, N>> scale_;  ///< empty where all factors are 1
+  std::vector<std::array<Pack, N>> scale_;  ///< empty if all factors are 1
 };
 
 }  // namespace ixos

@@ -45,12 +45,12 @@ class HalfSpaceSides {
   const ElementBatches<N, D>& batches() const { return batches_; }
   std::size_t size() const { return batches_.size(); }  ///< batches
   const std::array<double, 3>& normal() const { return wall_.normal; }
-  /// Quadrature weight times reference length or area, by quadrature point.
+  /// Returns quadrature weight times reference length or area, by quadrature point.
   const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }
-  /// 1 for sides that count on this rank, else 0.
+  /// Returns 1 for sides that count on this rank, otherwise 0.
   const Pack& owned(std::size_t b) const { return owned_[b]; }
 
-  /// Gaps where the displacement is u; the change of the gaps under a change of u.
+  /// Returns the gaps at displacement u, and the change of the gaps under a change of u.
   Nodal gaps_of(std::size_t b, const double* u) const {
     Nodal gap = change_of(b, u);
     for (std::size_t a = 0; a < N; ++a) gap[a] += reference_gap_[b][a];
@@ -62,7 +62,7 @@ class HalfSpaceSides {
     return along_normal(values);
   }
 
-  /// The vectors of that length along the normal.
+  /// Returns the vectors of that length along the normal.
   Small<Pack, N, D> from_normal(const Nodal& along) const {
     Small<Pack, N, D> result;
     for (std::size_t a = 0; a < N; ++a)
@@ -80,7 +80,7 @@ class HalfSpaceSides {
     return result;
   }
 
-  /// The tied edges, the same of all sides.
+  /// Returns the tied edges, which are the same for all sides.
   static unsigned ties(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
     if (sides.empty()) return 0;
     return side_ties(mesh.blocks[static_cast<std::size_t>(sides.front().block)], sides.front().side);
@@ -110,7 +110,7 @@ class HalfSpaceSides {
     return result;
   }
 
-  /// Reference length or area per unit of the reference side at quadrature point q.
+  /// Returns the reference length or area per unit of the reference side at quadrature point q.
   Pack stretch(const Small<Pack, N, D>& x, std::size_t q) const {
     Small<Pack, D - 1, D> tangent{};
     for (std::size_t a = 0; a < N; ++a)

@@ -237,7 +237,7 @@ std::vector<std::unique_ptr<Term>> make_terms(const LocalMesh& mesh, const std::
     groups[{side.nodes.size(), is_hermite(block.type), side_ties(block, side.side)}].push_back(side);
   }
   std::vector<std::unique_ptr<Term>> terms;
-  // A rank without sides has a term too: what follows from there being one is collective.
+  // A rank without sides has a term too, because the functions that a model calls if it has a term are collective.
   if (groups.empty() && mesh.dimension == 2)
     terms.push_back(std::make_unique<HalfSpaceTerm<Line2, Law>>(mesh, sides, pattern, law, wall, options));
   if (groups.empty() && mesh.dimension == 3)

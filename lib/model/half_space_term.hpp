@@ -17,8 +17,8 @@ struct SurfaceOptions {
   double margin = 0.8;  ///< kappa: a Newton step keeps r_new >= kappa min(r, equilibrium gap)
 };
 
-/// The terms for the sides of one side set before `wall`, one for each element type and choice of tied edges among
-/// them, and at least one.
+/// Returns the terms for the sides of one side set before `wall`, one for each element type and choice of tied edges
+/// among them, and at least one.
 std::vector<std::unique_ptr<Term>> make_half_space_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
                                                          const Pattern& pattern, const VanDerWaals& law,
                                                          const HalfSpace& wall, const SurfaceOptions& options);

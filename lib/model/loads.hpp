@@ -22,7 +22,7 @@ class Loads {
 
   /// Adds factor * f_ext(time) to a local array.
   void add_force(double time, double factor, double* force) const;
-  /// Are all histories defined at `time`?
+  /// Returns whether all histories are defined at `time`.
   bool are_finite(double time) const;
   /// Adds the mean sum_i weight_i f_ext(start + time_i dt).
   void add_mean(const std::vector<TimePoint>& points, double start, double dt, double* force) const;

@@ -20,16 +20,16 @@ class Mass {
   bool is_lumped() const { return lumped_; }
 
   /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals with straight sides and for
-  /// parallelepipeds. Throws InputError where the mass of Hermite elements is to be lumped.
+  /// parallelepipeds. Throws InputError if the mass of Hermite elements is to be lumped.
   void add_block(const LocalBlock& block, double density);
 
-  /// y = M x: x local (with ghosts), y the rows of owned nodes.
+  /// Sets y = M x: x local (with ghosts), y the rows of owned nodes.
   void multiply(const double* x, double* y) const;
-  /// d += factor times M's diagonal, rows of owned nodes.
+  /// Adds factor times M's diagonal to d, rows of owned nodes.
   void add_diagonal(double factor, double* d) const;
-  /// values += factor M, in the layout of Pattern::create_matrix.
+  /// Adds factor M to values, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
-  /// Lumped masses only, rows of owned nodes: x = M^-1 y, and the largest y_i/M_i.
+  /// Computes x = M^-1 y, and the largest y_i/M_i. Lumped masses only, rows of owned nodes.
   void divide(const double* y, double* x) const;
   double largest_quotient(const double* y) const;
 

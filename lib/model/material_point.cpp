@@ -16,7 +16,7 @@
 namespace ixos {
 namespace {
 
-/// Finds x in the cell by Newton's method on the geometry map; false where it is outside.
+/// Finds x in the cell by Newton's method on the geometry map. Returns false if x is outside.
 template <class Element>
 bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, const std::vector<double>& x,
                   MaterialPoint& point) {
@@ -67,7 +67,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   return true;
 }
 
-/// The body's bounding box, for a message. Collective.
+/// Returns the body's bounding box, for a message. Collective.
 std::string span(const LocalMesh& mesh, const DofSpace& space) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const double none = std::numeric_limits<double>::infinity();

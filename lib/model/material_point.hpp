@@ -13,11 +13,11 @@ struct MaterialPoint {
   std::vector<int> nodes;  ///< local numbers
   std::vector<double> weights;
 
-  /// The interpolation of a local array. Collective.
+  /// Returns the interpolated value of a local array. Collective.
   std::vector<double> value(const DofSpace& space, const std::vector<double>& local) const;
 };
 
-/// The point at reference coordinates x (D of them) [L0]. Throws InputError where it lies in no cell. Collective.
+/// Returns the point at reference coordinates x (D of them) [L0]. Throws InputError if it lies in no cell. Collective.
 MaterialPoint locate(const LocalMesh& mesh, const DofSpace& space, const std::vector<double>& x);
 
 }  // namespace ixos

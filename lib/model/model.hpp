@@ -26,15 +26,15 @@ struct Material {
   Formulation formulation = Formulation::Standard;
 };
 
-/// A sum over all ranks of what the model stores and moves.
+/// Quantities that the model stores and moves, summed over all ranks.
 struct Momenta {
   double kinetic_energy = 0;
   std::vector<double> linear;   ///< D components; all are zero without inertia
   std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D
 };
 
-/// The loop over the terms that a scene asked for. What is absent is not allocated. Local arrays hold owned nodes, then
-/// ghosts; owned arrays the owned nodes only.
+/// The loop over the terms that a scene asked for. Absent terms allocate nothing. Local arrays hold owned nodes, then
+/// ghosts; owned arrays hold the owned nodes only.
 class Model {
  public:
   Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials,
@@ -42,7 +42,8 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Interactions, constraints and loads are added before the model is given to an integrator or an evaluator.
+  /// Adds an interaction. Interactions, constraints and loads are added before the model is given to an integrator or
+  /// an evaluator.
   void add_interaction(std::unique_ptr<Term> term) { interactions_.push_back(std::move(term)); }
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
@@ -50,62 +51,62 @@ class Model {
   const LocalMesh& mesh() const { return mesh_; }
   const DofSpace& space() const { return space_; }
   const Pattern& pattern() const { return pattern_; }
-  const Mass* mass() const { return mass_.get(); }  ///< null where static
+  const Mass* mass() const { return mass_.get(); }  ///< null if static
   const Damping* damping() const { return damping_.get(); }
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
   bool has_interactions() const { return !interactions_.empty(); }
-  /// Mean diagonal entry of the elastic stiffness at rest, and of the mass (0 where static), over all ranks.
+  /// Returns the mean diagonal entry of the elastic stiffness at rest, and of the mass (0 if static), over all ranks.
   double elastic_scale() const { return elastic_scale_; }
   double mass_scale() const { return mass_scale_; }
-  /// The largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
+  /// Returns the largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
   double stiffest() const { return stiffest_; }
 
-  /// f = the rule's force of the elastic (interaction) terms, f local and overwritten. False where inadmissible on this
-  /// rank.
+  /// Sets f to the rule's force of the elastic (interaction) terms; f is local and overwritten. Returns false if the
+  /// state is inadmissible on this rank.
   bool elastic_force(const Segment& segment, const Rule& rule, double* f) const;
   bool interaction_force(const Segment& segment, const Rule& rule, double* f) const;
   void add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const;
   void add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
-  /// An action of each term; null where a term offers none.
+  /// Returns an action of each term; null if a term offers none.
   std::vector<std::unique_ptr<TangentAction>> elastic_actions() const;
   std::vector<std::unique_ptr<TangentAction>> interaction_actions() const;
-  /// Of each elastic term, its share of mass M + damping C.
+  /// Returns, for each elastic term, its share of mass M + damping C.
   std::vector<LinearPart> linear_parts(double mass, double damping) const;
   /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
   void do_without_matrices();
   /// See Term::add_row_sums.
   void add_elastic_row_sums(const Segment& segment, double* sums) const;
   bool add_interaction_row_sums(const Segment& segment, double* sums) const;
-  /// Largest admissible step along `direction`, over all interactions and ranks. Collective.
+  /// Returns the largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
 
-  /// This rank's share of the potential energy of the elastic (interaction) terms [E0 L0^D].
+  /// Returns this rank's share of the potential energy of the elastic (interaction) terms [E0 L0^D].
   double local_elastic_energy(const double* u) const;
   double local_interaction_energy(const double* u) const;
-  /// This rank's sum of Term::mean_potential over the interactions.
+  /// Returns this rank's sum of Term::mean_potential over the interactions.
   double local_mean_potential(const Segment& segment) const;
-  /// The largest Term::gap_ratio. Collective.
+  /// Returns the largest Term::gap_ratio. Collective.
   double gap_ratio(const double* from, const double* to) const;
-  /// This rank's sum of Term::rounding over the interactions.
+  /// Returns this rank's sum of Term::rounding over the interactions.
   double local_rounding(const double* u) const;
-  /// Collective sums over all ranks [E0 L0^D].
+  /// Returns sums over all ranks [E0 L0^D]. Collective.
   double elastic_energy(const double* u) const;
   double interaction_energy(const double* u) const;
   InteractionReport interaction_report(const double* u) const;
   Momenta momenta(const double* u, const double* v) const;
 
-  /// By block, local cells. Not collective.
+  /// Returns the fields by block, local cells. Not collective.
   std::vector<CellFields> cell_fields(const double* u) const;
-  /// Traction of all interactions on the bodies, their nodal force over int N_a dA: local array, valid for owned nodes,
-  /// zero away from interacting surfaces and at derivative nodes [E0]. Not collective.
+  /// Returns the traction of all interactions on the bodies, their nodal force over int N_a dA: a local array, valid
+  /// for owned nodes, zero away from interacting surfaces and at derivative nodes [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
 
-  /// result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in the
-  /// layout of Pattern::create_matrix, x local.
+  /// Sets result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in
+  /// the layout of Pattern::create_matrix, x local.
   void multiply_constrained_columns(const double* values, const double* x, double* result) const;
   void add_to_diagonal(double value, double* values) const;
-  /// values = matrix values with the rows and columns of constrained degrees of freedom replaced by `diagonal` I.
+  /// Replaces the rows and columns of constrained degrees of freedom in the matrix values by `diagonal` I.
   void constrain_matrix(double diagonal, double* values) const;
 
  private:

@@ -12,7 +12,7 @@
 namespace ixos {
 namespace {
 
-/// Of an element of dimension `Element::dimension` in a space of S dimensions.
+/// Adds the integrals of an element of dimension `Element::dimension` in a space of S dimensions.
 template <class Element, std::size_t S>
 void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Element::nodes>& scale,
          const ShapeTable<Element>& table, std::vector<double>& measure) {

@@ -1,4 +1,4 @@
-/// Integrals of the shape functions: what turns a load per volume or area into nodal forces.
+/// Integrals of the shape functions, which turn a load per volume or area into nodal forces.
 #pragma once
 #include <vector>
 

@@ -1,4 +1,4 @@
-/// The sparsity of the tangent, and where an element's entries go.
+/// The sparsity of the tangent, and the places of an element's entries in it.
 #pragma once
 #include <vector>
 
@@ -20,14 +20,14 @@ class Pattern {
   const std::vector<int>& columns() const { return columns_; }      ///< local node numbers
   int pairs() const { return static_cast<int>(columns_.size()); }
 
-  /// Index of the node pair, or -1 where `row` is not owned. Both nodes must share a cell.
+  /// Returns the index of the node pair, or -1 if `row` is not owned. Both nodes must share a cell.
   int pair(int row, int column) const;
-  /// Index of the first matrix value of the node pair's block, or -1 where `row` is not owned.
+  /// Returns the index of the first matrix value of the node pair's block, or -1 if `row` is not owned.
   int offset(int row, int column) const;
-  /// Distance between the rows of the blocks of that owned node.
+  /// Returns the distance between the rows of the blocks of that owned node.
   int stride(int row) const { return dimension_ * (row_start_[row_index(row) + 1] - row_start_[row_index(row)]); }
 
-  /// A matrix of this sparsity, fill-complete, values zero.
+  /// Returns a matrix of this sparsity, fill-complete, values zero.
   Teuchos::RCP<CrsMatrix> create_matrix(const DofSpace& space) const;
 
  private:

@@ -24,7 +24,7 @@ bool assigns(const std::string& text) {
 /// One expression in t. muParser evaluates from a variable in memory and compiles on first use: neither is const.
 class Expression {
  public:
-  /// `name` is what messages call it.
+  /// `name` appears in messages.
   Expression(const std::string& name, const std::string& text) {
     const auto refuse = [&](const std::string& why) {
       throw InputError(fmt::format("the {} \"{}\" is not an expression in t: {}", name, text, why));

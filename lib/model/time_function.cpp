@@ -33,7 +33,7 @@ class Sine final : public TimeFunction {
   double offset_, amplitude_, omega_, phase_;
 };
 
-/// s(tau) for 0 <= tau <= 1, its integral from 0 (1/2 at tau = 1 for every shape) and its derivatives.
+/// Growth s(tau) for 0 <= tau <= 1, its integral from 0 (1/2 at tau = 1 for every shape) and its derivatives.
 struct Growth {
   double integral, value, slope, curvature;
 };

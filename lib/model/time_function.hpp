@@ -1,4 +1,4 @@
-/// Named histories in time: what drives a motion or scales a load.
+/// Named histories in time, which drive a motion or scale a load.
 #pragma once
 #include <limits>
 #include <memory>
@@ -7,24 +7,24 @@
 
 namespace ixos {
 
-/// Value and exact derivatives of a function of time: in some unit, that per T0 and that per T0^2.
+/// Value and exact derivatives of a function of time: in some unit, in that per T0 and in that per T0^2.
 struct TimeValue {
   double value = 0;
   double rate = 0;
   double acceleration = 0;
 };
 
-/// A function of time, times in T0. Where a ramp or its derivatives jump, they are those from the right.
+/// A function of time, times in T0. At jumps of a ramp or its derivatives, the values are those from the right.
 class TimeFunction {
  public:
   virtual ~TimeFunction() = default;
 
-  /// Never throws; where the function is not defined, NaN or infinity.
+  /// Returns the values at `time`; NaN or infinity if the function is not defined there. Never throws.
   virtual TimeValue at(double time) const = 0;
-  /// The span on which the function is defined: of a table its first and last time.
+  /// Returns the span on which the function is defined: for a table its first and last time.
   virtual double first_time() const { return -std::numeric_limits<double>::infinity(); }
   virtual double last_time() const { return std::numeric_limits<double>::infinity(); }
-  /// When a ramp has reached its end: start + length; -infinity for all other functions.
+  /// Returns the time at which a ramp has reached its end, start + length; -infinity for all other functions.
   virtual double ramp_end() const { return -std::numeric_limits<double>::infinity(); }
 };
 
@@ -35,39 +35,40 @@ enum class RampShape {
   Quintic  ///< 10 tau^3 - 15 tau^4 + 6 tau^5: the acceleration too
 };
 
-/// `value` at all times.
+/// Returns the function that is `value` at all times.
 std::shared_ptr<const TimeFunction> constant(double value);
 
-/// amplitude s((t - start) / length), zero before `start` and constant after start + length. With length 0 the value
-/// jumps at `start` and the rate is zero throughout. As a motion a jump has no velocity and a Linear ramp no
+/// Returns amplitude s((t - start) / length), zero before `start` and constant after start + length. With length 0 the
+/// value jumps at `start` and the rate is zero throughout. As a motion a jump has no velocity and a Linear ramp no
 /// acceleration at its ends: check_over refuses both. Throws InputError unless length is finite and at least 0.
 std::shared_ptr<const TimeFunction> value_ramp(double amplitude, double start, double length, RampShape shape);
 
-/// The rate grows like that from 0 to `rate`; the value is its integral, zero until `start`. For Cosine, with t counted
-/// from `start`, V the rate and t_r the length: u(t) = V (t / 2 - t_r / (2 pi) sin(pi t / t_r)) for t < t_r and
-/// V (t - t_r / 2) from then on, as for every shape. With length 0 the rate jumps, which check_over refuses as a
-/// motion. Throws InputError unless length is finite and at least 0.
+/// Returns the function whose rate grows like that from 0 to `rate`; the value is its integral, zero until `start`. For
+/// Cosine, with t counted from `start`, V the rate and t_r the length: u(t) = V (t / 2 - t_r / (2 pi) sin(pi t / t_r))
+/// for t < t_r and V (t - t_r / 2) from then on, as for every shape. With length 0 the rate jumps, which check_over
+/// refuses as a motion. Throws InputError unless length is finite and at least 0.
 std::shared_ptr<const TimeFunction> rate_ramp(double rate, double start, double length, RampShape shape);
 
-/// offset + amplitude sin(2 pi frequency t + phase); the frequency in cycles per T0, the phase in rad.
+/// Returns offset + amplitude sin(2 pi frequency t + phase); the frequency in cycles per T0, the phase in rad.
 std::shared_ptr<const TimeFunction> sine(double offset, double amplitude, double frequency, double phase);
 
-/// A table, by piecewise quintic Hermite interpolation: twice continuously differentiable. The derivatives at a time
-/// are those of the parabola through its value and both neighbours', at the ends of that through the three last; two
-/// points make a straight line. A parabola is reproduced. Outside the table all is NaN, except that times beyond an end
-/// by at most 1e-9 of the span count as inside, as the last time of a run carries roundoff. Throws InputError unless
-/// there are at least two times, finite and strictly increasing, and as many values, finite.
+/// Returns a function that interpolates a table by piecewise quintic Hermite polynomials: twice continuously
+/// differentiable. The derivatives at a time are those of the parabola through its value and both neighbours', at the
+/// ends those of the parabola through the last three; two points make a straight line. A parabola is reproduced.
+/// Outside the table all is NaN, except that times beyond an end by at most 1e-9 of the span count as inside, as the
+/// last time of a run carries roundoff. Throws InputError unless there are at least two times, finite and strictly
+/// increasing, and as many values, finite.
 std::shared_ptr<const TimeFunction> interpolated(std::vector<double> times, const std::vector<double>& values);
 
-/// muParser expressions in the variable t, with the constants _pi and _e. A load needs the value only: an empty `rate`
-/// or `acceleration` comes out as 0. Evaluation stores t in the object: from one thread at a time. Throws InputError,
-/// quoting the expression and muParser's message (positions count from 0), for one that is malformed, uses an unknown
-/// name, assigns, or is several separated by commas.
+/// Returns a function of muParser expressions in the variable t, with the constants _pi and _e. A load needs the value
+/// only: an empty `rate` or `acceleration` gives 0. Evaluation stores t in the object: use it from one thread at a
+/// time. Throws InputError, quoting the expression and muParser's message (positions count from 0), for one that is
+/// malformed, uses an unknown name, assigns, or is several separated by commas.
 std::shared_ptr<const TimeFunction> expression(const std::string& value, const std::string& rate,
                                                const std::string& acceleration);
 
-/// Whether a load can follow the function from `from` to `to` (finite, from <= to) or, with `derivatives`, a motion.
-/// Throws InputError naming
+/// Checks whether a load can follow the function from `from` to `to` (finite, from <= to) or, with `derivatives`, a
+/// motion. Throws InputError naming
 /// - a time at which the value (or a derivative, for a motion) is not finite, of 1001 equally spaced ones and those at
 ///   which the value changes its sign, to the last bit: so poles of odd order are found, those of even order by chance;
 /// - for a motion, one of 50 intervals over which the integral of the rate is not the change of the value, or that of

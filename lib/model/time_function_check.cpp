@@ -29,7 +29,7 @@ class Check {
     }
   }
 
-  /// Whether `derivative` of the function is the derivative of its `primitive`.
+  /// Checks that `derivative` of the function is the derivative of its `primitive`.
   void consistent(double TimeValue::*primitive, double TimeValue::*derivative, const char* primitive_name,
                   const char* derivative_name) const {
     constexpr int parts = 50;
@@ -60,13 +60,13 @@ class Check {
   }
 
  private:
-  /// Enough for a hundred kinks in a part; where a derivative is wrong all over, it bounds the work.
+  /// Enough for a hundred kinks in a part; if a derivative is wrong everywhere, it bounds the work.
   static constexpr int most_halvings = 4096;
 
-  /// The time at the fraction part / whole of the run; its end exactly.
+  /// Returns the time at the fraction part / whole of the run; its end exactly.
   double point(int part, int whole) const { return part == whole ? to_ : from_ + (to_ - from_) * part / whole; }
 
-  /// Throws where the function is not finite.
+  /// Throws if the function is not finite.
   TimeValue at(double time) const {
     const TimeValue f = function_.at(time);
     const auto check = [time](const char* name, double number) {
@@ -86,8 +86,8 @@ class Check {
     }
   }
 
-  /// The integral of the derivative; intervals are halved until it is the change of the primitive to `tolerance`, to a
-  /// depth, and as long as `halvings` last.
+  /// Returns the integral of the derivative. Halves intervals until it equals the change of the primitive to
+  /// `tolerance`, to a depth, and as long as `halvings` last.
   double integral(double start, double end, double TimeValue::*primitive, double TimeValue::*derivative,
                   double tolerance, int depth, int& halvings) const {
     double sum = 0;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 #include "base/agreement.hpp"
 #include "base/pack.hpp"
@@ -55,9 +57,8 @@ std::string build_name() {
 
 std::vector<long> checkpoint_steps(const std::string& folder) {
   std::vector<long> steps;
-  std::error_code code;
-  for (const auto& entry : fs::directory_iterator(folder, code))
-    if (const long step = step_of(entry.path().filename().string()); step >= 0) steps.push_back(step);
+  for (const std::string& name : names_in(folder))
+    if (const long step = step_of(name); step >= 0) steps.push_back(step);
   std::sort(steps.begin(), steps.end());
   return steps;
 }
@@ -93,8 +94,14 @@ long Checkpoints::begin() {
 
 void Checkpoints::resume(long step) {
   last_step_ = step;
-  for (const long earlier : checkpoint_steps(folder_))
-    if (earlier <= step) steps_.push_back(earlier);
+  const Comm& comm = simulation_.model().space().comm();
+  std::string earlier;  // one rank looks: others may see the folder differently
+  on_first_rank(comm, [&] {
+    for (const long found : checkpoint_steps(folder_))
+      if (found <= step) earlier += std::to_string(found) + ' ';
+  });
+  std::istringstream list(from_first_rank(comm, earlier));
+  steps_.assign(std::istream_iterator<long>(list), {});
   // The results go on from there: those after it are of a history that is no more.
   on_first_rank(simulation_.model().space().comm(), [&] {
     if (fs::exists(checkpoint_path(folder_, step))) link_newest(folder_, step);
@@ -139,10 +146,8 @@ void Checkpoints::tidy() const {
   std::error_code code;
   for (const long step : checkpoint_steps(folder_))
     if (std::find(steps_.begin(), steps_.end(), step) == steps_.end()) fs::remove(checkpoint_path(folder_, step), code);
-  for (const auto& entry : fs::directory_iterator(folder_, code))
-    if (const std::string name = entry.path().filename().string();
-        name.rfind(prefix, 0) == 0 && entry.path().extension() == ".tmp")
-      fs::remove(entry.path(), code);
+  for (const std::string& name : names_in(folder_))
+    if (name.rfind(prefix, 0) == 0 && fs::path(name).extension() == ".tmp") fs::remove(fs::path(folder_) / name, code);
 }
 
 }  // namespace ixos

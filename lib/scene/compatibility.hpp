@@ -1,4 +1,4 @@
-/// What does not go with a scene's time integration scheme.
+/// Checks that a scene's settings suit its time integration scheme.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace ixos {
 
-/// Throws InputError, with the list path, where the validated scene asks for what its scheme, as it is set, has not:
-/// an adaptive control, a cutoff or an element formulation.
+/// Throws InputError, with the list path, if the validated scene asks for something that its scheme, as set, does not
+/// offer: an adaptive control, a cutoff or an element formulation.
 void check_compatibility(const Teuchos::ParameterList& scene, const AdaptiveOptions& adaptive, const Table& table);
 
 }  // namespace ixos

@@ -38,7 +38,7 @@ void add_displacement(const List& list, const std::string& path, const Histories
   together<InputError>(model.space().comm(), [&] {
     for (char component : components)
       for (int node : mesh.node_sets[set]) {
-        // A derivative along the boundary does not change where all points move alike.
+        // A derivative along the boundary does not change if all points move alike.
         const bool derivative = mesh.is_derivative(static_cast<std::size_t>(node));
         try {
           model.constraints().add(node * mesh.dimension + (component - 'x'), derivative ? 0.0 : 1.0,
@@ -51,7 +51,7 @@ void add_displacement(const List& list, const std::string& path, const Histories
   });
 }
 
-/// int N_a over what the load acts on, or 1 at the nodes of a set.
+/// Returns int N_a over the surface or body on which the load acts, or 1 at the nodes of a set.
 std::vector<double> distribution(const List& list, const std::string& path, const LocalMesh& mesh) {
   std::vector<double> measure(static_cast<std::size_t>(mesh.nodes()), 0.0);
   const auto type = list.get<std::string>("Type");
@@ -60,7 +60,7 @@ std::vector<double> distribution(const List& list, const std::string& path, cons
     add_side_measure(mesh, mesh.side_sets[set], measure);
   } else if (type == "Point Force") {
     const auto set = at(path + "/Node Set", [&] { return mesh.node_set(list.get<std::string>("Node Set")); });
-    // Not those that a contact element adds: the force would depend on it.
+    // Nodes that a contact element adds do not count: the force would depend on the element.
     for (int node : mesh.node_sets[set])
       if (!mesh.is_added(static_cast<std::size_t>(node))) measure[static_cast<std::size_t>(node)] = 1;
   } else {

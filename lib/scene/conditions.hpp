@@ -7,7 +7,8 @@
 
 namespace ixos {
 
-/// Carries out the list "Boundary Conditions". Throws InputError with the list path, on all ranks alike. Collective.
+/// Adds the conditions of the list "Boundary Conditions" to the model. Throws InputError with the list path, on all
+/// ranks alike. Collective.
 void add_conditions(const Teuchos::ParameterList& list, const Histories& histories, Model& model);
 
 }  // namespace ixos

@@ -61,7 +61,7 @@ std::string xml_escaped(const std::string& text) {
   return result;
 }
 
-/// For an XML comment, which must not hold two dashes in a row.
+/// Returns the text for an XML comment, which must not hold two dashes in a row.
 std::string comment(const std::string& text) {
   std::string result;
   for (char c : text) result += c == '-' && !result.empty() && result.back() == '-' ? " -" : std::string(1, c);
@@ -93,7 +93,7 @@ void write(const List& list, const List& valid, const std::string& indent, std::
   }
 }
 
-/// What the templates say beyond the defaults.
+/// Returns the settings of the templates that differ from the defaults.
 const std::map<std::string, std::vector<std::string>>& template_settings() {
   static const std::map<std::string, std::vector<std::string>> settings{
       {"ball",

@@ -5,16 +5,17 @@
 
 namespace ixos {
 
-/// Every list and parameter of `valid` as Markdown: type, default, what is allowed, meaning. docs/parameters.md is that
-/// of scene_parameters(), docs/study-parameters.md that of study_parameters(). `command` prints it.
+/// Returns every list and parameter of `valid` as Markdown: type, default, what is allowed, meaning. It makes
+/// docs/parameters.md from scene_parameters() and docs/study-parameters.md from study_parameters(). `command` is the
+/// command that prints the text.
 std::string parameter_documentation(const Teuchos::ParameterList& valid, const std::string& title,
                                     const std::string& command);
 
-/// A complete, commented scene that runs as it is: "ball" (two dimensions) or "block" (three). Throws InputError with
-/// the nearest name.
+/// Returns a complete, commented scene that runs as it is: "ball" (two dimensions) or "block" (three). Throws
+/// InputError with the nearest name.
 std::string scene_template(const std::string& name);
 
-/// What an entry may hold, in words; empty where its type says all.
+/// Returns the values that an entry accepts, in words; empty if its type says all.
 std::string allowed(const Teuchos::ParameterEntry& valid);
 
 }  // namespace ixos

@@ -1,4 +1,4 @@
-/// What a scene models, and what it leaves out.
+/// A description of a scene's models, and of the parts that it leaves out.
 #pragma once
 #include <string>
 
@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// For a person, before a run: bodies, interactions, scheme, solvers, output, the memory that the large arrays take on
-/// this rank, and what is left out and hence costs nothing. Collective.
+/// Returns a text for the user, before a run: bodies, interactions, scheme, solvers, output, the memory that the large
+/// arrays take on this rank, and the parts that are left out and hence cost nothing. Collective.
 std::string explain(const Simulation& simulation);
 
 }  // namespace ixos

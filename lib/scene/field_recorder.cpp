@@ -20,7 +20,7 @@ FieldNames field_names(const Model& model) {
   return names;
 }
 
-/// A run under way does not end for an acceleration that only the picture wants.
+/// A running simulation does not end because of an acceleration that only the output needs.
 std::vector<double> acceleration_or_nan(Integrator& integrator) {
   try {
     return integrator.acceleration();

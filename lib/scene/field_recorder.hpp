@@ -1,4 +1,4 @@
-/// fields.e: what a run shows of its state.
+/// fields.e: the recorded fields of a run.
 #pragma once
 #include <memory>
 #include <string>

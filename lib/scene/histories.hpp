@@ -9,17 +9,17 @@
 
 namespace ixos {
 
-/// What a history is used for: a motion needs its derivatives.
+/// The use of a history: a motion needs its derivatives.
 enum class HistoryUse { Motion, Load };
 
-/// The list "Histories", read at once; each is checked over the run when it is first asked for.
+/// The list "Histories". It is read at once; each history is checked over the run at the first request for it.
 class Histories {
  public:
   /// Throws InputError with the list path.
   Histories(const Teuchos::ParameterList& list, double initial_time, double final_time);
 
-  /// Throws InputError where there is none of that name, where a table or a ramp does not fit the run, or where the
-  /// function is no such motion or load (see check_over).
+  /// Returns the history of that name. Throws InputError if none has that name, if a table or a ramp does not fit the
+  /// run, or if the function is no such motion or load (see check_over).
   const std::shared_ptr<const TimeFunction>& get(const std::string& name, HistoryUse use) const;
 
  private:

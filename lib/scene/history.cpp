@@ -66,7 +66,10 @@ void History::verify(const std::string& path) const {
 }
 
 void History::resume(const std::string& path) {
-  on_first_rank(simulation_.model().space().comm(), [&] { file_ = std::make_unique<HistoryFile>(path, length_); });
+  on_first_rank(simulation_.model().space().comm(), [&] {
+    file_.reset();  // it writes its last rows, which go then
+    file_ = std::make_unique<HistoryFile>(path, length_);
+  });
 }
 
 std::vector<double> History::reactions() {
@@ -112,7 +115,7 @@ void History::record(const RowCounts& counts) {
     if (std::isnan(max_energy_error_)) max_energy_error_ = 0;  // a checkpoint of a run without energies
     const double error = balance_ - initial_energy_;
     largest_energy_ = std::max({largest_energy_, momenta.kinetic_energy, std::abs(elastic), std::abs(contact)});
-    // Not std::max: a NaN is to be seen.
+    // Not std::max: a NaN must remain visible.
     if (!(std::abs(error) <= max_energy_error_)) max_energy_error_ = std::abs(error);
     row.insert(row.end(),
                {momenta.kinetic_energy, elastic, contact, external_work, integrator.dissipated_energy(), total});
@@ -166,7 +169,7 @@ void History::transfer(Record& record) {
   record.number("initial energy", initial_energy_);
   record.number("largest energy error", max_energy_error_);
   record.number("largest energy", largest_energy_);
-  // Of another scene's reactions, those that are this one's too.
+  // A checkpoint of another scene restores only the reactions that this scene has too.
   auto count = max_forces_.size();
   record.number("reactions", count);
   for (std::size_t k = 0; k < count; ++k) {

@@ -1,4 +1,4 @@
-/// history.csv: what a run records of its state.
+/// history.csv: the recorded rows of a run.
 #pragma once
 #include <limits>
 #include <memory>
@@ -12,14 +12,14 @@
 
 namespace ixos {
 
-/// Which groups of columns are evaluated; those that are not stay empty.
+/// The groups of columns that are evaluated; the others stay empty.
 struct HistoryOptions {
   bool energies = true;
   bool momenta = true;
   bool interaction = true;
 };
 
-/// What the driver adds to a row.
+/// The counts that the driver adds to a row.
 struct RowCounts {
   long step = 0;
   double time_step = 0;
@@ -28,33 +28,35 @@ struct RowCounts {
   double wall_seconds = 0;  ///< cumulative
 };
 
-/// Evaluates and writes rows; the file is written on rank 0. Collective.
+/// The writer of the rows, which it evaluates; the file is written on rank 0. Collective.
 class History {
  public:
   History(Simulation& simulation, const HistoryOptions& options);
 
-  /// Makes the file. Throws FileError.
+  /// Creates the file. Throws FileError.
   void create(const std::string& path);
-  /// Is the file the one that was there when the loaded checkpoint was written? Throws InputError where it is not.
+  /// Throws InputError unless the file is the one that existed when the loaded checkpoint was written.
   void verify(const std::string& path) const;
-  /// Goes on with it, once verified; later rows are dropped.
+  /// Continues the verified file; drops later rows.
   void resume(const std::string& path);
 
   void record(const RowCounts& counts);
-  /// Of a step that gets no row: its reactions count for max_forces().
+  /// Skips the row of a step: its reactions still count for max_forces().
   void pass();
-  /// The largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without energies.
+  /// Returns the largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without
+  /// energies.
   double max_energy_error() const { return max_energy_error_; }
-  /// The largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], to judge that error by.
+  /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
+  /// error.
   double largest_energy() const { return largest_energy_; }
-  /// By reaction column, the value of largest magnitude over all steps.
+  /// Returns, by reaction column, the value of largest magnitude over all steps.
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
-  /// The last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
+  /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
   void sync();   ///< has the disk keep the rows; throws FileError
   void close();  ///< after the last row; throws FileError
 
-  /// For checkpoints: sums, and the length of the file.
+  /// Writes or reads the sums and the length of the file for checkpoints.
   void transfer(Record& record);
 
  private:
@@ -65,7 +67,7 @@ class History {
   std::vector<std::string> columns_;
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0
-  /// At the first row, less external work, plus dissipation; NaN where no energies were recorded yet.
+  /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.
   double initial_energy_ = std::numeric_limits<double>::quiet_NaN();
   double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;

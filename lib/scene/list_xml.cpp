@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "scene/parameter_text.hpp"
 
 namespace ixos {
 namespace {
 
-/// The elements of one document as they begin and end. Expat is C: what its handlers throw is kept until it returns.
+/// The elements of one document as they begin and end. Expat is a C library: an exception of a handler is kept until
+/// Expat returns.
 class Reader {
  public:
   explicit Reader(const std::string& origin) : origin_(origin), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
@@ -26,6 +28,10 @@ class Reader {
   Teuchos::ParameterList read(const std::string& xml) {
     const XML_Status status = XML_Parse(parser_.get(), xml.data(), static_cast<int>(xml.size()), 1);
     if (problem_) std::rethrow_exception(problem_);
+    if (status != XML_STATUS_OK && XML_GetErrorCode(parser_.get()) == XML_ERROR_NO_MEMORY) {
+      note_failed_allocation(0);
+      throw std::bad_alloc();
+    }
     if (status != XML_STATUS_OK)
       throw InputError(fmt::format("{}: XML parse error at line {}: {}", origin_,
                                    XML_GetCurrentLineNumber(parser_.get()),
@@ -34,7 +40,7 @@ class Reader {
   }
 
  private:
-  /// An element that is open; without a list one that holds none of its own.
+  /// An open element. Its list is null if the element is not a list.
   struct Level {
     Teuchos::ParameterList* list;
     std::string path;
@@ -99,7 +105,7 @@ class Reader {
     levels_.push_back({&root_, origin_ + ":"});
   }
 
-  /// Within <Validators>?
+  /// Returns whether the parser is within <Validators>.
   bool passing() const { return levels_.back().path.empty(); }
   const std::string& place() const { return levels_.empty() ? origin_ : levels_.back().path; }
 

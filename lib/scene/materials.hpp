@@ -7,10 +7,10 @@
 
 namespace ixos {
 
-/// The element formulation of one material's list.
+/// Returns the element formulation of one material's list.
 Formulation formulation(const Teuchos::ParameterList& material);
 
-/// The materials of the validated list "Materials".
+/// Returns the materials of the validated list "Materials".
 std::vector<Material> materials(const Teuchos::ParameterList& list);
 
 }  // namespace ixos

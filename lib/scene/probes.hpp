@@ -10,17 +10,19 @@
 
 namespace ixos {
 
-/// A named point, and where it stands in the reference configuration.
+/// A named point, and its place in the reference configuration.
 struct Probe {
   std::string name;
   std::vector<double> place;  ///< [L0]
   MaterialPoint point;
 };
 
-/// The list "Output/Probes". Throws InputError with the list path where a point lies outside the body. Collective.
+/// Returns the points of the list "Output/Probes". Throws InputError with the list path if a point lies outside the
+/// body. Collective.
 std::vector<Probe> find_probes(const Teuchos::ParameterList& list, const Model& model);
 
-/// A component of displacement ("ux", "uy", "uz"), velocity ("vx", ...) or present place ("x", "y", "z"). Collective.
+/// Returns a component of displacement ("ux", "uy", "uz"), velocity ("vx", ...) or present place ("x", "y", "z").
+/// Collective.
 double probe_value(const Probe& probe, const std::string& quantity, const Model& model, const State& state);
 
 }  // namespace ixos

@@ -32,7 +32,7 @@ std::string offer(const fs::path& bad) {
   });
   steps.erase(own, steps.end());
   const std::string sound = newest_sound(folder, steps);
-  return sound.empty() ? "; there is no sound one before it" : "; the one before it is sound: " + sound;
+  return sound.empty() ? "; no earlier checkpoint is sound" : "; an earlier checkpoint is sound: " + sound;
 }
 
 /// The file behind a path; a link may point at what is gone.
@@ -55,11 +55,13 @@ fs::path resolved(const std::string& path) {
 
 Restart::Restart(const Simulation& simulation, const std::string& path) {
   const Model& model = simulation.model();
-  together<InputError>(model.space().comm(), [&] {
+  // One rank chooses: a file that another one cannot read must not lead it to an older checkpoint.
+  on_first_rank(model.space().comm(), [&] {
     path_ = resolved(path).string();
-    const std::string problem = model.space().comm()->getRank() == 0 ? seal_problem(path_) : "";
+    const std::string problem = seal_problem(path_);
     if (!problem.empty()) throw InputError(path_ + ": " + problem + offer(path_));
   });
+  path_ = from_first_rank(model.space().comm(), path_);
   together<InputError>(model.space().comm(), [&] { compare_scenes(simulation); });
   reader_ = std::make_unique<CheckpointReader>(path_, model.space(), model.mesh());
   reader_->set_same(same_scene_, same_solution_);
@@ -81,9 +83,9 @@ void Restart::compare_scenes(const Simulation& simulation) {
     notes_.push_back("Changed: " + change.text() + ".");
   }
   if (file.text("mesh") != simulation.mesh_fingerprint())
-    throw InputError(path_ + ": was written of another mesh than the scene's" + mesh);
+    throw InputError(path_ + ": belongs to another mesh than the scene's" + mesh);
   if (!refused.empty())
-    throw InputError(path_ + ": was written of a scene that differs where a restart cannot change it:" + refused);
+    throw InputError(path_ + ": belongs to a scene that differs in what a restart cannot change:" + refused);
 }
 
 void Restart::note_differences(const Simulation& simulation) {
@@ -96,9 +98,9 @@ void Restart::note_differences(const Simulation& simulation) {
                                  simulation.model().space().comm()->getSize()));
   if (!same_scene_)
     notes_.emplace_back(
-        "The run goes on from the same displacements and velocities; energies are still counted from the first row.");
+        "The run resumes from the same displacements and velocities. Energy errors still refer to the first row.");
   else if (!reader_->exact() || !same_build)
-    notes_.emplace_back("The run goes on to solver tolerance, not bit for bit.");
+    notes_.emplace_back("The run resumes to solver tolerance, not bit for bit.");
 }
 
 void Restart::load(const std::function<void(Record&)>& transfer) {

@@ -5,6 +5,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_Time.hpp>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "scene/checkpoints.hpp"
 #include "scene/energy_watch.hpp"
@@ -110,9 +111,11 @@ void Run::begin_files() {
   files_.open_folder(false);
   const long earlier = checkpoints_.begin();
   if (earlier >= 0 && checkpoints_.on())
-    tell(fmt::format("{} has checkpoints of an earlier run, up to step {}: the first of this run takes their place.",
-                     options_.folder, earlier));
+    tell(fmt::format(
+        "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
+        options_.folder, earlier));
   files_.create();
+  watch_energy();
 }
 
 void Run::go_on() {
@@ -123,7 +126,7 @@ void Run::go_on() {
     resume_files();
   else
     begin_files();
-  tell(fmt::format("Goes on from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
+  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) tell(note);
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
@@ -157,7 +160,9 @@ void Run::step() {
   const double before = integrator_.time();
   const double dt = control_.next(before, stable_);
   if (!(dt >= control_.least()) && control_.next(before) >= control_.least())
-    return fail(fmt::format("the stable step, {:.3g} T0, is below the least allowed, {:.3g}", dt, control_.least()));
+    return fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
+                            control_.least()));
+  if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
   result_.newton_iterations += step.newton_iterations;
@@ -188,7 +193,9 @@ void Run::step() {
 void Run::watch_energy() {
   if (!watch_.on() || !files_.recorded()) return;
   const History& history = files_.history();
-  const std::string wrong = watch_.look(result_.steps, history.balance(), history.largest_energy());
+  // Memory may be damaged on one rank only; what follows is collective.
+  const std::string wrong =
+      first_problem(comm_, watch_.look(result_.steps, history.balance(), history.largest_energy()));
   if (wrong.empty()) return;
   const bool resumes = watch_.action() == EnergyWatch::Action::Resume && !checkpoints_.newest().empty() &&
                        checkpoints_.newest() != resumed_from_;
@@ -201,12 +208,18 @@ void Run::watch_energy() {
 /// Resumes from the newest checkpoint; a second time only from a later one.
 void Run::go_back() {
   resumed_from_ = checkpoints_.newest();
-  Restart restart(simulation_, resumed_from_);
-  restart.load([this](Record& record) { transfer(record); });
+  start_ = Teuchos::Time::wallTime();
+  phases_start_ = phase_seconds();
+  try {
+    Restart restart(simulation_, resumed_from_);
+    restart.load([this](Record& record) { transfer(record); });
+    resume_files();
+  } catch (const InputError& error) {
+    return fail(std::string("the run cannot go back to its checkpoint: ") + error.what());
+  }
   ++result_.restarts;
-  resume_files();
   result_.reason.clear();
-  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
+  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
 }
 
 /// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
@@ -247,10 +260,9 @@ void Run::end() {
 /// A message of a file that cannot be written, with what a person needs to go on.
 std::string Run::with_position(const std::string& message) const {
   const std::string newest = checkpoints_.newest();
-  return fmt::format(
-      "{} (t = {:.6g} T0, step {}{}). {}", message, integrator_.time(), result_.steps,
-      result_.reason.empty() ? "" : ": " + result_.reason,
-      newest.empty() ? "There is no checkpoint to go on from" : "The newest checkpoint to go on from is " + newest);
+  return fmt::format("{} (t = {:.6g} T0, step {}{}). {}", message, integrator_.time(), result_.steps,
+                     result_.reason.empty() ? "" : ": " + result_.reason,
+                     newest.empty() ? "No checkpoint was written" : "To resume, use the newest checkpoint: " + newest);
 }
 
 void Run::checkpoint() {

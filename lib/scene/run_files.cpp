@@ -5,6 +5,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "io/disk_file.hpp"
 #include "scene/scene_file.hpp"
 
 namespace ixos {
@@ -47,11 +48,11 @@ void RunFiles::open_folder(bool goes_on) {
     std::error_code code;
     std::filesystem::create_directories(folder_, code);
     if (code) throw FileError("the results folder cannot be used: " + folder_ + ": " + code.message());
-    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
-      const std::string name = entry.path().filename().string();
+    for (const std::string& name : names_in(folder_)) {
       if (name != "summary.json" && (keep_fields || name.rfind("fields.e", 0) != 0)) continue;
-      std::filesystem::remove(entry.path(), code);
-      if (code) throw FileError(entry.path().string() + ": cannot be replaced: " + code.message());
+      const std::filesystem::path path = std::filesystem::path(folder_) / name;
+      std::filesystem::remove(path, code);
+      if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());
     }
     write_scene_file(simulation_.parameters(), folder_ + "/effective.xml");
   });

@@ -19,7 +19,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 Bearing bearing(const std::string& path) {
   const std::string control = "Time Integrator/Time Step Control/";
   if (starts_with(path, "Initial Conditions/") || path == control + "Initial Time") return Bearing::State;
-  // Whether the mesh is another one, its fingerprint tells.
+  // The fingerprint tells whether the mesh is another one.
   for (const char* list : {"Units/", "Mesh/", "Time Integrator/Stop/"})
     if (starts_with(path, list)) return Bearing::None;
   if (path == control + "Final Time") return Bearing::None;

@@ -1,4 +1,4 @@
-/// What changed between the scene of a checkpoint and the one that goes on from it.
+/// The changes between the scene of a checkpoint and the one that resumes from it.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
@@ -6,24 +6,24 @@
 
 namespace ixos {
 
-/// What a change means for a restart.
+/// The effect of a change on a restart.
 enum class Bearing {
   None,      ///< the motion is the same: what is written, when the run ends
   Solution,  ///< the same equations solved by other means: to tolerance, not bit for bit
-  Motion,    ///< the run goes on from the same displacements and velocities with other laws, steps or schemes
+  Motion,    ///< the run resumes from the same displacements and velocities with other laws, steps or schemes
   State      ///< the state itself would be another one: not allowed
 };
 
 struct SceneChange {
   std::string path;         ///< "List/Sublist/Name"
-  std::string before, now;  ///< values as in XML; "absent" where there is none
+  std::string before, now;  ///< values as in XML; "absent" if the scene has none
   Bearing bearing = Bearing::Motion;
 
-  /// "Time Integrator/Type: "Newmark", now "Bathe Composite"".
+  /// Returns "Time Integrator/Type: "Newmark", now "Bathe Composite"".
   std::string text() const;
 };
 
-/// The differences of two complete scenes, in the order of the second's lists.
+/// Returns the differences of two complete scenes, in the order of the second's lists.
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 
 }  // namespace ixos

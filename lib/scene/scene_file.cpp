@@ -17,7 +17,7 @@
 namespace ixos {
 namespace {
 
-/// In a free-form list, the first type that the text spells.
+/// Sets the value in a free-form list, in the first type that the text spells.
 void set_as_it_looks(Teuchos::ParameterList& list, const std::string& name, const std::string& text) {
   for (const char* type : {"int", "double", "bool"}) {
     try {

@@ -5,18 +5,18 @@
 
 namespace ixos {
 
-/// Reads a scene: see list_from_xml(). The values are read by set_from_text(), because Teuchos' own reader takes "abc"
-/// for 0 and the last of two entries of one name. Throws InputError that names the file and the list path.
+/// Reads a scene: see list_from_xml(). set_from_text() reads the values, because Teuchos' own reader takes "abc" for 0
+/// and the last of two entries of one name. Throws InputError that names the file and the list path.
 Teuchos::ParameterList read_scene_file(const std::string& path);
 
-/// The same from text; `origin` stands for the file name in messages.
+/// Reads a scene from text as read_scene_file() does; `origin` stands for the file name in messages.
 Teuchos::ParameterList read_scene_text(const std::string& xml, const std::string& origin);
 
 /// Carries out "List/Sublist/Name=value". The value is read in the type that `valid` has for that entry; in free-form
-/// lists as the first of int, double, bool and string that fits. Throws InputError.
+/// lists, as the first of int, double, bool and string that fits. Throws InputError.
 void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& valid, const std::string& assignment);
 
-/// A list as XML that read_scene_text() reads back to the last digit.
+/// Returns a list as XML that read_scene_text() reads back to the last digit.
 std::string scene_text(const Teuchos::ParameterList& scene);
 
 /// Writes a list that read_scene_file() reads back to the last digit. Throws FileError.

@@ -21,7 +21,7 @@
 namespace ixos {
 namespace {
 
-/// Copies an array of exactly `count` elements; an empty one leaves `target` alone.
+/// Copies an array of exactly `count` elements; an empty one leaves `target` unchanged.
 template <class T, std::size_t N>
 void copy(const Teuchos::ParameterList& list, const char* name, int count, std::array<T, N>& target) {
   const auto& values = list.get<Teuchos::Array<T>>(name);

@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// From a validated "Mesh" list; the mesh has passed check_cells(). A mesh file is looked for in the working folder,
+/// Makes the mesh of a validated "Mesh" list; it has passed check_cells(). Looks for a mesh file in the working folder,
 /// then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 

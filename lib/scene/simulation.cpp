@@ -10,6 +10,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/phase_timer.hpp"
 #include "checkpoint/fingerprint.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
@@ -63,6 +64,8 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  control.final_time, control.initial_time));
   check_resolution(control, "Time Integrator/Time Step Control/Time Step", control.time_step);
+  check_resolution(control, "Time Integrator/Time Step Control/Final Time less Initial Time",
+                   control.final_time - control.initial_time);
   for (const char* name : {"History Time Interval", "Fields Time Interval"})
     if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
       check_resolution(control, std::string("Output/") + name, interval);
@@ -130,6 +133,7 @@ std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia iner
 }
 
 void Simulation::build_model(const Comm& comm, const std::string& folder, Inertia inertia) {
+  const NamedScope scope("mesh and model");
   Mesh mesh;
   together<InputError>(comm, [&] {
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
@@ -184,6 +188,7 @@ double Simulation::stiffness(const Table& table) const {
 }
 
 void Simulation::build_integrator(Table table) {
+  const NamedScope scope("solver set-up");
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX"), newton.get<double>("Linear Tolerance")};

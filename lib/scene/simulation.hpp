@@ -14,11 +14,11 @@
 
 namespace ixos {
 
-/// Everything that a scene asks for, built and at its initial state. Collective.
+/// The objects that a scene asks for, built and at their initial state. Collective.
 class Simulation {
  public:
-  /// `scene` as a user writes it: it is validated here. Throws InputError with the list path.
-  /// `folder` is where the scene's file stands, for mesh files named relative to it.
+  /// `scene` is as a user writes it; the constructor validates it. `folder` is the folder of the scene's file, for mesh
+  /// files named relative to it. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
 
   const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, every default filled in
@@ -31,7 +31,7 @@ class Simulation {
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
-  /// About the scene, for a person: what is allowed and may be a mistake.
+  /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<std::string>& warnings() const { return warnings_; }
   double setup_seconds() const { return setup_seconds_; }
 

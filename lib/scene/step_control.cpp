@@ -96,8 +96,9 @@ double StepControl::least() const { return std::max(options_.minimum_step, 1e-10
 
 bool StepControl::exhausted(std::string& why) const {
   if (length_ >= least()) return false;
-  why = fmt::format("a step of {:.3g} T0 would be needed, and {:.3g} is the least allowed; the last had", length_,
-                    least());
+  why = fmt::format(
+      "the next step would have to be {:.3g} T0 long, but the shortest one allowed is {:.3g} T0; the last step had",
+      length_, least());
   if (options_.adaptive.tolerance > 0) why += fmt::format(" a local error of {:.3g} L0", judgement_.error);
   if (options_.adaptive.gap_ratio > 0)
     why += fmt::format("{} a gap ratio of {:.3g}", options_.adaptive.tolerance > 0 ? " and" : "", judgement_.gap_ratio);
@@ -113,7 +114,8 @@ void StepControl::transfer(Record& record) {
   record.number("judged error", judgement_.error);
   record.number("judged gap ratio", judgement_.gap_ratio);
   if (!(length_ > 0 && std::isfinite(length_) && cuts_ >= 0))
-    throw InputError(fmt::format("a step of length {} after {} cuts is none to go on with", length_, cuts_));
+    throw InputError(
+        fmt::format("the checkpoint has a step length of {} after {} cuts, which is not allowed", length_, cuts_));
 }
 
 int time_points(double gap_ratio) { return gap_ratio <= 1.4 ? 5 : gap_ratio <= 2 ? 8 : 16; }

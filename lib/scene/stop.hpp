@@ -1,4 +1,4 @@
-/// When a run ends before its final time.
+/// Criteria that end a run before its final time.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
@@ -12,13 +12,13 @@ namespace ixos {
 /// The list "Time Integrator/Stop": the run ends after the first step for which one of its criteria holds.
 class StopCriteria {
  public:
-  /// Throws InputError with the list path where a criterion asks for what the scene does not have.
+  /// Throws InputError with the list path if a criterion asks for something that the scene does not have.
   StopCriteria(const Teuchos::ParameterList& list, const std::vector<Probe>& probes, const Model& model);
 
-  /// Why the run is over, or nothing. Collective.
+  /// Returns the reason for the end of the run, or an empty string while no criterion holds. Collective.
   std::string reason(const Model& model, const State& state);
 
-  /// For checkpoints.
+  /// Writes or reads the state for checkpoints.
   void transfer(Record& record) { record.number("was attached", was_attached_); }
 
  private:

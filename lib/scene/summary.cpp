@@ -13,7 +13,7 @@
 namespace ixos {
 namespace {
 
-/// Largest resident set of this process [bytes], 0 where the system does not tell.
+/// Returns the largest resident set of this process [bytes], 0 if the system does not report it.
 double peak_memory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)

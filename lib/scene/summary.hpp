@@ -6,7 +6,7 @@
 
 namespace ixos {
 
-/// Collective; written on rank 0. Throws FileError.
+/// Writes the summary on rank 0. Throws FileError. Collective.
 void write_summary(const Simulation& simulation, const RunResult& result, const std::string& path);
 
 }  // namespace ixos

@@ -63,7 +63,7 @@ void check_entry(const std::string& name, const Entry& value, const Entry& valid
   }
 }
 
-/// The names that "Type" may take in this list, and the one it takes.
+/// The names that "Type" may take in this list, and the chosen one.
 struct Variants {
   std::vector<std::string> names;
   std::string chosen;
@@ -82,7 +82,7 @@ Variants variants(const List& valid, const List& complete) {
   return result;
 }
 
-/// The complete list in the order of the valid one.
+/// Fills in the complete list in the order of the valid one.
 void fill(const List& user, const List& valid, const std::string& path, List& complete) {
   if (is_free_form(valid)) {
     complete.setParameters(user);

@@ -19,7 +19,7 @@ struct End {
   double slope;
 };
 
-/// Where in [0, 1] the cubic through both ends has its minimum, kept within [0.1, 0.6].
+/// Returns the place in [0, 1] of the minimum of the cubic through both ends, kept within [0.1, 0.6].
 double valley(const End& start, const End& end) {
   const double a = start.slope + end.slope - 2 * (end.value - start.value);
   const double b = 3 * (end.value - start.value) - 2 * start.slope - end.slope;

@@ -1,4 +1,4 @@
-/// NOX line search that stays in the admissible region and goes down the problem's potential.
+/// NOX line search that stays in the admissible region and decreases the problem's potential.
 #pragma once
 #include <NOX_LineSearch_Generic.H>
 #include <NOX_LineSearch_UserDefinedFactory.H>
@@ -7,12 +7,12 @@
 
 namespace ixos {
 
-/// Takes the full Newton step, shortened to the problem's admissible step and halved where the residual cannot be
-/// evaluated all the same (an inverted element). Where the residual is a gradient, the potential must fall: a step at
-/// whose end the slope along the direction is between -0.9 and 0.2 times the start's magnitude is accepted; otherwise
-/// the potential is evaluated, and unless it has fallen (Armijo, with room for rounding), the step is shortened to the
-/// minimum of the cubic through values and slopes of both ends. So a step that Newton's method takes well costs no
-/// potential.
+/// A line search that takes the full Newton step, shortened to the problem's admissible step, and halved if the
+/// residual cannot be evaluated there all the same (an inverted element). If the residual is a gradient, the potential
+/// must fall. A step is accepted if the slope along the direction at its end is between -0.9 and 0.2 times the start's
+/// magnitude. Otherwise the potential is evaluated, and unless it has fallen (Armijo, with room for rounding), the step
+/// is shortened to the minimum of the cubic through values and slopes of both ends. Good Newton steps therefore cost no
+/// evaluation of the potential.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
   explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}
@@ -23,7 +23,7 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
   NonlinearProblem& problem_;
 };
 
-/// Hands NOX the line search for a problem.
+/// A factory that gives NOX the line search for a problem.
 class AdmissibleLineSearchFactory final : public NOX::LineSearch::UserDefinedFactory {
  public:
   explicit AdmissibleLineSearchFactory(NonlinearProblem& problem) : problem_(problem) {}

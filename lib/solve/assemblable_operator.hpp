@@ -1,4 +1,4 @@
-/// Operators that can make their matrix where a preconditioner asks for one.
+/// Operators that can make their matrix when a preconditioner asks for one.
 #pragma once
 #include <Tpetra_Operator.hpp>
 
@@ -8,12 +8,12 @@ namespace ixos {
 
 class AssemblableOperator : public Operator {
  public:
-  /// The matrix of the operator as it is now: values are computed at the first request after a change. One object for
-  /// the whole life, fill-complete. Collective.
+  /// Returns the matrix of the operator's present state; its values are computed at the first request after a change.
+  /// It is one object for the operator's whole life, fill-complete. Collective.
   virtual Teuchos::RCP<CrsMatrix> matrix() const = 0;
-  /// Somebody has put other values into the matrix: they are computed anew at the next request.
+  /// Invalidates the matrix's values after a caller has overwritten them: the next request computes them anew.
   virtual void forget_values() const = 0;
-  /// The diagonal, by row. Collective.
+  /// Computes the diagonal, by row. Collective.
   virtual void diagonal(Vector& result) const = 0;
 };
 

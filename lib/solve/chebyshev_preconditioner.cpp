@@ -31,8 +31,8 @@ struct Spectrum {
   double largest = 0;  ///< an estimate that is seldom exceeded
 };
 
-/// From the tridiagonal matrix of Lanczos' method and the entry that would come next beside its diagonal; the largest
-/// eigenvalue with Zhou and Li's margin (2011).
+/// Returns the spectrum of the tridiagonal matrix of Lanczos' method, given also the next entry beside its diagonal;
+/// the largest eigenvalue with Zhou and Li's margin (2011).
 Spectrum spectrum_of(std::vector<double> diagonal, std::vector<double> beside, double next) {
   const auto n = static_cast<int>(diagonal.size());
   std::vector<double> vectors(diagonal.size() * diagonal.size()), work(2 * diagonal.size());
@@ -42,7 +42,7 @@ Spectrum spectrum_of(std::vector<double> diagonal, std::vector<double> beside, d
   return {diagonal.front(), diagonal.back() + std::abs(vectors.back()) * next};  // in ascending order
 }
 
-/// Of D^-1/2 W D^-1/2, by Lanczos' method from a vector of the rows' numbers.
+/// Estimates the spectrum of D^-1/2 W D^-1/2, by Lanczos' method from a vector of the rows' numbers.
 Spectrum estimate_spectrum(const Operator& op, const Vector& inverse_diagonal) {
   const auto map = op.getDomainMap();
   Vector root(map), v(map), before(map), scaled(map), w(map);
@@ -75,7 +75,7 @@ Spectrum estimate_spectrum(const Operator& op, const Vector& inverse_diagonal) {
 
 class Polynomial final : public TpetraPreconditioner {
  public:
-  /// What a checkpoint holds stands in for the spectrum once.
+  /// Initializes the preconditioner. A spectrum from a checkpoint replaces the estimate once.
   void initialize(const Teuchos::RCP<const Thyra::LinearOpBase<double>>& op, int degree, double ratio) {
     op_ = op;
     tpetra_ = Extract::getConstTpetraOperator(op);

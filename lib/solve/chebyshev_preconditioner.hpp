@@ -7,11 +7,11 @@
 namespace ixos {
 
 /// p(D^-1 W) D^-1, D the diagonal of W and p Chebyshev's polynomial for the upper part of the spectrum of D^-1 W (Saad
-/// 2003, algorithm 12.1): the only preconditioner that never asks for a matrix. It pays where inertia rules, at steps
-/// near the time that a wave takes through an element; where many such times pass in a step, iterations grow with their
-/// number. Parameters: "Degree" (applications of D^-1: one product less each time), "Eigenvalue Ratio" (at most, of
-/// the largest eigenvalue to the least that p takes in). Ten steps of Lanczos' method estimate both. Where W
-/// outgrows that, p stays positive definite for odd degrees.
+/// 2003, algorithm 12.1): the only preconditioner that never asks for a matrix. It pays if inertia dominates, at steps
+/// near the time that a wave takes through an element; if many such times pass in a step, iterations grow with their
+/// number. Parameters: "Degree" (applications of D^-1: one product less each time), "Eigenvalue Ratio" (at most, of the
+/// largest eigenvalue to the least that p covers). Ten steps of Lanczos' method estimate both. If W outgrows the
+/// estimates, p stays positive definite for odd degrees.
 class ChebyshevPreconditionerFactory final : public WithParameterList<Thyra::PreconditionerFactoryBase<double>> {
   using Source = Thyra::LinearOpSourceBase<double>;
   using Preconditioner = Thyra::PreconditionerBase<double>;
@@ -20,8 +20,8 @@ class ChebyshevPreconditionerFactory final : public WithParameterList<Thyra::Pre
   Teuchos::RCP<const Teuchos::ParameterList> getValidParameters() const override;
   bool isCompatible(const Source& source) const override;
   Teuchos::RCP<Preconditioner> createPrec() const override;
-  /// Of an AssemblableOperator or a matrix; D has the magnitudes of the diagonal. Throws std::runtime_error where one
-  /// is zero or no number.
+  /// Accepts an AssemblableOperator or a matrix; D has the magnitudes of its diagonal. Throws std::runtime_error if one
+  /// of them is zero or not a number.
   void initializePrec(const Teuchos::RCP<const Source>& source, Preconditioner* preconditioner,
                       Thyra::ESupportSolveUse use) const override;
   void uninitializePrec(Preconditioner*, Teuchos::RCP<const Source>*, Thyra::ESupportSolveUse*) const override {}

@@ -60,7 +60,7 @@ class Cholmod final : public Factorization {
 
   void solve(const MultiVector& b, MultiVector& x) override {
     matrix_->solve(b, x, [this](const double* rhs) {
-      // It fails only for want of memory; to agree on that would cost a message in every Krylov iteration.
+      // It fails only if memory runs out; an agreement on that would cost a message in every Krylov iteration.
       if (!solve_column(rhs)) require(CHOLMOD_OUT_OF_MEMORY, "solve with");
       return static_cast<const double*>(solution_->x);
     });

@@ -9,11 +9,12 @@
 
 namespace ixos {
 
-/// Rows of all ranks, one after the other, on the first; the row map's ranges must follow each other in rank order, as
-/// a DofSpace's do. On a single rank nothing is copied. All functions are collective unless they say otherwise.
+/// The rows of all ranks, one after the other, on the first rank; the row map's ranges must follow each other in rank
+/// order, as a DofSpace's do. On a single rank nothing is copied. All functions are collective unless they say
+/// otherwise.
 class CollectedMatrix {
  public:
-  /// The matrix must be fill-complete and keep its sparsity. Throws std::runtime_error where it has more than 2^31 - 1
+  /// The matrix must be fill-complete and keep its sparsity. Throws std::runtime_error if it has more than 2^31 - 1
   /// entries.
   explicit CollectedMatrix(const Teuchos::RCP<const CrsMatrix>& matrix);
 
@@ -21,18 +22,18 @@ class CollectedMatrix {
   void refresh();
   bool root() const { return rank_ == 0; }  ///< Not collective.
 
-  // On the first rank, none of them collective: compressed rows, columns sorted. The arrays belong to this object or to
-  // the matrix; sequential libraries take them without const.
+  // The following are valid on the first rank, and not collective: compressed rows, columns sorted. The arrays belong
+  // to this object or to the matrix; sequential libraries take them without const.
   int size() const { return static_cast<int>(starts_.size()) - 1; }
   int entries() const { return starts_.back(); }
   int* starts() { return starts_.data(); }
   int* columns() { return single() ? local_columns_ : columns_.data(); }
   double* values() { return single() ? local_values_ : values_.data(); }
 
-  /// The first rank's status on all ranks.
+  /// Returns the first rank's status on all ranks.
   int agreed(int status) const;
-  /// For each column of b: `solve` gets the whole right-hand side on the first rank and returns the whole solution
-  /// there; x its parts on all.
+  /// Solves for each column of b. On the first rank, `solve` gets the whole right-hand side and returns the whole
+  /// solution; every rank gets its part in x.
   void solve(const MultiVector& b, MultiVector& x, const std::function<const double*(const double*)>& solve);
 
  private:
@@ -53,8 +54,8 @@ class CollectedMatrix {
   std::vector<int> starts_{0};
   int* local_columns_ = nullptr;  ///< on a single rank
   double* local_values_ = nullptr;
-  // On the first of several ranks: right-hand side, columns and values of the whole matrix; values as they come in; of
-  // each entry, where it comes in.
+  // On the first of several ranks: right-hand side, columns and values of the whole matrix; the values in the order in
+  // which they arrive; for each entry, its position in that order.
   std::vector<double> rhs_, values_, incoming_;
   std::vector<int> columns_, place_;
 };

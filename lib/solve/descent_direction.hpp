@@ -1,4 +1,4 @@
-/// NOX direction: Newton's, or the nearest that goes down the problem's potential.
+/// NOX direction: Newton's, or the nearest that decreases the problem's potential.
 #pragma once
 #include <NOX_Direction_Generic.H>
 #include <NOX_Direction_Newton.H>
@@ -9,11 +9,10 @@
 
 namespace ixos {
 
-/// NOX's Newton direction; where `tolerance`, that of |f|, is not 0, its linear systems are solved as exactly as a
-/// ForcingTerm says. Prescribed values go the whole way, exactly. Where the residual f is
-/// a gradient and f . d >= 0, or the linear solver breaks down, the tangent is not positive definite: the direction is
-/// computed again with the tangent relaxed step by step (see NonlinearProblem::relax_tangent). Fails where the last
-/// step gives no descent either.
+/// NOX's Newton direction. If `tolerance`, that of |f|, is not 0, a ForcingTerm sets the accuracy of its linear solves.
+/// Prescribed values go the whole way, exactly. If the residual f is a gradient and f . d >= 0, or the linear solver
+/// breaks down, the tangent is not positive definite: the direction is computed again with the tangent relaxed step by
+/// step (see NonlinearProblem::relax_tangent). Fails if the last step gives no descent either.
 class DescentDirection final : public NOX::Direction::Generic {
  public:
   DescentDirection(NonlinearProblem& problem, double tolerance, const Teuchos::RCP<NOX::GlobalData>& data,
@@ -35,7 +34,7 @@ class DescentDirection final : public NOX::Direction::Generic {
   NOX::Direction::Newton newton_;
 };
 
-/// Hands NOX the direction for a problem.
+/// A factory that gives NOX the direction for a problem.
 class DescentDirectionFactory final : public NOX::Direction::UserDefinedFactory {
  public:
   DescentDirectionFactory(NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}

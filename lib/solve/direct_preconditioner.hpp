@@ -5,10 +5,10 @@
 #include "solve/factorization_list.hpp"
 namespace ixos {
 
-/// Makes the inverse of the matrix itself the preconditioner. With LaggedSolverFactory a factorisation so outlives
-/// Newton steps and time steps: a Krylov iteration costs a product and a triangular solve, a small part of a new
-/// factorisation. The symbolic part is kept as long as the matrix is the same object. A matrix that cannot be factored
-/// throws std::runtime_error.
+/// A factory that makes the inverse of the matrix itself the preconditioner. With LaggedSolverFactory, a factorisation
+/// thereby outlives Newton steps and time steps: a Krylov iteration costs a product and a triangular solve, a small
+/// part of a new factorisation. The symbolic part is kept as long as the matrix is the same object. Throws
+/// std::runtime_error if a matrix cannot be factored.
 class DirectPreconditionerFactory final : public WithFactorizationList<Thyra::PreconditionerFactoryBase<double>> {
   using Source = Thyra::LinearOpSourceBase<double>;
   using Preconditioner = Thyra::PreconditionerBase<double>;

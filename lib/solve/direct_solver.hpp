@@ -8,7 +8,7 @@
 namespace ixos {
 
 /// Registered with Stratimikos as "Direct". An operator that is initialised again with the same matrix keeps its
-/// symbolic factorisation and renews the numeric one. A matrix that cannot be factored throws std::runtime_error.
+/// symbolic factorisation and renews the numeric one. Throws std::runtime_error if a matrix cannot be factored.
 class DirectSolverFactory final : public WithFactorizationList<Thyra::LinearOpWithSolveFactoryBase<double>>,
                                   public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;

@@ -14,7 +14,7 @@ class WithFactorizationList : public WithParameterList<Base> {
   Teuchos::RCP<const Teuchos::ParameterList> getValidParameters() const override { return factorization_parameters(); }
 
  protected:
-  /// A factorisation of the chosen type for `matrix`, renewed: `kept`, where that is one of the same matrix object.
+  /// Renews `kept`, a factorisation of the chosen type for `matrix`, see KeptFactorization::renew().
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, KeptFactorization& kept) const {
     const auto list = this->getParameterList();
     kept.renew(matrix, list.is_null() ? first_rank_factorization() : list->template get<std::string>("Solver Type"));

@@ -1,4 +1,4 @@
-/// How exactly each of Newton's linear systems is solved.
+/// The accuracy to which each of Newton's linear systems is solved.
 #pragma once
 
 namespace ixos {
@@ -9,7 +9,8 @@ namespace ixos {
 /// one needs, a tenth of the bound on |f|.
 class ForcingTerm {
  public:
-  /// Before the linear solve of iteration `iteration` (from 0) at residual norm |f|, which is to come below `bound`.
+  /// Returns the tolerance of the linear solve of iteration `iteration` (from 0) at residual norm |f|, which is to come
+  /// below `bound`.
   double operator()(int iteration, double norm, double bound);
 
  private:

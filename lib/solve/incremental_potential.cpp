@@ -18,7 +18,7 @@ double IncrementalPotential::computef(const NOX::Abstract::Group& group) const {
 
 double IncrementalPotential::computeSlope(const NOX::Abstract::Vector& direction,
                                           const NOX::Abstract::Group& group) const {
-  // Newton's step goes all the way.
+  // Newton's step goes the whole way.
   const double way = problem_.way_left(*tpetra(group.getX()));
   return way > 0 ? -2 * way_weight * way : group.getF().innerProduct(direction);
 }

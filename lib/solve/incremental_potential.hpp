@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// merit = potential, slope = f . d. While prescribed values are on their way, what is left of it, times a number so
-/// large that every step on that way is one down; infinity where f cannot be evaluated.
+/// merit = potential, slope = f . d. Until prescribed values are reached, the merit is the way left to them times a
+/// number so large that every step on that way decreases it; infinity if f cannot be evaluated.
 class IncrementalPotential final : public NOX::MeritFunction::Generic {
  public:
   explicit IncrementalPotential(NonlinearProblem& problem) : problem_(problem) {}

@@ -1,4 +1,4 @@
-/// What linear solvers keep from one matrix to the next, for checkpoints. Included by lib/solve only.
+/// State that linear solvers keep from one matrix to the next, for checkpoints. Included by lib/solve only.
 #pragma once
 #include <Teuchos_RCP.hpp>
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace ixos {
 
-/// An operator whose solves depend on more than its present matrix: on the matrix that a preconditioner or the order of
-/// pivots came from, and on counts. After loading it rebuilds that with the first matrix that comes.
+/// An operator whose solves depend on more than its present matrix: on the matrix from which a preconditioner or the
+/// order of pivots was made, and on counts. After loading, it rebuilds that state with the first matrix.
 class KeptState {
  public:
   virtual ~KeptState() = default;
@@ -21,7 +21,7 @@ class StateKeeper {
  public:
   virtual ~StateKeeper() = default;
   Teuchos::RCP<KeptState> latest() const { return latest_.create_strong(); }
-  /// See NonlinearProblem: of the matrices that come next.
+  /// Sets the family of the following matrices, see NonlinearProblem::family().
   void choose_family(int family) const { *family_ = family; }
 
  protected:

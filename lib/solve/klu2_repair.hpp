@@ -10,7 +10,7 @@ namespace ixos {
 /// function keeps that object in the link.
 void anchor_klu2_repair();
 
-/// The file name of the library whose KLU2 this process uses: libixos where the repair is in force.
+/// Returns the file name of the library whose KLU2 this process uses: libixos if the repair is in force.
 std::string klu2_library();
 
 }  // namespace ixos

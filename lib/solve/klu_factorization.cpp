@@ -55,7 +55,7 @@ class Klu final : public Factorization {
     require(done, "factor");
   }
 
-  /// KLU wants columns and has our rows: it factors the transpose, and solves with the transpose of that.
+  /// KLU expects columns and gets the matrix's rows: it factors the transpose, and solves with the transpose of that.
   void solve(const MultiVector& b, MultiVector& x) override {
     matrix_->solve(b, x, [this](const double* rhs) {
       std::copy_n(rhs, solution_.size(), solution_.begin());
@@ -80,7 +80,7 @@ class Klu final : public Factorization {
     if (status != KLU_OK) throw std::runtime_error(fmt::format("KLU cannot {} the matrix (status {})", what, status));
   }
 
-  /// New values with the pivots of last time, as long as these do not shrink.
+  /// Factors new values with the previous pivots, as long as these do not shrink.
   bool refactor() {
     if (numeric_ == nullptr) return false;
     if (klu_refactor(matrix_->starts(), matrix_->columns(), matrix_->values(), symbolic_, numeric_, &common_) == 0 ||

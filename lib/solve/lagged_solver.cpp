@@ -27,7 +27,7 @@ using Status = Thyra::SolveStatus<double>;
 
 constexpr int unknown = std::numeric_limits<int>::max() / 2;  ///< more iterations than any solve takes
 
-/// Belos' CG says so in words only.
+/// Belos' CG reports this in the message only.
 bool shows_negative_curvature(const std::exception& error) {
   return std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
 }
@@ -85,7 +85,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       if (least < 0) throw InputError("a number of iterations is negative");
     }
   }
-  /// The least iterations of the present family with this preconditioner.
+  /// Returns the least iterations of the present family with this preconditioner.
   int& least_iterations() const {
     const auto family = static_cast<std::size_t>(*family_);
     if (family >= least_iterations_.size()) least_iterations_.resize(family + 1, unknown);
@@ -141,11 +141,12 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       make();
       force();
     };
-    // They could be made once, so they can again. Where the last one is stale only the first one's traces count.
+    // They could be made once, so they can be made again. If the last one is stale, only the traces of the first one
+    // count.
     if (matrices_ > 1) make_from(first_matrix_);
     if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
-    // A multigrid's finest level is the matrix itself. Where only preconditioners have a matrix it goes on with the
-    // values that they were made from, as in a run that nobody stopped.
+    // A multigrid's finest level is the matrix itself. If only preconditioners have a matrix, it resumes with the
+    // values from which they were made, as in an uninterrupted run.
     const auto assemblable =
         Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
     if (nonnull(assemblable))
@@ -180,7 +181,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       throw;
     } catch (const std::exception& error) {
       const bool indefinite = shows_negative_curvature(error);
-      // A new preconditioner would not change the matrix. Should the old one be to blame, it goes at the second time.
+      // A new preconditioner would not change the matrix. If the old one is to blame, it is discarded at the second
+      // failure.
       if (old && indefinite && !refused_) {
         refused_ = true;
         stale_ = false;

@@ -16,15 +16,16 @@ struct LaggedOptions {
   bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
 };
 
-/// Wraps a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve and renewed when
-/// the iterations spent beyond its best solve (of the same family: see NonlinearProblem) add up to `setup_cost`, the
-/// price of a new one in iterations: the rule that spends least when iterations grow steadily. It counts iterations and
-/// reads no clock, so runs repeat. A solve that fails with an old preconditioner is tried once more with a new one,
-/// with `from_scratch` a new object (a renewed multigrid keeps the prolongators of its first matrix); one that breaks
-/// down with a new one throws std::runtime_error, and so does one where CG meets negative curvature (Belos throws): the
-/// matrix is not positive definite, and the old preconditioner is kept for the next matrix. The C library's random
-/// numbers, from which Tpetra's are seeded and so the smoothers' estimates of eigenvalues, begin anew with each
-/// preconditioner.
+/// A wrapper of a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve. It is
+/// renewed when the iterations spent beyond its best solve (of the same family: see NonlinearProblem) add up to
+/// `setup_cost`, the price of a new one in iterations: this rule costs least when iterations grow steadily. It counts
+/// iterations and reads no clock, so runs repeat.
+///
+/// A solve that fails with an old preconditioner is tried once more with a new one, with `from_scratch` a new object (a
+/// renewed multigrid keeps the prolongators of its first matrix). Throws std::runtime_error if a solve breaks down with
+/// a new one, or if CG meets negative curvature (Belos throws): the matrix is then not positive definite, and the old
+/// preconditioner is kept for the next matrix. The C library's random numbers seed Tpetra's, and hence the smoothers'
+/// estimates of eigenvalues; they restart with each preconditioner.
 class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double>, public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;

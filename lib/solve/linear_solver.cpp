@@ -23,7 +23,7 @@ using ThyraFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 
 namespace {
 
-/// Stratimikos with our direct solver and the preconditioners.
+/// Configures Stratimikos with Ixos' direct solver and preconditioners.
 void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::ParameterList& list) {
   builder.setLinearSolveStrategyFactory(Teuchos::abstractFactoryStd<ThyraFactory, DirectSolverFactory>(), "Direct");
   Stratimikos::enableMueLu<LocalId, GlobalId, Node>(builder);
@@ -39,7 +39,7 @@ void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
 }
 
-/// Takes our own list "Reuse" out and returns its one entry.
+/// Removes Ixos' list "Reuse" and returns its one entry.
 double take_setup_cost(Teuchos::ParameterList& list) {
   if (!list.isSublist("Reuse")) return 0;
   const Teuchos::ParameterList reuse = list.sublist("Reuse");

@@ -15,35 +15,35 @@ namespace ixos {
 
 class Model;
 
-/// What the iterative solvers of a factory did so far.
+/// Counts of the work that the iterative solvers of a factory did so far.
 struct LinearStatistics {
   long iterations = 0;
   long setups = 0;  ///< of preconditioners
 };
 
-/// Builds solvers from a scene's "Linear Solver" list: a Stratimikos list, with three additions. "Linear Solver Type"
-/// is "Direct", "Belos" or "Amesos2"; "Direct" is ours: it keeps the symbolic factorisation, and its list, "Linear
-/// Solver Types/Direct", has the one entry "Solver Type" (see make_factorization). Preconditioners are MueLu's (null
-/// space and coordinates are given to it), Ifpack2's and our own "Direct", a factorisation with the same list, and
-/// "Chebyshev" (see ChebyshevPreconditionerFactory); they outlive the matrix that they were made from, as the list
-/// "Reuse" says: its "Setup Cost" is the price of a new preconditioner in Krylov iterations, 0 renews it for every
-/// matrix (see LaggedSolverFactory). "Operator" is "Assembled" or "Matrix-Free": then a matrix is made only for a new
-/// preconditioner.
+/// A factory of solvers from a scene's "Linear Solver" list: a Stratimikos list, with three additions. "Linear Solver
+/// Type" is "Direct", "Belos" or "Amesos2". "Direct" belongs to Ixos: it keeps the symbolic factorisation, and its
+/// list, "Linear Solver Types/Direct", has the one entry "Solver Type" (see make_factorization). Preconditioners are
+/// MueLu's (null space and coordinates are given to it), Ifpack2's and two of Ixos: "Direct", a factorisation with the
+/// same list, and "Chebyshev" (see ChebyshevPreconditionerFactory). They outlive the matrix that they were made from,
+/// as the list "Reuse" says: its "Setup Cost" is the price of a new preconditioner in Krylov iterations, 0 renews it
+/// for every matrix (see LaggedSolverFactory). "Operator" is "Assembled" or "Matrix-Free": then a matrix is made only
+/// for a new preconditioner.
 class LinearSolverFactory {
  public:
   /// The list must be complete (see completed_linear_solver). Without a model MueLu gets neither null space nor
   /// coordinates. Preconditioners that are not `restartable` save the memory of the matrices that they came from.
-  /// Throws InputError, with Stratimikos' own words, where the list is not valid. Collective.
+  /// Throws InputError, with Stratimikos' message, if the list is not valid. Collective.
   explicit LinearSolverFactory(const Teuchos::ParameterList& list, const Model* model = nullptr,
                                bool restartable = true);
   ~LinearSolverFactory();
   LinearSolverFactory(const LinearSolverFactory&) = delete;
   LinearSolverFactory& operator=(const LinearSolverFactory&) = delete;
 
-  /// A Thyra factory of its own for each caller, so that what its operators keep is the caller's (see StateKeeper).
+  /// Returns a new Thyra factory at each call, so that each caller owns the state of its operators (see StateKeeper).
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> strategy() const;
   const LinearStatistics& statistics() const;
-  /// Are tangents to be applied without a matrix?
+  /// Returns whether tangents are to be applied without a matrix.
   bool matrix_free() const;
 
  private:
@@ -60,7 +60,7 @@ class LinearSystem {
   LinearSystem(const LinearSystem&) = delete;
   LinearSystem& operator=(const LinearSystem&) = delete;
 
-  /// x = A^-1 b, to a relative residual of 1e-12 where the solver is iterative. False where the solve failed.
+  /// Sets x = A^-1 b, to a relative residual of 1e-12 if the solver is iterative. Returns false if the solve failed.
   /// Collective.
   bool solve(const Vector& b, Vector& x);
   void refresh();

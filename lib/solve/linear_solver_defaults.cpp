@@ -32,7 +32,7 @@ std::string preconditioning_factorization(const ProblemSize& size) {
   return alone || !factorize_on_first_rank(size) ? "MUMPS Single" : first_rank_factorization();
 }
 
-/// KLU, where there is no CHOLMOD, fills in too much in three dimensions.
+/// KLU, used in builds without CHOLMOD, fills in too much in three dimensions.
 std::string direct_factorization(const ProblemSize& size) {
   if (!size.symmetric) return "KLU";
   return first_rank_factorization() == "KLU" && size.dimension == 3 ? "MUMPS" : first_rank_factorization();
@@ -44,7 +44,7 @@ bool has_short_steps(const ProblemSize& size) {
   return size.symmetric && size.matrix_free && size.dimension == 3 && size.stiffness <= 250;
 }
 
-/// Where a factorisation costs many Krylov iterations it pays to keep it.
+/// If a factorisation costs many Krylov iterations, it pays to keep it.
 bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
 void refuse_symmetric(const std::string& place, const std::string& solver, const std::string& instead) {
@@ -92,7 +92,7 @@ void complete_muelu(ParameterList& list, const ProblemSize& size) {
   muelu.sublist("smoother: params").get("chebyshev: ratio eigenvalue", 7.0);
 }
 
-/// The entry's value, one of the names.
+/// Returns the entry's value, one of the names.
 std::string choice(ParameterList& list, const char* name, const std::string& fallback,
                    const std::vector<std::string>& names) {
   if (list.isParameter(name) && !list.isType<std::string>(name))

@@ -8,13 +8,14 @@
 
 namespace ixos {
 
-/// S M S with S = diag(M)^-1/2, constrained degrees of freedom decoupled with 1 on the diagonal. Its condition does not
-/// know the mesh (Wathen 1987), so CG needs neither a preconditioner nor a matrix. The model must outlive it.
+/// S M S with S = diag(M)^-1/2, constrained degrees of freedom decoupled with 1 on the diagonal. Its condition number
+/// is independent of the mesh (Wathen 1987), so CG needs neither a preconditioner nor a matrix. The model must outlive
+/// it.
 class ScaledMass final : public Operator {
  public:
   explicit ScaledMass(const Model& model);
 
-  /// S, rows of owned nodes; 1 at constrained degrees of freedom.
+  /// Returns S, rows of owned nodes; 1 at constrained degrees of freedom.
   const std::vector<double>& scale() const { return scale_; }
 
   Teuchos::RCP<const Map> getDomainMap() const override { return model_.space().owned_map(); }

@@ -30,7 +30,8 @@ struct Single {
   static void call(Struct& data) { smumps_c(&data); }
 };
 
-/// Every rank hands over the lower triangle of its own rows; right-hand sides go through the first rank.
+/// MUMPS with the lower triangle distributed: every rank passes the rows that it owns. Right-hand sides go through the
+/// first rank.
 template <class Precision>
 class Mumps final : public Factorization {
   using Real = typename Precision::Real;
@@ -71,7 +72,7 @@ class Mumps final : public Factorization {
     for (std::size_t k = 0; k < places_.size(); ++k) values_[k] = static_cast<Real>(local.values(places_[k]));
     data_.a_loc = values_.data();
     run(2);
-    // The estimate of the workspace was too small: more of it.
+    // The estimate of the workspace was too small: the next attempt gets more.
     for (int more = 100; more <= 800 && (data_.infog[0] == -8 || data_.infog[0] == -9); more *= 2) {
       set(14, more);
       run(2);
@@ -108,7 +109,7 @@ class Mumps final : public Factorization {
     data_.job = job;
     Precision::call(data_);
   }
-  /// By the number that MUMPS' documentation gives it, from 1.
+  /// Sets a control parameter by its number in MUMPS' documentation, from 1.
   void set(int control, int value) { data_.icntl[control - 1] = value; }
 
   void require(const char* what) const {

@@ -23,7 +23,7 @@
 namespace ixos {
 namespace {
 
-/// |f| below the bound that the problem states at the current iterate.
+/// The test that |f| is below the bound that the problem states at the current iterate.
 class ForceTest final : public NOX::StatusTest::Generic {
  public:
   ForceTest(const NonlinearProblem& problem, double tolerance) : problem_(problem), tolerance_(tolerance) {}
@@ -72,7 +72,7 @@ Teuchos::RCP<Teuchos::ParameterList> nox_list(NonlinearProblem& problem, const N
   Teuchos::ParameterList& direction = list->sublist("Direction");
   Teuchos::ParameterList& newton = direction.sublist("Newton");
   if (!direction.isParameter("Method")) {
-    // A user who tells NOX how exactly to solve has his way.
+    // If the user gives NOX an accuracy of the linear solves, that setting takes precedence.
     Teuchos::ParameterList& linear = newton.sublist("Linear Solver");
     const bool told = newton.isParameter("Forcing Term Method") || linear.isParameter("Tolerance");
     if (!told && options.linear_tolerance > 0) linear.set("Tolerance", options.linear_tolerance);
@@ -142,7 +142,7 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
-  /// A linear solver that cannot go on, or NOX at its wit's end. The next solve starts from a new solver.
+  /// Returns the failure when the linear solver or NOX failed irrecoverably. The next solve starts from a new solver.
   NewtonResult broken(const std::string& what) {
     NewtonResult result;
     if (!solver.is_null()) result.iterations = solver->getNumIterations();
@@ -151,7 +151,7 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
-  /// What the linear solver keeps; null where it keeps nothing.
+  /// Returns the keeper of the linear solver's state; null if it keeps none.
   const StateKeeper* keeper() const { return dynamic_cast<const StateKeeper*>(linear.get()); }
 
   const NonlinearProblem& problem;

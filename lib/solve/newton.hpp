@@ -14,29 +14,29 @@ struct NewtonOptions {
   double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
   int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
   Teuchos::ParameterList nox;    ///< overrides of NOX's own list
-  double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: as a ForcingTerm says
+  double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: a ForcingTerm sets it
 };
 
-/// How a solve ended. A failure is a status, not an exception.
+/// The result of a solve. A failure is a status, not an exception.
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
-  std::string reason;  ///< of a failure, for a person
+  std::string reason;  ///< of a failure, for the user
 };
 
 /// One solver for one problem, kept for the whole run and reset for each solve.
 class NewtonSolver {
  public:
-  /// Throws InputError where NOX refuses its list.
+  /// Throws InputError if NOX refuses its list.
   NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options);
   ~NewtonSolver();
   NewtonSolver(const NewtonSolver&) = delete;
   NewtonSolver& operator=(const NewtonSolver&) = delete;
 
-  /// From the guess x to a solution of f(x) = 0. On failure x is the last iterate. Collective.
+  /// Solves f(x) = 0 from the guess x. On failure x is the last iterate. Collective.
   NewtonResult solve(Vector& x);
 
-  /// For checkpoints, between solves: what the linear solver keeps from one matrix to the next. Collective.
+  /// Writes or reads, between solves, the state that the linear solver keeps from one matrix to the next. Collective.
   void transfer(Record& record);
 
  private:

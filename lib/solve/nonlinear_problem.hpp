@@ -1,50 +1,50 @@
-/// What a nonlinear solver needs to know of a problem f(x) = 0.
+/// The interface of a problem f(x) = 0 to a nonlinear solver.
 #pragma once
 #include "base/tpetra.hpp"
 
 namespace ixos {
 
-/// A potential's value, and the sum of its parts' magnitudes, by which its rounding errors are measured.
+/// A potential's value, and the sum of its parts' magnitudes, the scale of its rounding errors.
 struct Potential {
   double value = 0;
   double magnitude = 0;
 };
 
-/// All functions are collective; vectors live on map(). Between two solves the problem may change, during one it may
-/// not, except for relax_tangent().
+/// A problem f(x) = 0. All functions are collective; vectors live on map(). The problem may change between two solves.
+/// During a solve only relax_tangent() may change it.
 class NonlinearProblem {
  public:
   virtual ~NonlinearProblem() = default;
 
   virtual Teuchos::RCP<const Map> map() const = 0;
-  /// The tangent's operator: a fill-complete matrix of its sparsity, or an AssemblableOperator.
+  /// Creates the tangent's operator: a fill-complete matrix of its sparsity, or an AssemblableOperator.
   virtual Teuchos::RCP<Operator> create_operator() = 0;
 
-  /// f(x). False, on all ranks alike, where x is inadmissible: f is then unusable.
+  /// Computes f(x). Returns false, on all ranks alike, if x is inadmissible: f is then unusable.
   virtual bool residual(const Vector& x, Vector& f) = 0;
-  /// W = df/dx at x, or what relax_tangent() has set; W of create_operator().
+  /// Sets W, made by create_operator(), to df/dx at x, or to the tangent that relax_tangent() has selected.
   virtual void tangent(const Vector& x, Operator& w) = 0;
-  /// The largest step s <= 1 for which x + s direction is admissible with a margin.
+  /// Returns the largest step s <= 1 for which x + s direction is admissible with a margin.
   virtual double admissible_step(const Vector& x, const Vector& direction) = 0;
-  /// The norm |f| must come below at the last x that residual() saw, given the relative tolerance.
+  /// Returns the bound of the norm |f| for convergence at the last x that residual() saw, given the relative tolerance.
   virtual double convergence_bound(double relative_tolerance) const = 0;
 
-  /// Is f, at the last x that residual() saw, the gradient of potential()? Not while prescribed values are still on
-  /// their way.
+  /// Returns whether f, at the last x that residual() saw, is the gradient of potential(). It is not until the
+  /// prescribed values are reached.
   virtual bool is_gradient() const { return false; }
-  /// Squared distance of prescribed values from where they are to be; 0 where f is a gradient.
+  /// Returns the squared distance of prescribed values from their targets; 0 if f is a gradient.
   virtual double way_left(const Vector& /*x*/) { return 0; }
   /// Sets a direction's part for prescribed values to the whole way left, exactly.
   virtual void complete_direction(const Vector& /*x*/, Vector& /*direction*/) {}
-  /// Only where is_gradient() and x is admissible.
+  /// Returns the potential. Valid only if is_gradient() and x is admissible.
   virtual Potential potential(const Vector& /*x*/) { return {}; }
 
-  /// 0: the exact tangent; 1: without negative interaction stiffness; more: with a growing multiple of the identity
-  /// besides. For directions of descent where the exact tangent gives none.
+  /// Selects the tangent. 0: the exact one; 1: without negative interaction stiffness; more: with a growing multiple of
+  /// the identity besides. For directions of descent when the exact tangent gives none.
   virtual void relax_tangent(int /*level*/) {}
 
-  /// Which of several problems that take turns this is, counted from 0: iterations with a preconditioner that they
-  /// share compare within a family.
+  /// Returns the number, from 0, of this problem among several that take turns: iteration counts with a shared
+  /// preconditioner are compared within a family.
   virtual int family() const { return 0; }
 };
 

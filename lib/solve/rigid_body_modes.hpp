@@ -1,15 +1,15 @@
-/// What algebraic multigrid wants to know of a model.
+/// The null space and coordinates that algebraic multigrid needs from a model.
 #pragma once
 #include "model/model.hpp"
 
 namespace ixos {
 
-/// Rigid translations and rotations of the reference configuration as columns (3 in 2D, 6 in 3D) on the owned map, zero
-/// on constrained degrees of freedom. Rotations are about the centre of the nodes: about a distant origin they would be
-/// nearly translations.
+/// Returns rigid translations and rotations of the reference configuration as columns (3 in 2D, 6 in 3D) on the owned
+/// map, zero on constrained degrees of freedom. Rotations are about the centre of the nodes: about a distant origin
+/// they would be nearly translations.
 Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model);
 
-/// Coordinates of owned nodes, one column an axis, on the node map [L0].
+/// Returns the coordinates of owned nodes, one column an axis, on the node map [L0].
 Teuchos::RCP<MultiVector> node_coordinates(const Model& model);
 
 }  // namespace ixos

@@ -1,4 +1,4 @@
-/// The semi-discrete model for other people's time integrators.
+/// The semi-discrete model for the time integrators of other libraries.
 #pragma once
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 
@@ -11,7 +11,7 @@ namespace ixos {
 /// f(x'', x', x, t) = M x'' + C x' + f_el(x) + f_c(x) - f_ext(t) as a Thyra model evaluator, x displacements. In: x,
 /// x_dot, x_dot_dot, t, alpha, beta, W_x_dot_dot_coeff. Out: f and W_op = W_x_dot_dot_coeff M + alpha C + beta K, K the
 /// elastic and interaction tangent at x. On constrained degrees of freedom f = x - u_bar(t), and W has beta
-/// (W_x_dot_dot_coeff where beta is 0) on the diagonal and zeros in their rows and columns: start Newton's method from
+/// (W_x_dot_dot_coeff if beta is 0) on the diagonal and zeros in their rows and columns: start Newton's method from
 /// an x that meets them. An inadmissible x (a gap <= 0, an inverted element) marks the outputs as failed, upon which
 /// Thyra fills f with NaN. Thyra leaves W_x_dot_dot_coeff of fresh InArgs uninitialised: set it. The model must outlive
 /// the evaluator. Collective.
@@ -42,7 +42,7 @@ class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<do
   Thyra::ModelEvaluatorBase::InArgs<double> in_;
   Thyra::ModelEvaluatorBase::InArgs<double> nominal_;
   Thyra::ModelEvaluatorBase::OutArgs<double> out_;
-  mutable std::vector<double> u_, rate_, part_, sum_;  ///< local arrays, kept from call to call
+  mutable std::vector<double> u_, rate_, part_, sum_;  ///< local arrays, reused from call to call
 };
 
 }  // namespace ixos

@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// Where and how a stage's tangent is taken: mass M + damping C + K_el + K_c + shift I.
+/// The point and the weights of a stage's tangent: mass M + damping C + K_el + K_c + shift I.
 struct TangentPoint {
   Segment elastic;
   Segment interaction;
@@ -22,23 +22,24 @@ struct TangentPoint {
   double constrained_diagonal = 1;  ///< of constrained degrees of freedom, which nothing couples to others
 };
 
-/// y = W x from what the terms keep at their quadrature points, consistent mass and damping included. The model must
-/// outlive it.
+/// y = W x from the data that the terms keep at their quadrature points, consistent mass and damping included. The
+/// model must outlive it.
 class TangentOperator final : public AssemblableOperator {
  public:
   /// `assemble` fills matrix values (Pattern::create_matrix's layout, zero before) with the tangent at the last
-  /// linearize(), constraints included. Throws InputError where a term cannot be applied matrix-free.
+  /// linearize(), constraints included. Throws InputError if a term cannot be applied matrix-free.
   TangentOperator(const Model& model, std::function<void(double*)> assemble);
 
-  /// Takes the tangent there. The point's arrays must stay until the next call for matrix() to be asked for.
+  /// Takes the tangent at the point. If matrix() is to be called, the point's arrays must stay until the next
+  /// linearize().
   void linearize(const TangentPoint& point);
-  /// result_f = K_fp x_p of constrained columns p and free rows f, 0 for constrained ones: x local, result the rows of
-  /// owned nodes.
+  /// Sets result_f = K_fp x_p of constrained columns p and free rows f, 0 for constrained ones: x local, result the
+  /// rows of owned nodes.
   void multiply_constrained_columns(const double* x, double* result) const;
 
   Teuchos::RCP<const Map> getDomainMap() const override { return model_.space().owned_map(); }
   Teuchos::RCP<const Map> getRangeMap() const override { return model_.space().owned_map(); }
-  /// y = alpha W x + beta y. W is symmetric.
+  /// Sets y = alpha W x + beta y. W is symmetric.
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
              double beta = 0) const override;
   bool hasTransposeApply() const override { return true; }
@@ -47,7 +48,7 @@ class TangentOperator final : public AssemblableOperator {
   void forget_values() const override { assembled_ = false; }
 
  private:
-  /// result_ = W x with free and constrained degrees of freedom coupled, x local.
+  /// Sets result_ = W x with free and constrained degrees of freedom coupled, x local.
   void multiply(const double* x) const;
 
   const Model& model_;

@@ -25,7 +25,7 @@ inline Teuchos::RCP<const Thyra::LinearOpBase<double>> const_linear_op(const Teu
   return Thyra::createConstLinearOp<double, LocalId, GlobalId, Node>(op, space, space);
 }
 
-/// The matrix behind an operator, assembled now where it is applied without; null where it has none.
+/// Returns the matrix behind an operator. A matrix-free operator assembles it now; null if the operator has none.
 inline Teuchos::RCP<const CrsMatrix> matrix_of(const Thyra::LinearOpSourceBase<double>& source) {
   const auto op = Extract::getConstTpetraOperator(source.getOp());
   const auto assemblable = Teuchos::rcp_dynamic_cast<const AssemblableOperator>(op);

@@ -1,4 +1,4 @@
-/// Preconditioners of our own behind Thyra. Included by lib/solve only.
+/// The base of Ixos' preconditioners behind Thyra. Included by lib/solve only.
 #pragma once
 #include <Thyra_DefaultPreconditioner.hpp>
 
@@ -29,7 +29,7 @@ class TpetraPreconditioner : public Thyra::LinearOpBase<double>, public KeptStat
   }
 };
 
-/// What a factory's createPrec() returns, and what initializePrec() finds in it.
+/// Wraps a preconditioner for a factory's createPrec(); unwrapped() returns it to initializePrec().
 template <class P>
 Teuchos::RCP<Thyra::PreconditionerBase<double>> wrapped_preconditioner() {
   const Teuchos::RCP<Thyra::LinearOpBase<double>> op = Teuchos::rcp(new P);

@@ -1,17 +1,17 @@
-/// What Thyra factories that are configured by a list of their own repeat. Included by lib/solve only.
+/// The common code of Thyra factories that have a parameter list. Included by lib/solve only.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <utility>
 
 namespace ixos {
 
-/// A Thyra factory of the interface `Base` that keeps its list; getValidParameters() says what may stand in it.
+/// A Thyra factory of the interface `Base` that keeps its list; getValidParameters() defines its valid entries.
 template <class Base>
 class WithParameterList : public Base {
   using List = Teuchos::RCP<Teuchos::ParameterList>;
 
  public:
-  /// Throws Teuchos' exceptions where the list is not valid.
+  /// Throws Teuchos' exceptions if the list is not valid.
   void setParameterList(const List& list) override {
     list->validateParametersAndSetDefaults(*this->getValidParameters());
     list_ = list;

@@ -1,4 +1,4 @@
-/// A program run beside this one.
+/// A program that runs beside this one.
 #pragma once
 #include <sys/types.h>
 
@@ -8,17 +8,17 @@
 
 namespace ixos {
 
-/// How a child ended.
+/// The end of a child process.
 struct ChildOutcome {
-  int exit_status = 0;  ///< 128 + signal where a signal ended it
+  int exit_status = 0;  ///< 128 + signal if a signal ended it
   double cpu_seconds = 0;
 };
 
 /// A child process without a shell, one BLAS thread unless the environment says otherwise; its output goes to a file.
-/// It dies with its parent, whatever becomes of that.
+/// The child ends with its parent, however the parent ends.
 class ChildProcess {
  public:
-  /// Throws FileError where no process can be made.
+  /// Throws FileError if no process can be made.
   ChildProcess(const std::vector<std::string>& command, const std::string& log);
   ~ChildProcess();  ///< Kills a child that still runs.
   ChildProcess(ChildProcess&& other) noexcept;
@@ -26,7 +26,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Has it ended? Fills in the outcome then. Does not wait.
+  /// Returns whether the child has ended, and fills in the outcome then. Does not wait.
   bool ended(ChildOutcome& outcome);
   void send(int signal) const;
   double age() const;  ///< wall-clock seconds since it was started

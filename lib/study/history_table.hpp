@@ -9,14 +9,14 @@ namespace ixos {
 /// Columns by name, an empty cell as NaN.
 class HistoryTable {
  public:
-  /// Throws FileError where the file cannot be read or is no table of numbers, with the line.
+  /// Throws FileError if the file cannot be read or is not a table of numbers, with the line.
   explicit HistoryTable(const std::string& path);
 
   std::size_t rows() const { return rows_; }
   bool has(const std::string& name) const { return columns_.count(name) > 0; }
-  /// Throws InputError, with the nearest name, where there is none.
+  /// Returns a column. Throws InputError, with the nearest name, if no column has that name.
   const std::vector<double>& column(const std::string& name) const;
-  /// In the file's order.
+  /// Returns the names in the file's order.
   const std::vector<std::string>& names() const { return names_; }
 
  private:
@@ -26,7 +26,7 @@ class HistoryTable {
   std::size_t rows_ = 0;
 };
 
-/// The value at `time` of a function given at increasing times, by straight lines; NaN outside.
+/// Returns the value at `time` of a function given at increasing times, by linear interpolation; NaN outside.
 double interpolated(const std::vector<double>& times, const std::vector<double>& values, double time);
 
 }  // namespace ixos

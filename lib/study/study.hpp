@@ -1,4 +1,4 @@
-/// Studies: one scene, run with many settings, to see what accuracy costs.
+/// Studies: one scene, run with many settings, to compare accuracy and cost.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <limits>
@@ -15,7 +15,7 @@ struct AxisValue {
   Assignments settings;
 };
 
-/// What is varied: its values exclude each other.
+/// A varied quantity: its values exclude each other.
 struct Axis {
   std::string name;
   std::vector<AxisValue> values;
@@ -36,7 +36,7 @@ struct ErrorOptions {
   double energy_scale = 0;  ///< [E0 L0^D]; 0: the reference's largest kinetic energy
 };
 
-/// What the study is to answer.
+/// The question that the study answers.
 struct Question {
   std::string connect;   ///< the axis along which points of a plot are joined
   std::string cost;      ///< a column of study.csv
@@ -59,14 +59,14 @@ struct Study {
   std::vector<StudyRun> runs;
 };
 
-/// Every list and parameter of a study file, with defaults, ranges and documentation.
+/// Returns every list and parameter of a study file, with defaults, ranges and documentation.
 const Teuchos::ParameterList& study_parameters();
 
 /// Reads a study file and its scene, and checks the settings of every run against what a scene may say. Throws
 /// InputError that names the file, the list path, the value, and what is allowed.
 Study read_study(const std::string& path);
 
-/// The scene of a run as it will be read, complete: what a result is recognised by. Throws InputError.
+/// Returns the complete scene of a run as it will be read, by which a result is recognised. Throws InputError.
 std::string scene_text(const Study& study, const Assignments& settings);
 
 }  // namespace ixos

@@ -24,7 +24,7 @@ struct StudyReference::Results {
     try {
       const Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
       const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
-      // What an older version did not know has its default.
+      // Parameters that an older version did not know take their defaults.
       const Teuchos::ParameterList given =
           integrator.isSublist(chosen.name) ? integrator.sublist(chosen.name) : Teuchos::ParameterList();
       step_means = chosen.table(validated(given, chosen.parameters)).closing == Closing::Collocate;
@@ -32,7 +32,7 @@ struct StudyReference::Results {
       throw InputError(path + ": Time Integrator: " + last_paragraph(error.what()));
     }
   }
-  /// The times that a column's values belong to.
+  /// Returns the times to which a column's values belong.
   std::vector<double> times(const std::string& column) const {
     std::vector<double> result = history.column("time");
     if (!step_means || column.rfind("reaction_", 0) != 0) return result;
@@ -75,7 +75,7 @@ double energy_error(const std::string& folder) {
 StudyReference::StudyReference(const std::string& folder, const ErrorOptions& options)
     : reference_(std::make_unique<Results>(folder)), options_(options) {
   for (const auto* named : {&options.force, &options.position})
-    for (const std::string& name : *named) reference_->history.column(name);  // throws where there is none
+    for (const std::string& name : *named) reference_->history.column(name);  // throws if there is none
   if (options_.energy_scale > 0) return;
   for (double energy : reference_->history.column("kinetic_energy"))
     if (energy > options_.energy_scale) options_.energy_scale = energy;
@@ -83,7 +83,7 @@ StudyReference::StudyReference(const std::string& folder, const ErrorOptions& op
 
 StudyReference::~StudyReference() = default;
 
-/// rms in time of the columns' distance from the reference, over the reference's own rms there.
+/// Returns the rms in time of the columns' distance from the reference, over the reference's own rms there.
 double StudyReference::relative_distance(const Results& run, const std::vector<std::string>& columns) const {
   if (columns.empty()) return std::numeric_limits<double>::quiet_NaN();
   double error = 0, scale = 0;
@@ -109,7 +109,7 @@ double StudyReference::relative_distance(const Results& run, const std::vector<s
 
 StudyErrors StudyReference::errors(const std::string& folder) const {
   const Results run(folder);
-  // What a run that ended early has missed is not small.
+  // The part that a run misses by ending early is not a small error.
   const std::vector<double>& times = reference_->history.column("time");
   const double from = std::max(options_.from, times.front()), to = std::min(options_.to, times.back());
   const double end = run.history.column("time").back();

@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// Relative errors; NaN where the columns are not there, or empty.
+/// Relative errors; NaN if the columns are missing or empty.
 struct StudyErrors {
   /// summary.json's max_energy_error, which is that of the recorded rows, over the energy scale.
   double energy = std::numeric_limits<double>::quiet_NaN();
@@ -20,17 +20,17 @@ struct StudyErrors {
 /// The results that others are compared with, read once.
 class StudyReference {
  public:
-  /// Throws FileError where the results in `folder` cannot be read, and InputError, with the nearest name, where they
-  /// have not a column that `options` name.
+  /// Throws FileError if the results in `folder` cannot be read, and InputError, with the nearest name, if they lack a
+  /// column that `options` name.
   StudyReference(const std::string& folder, const ErrorOptions& options);
   ~StudyReference();
   StudyReference(const StudyReference&) = delete;
   StudyReference& operator=(const StudyReference&) = delete;
 
-  /// Of the results in `folder`, at the times of their own rows in the interval (those of the reference are
-  /// interpolated, so it should have more). Reactions of schemes in momentum form are means of the step and belong to
-  /// its middle. Throws InputError where a named column is not there, the interval holds fewer than two rows, or the
-  /// run ended before it; FileError where results cannot be read.
+  /// Returns the errors of the results in `folder`, at the times of their own rows in the interval (the reference's
+  /// rows are interpolated, so it should have more). Reactions of schemes in momentum form are means of the step and
+  /// belong to its middle. Throws InputError if a named column is missing, the interval holds fewer than two rows, or
+  /// the run ended before it; FileError if results cannot be read.
   StudyErrors errors(const std::string& folder) const;
 
  private:

@@ -22,7 +22,7 @@ namespace {
 using List = Teuchos::ParameterList;
 using Words = Teuchos::Array<std::string>;
 
-/// A study of more than this is a slip of the pen.
+/// A larger study is presumably a mistake.
 constexpr std::size_t most_runs = 10000;
 constexpr std::size_t most_settings = 1000000;  ///< of all runs together
 constexpr std::size_t longest_name = 200;       ///< of a run's folder
@@ -56,7 +56,7 @@ Axis read_axis(const List& list, const std::string& name) {
   return axis;
 }
 
-/// Letters, digits and + . - as they are, anything else as one dash.
+/// Returns the text with letters, digits and + . - unchanged, anything else as one dash.
 std::string file_name(const std::string& label) {
   std::string result;
   for (char c : label) {
@@ -76,7 +76,7 @@ std::string file_name(const std::string& label) {
                    "\", which another run has, which is reserved, or which is too long; choose other labels");
 }
 
-/// Every combination of the axes' values, the last axis running fastest.
+/// Returns every combination of the axes' values, the last axis running fastest.
 std::vector<StudyRun> combinations(const Study& study) {
   std::vector<StudyRun> runs{{"", {}, study.common}};
   for (const Axis& axis : study.axes) {

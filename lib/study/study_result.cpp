@@ -43,7 +43,7 @@ std::string table(const Study& study, const std::vector<StudyResult>& results) {
   return text;
 }
 
-/// "Scheme Newmark, Time Step 0.001".
+/// Returns a run's labels as "Scheme Newmark, Time Step 0.001".
 std::string described(const Study& study, const StudyRun& run) {
   std::string text;
   for (std::size_t i = 0; i < study.axes.size(); ++i)
@@ -51,7 +51,7 @@ std::string described(const Study& study, const StudyRun& run) {
   return text;
 }
 
-/// "error_force" as "error of the force".
+/// Returns "error_force" as "error of the force".
 std::string error_text(const std::string& measure) { return "error of the " + measure.substr(measure.find('_') + 1); }
 
 std::string cost_text(const std::string& cost, double value) {

@@ -1,4 +1,4 @@
-/// What became of the runs of a study, and what follows from it.
+/// The results of a study's runs, and the conclusions from them.
 #pragma once
 #include <string>
 #include <vector>
@@ -20,21 +20,21 @@ struct StudyResult {
   double end_time = 0;
 
   bool reached_its_end() const { return status == "completed" || status == "stopped"; }
-  /// By column name. Throws std::invalid_argument for any other.
+  /// Returns the value of a column by its name. Throws std::invalid_argument for any other name.
   double error(const std::string& measure) const;
   double cost(const std::string& name) const;
 };
 
-/// The runs that no other beats in both cost and error, the cheapest first.
+/// Returns the runs that no other beats in both cost and error, the cheapest first.
 std::vector<const StudyResult*> pareto(const std::vector<StudyResult>& results, const std::string& cost,
                                        const std::string& measure);
 
 struct Recommendation {
-  const StudyResult* run = nullptr;  ///< null where no run is good enough
+  const StudyResult* run = nullptr;  ///< null if no run is good enough
   std::string sentence;
 };
 
-/// The cheapest run within the tolerance; the most accurate within the budget where there is no tolerance.
+/// Returns the cheapest run within the tolerance; without a tolerance the most accurate run within the budget.
 Recommendation recommend(const Study& study, const std::vector<StudyResult>& results);
 
 /// Writes study.csv and study.json. `command` repeats the study. Throws FileError.

@@ -30,7 +30,7 @@ Json read_json(const std::string& path) {
   return json.is_object() ? json : Json();
 }
 
-/// A value of a record, or a default where there is none of that type: whatever the file holds.
+/// Returns a value of a record, or a default if the file has no value of that type there.
 template <class T>
 T entry(const Json& record, const char* name, T otherwise) {
   const auto found = record.find(name);
@@ -49,7 +49,7 @@ std::string last_line(const std::string& path) {
   return last.substr(0, 400);
 }
 
-/// What changes when a program is built anew.
+/// Returns a mark of a program's file that changes when the program is rebuilt.
 std::string file_mark(const std::string& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
@@ -110,7 +110,8 @@ class Runner {
 
   std::string folder(const StudyRun& run) const { return options_.folder + "/runs/" + run.name; }
 
-  /// False where interrupted. Results in the order of the runs, without those that did not end.
+  /// Carries out the runs. Returns false if interrupted. Results come in the order of the runs, without those that did
+  /// not end.
   bool run_all(const std::vector<StudyRun>& runs, int jobs, const StudyReference* reference,
                std::vector<StudyResult>& results) {
     std::vector<std::optional<StudyResult>> found(runs.size());
@@ -164,7 +165,7 @@ class Runner {
     return {command, folder(run) + "/log.txt"};
   }
 
-  /// The run's number once it has ended; its record is then written.
+  /// Returns the run's number if it has ended, after writing its record; otherwise nothing.
   std::optional<std::size_t> ended(Active& child, const std::vector<StudyRun>& runs) const {
     ChildOutcome outcome;
     if (!child.process.ended(outcome)) {
@@ -174,7 +175,7 @@ class Runner {
       }
       return std::nullopt;
     }
-    // A child that was told to end has no result. One that crashed has: it would crash again.
+    // A child that was terminated has no result. One that crashed has: it would crash again.
     if (outcome.exit_status == 5 || outcome.exit_status == 128 + SIGTERM || outcome.exit_status == 128 + SIGINT)
       return child.number;
     child.timed_out = child.timed_out && outcome.exit_status == 128 + SIGKILL;
@@ -190,7 +191,8 @@ class Runner {
     return child.number;
   }
 
-  /// Is there a result of this scene, by this version? One cut off by a time limit counts as long as that is no longer.
+  /// Returns whether this version has a result of this scene. A result cut off by a time limit counts if the present
+  /// limit is not longer.
   bool is_done(const StudyRun& run, const std::string& scene) const {
     const Json record = read_json(folder(run) + "/run.json");
     if (record.is_null() || entry<std::string>(record, "scene", "") != scene ||

@@ -1,4 +1,4 @@
-/// The acceleration that a state's balance of forces gives.
+/// The acceleration from the balance of forces in a state.
 #pragma once
 #include <memory>
 #include <vector>
@@ -9,17 +9,18 @@
 
 namespace ixos {
 
-/// M a = f_ext(t) - C v - f(u), constrained degrees of freedom taking the acceleration of their motion. A lumped mass
-/// divides; of a consistent one the matrix is made at the first request, or, where tangents are matrix-free, plain
-/// CG (to 1e-12, whatever the scene's linear solver) takes its place. The model must outlive it. Collective.
+/// A solver for M a = f_ext(t) - C v - f(u); constrained degrees of freedom take the acceleration of their motion. A
+/// lumped mass needs a division only. The matrix of a consistent mass is made at the first request; if tangents are
+/// matrix-free, plain CG (to 1e-12, whatever the scene's linear solver) takes its place. The model must outlive it.
+/// Collective.
 class Acceleration {
  public:
   Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);
 
-  /// Evaluates the right-hand side of local arrays u and v. False where u is inadmissible.
+  /// Evaluates the right-hand side of local arrays u and v. Returns false if u is inadmissible.
   bool balance(double time, const std::vector<double>& u, const std::vector<double>& v);
-  /// balance(), then a, a local array. False where u is inadmissible or the mass matrix cannot be solved with. Without
-  /// inertia a is 0.
+  /// Calls balance() and solves for a, a local array. Returns false if u is inadmissible or the solve with the mass
+  /// matrix fails. Without inertia a is 0.
   bool solve(double time, const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
   /// Puts load and reactions, M a less the last balance, into the state of that balance.
   void record_forces(double time, State& state) const;
@@ -32,7 +33,7 @@ class Acceleration {
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   std::unique_ptr<LinearSolverFactory> mass_solver_;  ///< of a mass that is applied without a matrix
   std::unique_ptr<LinearSystem> mass_system_;
-  std::vector<double> scale_;    ///< see ScaledMass; empty where the mass is a matrix
+  std::vector<double> scale_;    ///< see ScaledMass; empty if the mass is a matrix
   std::vector<double> balance_;  ///< local, valid for owned entries
   std::vector<double> force_;    ///< scratch
 };

@@ -9,8 +9,9 @@
 
 namespace ixos {
 
-/// One scheme: its name, what a user should know of it, its parameters with defaults, ranges and documentation, and how
-/// its table is made. The XML validators, the driver's list and the documentation are all made from this.
+/// One scheme: its name, the facts that a user should know, its parameters with defaults, ranges and documentation, and
+/// the function that makes its table. The XML validators, the driver's list and the documentation are all made from
+/// this.
 struct Scheme {
   std::string name;
   std::string order;
@@ -24,13 +25,13 @@ struct Scheme {
 
 const std::vector<Scheme>& schemes();
 
-/// "Custom": the table that a scene writes down itself (see custom_table). Not one of schemes().
+/// Returns "Custom": the table that a scene defines itself (see custom_table). Not one of schemes().
 const Scheme& custom_scheme();
 
-/// The scheme of a scene that names none.
+/// Returns the name of the scheme of a scene that names none.
 const char* default_scheme();
 
-/// The scheme of that name, or the custom one. Throws InputError with the nearest name.
+/// Returns the scheme of that name, or the custom one. Throws InputError with the nearest name.
 const Scheme& scheme(const std::string& name);
 
 }  // namespace ixos

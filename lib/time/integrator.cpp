@@ -15,7 +15,7 @@
 namespace ixos {
 namespace {
 
-/// Does some row use the acceleration of the step's start?
+/// Returns whether some row uses the acceleration of the step's start.
 bool uses_acceleration(const Table& table) {
   for (const Stage& stage : table.stages)
     for (const Row* row : {&stage.velocity, &stage.inertia, &stage.damping})
@@ -87,7 +87,7 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   if (has_external_) balance_.record_forces(time, start);
 }
 
-/// Solves for the acceleration of the present state, unless it is known. False where that fails.
+/// Solves for the acceleration of the present state, unless it is known. Returns false if that fails.
 bool Integrator::know_acceleration() {
   State& state = states_.front();
   if (!acceleration_known_) acceleration_known_ = balance_.solve(time_, state.u, state.v, state.a);
@@ -183,7 +183,7 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
   solver(stage).problem.record_forces(end);
 }
 
-/// Expressions are sampled before a run (check_over); what slipped through ends the step, not the program.
+/// Expressions are sampled before a run (check_over). A value that the samples missed ends the step, not the program.
 bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& reason) const {
   if (!has_external_) return true;
   const double end = time_ + stage.end * dt;
@@ -274,7 +274,7 @@ void Integrator::accept() {
   }
   previous_.dt = dt;
   std::swap(states_.front(), states_.back());
-  // Compensated (Kahan), so that a million steps end where they should.
+  // Compensated sum (Kahan), so that a million steps end at the right time.
   const double increment = dt - time_carry_;
   const double next = time_ + increment;
   time_carry_ = (next - time_) - increment;

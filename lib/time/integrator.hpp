@@ -17,60 +17,61 @@
 
 namespace ixos {
 
-/// How a step ended.
+/// The result of a step.
 struct StepResult {
   bool converged = false;
   int newton_iterations = 0;
   long linear_iterations = 0;  ///< of iterative linear solvers
-  std::string reason;          ///< of a failure, for a person
+  std::string reason;          ///< of a failure, for the user
 };
 
-/// Advances a model in time. The model must outlive it. Collective.
+/// An integrator that advances a model in time. The model must outlive it. Collective.
 class Integrator {
  public:
-  /// Throws std::invalid_argument where the table is inconsistent (see check), or has inertia and the model has not, or
-  /// the other way round.
+  /// Throws std::invalid_argument if the table is inconsistent (see check), or if only one of table and model has
+  /// inertia.
   Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
              const NewtonOptions& newton);
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
 
-  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is solved for, M a = f_ext - C v - f.
-  /// Constrained degrees of freedom take their motion's values. Throws InputError where the state is inadmissible.
+  /// Sets the state at `time`: u and v local arrays (ghosts set too); a is the solution of M a = f_ext - C v - f.
+  /// Constrained degrees of freedom take their motion's values. Throws InputError if the state is inadmissible.
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
-  /// One step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
+  /// Takes one step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
   StepResult step(double dt);
-  /// The same in two parts: what an attempt found may be judged, and accepted or attempted anew with another length.
+  /// Takes a step in two parts: a caller may judge the result of attempt(), then accept it or attempt another length.
   StepResult attempt(double dt);
   void accept();
-  /// Of the attempted step: see local_error() and Model::gap_ratio(). From the first call on a velocity is kept.
+  /// Returns local_error() and Model::gap_ratio() of the attempted step. From the first call on a velocity is kept.
   double error();
   double gap_ratio() const;
-  /// Changes the number of points in time of the interaction, where the table allows it (Table::interaction_points);
-  /// those of the load stay.
+  /// Changes the number of points in time of the interaction, if the table allows it (Table::interaction_points); those
+  /// of the load stay.
   void set_interaction_points(int points);
 
-  /// The longest step from here that is stable and no longer than `wanted`: `wanted` itself of implicit schemes. step()
-  /// does not ask. Collective.
+  /// Returns the longest step from here that is stable and no longer than `wanted`: `wanted` itself for implicit
+  /// schemes. step() does not call it. Collective.
   double stable_step(double wanted);
 
   const Model& model() const { return model_; }
   const Table& table() const { return table_; }
   const State& state() const { return states_.front(); }
   double time() const { return time_; }
-  /// Operators and preconditioners that the stages share.
+  /// Returns the number of operators and preconditioners that the stages share.
   std::size_t tangents() const { return solvers_.size(); }
-  /// Local array of accelerations of the present state; momentum-form schemes solve for it at the first request.
+  /// Returns a local array of accelerations of the present state; momentum-form schemes solve for it at the first
+  /// request.
   const std::vector<double>& acceleration();
-  /// Work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
+  /// Returns the work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
   double dissipated_energy() const { return dissipated_; }
   double external_work() const { return external_work_; }
 
-  /// For checkpoints, between steps: everything that later steps depend on, to the last bit. Loading onto another
-  /// partition leaves out what the linear solvers keep; loading into another scene goes on from displacements,
-  /// velocities, time and sums alone; throws InputError where they are inadmissible there, or a prescribed displacement
-  /// would jump. Collective.
+  /// Writes or reads, for checkpoints between steps, everything that later steps depend on, to the last bit. Loading
+  /// onto another partition leaves out the state of the linear solvers. Loading into another scene resumes from
+  /// displacements, velocities, time and sums alone; it throws InputError if they are inadmissible there, or a
+  /// prescribed displacement would jump. Collective.
   void transfer(Record& record);
 
  private:
@@ -112,9 +113,9 @@ class Integrator {
   double dissipated_ = 0;
   double external_work_ = 0;
   std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
-  PreviousVelocity previous_;       ///< v only where steps are judged
+  PreviousVelocity previous_;       ///< v only if steps are judged
   bool judged_ = false;
-  double attempted_dt_ = 0;  ///< 0 where no attempt waits to be accepted
+  double attempted_dt_ = 0;  ///< 0 if no attempt waits to be accepted
   bool acceleration_known_ = false;
   Teuchos::RCP<Vector> unknown_;
 };

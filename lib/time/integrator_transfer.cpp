@@ -1,4 +1,4 @@
-// What checkpoints keep of an integrator, and how it goes on from them.
+// The integrator's state in checkpoints, and how an integrator resumes from it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// A checkpoint may leave out what the state needs.
+/// Throws if the checkpoint lacks a part of the state.
 void Integrator::check_whole(const char* name, const std::vector<double>& field, Extent extent) const {
   const int size = extent == Extent::Local ? model_.space().local() : model_.space().owned();
   if (field.size() != static_cast<std::size_t>(size))
@@ -37,7 +37,7 @@ void Integrator::transfer(Record& record) {
   external_work_ = external_work;
 }
 
-/// A motion that was changed must pass through where its degrees of freedom are.
+/// Throws unless a changed motion passes through the present values of its degrees of freedom.
 void Integrator::refuse_jump() const {
   const State& state = states_.front();
   std::vector<double> there(state.u);

@@ -1,4 +1,4 @@
-/// Linear forms in the unknown displacement and the known states: what a scheme's formulas are made of.
+/// Linear forms in the unknown displacement and the known states, from which a scheme's formulas are built.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -16,10 +16,10 @@ struct Row {
   double unknown = 0;        ///< s
   std::vector<Known> known;  ///< by state; missing states count nothing
 
-  /// The value for a polynomial: u(t) sampled at the stage (time c) and at the known states (times c_j), in steps.
-  /// `degree` 0, 1, 2 stands for u = 1, t, t^2 (dt = 1). A consistent row reproduces u's derivatives.
+  /// Returns the value for a polynomial: u(t) sampled at the stage (time c) and at the known states (times c_j), in
+  /// steps. `degree` 0, 1, 2 stands for u = 1, t, t^2 (dt = 1). A consistent row reproduces u's derivatives.
   double on_monomial(int degree, double c, const std::vector<double>& known_times) const;
-  /// The largest coefficient's magnitude: what rounding errors of on_monomial() are measured by.
+  /// Returns the largest magnitude of a coefficient, the scale of the rounding errors of on_monomial().
   double magnitude() const;
 };
 

@@ -7,12 +7,12 @@
 
 namespace ixos {
 
-/// result = the row without its unknown part s (u_s - u_0). Since a consistent row is zero for a constant u,
+/// Sets result = the row without its unknown part s (u_s - u_0). Since a consistent row is zero for a constant u,
 /// displacements enter as differences from u_0: at small steps they agree in most digits, and the differences are
-/// exact. States that the row does not use may be empty. All arrays local and of the size of `result`.
+/// exact. States that the row does not use may be empty. All arrays are local and of the size of `result`.
 void evaluate_known(const Row& row, const std::vector<State>& states, double dt, std::vector<double>& result);
 
-/// result = s (u - u_0) + known.
+/// Sets result = s (u - u_0) + known.
 void evaluate(const Row& row, const std::vector<double>& u, const std::vector<double>& u0,
               const std::vector<double>& known, std::vector<double>& result);
 

@@ -5,7 +5,7 @@
 namespace ixos {
 
 /// Newmark (1959): balance at the end of the step. Order 2 for gamma = 1/2, else 1. Unconditionally stable for linear
-/// problems where 2 beta >= gamma >= 1/2. Keeps linear momentum; energy of linear problems for beta = 1/4, gamma = 1/2.
+/// problems if 2 beta >= gamma >= 1/2. Keeps linear momentum; energy of linear problems for beta = 1/4, gamma = 1/2.
 /// Needs beta > 0.
 Table newmark(double beta, double gamma);
 
@@ -15,7 +15,8 @@ Table newmark(double beta, double gamma);
 /// split in (0, 1).
 Table bathe_composite(double spectral_radius, double split);
 
-/// The split for which both stages have the same tangent: (2 - sqrt(2 + 2 rho))/(1 - rho) = 2/(2 + sqrt(2 + 2 rho)).
+/// Returns the split for which both stages have the same tangent:
+///   (2 - sqrt(2 + 2 rho))/(1 - rho) = 2/(2 + sqrt(2 + 2 rho)).
 double bathe_default_split(double spectral_radius);
 
 /// Gautam and Sauer (2014): the balance of momentum over the step, elastic forces by the trapezoid, interaction by n
@@ -33,7 +34,8 @@ Table average_vector_field(int elastic_points, int interaction_points);
 /// [0, 1]); rho = 1 keeps the energy of linear problems. Keeps linear momentum.
 Table generalized_alpha(double spectral_radius);
 
-/// Hilber, Hughes and Taylor (1977): the same with a_m = 0, a_f = -alpha, alpha in [-1/3, 0]; 0 is the trapezoid.
+/// Hilber, Hughes and Taylor (1977): generalized_alpha's equations with a_m = 0, a_f = -alpha, alpha in [-1/3, 0]; 0 is
+/// the trapezoid.
 Table hht_alpha(double alpha);
 
 /// The implicit midpoint rule (Simo, Tarnow and Wong 1992), in momentum form: forces at (u_n + u)/2, the interaction

@@ -24,7 +24,7 @@ StableStep::StableStep(const Model& model, double safety) : model_(model), safet
   damping_ = model.space().maximum(model.mass()->largest_quotient(rows.data()));
 }
 
-/// [T0]; 0 where a gap is not positive.
+/// Returns the longest stable step [T0]; 0 if a gap is not positive.
 double StableStep::limit(const std::vector<double>& u) const {
   sums_ = elastic_;
   const Segment here{nullptr, nullptr, u.data()};
@@ -48,7 +48,7 @@ double StableStep::operator()(const State& state, double wanted) {
   age_ = (age_ + 1) % elastic_interval;
   double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u)));
   if (!model_.has_interactions()) return step;
-  // Where the step leads: a shorter one leads less far, so the bound there holds for it too.
+  // The bound at the end of the step. A shorter step leads less far, so that bound holds for it too.
   for (int halving = 0; halving < 60; ++halving) {
     for (std::size_t i = 0; i < ahead_.size(); ++i)
       ahead_[i] = state.u[i] + step * (state.v[i] + step / 2 * state.a[i]);

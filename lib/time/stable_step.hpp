@@ -9,19 +9,19 @@
 namespace ixos {
 
 /// The central difference scheme is stable for dt <= 2/(sqrt(w^2 + c^2) + c), w the highest frequency and c = 2 zeta w
-/// its damping, where C acts on the extrapolated velocity (c = 0: 2/w). w^2 is bounded by the largest row sum of
-/// |M^-1 K| (Gershgorin), cell by cell, so that nothing is assembled: of the elastic stiffness every tenth step, of the
-/// interactions at both ends of each step, for their stiffness grows tenfold within one. The model must outlive it and
-/// have a lumped mass. Collective.
+/// its damping, if C acts on the extrapolated velocity (c = 0: 2/w). w^2 is bounded by the largest row sum of |M^-1 K|
+/// (Gershgorin), cell by cell, so that nothing is assembled. The row sums of the elastic stiffness are renewed every
+/// tenth step, those of the interactions at both ends of each step, because their stiffness grows tenfold within one.
+/// The model must outlive it and have a lumped mass. Collective.
 class StableStep {
  public:
   /// `safety`, at most 1, is the share of the bound that is used.
   StableStep(const Model& model, double safety);
 
-  /// The longest step from this state that is no longer than `wanted`. Its accelerations are used.
+  /// Returns the longest step from this state that is no longer than `wanted`. Uses the state's accelerations.
   double operator()(const State& state, double wanted);
 
-  /// For checkpoints.
+  /// Writes or reads the state for checkpoints.
   void transfer(Record& record);
 
  private:

@@ -6,7 +6,7 @@
 
 namespace ixos {
 
-/// Up to what Newton's steps leave behind by rounding.
+/// Returns whether a value is reached, up to the rounding errors of Newton's steps.
 bool StageProblem::is_reached(std::size_t dof, double value) const {
   const double target = prescribed_[dof];
   return std::abs(value - target) <= 1e-10 * std::abs(target - (*from_)[dof]) + 1e-15 * std::abs(target);

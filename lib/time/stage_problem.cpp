@@ -56,8 +56,8 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
-  // Where the last residual was at this start, a rule with equal weights at both ends has its kept part there already,
-  // to the last bit: the weights are 1/2.
+  // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
+  // the last bit: the weights are 1/2.
   const bool have_end = residual_of_ == stage_ && u_ == known[0].u;
   const auto keep = [&](const Rule& rule, std::vector<double>& force, const auto& evaluate_force) {
     if (rule.kept_weight == 0) return;
@@ -143,8 +143,8 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   }
 
   bool admissible = model_.elastic_force(segment(stage_->elastic), stage_->elastic, elastic_.data());
-  // Norms of the three parts, the number of ranks where some part is inadmissible, that of values on their way, and the
-  // norm of u.
+  // Norms of the three parts, the number of ranks on which some part is inadmissible, the number of values that are not
+  // yet reached, and the norm of u.
   double sums[6] = {
       has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
   if (model_.has_interactions()) {
@@ -160,7 +160,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   model_.space().sum(sums, 6);
   moving_ = sums[4] > 0;
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
-  // A step that leads far rounds more than its start.
+  // After a long step the rounding errors are larger than at its start.
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * diagonal_ * std::sqrt(sums[5]);
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 

@@ -10,28 +10,29 @@
 
 namespace ixos {
 
-/// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule - mean load. arm() sets it for a
+/// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule - mean load. arm() sets it up for a
 /// stage of a step; until the next arm() it is constant. Model and table must outlive it.
 ///
 /// A constrained degree of freedom has the row kappa (u - u_bar), and nothing couples it to the others, so that the
-/// matrix stays symmetric. While u is not yet u_bar, the other rows are those at u, moved along the tangent to u_bar:
-/// f_f - K_fp (u - u_bar)_p. Newton's step with the uncoupled matrix is then the one with the prescribed values
-/// eliminated exactly.
+/// matrix stays symmetric. Until u reaches u_bar, the other rows are those at u, moved along the tangent to u_bar: f_f
+/// - K_fp (u - u_bar)_p. Newton's step with the uncoupled matrix is then the one with the prescribed values eliminated
+/// exactly.
 class StageProblem final : public NonlinearProblem {
  public:
-  /// `matrix_free`: the tangent is a TangentOperator, else a matrix.
+  /// `matrix_free`: the tangent is a TangentOperator, otherwise a matrix.
   StageProblem(const Model& model, const Table& table, bool matrix_free = false);
   StageProblem(const Model&, Table&&, bool = false) = delete;
 
-  /// `known` are the step's start and the ends of the stages before this one; they must stay until the solve is over.
-  /// `time` is the step's start. Throws std::logic_error where the start of the segment is inadmissible.
+  /// Sets the stage to solve. `known` are the step's start and the ends of the stages before this one; they must stay
+  /// until the solve is over. `time` is the step's start. Throws std::logic_error if the start of the segment is
+  /// inadmissible.
   void arm(std::size_t stage, const std::vector<State>& known, double time, double dt);
 
-  /// The guess moved from `base` (an admissible local array) towards `guess` as far as is admissible; both local.
+  /// Moves `guess` from `base` (an admissible local array) towards `guess` as far as is admissible; both local.
   /// Collective.
   void clip(const std::vector<double>& base, std::vector<double>& guess) const;
 
-  /// Time of the stage's end.
+  /// Returns the time of the stage's end.
   double time() const { return stage_time_; }
   /// Puts mean load and reactions at the last x that residual() saw into the state.
   void record_forces(State& state) const;
@@ -41,8 +42,8 @@ class StageProblem final : public NonlinearProblem {
   bool residual(const Vector& x, Vector& f) override;
   void tangent(const Vector& x, Operator& w) override;
   double admissible_step(const Vector& x, const Vector& direction) override;
-  /// tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but no less than what rounding u_s alone
-  /// changes.
+  /// Returns tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but at least the change that
+  /// rounding u_s alone makes.
   double convergence_bound(double relative_tolerance) const override;
   bool is_gradient() const override {
     return stage_->elastic.is_gradient() && stage_->interaction.is_gradient() && !moving_;
@@ -74,26 +75,26 @@ class StageProblem final : public NonlinearProblem {
   double dt_ = 0;
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start
-  std::vector<double> path_velocity_;          ///< h v at the step's start, where a rule uses it
+  std::vector<double> path_velocity_;          ///< h v at the step's start, if a rule uses it
   std::vector<double> known_inertia_;          ///< inertia row without s (u_s - u_0), local
   std::vector<double> known_damping_;
   std::vector<double> kept_;  ///< kept parts of the rules less the mean load, local
   std::vector<double> load_;  ///< mean load, local
   std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
   double rounding_ = 0;       ///< force by which the last digits of u change the balance
-  double rounding_here_ = 0;  ///< the same of u at the last residual
+  double rounding_here_ = 0;  ///< that force for u at the last residual
   double diagonal_ = 0;       ///< kappa
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
   int relaxation_ = 0;
 
-  std::vector<double> u_;               ///< local, where forces or tangents were last evaluated
+  std::vector<double> u_;               ///< local, of the last evaluation of forces or tangents
   const Stage* residual_of_ = nullptr;  ///< whose elastic_ and interaction_ at u_ residual() left there, if any
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
   std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
-  std::vector<double> values_;      ///< the values of that tangent, where it is a matrix
-  Teuchos::RCP<TangentOperator> matrix_free_;  ///< null where the tangent is a matrix
+  std::vector<double> values_;      ///< the values of that tangent, if it is a matrix
+  Teuchos::RCP<TangentOperator> matrix_free_;  ///< null if the tangent is a matrix
   mutable std::vector<double> direction_;
 };
 

@@ -4,12 +4,12 @@
 
 namespace ixos {
 
-/// u, v, a are local arrays, owned nodes first, then ghosts; loads and reactions owned ones, empty where the model has
-/// no loads (no constraints). Those of momentum-form schemes are means over the step that led here.
+/// u, v, a are local arrays, owned nodes first, then ghosts. Loads and reactions are owned arrays, empty if the model
+/// has no loads (no constraints); those of momentum-form schemes are means over the step that led here.
 struct State {
   std::vector<double> u;           ///< displacement [L0]
   std::vector<double> v;           ///< velocity [L0/T0]
-  std::vector<double> a;           ///< acceleration [L0/T0^2]; of momentum-form schemes only where it was asked for
+  std::vector<double> a;           ///< acceleration [L0/T0^2]; of momentum-form schemes only if it was asked for
   std::vector<double> load{};      ///< external forces [E0 L0^(D-1)]
   std::vector<double> reaction{};  ///< of constrained degrees of freedom, inertia and damping included; zero elsewhere
 };

@@ -24,8 +24,8 @@ struct Stage {
   Rule elastic;
   Rule interaction;
   std::vector<TimePoint> load;  ///< times t_i in steps from the step's start, and weights w_i
-  /// Where the rules have no potential: rules for elasticity and interaction that have, with a solution nearby. Where
-  /// Newton's iteration fails it starts again from there.
+  /// If the rules have no potential: rules for elasticity and interaction that have one, with a solution nearby. If
+  /// Newton's iteration fails, it restarts from that solution.
   std::vector<Rule> nearby{};
 };
 
@@ -33,7 +33,7 @@ struct Stage {
 enum class Closing {
   Kinematic,  ///< from the last stage's row, which satisfies the balance at the end of the step; driven degrees of
               ///< freedom take the exact velocity and acceleration of their motion
-  Collocate,  ///< from M a = f_ext - C v - f at the end of the step, where it is asked for; momentum-form schemes,
+  Collocate,  ///< from M a = f_ext - C v - f at the end of the step, if it is asked for; momentum-form schemes,
               ///< whose recursion rings; driven degrees of freedom take the scheme's own velocity
   Explicit    ///< the same with the velocity row for v, whereupon v = v_n + dt (a_n + a)/2; driven degrees of freedom
               ///< take the exact velocity and acceleration of their motion
@@ -50,13 +50,13 @@ struct WorkSum {
   std::vector<double> weights;
 };
 
-/// Where Newton's iteration starts: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
+/// The start of Newton's iteration: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
 /// known state k, h to the stage's end; Newmark's predictor for beta = 1/4, with h^2/4 a_k; or the straight line
 /// through the starts of this step and the one before. Always clipped to admissible gaps.
 enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration, Newmark, Extrapolation };
 
-/// Velocity and acceleration of driven degrees of freedom: of their motion, or the scheme's own. Schemes in momentum
-/// form take their own in any case.
+/// Velocity and acceleration of driven degrees of freedom: those of their motion, or those of the scheme. Schemes in
+/// momentum form take the scheme's in any case.
 enum class DrivenRates { Exact, Own };
 
 struct Table {
@@ -66,41 +66,42 @@ struct Table {
   WorkSum work;
   Predictor predictor = Predictor::LastDisplacement;  ///< the one that takes the fewest iterations at an impact
   DrivenRates driven_rates = DrivenRates::Exact;
-  Inertia mass = Inertia::Consistent;  ///< None where the table has no inertia
-  /// Of the local error of displacements, error_constant dt^3 u''', in the limit of short steps; 0 where it has none.
+  Inertia mass = Inertia::Consistent;  ///< None if the table has no inertia
+  /// The factor in the local error of displacements, error_constant dt^3 u''', in the limit of short steps; 0 if not
+  /// known.
   double error_constant = 1.0 / 12;
-  /// Gauss points of the interaction's mean along the straight path, where their number may change from step to step;
-  /// else 0.
+  /// Gauss points of the interaction's mean along the straight path, if their number may change from step to step;
+  /// otherwise 0.
   int interaction_points = 0;
   /// Largest change of the energy balance in a step, over the largest energy, that rounding and quadrature over a step
-  /// of sensible length account for; 0: the scheme promises nothing.
+  /// of sensible length explain; 0: the scheme promises nothing.
   double energy_promise = 0;
   double safety = 1;  ///< explicit schemes: share of the stable step that a run uses
 };
 
-/// Has the table one stage, without an unknown in its forces? Then its step is a division by a lumped mass; Newton's
-/// method, NOX and matrices do not come up.
+/// Returns whether the table has one stage, without an unknown in its forces. Its step is then a division by a lumped
+/// mass, without Newton's method, NOX and matrices.
 bool is_explicit(const Table& table);
 
-/// The mean over the path of an interaction: n Gauss points, or in closed form where n is 0 (linear path only; throws
-/// std::invalid_argument).
+/// Returns the mean over the path of an interaction: n Gauss points, or in closed form if n is 0 (linear path only;
+/// throws std::invalid_argument).
 Rule mean_rule(int n, Path path = Path::Linear);
 
-/// n Gauss points over the step, 8 where n is 0.
+/// Returns n Gauss points over the step, 8 if n is 0.
 std::vector<TimePoint> gauss_times(int n);
 
-/// Has the table no inertia? Then its rows for velocity are du/dt, and those for acceleration, inertia and damping
-/// zero.
+/// Returns whether the table has no inertia. Its rows for velocity are then du/dt, and those for acceleration, inertia
+/// and damping zero.
 bool is_static(const Table& table);
 
-/// Do driven degrees of freedom take the exact velocity and acceleration of their motion?
+/// Returns whether driven degrees of freedom take the exact velocity and acceleration of their motion.
 bool has_exact_rates(const Table& table);
 
-/// Do the tangents of two stages weigh mass, damping and forces alike, to a factor of 2? Then the one, inverted, is a
-/// preconditioner of the other with a condition number of at most 4 (1.8 for Bathe's two halves).
+/// Returns whether the tangents of two stages weigh mass, damping and forces alike, to a factor of 2. The inverse of
+/// one is then a preconditioner of the other with a condition number of at most 4 (1.8 for Bathe's two halves).
 bool have_like_tangents(const Stage& a, const Stage& b);
 
-/// Are the tangents of all stages symmetric?
+/// Returns whether the tangents of all stages are symmetric.
 bool is_symmetric(const Table& table);
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,

@@ -17,12 +17,12 @@ Array difference(const Array& a, const Array& b) {
   return result;
 }
 
-/// Of owned entries: with the state's load and reaction, where there are any.
+/// Returns the product over owned entries with the state's load and reaction, if there are any.
 double with_external(const Array& x, const State& state) {
   return dot(x, state.load, state.load.size()) + dot(x, state.reaction, state.reaction.size());
 }
 
-/// d . M dv + du . M e/dt on driven degrees of freedom.
+/// Returns d . M dv + du . M e/dt on driven degrees of freedom.
 double exact_rate_work(const Model& model, const State& start, const State& end, const Array& du, double dt) {
   const auto owned = static_cast<std::size_t>(model.space().owned());
   Array product(owned), e(du.size(), 0.0);

@@ -8,13 +8,13 @@
 
 namespace ixos {
 
-/// Work of loads and reactions over the step whose start and stage ends are `states` [E0 L0^D], as the table's WorkSum
-/// says: with it the energy balance of the scheme closes up to its own error. Where driven degrees of freedom have the
-/// exact rates of their motion instead of the rows', d = (v_n + v)/2 - du/dt and e = dv - dt (a_n + a)/2 do not vanish
-/// there, and EndMean adds d . M dv + du . M e/dt. Collective.
+/// Returns the work of loads and reactions over the step whose start and stage ends are `states` [E0 L0^D], as the
+/// table's WorkSum says: with it the energy balance of the scheme closes up to its own error. If driven degrees of
+/// freedom have the exact rates of their motion instead of the rows', d = (v_n + v)/2 - du/dt and e = dv - dt (a_n +
+/// a)/2 do not vanish there, and EndMean adds d . M dv + du . M e/dt. Collective.
 double work_of_external_forces(const Model& model, const Table& table, const std::vector<State>& states, double dt);
 
-/// Work that the model's damping takes out, at least 0 for Increment and Stages. Collective.
+/// Returns the work that the model's damping dissipates, at least 0 for Increment and Stages. Collective.
 double work_of_damping(const Model& model, const Table& table, const std::vector<State>& states, double dt);
 
 }  // namespace ixos

@@ -28,6 +28,10 @@ TEST_F(FailuresTest, LostStandardOutputIsExitStatusFour) {
     EXPECT_NE(outcome.output.find("standard output: cannot be written: No space left on device"), std::string::npos)
         << arguments << ": " << outcome.output;
   }
+  for (const char* arguments : {"--version", "--help", "--parameters"}) {
+    const Outcome outcome = shell(std::string(IXOS_STUDY_DRIVER) + " " + arguments + " > /dev/full", folder_);
+    EXPECT_EQ(outcome.status, 4) << arguments;
+  }
   // The run itself was not disturbed.
   EXPECT_NE(contents(folder_ + "/out/summary.json").find("\"status\": \"completed\""), std::string::npos);
 }
@@ -35,6 +39,12 @@ TEST_F(FailuresTest, LostStandardOutputIsExitStatusFour) {
 TEST_F(FailuresTest, AReaderThatLeavesIsExitStatusFourAndNoSignal) {
   const Outcome outcome = shell("{ " + quoted_driver() + " --parameters; echo \"status $?\" >&2; } | true", folder_);
   EXPECT_NE(outcome.output.find("status 4"), std::string::npos) << outcome.output;
+}
+
+TEST_F(FailuresTest, AnAnswerOfOneRankIsTheAnswerOfAll) {
+  const Outcome outcome = shell("mpirun -np 2 --oversubscribe " + quoted_driver() + " --template nonsense", folder_);
+  EXPECT_NE(outcome.output.find("ixos: --template: "), std::string::npos) << outcome.output;
+  EXPECT_EQ(outcome.status, 2) << outcome.output;
 }
 
 TEST_F(FailuresTest, SignalsAreExitStatusFiveWithACheckpoint) {

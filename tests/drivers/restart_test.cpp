@@ -44,7 +44,7 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
     const Outcome told = interrupt("--set Output/Checkpoint/Interval=200", "kill -" + signal + " $pid");
     ASSERT_EQ(told.status, 5) << told.output;
     // The command that is printed is the whole one.
-    const auto advice = told.output.find("to go on from there: ixos " + ball + " --set 'Time Integrator/Time Step");
+    const auto advice = told.output.find("to resume: ixos " + ball + " --set 'Time Integrator/Time Step");
     EXPECT_NE(advice, std::string::npos) << told.output;
     EXPECT_NE(told.output.find(" --set Output/Checkpoint/Interval=200 --output parts --restart parts/checkpoint-"),
               std::string::npos)
@@ -53,7 +53,7 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
     const std::string end = soon_after();
     const Outcome rest = run(end + "--output parts --restart parts/checkpoint.h5");
     EXPECT_EQ(rest.status, 0) << rest.output;
-    EXPECT_NE(rest.output.find("Goes on from "), std::string::npos) << rest.output;
+    EXPECT_NE(rest.output.find("Resumes from "), std::string::npos) << rest.output;
     ASSERT_EQ(run(end + "--output whole").status, 0);
     EXPECT_EQ(history_rows(path("parts")), history_rows(path("whole")));
     EXPECT_TRUE(contents(path("parts/fields.e")) == contents(path("whole/fields.e")));
@@ -86,7 +86,7 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
   const Outcome one = run("--set '" + control + "Final Time=0.5' --output one --restart two/checkpoint-200.h5");
   ASSERT_EQ(one.status, 0) << one.output;
   EXPECT_NE(
-      one.output.find("written on 2 rank(s), this run has 1.\nThe run goes on to solver tolerance, not bit for bit."),
+      one.output.find("written on 2 rank(s), this run has 1.\nThe run resumes to solver tolerance, not bit for bit."),
       std::string::npos)
       << one.output;
   // Before the ball touches the wall: the last row's columns agree.
@@ -131,7 +131,7 @@ TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
   refused("--restart ''", "a file is needed");
   std::filesystem::create_directories(path("none"));
   refused("--restart none", "none: the folder has no sound checkpoint");
-  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Diameter=11'", "was written of another mesh than the scene's");
+  refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Diameter=11'", "belongs to another mesh than the scene's");
   refused("--restart out/checkpoint.h5 --set 'Mesh/Disk/Rings=3'", "Mesh/Disk/Rings: 2, now 3");
   refused("--restart out/checkpoint.h5 --set 'Initial Conditions/Velocity={1, 0}'",
           "Initial Conditions/Velocity: {}, now {1, 0}");
@@ -145,7 +145,7 @@ TEST_F(RestartDriverTest, CheckSaysWhetherARestartWouldGo) {
   const std::string before = contents(path("out/summary.json"));
   const Outcome outcome = run("--check --restart out/checkpoint.h5 --set 'Time Integrator/Type=Newmark'");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_NE(outcome.output.find("checkpoint-100.h5 is sound, and fits the scene."), std::string::npos);
+  EXPECT_NE(outcome.output.find("checkpoint-100.h5 is sound and fits the scene."), std::string::npos);
   EXPECT_NE(outcome.output.find("Changed: Time Integrator/Type: \"Gautam-Sauer Composite\", now \"Newmark\"."),
             std::string::npos)
       << outcome.output;

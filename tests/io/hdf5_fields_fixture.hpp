@@ -98,4 +98,12 @@ class Hdf5FieldsTest : public testing::Test {
   }
 };
 
+/// What one rank tests.
+class Hdf5FieldsSerialTest : public Hdf5FieldsTest {
+ protected:
+  void SetUp() override {
+    if (world()->getSize() > 1) GTEST_SKIP() << "one rank tests this";
+  }
+};
+
 }  // namespace ixos::test

@@ -114,8 +114,10 @@ TEST_F(Hdf5FieldsTest, WhatDoesNotFitIsRefused) {
   };
   EXPECT_EQ(refusal(mesh, "two.e", {2, size}), "accepted");
   EXPECT_NE(refusal(mesh, "two.e", {3, size}).find("the file should have this mesh and 3 frames"), std::string::npos);
-  EXPECT_NE(refusal(mesh, "two.e", {2, size + 1}).find("cannot resume: the file should have this mesh"), std::string::npos);
-  EXPECT_NE(refusal(two_blocks(2, true), "two.e", {2, size}).find("cannot resume: the file should have this mesh"), std::string::npos);
+  EXPECT_NE(refusal(mesh, "two.e", {2, size + 1}).find("cannot resume: the file should have this mesh"),
+            std::string::npos);
+  EXPECT_NE(refusal(two_blocks(2, true), "two.e", {2, size}).find("cannot resume: the file should have this mesh"),
+            std::string::npos);
   EXPECT_NE(refusal(mesh, "nowhere.e", {2, size}).find("cannot resume: "), std::string::npos);
   // Of the other format, both ways.
   const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
@@ -126,7 +128,8 @@ TEST_F(Hdf5FieldsTest, WhatDoesNotFitIsRefused) {
     exodus_fields(path("classic.e"), contents, alone())->create();
     EXPECT_NO_THROW(exodus_fields(path("classic.e"), contents, alone())->verify({0, 0}));
   });
-  EXPECT_NE(refusal(mesh, "classic.e", {0, 0}).find("cannot resume: the file should have this mesh"), std::string::npos);
+  EXPECT_NE(refusal(mesh, "classic.e", {0, 0}).find("cannot resume: the file should have this mesh"),
+            std::string::npos);
 }
 
 /// Two rows in the place of the set "vals_nod_var1".
@@ -154,8 +157,7 @@ void replace_set(hid_t file, hid_t type, bool compressed, bool written) {
   H5Pclose(creation);
 }
 
-TEST_F(Hdf5FieldsTest, SetsThatAreNotAsTheyWereMadeAreRefused) {
-  if (world()->getRank() != 0) return;
+TEST_F(Hdf5FieldsSerialTest, SetsThatAreNotAsTheyWereMadeAreRefused) {
   const Mesh mesh = two_blocks(2, false);
   const std::vector<std::pair<std::string, std::function<void(hid_t)>>> changes{
       {"nothing", [](hid_t) {}},
@@ -189,8 +191,7 @@ TEST_F(Hdf5FieldsTest, SetsThatAreNotAsTheyWereMadeAreRefused) {
     if (k < 2)
       EXPECT_EQ(message, "accepted") << changes[k].first;
     else
-      EXPECT_EQ(message, name + ": the frames of \"vals_nod_var1\" are missing or damaged")
-          << changes[k].first;
+      EXPECT_EQ(message, name + ": the frames of \"vals_nod_var1\" are missing or damaged") << changes[k].first;
   }
   EXPECT_EQ(H5Lis_registered(H5L_TYPE_EXTERNAL), 0) << "a set could be one of another file";
 }
@@ -211,8 +212,7 @@ std::vector<std::size_t> changed_entries(const std::string& before, const std::s
 
 // A killed run leaves any part of what HDF5 writes for a frame, entry by entry, mostly by their places in the file: the
 // frames before it are there all the same.
-TEST_F(Hdf5FieldsTest, AFrameThatIsHalfWrittenHarmsNoOther) {
-  if (world()->getRank() != 0) return;
+TEST_F(Hdf5FieldsSerialTest, AFrameThatIsHalfWrittenHarmsNoOther) {
   const Mesh mesh = two_blocks(2, false);
   // The fifth frame begins the first block of each set's index.
   for (int kept : {1, 4, 9}) {

@@ -111,11 +111,14 @@ TEST(OutputMeshTest, EnrichedHexahedraBecomeRowsThatFillTheSameVolume) {
       const std::map<std::string, std::pair<std::size_t, double>> planes{{"left", {0, 0}},   {"right", {0, 3}},
                                                                          {"front", {1, 0}},  {"back", {1, 2}},
                                                                          {"bottom", {2, 0}}, {"top", {2, 2}}};
+      std::size_t patches = 0, faces = 0;
       for (const SideSet& set : output.mesh.side_sets) {
         if (set.name == "patch") {
+          ++patches;
           EXPECT_EQ(set.sides.size(), static_cast<std::size_t>(cells * n * n));
         }
         if (planes.count(set.name) == 0) continue;
+        ++faces;
         const auto [d, place] = planes.at(set.name);
         std::size_t on_plane = 0;
         for (const ElementBlock& block : output.mesh.blocks)
@@ -138,6 +141,8 @@ TEST(OutputMeshTest, EnrichedHexahedraBecomeRowsThatFillTheSameVolume) {
             EXPECT_NEAR(x[3 * node + d], place, 1e-12) << set.name;
           }
       }
+      EXPECT_EQ(patches, 1U);
+      EXPECT_EQ(faces, planes.size());
     }
 }
 

@@ -229,13 +229,16 @@ TEST(EnrichHermiteFacesTest, NodeSetsGetTheDerivativesBetweenTheirMembers) {
   const int before = mesh.nodes();
   enrich(mesh, "bottom", ContactElement::Q1CH);
   const std::map<std::string, int> expected{{"bottom", 36}, {"surface", 36}, {"front", 4}, {"left", 3}, {"top", 0}};
+  std::size_t sets = 0;
   for (const NodeSet& set : mesh.node_sets) {
     const auto found = expected.find(set.name);
     if (found == expected.end()) continue;
+    ++sets;
     EXPECT_EQ(std::count_if(set.nodes.begin(), set.nodes.end(), [&](int node) { return node >= before; }),
               found->second)
         << set.name;
   }
+  EXPECT_EQ(sets, expected.size());
 }
 
 }  // namespace

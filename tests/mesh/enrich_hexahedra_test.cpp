@@ -88,14 +88,17 @@ TEST(EnrichHexahedraTest, NodeSetsGetTheNodesBetweenTheirMembers) {
   enrich(mesh, "bottom", ContactElement::Q1C3);
   const std::map<std::string, int> expected{
       {"bottom", mesh.nodes() - before}, {"surface", mesh.nodes() - before}, {"front", 6}, {"left", 4}, {"top", 0}};
+  std::size_t sets = 0;
   for (const NodeSet& set : mesh.node_sets) {
     const std::set<int> members(set.nodes.begin(), set.nodes.end());
     EXPECT_EQ(members.size(), set.nodes.size());
     const auto found = expected.find(set.name);
     if (found == expected.end()) continue;
+    ++sets;
     EXPECT_EQ(std::count_if(members.begin(), members.end(), [&](int node) { return node >= before; }), found->second)
         << set.name;
   }
+  EXPECT_EQ(sets, expected.size());
 }
 
 TEST(EnrichHexahedraTest, TheRimOfAPatchIsTiedAndAFreeRimIsNot) {

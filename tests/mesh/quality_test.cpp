@@ -63,7 +63,7 @@ TEST(MeshQualityTest, OfATwistedBrickCountsItsVolumeExactly) {
 TEST(MeshQualityTest, IsWrittenInThreeLines) {
   EXPECT_EQ(to_string(mesh_quality(brick())),
             "1 cells, 8 nodes, volume 8\n"
-            "scaled Jacobian: least 1.000 (block \"body\", cell 1 at (0.5, 1, 2)), 5 % at most 1.000, mean 1.000\n"
+            "scaled Jacobian: least 1.000 (block \"body\", cell 1 at (0.5, 1, 2)), 5th percentile 1.000, mean 1.000\n"
             "largest aspect ratio: 4.0 (block \"body\", cell 1 at (0.5, 1, 2))\n");
 }
 

@@ -11,6 +11,7 @@ namespace ixos {
 namespace {
 
 using test::area_vector;
+using test::default_spatula;
 using test::named;
 using test::nodes_of;
 using test::position;
@@ -20,7 +21,7 @@ using test::Vec;
 
 TEST(SpatulaPartsTest, PadIsTheFlatUnderside) {
   const SpatulaShape shape;
-  const Mesh mesh = spatula(shape);
+  const Mesh& mesh = default_spatula();
   const SideSet& pad = named(mesh.side_sets, "pad");
   const SpatulaDivisions d = spatula_divisions(shape);
   EXPECT_EQ(static_cast<int>(pad.sides.size()), 44 * d.pad + 24 * 10);
@@ -42,7 +43,7 @@ TEST(SpatulaPartsTest, PadIsTheFlatUnderside) {
 }
 
 TEST(SpatulaPartsTest, PadFacesHaveTheSizesWanted) {
-  const Mesh mesh = spatula({});
+  const Mesh& mesh = default_spatula();
   double along = 0, shortest = 1e9, across = 0;
   const SideSet& pad = named(mesh.side_sets, "pad");
   for (const Side& side : pad.sides) {
@@ -71,7 +72,7 @@ TEST(SpatulaPartsTest, TipIsTheForemostNodeOfTheUnderside) {
 }
 
 TEST(SpatulaPartsTest, ShaftEndIsAPlaneDisk) {
-  const Mesh mesh = spatula({});
+  const Mesh& mesh = default_spatula();
   EXPECT_EQ(named(mesh.side_sets, "shaft end").sides.size(), 272u);
   const Vec area = area_vector(mesh, "shaft end");
   EXPECT_NEAR(area[0], -area[2], 1e-9);  // along the shaft, at 45 degrees

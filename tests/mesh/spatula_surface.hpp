@@ -18,6 +18,12 @@ inline SpatulaShape small(int cells) {
   return shape;
 }
 
+/// The mesh of the default shape, made once.
+inline const Mesh& default_spatula() {
+  static const Mesh mesh = spatula({});
+  return mesh;
+}
+
 inline Vec position(const Mesh& mesh, int node) {
   const std::size_t at = 3 * static_cast<std::size_t>(node);
   return {mesh.coordinates.at(at), mesh.coordinates.at(at + 1), mesh.coordinates.at(at + 2)};

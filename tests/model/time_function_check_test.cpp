@@ -19,7 +19,7 @@ std::string refusal_over(const Function& function, double from, double to, bool 
   return test::refusal([&] { check_over(*function, from, to, derivatives); });
 }
 
-TEST(TimeFunctionCheckTest, GoodMotionsAreAccepted) {
+TEST(TimeFunctionCheckSerialTest, GoodMotionsAreAccepted) {
   const std::vector<Function> functions = {
       constant(0), constant(-7), sine(3, 0.1, 0.5, 1), sine(1e4, 1, 0.5, 1),
       // As many cycles as there are samples of the value.
@@ -40,7 +40,7 @@ TEST(TimeFunctionCheckTest, GoodMotionsAreAccepted) {
   EXPECT_EQ(refusal_over(sine(0, 1, 1, 0), 2, 2, true), "");
 }
 
-TEST(TimeFunctionCheckTest, WrongDerivativesAreFound) {
+TEST(TimeFunctionCheckSerialTest, WrongDerivativesAreFound) {
   const std::string rate = refusal_over(expression("t^2", "3*t", "3"), 0, 10, true);
   expect_contains(rate, "the rate is not the derivative of the value: from t = 0 to t = 0.102 the value changes by");
   const std::string acceleration = refusal_over(expression("t^2", "2*t", "2.001"), 0, 10, true);
@@ -55,7 +55,7 @@ TEST(TimeFunctionCheckTest, WrongDerivativesAreFound) {
   EXPECT_EQ(refusal_over(expression("t^2", "3*t", "3"), 0, 10, false), "");
 }
 
-TEST(TimeFunctionCheckTest, JumpsOfValueAndRateAreNoMotions) {
+TEST(TimeFunctionCheckSerialTest, JumpsOfValueAndRateAreNoMotions) {
   for (RampShape shape : shapes) {
     expect_contains(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, true), "the rate is not");
     expect_contains(refusal_over(rate_ramp(2, 1, 0, shape), 0, 10, true), "the acceleration is not");
@@ -65,7 +65,7 @@ TEST(TimeFunctionCheckTest, JumpsOfValueAndRateAreNoMotions) {
   expect_contains(refusal_over(expression("abs(t-1)", "sign(t-1)", "0"), 0, 10, true), "the acceleration is not");
 }
 
-TEST(TimeFunctionCheckTest, SingularitiesAreFound) {
+TEST(TimeFunctionCheckSerialTest, SingularitiesAreFound) {
   const Function pole = expression("1/(t-1)", "-1/(t-1)^2", "2/(t-1)^3");
   for (bool derivatives : {false, true}) {
     expect_contains(refusal_over(pole, 0, 2, derivatives), "the value is not finite at t = 1");
@@ -82,7 +82,7 @@ TEST(TimeFunctionCheckTest, SingularitiesAreFound) {
   EXPECT_EQ(refusal_over(expression("sqrt(t)", "1/t", ""), 0, 3, false), "");
 }
 
-TEST(TimeFunctionCheckTest, TablesThatDoNotCoverTheRunAreRefused) {
+TEST(TimeFunctionCheckSerialTest, TablesThatDoNotCoverTheRunAreRefused) {
   const Function f = interpolated({0, 1, 3}, {1, 2, 5});
   EXPECT_EQ(refusal_over(f, 0, 3, true), "");
   expect_contains(refusal_over(f, 0, 4, false), "the value is not finite at t = 3.00");

@@ -53,7 +53,7 @@ void expect_nan(const TimeValue& f) {
   EXPECT_TRUE(std::isnan(f.acceleration));
 }
 
-TEST(TimeFunctionTest, ConstantHasNoDerivatives) {
+TEST(TimeFunctionSerialTest, ConstantHasNoDerivatives) {
   const Function f = constant(-2.5);
   for (double time : {-1e9, 0.0, 3.0}) expect_value(*f, time, -2.5, 0, 0);
   EXPECT_EQ(f->first_time(), -std::numeric_limits<double>::infinity());
@@ -61,7 +61,7 @@ TEST(TimeFunctionTest, ConstantHasNoDerivatives) {
   EXPECT_EQ(f->ramp_end(), -std::numeric_limits<double>::infinity());
 }
 
-TEST(TimeFunctionTest, Sine) {
+TEST(TimeFunctionSerialTest, Sine) {
   const Function f = sine(1, 2, 0.25, M_PI / 6);
   const double omega = M_PI / 2;
   expect_value(*f, 0, 2, omega * std::sqrt(3.0), -omega * omega);
@@ -70,7 +70,7 @@ TEST(TimeFunctionTest, Sine) {
   expect_derivatives(*f, {-1.2, 0.1, 0.77, 5});
 }
 
-TEST(TimeFunctionTest, ValueRamps) {
+TEST(TimeFunctionSerialTest, ValueRamps) {
   for (RampShape shape : shapes) {
     const Function f = value_ramp(-3, 1, 4, shape);
     expect_value(*f, 0.999, 0, 0, 0);
@@ -86,7 +86,7 @@ TEST(TimeFunctionTest, ValueRamps) {
   expect_value(*value_ramp(8, 0, 4, RampShape::Quintic), 1, 8 * 53.0 / 512, 8 * 135.0 / 512, 8 * 5.625 / 16);
 }
 
-TEST(TimeFunctionTest, RateRamps) {
+TEST(TimeFunctionSerialTest, RateRamps) {
   for (RampShape shape : shapes) {
     const Function f = rate_ramp(-3, 1, 4, shape);
     expect_value(*f, 0.999, 0, 0, 0);
@@ -100,7 +100,7 @@ TEST(TimeFunctionTest, RateRamps) {
   expect_value(*rate_ramp(8, 0, 4, RampShape::Quintic), 2, 8 * 4 * 5.0 / 64, 4, 8 * 1.875 / 4);
 }
 
-TEST(TimeFunctionTest, CosineRateRampIsTheDocumentedFormula) {
+TEST(TimeFunctionSerialTest, CosineRateRampIsTheDocumentedFormula) {
   const double V = 1, t_r = 55;
   const Function f = rate_ramp(V, 0, t_r, RampShape::Cosine);
   EXPECT_NEAR(f->at(20).value, V * (10 - t_r / (2 * M_PI) * std::sin(M_PI * 20 / t_r)), 1e-13);
@@ -110,7 +110,7 @@ TEST(TimeFunctionTest, CosineRateRampIsTheDocumentedFormula) {
   expect_value(*f, 100, V * (100 - t_r / 2), V, 0);
 }
 
-TEST(TimeFunctionTest, RampsAreAsSmoothAsTheirShape) {
+TEST(TimeFunctionSerialTest, RampsAreAsSmoothAsTheirShape) {
   for (double time : {1.0, 5.0}) {
     expect_continuous(*value_ramp(2, 1, 4, RampShape::Cosine), time, false);
     expect_continuous(*value_ramp(2, 1, 4, RampShape::Quintic), time, true);
@@ -120,7 +120,7 @@ TEST(TimeFunctionTest, RampsAreAsSmoothAsTheirShape) {
   }
 }
 
-TEST(TimeFunctionTest, RampsOfNoLengthJump) {
+TEST(TimeFunctionSerialTest, RampsOfNoLengthJump) {
   for (RampShape shape : shapes) {
     const Function value = value_ramp(2, 1, 0, shape);
     expect_value(*value, 0.999, 0, 0, 0);
@@ -132,7 +132,7 @@ TEST(TimeFunctionTest, RampsOfNoLengthJump) {
   }
 }
 
-TEST(TimeFunctionTest, RampsOfNegativeOrEndlessLengthAreRefused) {
+TEST(TimeFunctionSerialTest, RampsOfNegativeOrEndlessLengthAreRefused) {
   expect_contains(refusal([] { value_ramp(1, 0, -2, RampShape::Linear); }), "length -2");
   expect_contains(refusal([] { rate_ramp(1, 0, -2, RampShape::Linear); }), "length -2");
   expect_contains(refusal([] { value_ramp(1, 0, NAN, RampShape::Linear); }), "length nan");
@@ -141,7 +141,7 @@ TEST(TimeFunctionTest, RampsOfNegativeOrEndlessLengthAreRefused) {
 
 const std::vector<double> uneven = {-1, 0, 0.3, 2, 2.5, 4};
 
-TEST(TimeTableTest, IsTwiceContinuouslyDifferentiableThroughItsPoints) {
+TEST(TimeTableSerialTest, IsTwiceContinuouslyDifferentiableThroughItsPoints) {
   const std::vector<double> values = {1, -2, 0.5, 3, 3, -1};
   const Function f = interpolated(uneven, values);
   EXPECT_EQ(f->first_time(), -1.0);
@@ -160,7 +160,7 @@ TEST(TimeTableTest, IsTwiceContinuouslyDifferentiableThroughItsPoints) {
   EXPECT_EQ(refusal([&] { check_over(*f, -1, 4, true); }), "");
 }
 
-TEST(TimeTableTest, IsExactForAParabola) {
+TEST(TimeTableSerialTest, IsExactForAParabola) {
   std::vector<double> values;
   for (double t : uneven) values.push_back(2 - 3 * t + 0.5 * t * t);
   const Function f = interpolated(uneven, values);
@@ -171,12 +171,12 @@ TEST(TimeTableTest, IsExactForAParabola) {
   }
 }
 
-TEST(TimeTableTest, TwoPointsMakeALine) {
+TEST(TimeTableSerialTest, TwoPointsMakeALine) {
   const Function f = interpolated({1, 3}, {2, 8});
   for (double t : {1.0, 1.5, 3.0}) expect_value(*f, t, 2 + 3 * (t - 1), 3, 0);
 }
 
-TEST(TimeTableTest, IsNotANumberOutside) {
+TEST(TimeTableSerialTest, IsNotANumberOutside) {
   const Function f = interpolated({0, 1, 3}, {1, 2, 5});
   for (double time : {-1e-6, 3 + 1e-6, 1e300, static_cast<double>(NAN)}) expect_nan(f->at(time));
   // Roundoff in a run's last time is not outside.
@@ -184,7 +184,7 @@ TEST(TimeTableTest, IsNotANumberOutside) {
   EXPECT_NEAR(f->at(std::nextafter(0.0, -1.0)).value, 1, 1e-13);
 }
 
-TEST(TimeTableTest, BadTablesAreRefused) {
+TEST(TimeTableSerialTest, BadTablesAreRefused) {
   const auto message = [](const std::vector<double>& times, const std::vector<double>& values) {
     return refusal([&] { interpolated(times, values); });
   };
@@ -198,7 +198,7 @@ TEST(TimeTableTest, BadTablesAreRefused) {
   expect_contains(message({0, 1, 2}, {1, NAN, 3}), "entry 2");
 }
 
-TEST(TimeExpressionTest, EvaluatesAllThree) {
+TEST(TimeExpressionSerialTest, EvaluatesAllThree) {
   const Function f = expression("3*sin(2*_pi*t) + 1e-1*_e", "6*_pi*cos(2*_pi*t)", "-12*_pi^2*sin(2*_pi*t)");
   for (double t : {0.0, 0.1, 0.7, -2.0})
     expect_value(*f, t, 3 * std::sin(2 * M_PI * t) + 0.1 * M_E, 6 * M_PI * std::cos(2 * M_PI * t),
@@ -210,12 +210,12 @@ TEST(TimeExpressionTest, EvaluatesAllThree) {
   expect_value(*pieces, 4, 8, 0, 0);
 }
 
-TEST(TimeExpressionTest, MissingDerivativesAreZero) {
+TEST(TimeExpressionSerialTest, MissingDerivativesAreZero) {
   expect_value(*expression("t^2", "", ""), 3, 9, 0, 0);
   expect_value(*expression("t^2", "2*t", ""), 3, 9, 6, 0);
 }
 
-TEST(TimeExpressionTest, UndefinedValuesAreReturned) {
+TEST(TimeExpressionSerialTest, UndefinedValuesAreReturned) {
   const Function f = expression("1/t", "sqrt(t-1)", "ln(t)");
   EXPECT_TRUE(std::isinf(f->at(0).value));
   EXPECT_TRUE(std::isnan(f->at(0).rate));
@@ -223,7 +223,7 @@ TEST(TimeExpressionTest, UndefinedValuesAreReturned) {
   expect_value(*f, 1, 1, 0, 0);
 }
 
-TEST(TimeExpressionTest, BadExpressionsAreRefused) {
+TEST(TimeExpressionSerialTest, BadExpressionsAreRefused) {
   const auto message = [](const std::string& value, const std::string& rate = "") {
     return refusal([&] { expression(value, rate, ""); });
   };

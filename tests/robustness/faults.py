@@ -1,14 +1,15 @@
 #!/usr/bin/python3
 """Lets one call fail in each of many runs, and looks at how each run ends and whether it can be continued.
 
-    tests/robustness/faults.py [--most 0] [--kinds write,sync] [--only ball] [--seconds 60] [--driver build/release/drivers/ixos]
+    tests/robustness/faults.py [--most 20] [--every ball] [--kinds write,sync] [--only ball] [--seconds 60]
+        [--driver build/release/drivers/ixos]
 
 A preloaded library (fault_injector.cpp) makes the n-th call of a kind fail, on one rank. A run has four good ends: nothing
 changed (exit status 0, results bit for bit); or one of the exit statuses 2, 3 and 4 with words on standard error. Then
-the run is continued with --restart FOLDER, undisturbed: its results must be those of a run without any fault, bit for
-bit, or there must be no sound checkpoint. All else is bad: silent (status 0 and other results), a signal, a run that does
+the run is continued from every checkpoint that it left, undisturbed: the results must be those of a run without any
+fault, bit for bit. All else is bad: silent (status 0 and other results), a signal, a run that does
 not end, the status of a defect (1), a restart that fails or differs. Prints a table in Markdown; the exit status is 1
-where anything is bad. --most takes so many calls of each kind, spread evenly; 0 takes every one.
+where anything is bad.
 """
 import argparse
 import collections
@@ -42,6 +43,7 @@ def scenarios():
     for rank in (0, 1):
         yield "ball, rank %d of 2" % rank, "ball", ball, 2, rank, False
         yield "ball, HDF5 frames, rank %d of 2" % rank, "ball", ball + hdf5, 2, rank, False
+    yield "ball, restarted, rank 1 of 2", "ball", ball, 2, 1, True
     yield "ball, restarted, HDF5 frames, rank 1 of 2", "ball", ball + hdf5, 2, 1, True
 
 
@@ -81,7 +83,7 @@ class Scenario:
 
     def run(self, folder, fault=None, restart=False, settings=None, count=None):
         """Exit status and standard error; the status is None where the run does not end."""
-        arguments = ["--output", folder] + (["--restart", folder] if restart else [])
+        arguments = ["--output", folder] + (["--restart", folder if restart is True else restart] if restart else [])
         command = driver_command(self.options.driver, self.scene, arguments, settings or self.settings, self.ranks)
         environment = dict(ENVIRONMENT)
         if fault:
@@ -128,22 +130,30 @@ class Scenario:
             end = "exit status %d" % status
             if "ixos: " not in words:
                 end += " without words"
-        continued = ""
-        if end != "no effect":
-            continued = self.continued(folder)
+        continued = self.continued(folder)
         shutil.rmtree(folder, ignore_errors=True)
         return end, continued, words
 
     def continued(self, folder):
-        status, words = self.run(folder, restart=True)
-        if status == 2 and ("no sound checkpoint" in words or not os.path.isdir(folder) or not
-                            any(name.startswith("checkpoint-") for name in os.listdir(folder))):
-            return "no checkpoint"
-        if status == 2 and "Choose another --output" in words:  # fields or rows are gone, the checkpoint is sound
-            return "results refused"
-        if status != 0:
-            return "restart failed: %s %s" % (status, words)
-        return "same" if results(folder) == self.expected else "restart differs"
+        """Restarts from each checkpoint in a copy of the folder; what went wrong, or what came of it."""
+        there = sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+        ends = []
+        for name in there:
+            if not (name.startswith("checkpoint-") and name.endswith(".h5")):
+                continue
+            copy = folder + "-copy"
+            shutil.rmtree(copy, ignore_errors=True)
+            shutil.copytree(folder, copy, symlinks=True)
+            status, words = self.run(copy, restart=os.path.join(copy, name))
+            if status == 2 and "Choose another --output" in words:  # rows or frames are gone, the checkpoint is sound
+                ends.append("results refused")
+            elif status != 0:
+                ends.append("restart from %s failed: %s %s" % (name, status, words))
+            else:
+                ends.append("same" if results(copy) == self.expected else "restart from %s differs" % name)
+            shutil.rmtree(copy, ignore_errors=True)
+        wrong = [end for end in ends if end not in ("same", "results refused")]
+        return wrong[0] if wrong else max(ends) if ends else "no checkpoint"
 
 
 def chosen(total, most):
@@ -157,7 +167,8 @@ def main():
     build = os.path.join(ROOT, "build/release")
     parser.add_argument("--driver", default=os.path.join(build, "drivers/ixos"))
     parser.add_argument("--injector", default=os.path.join(build, "tests/libfault_injector.so"))
-    parser.add_argument("--most", type=int, default=0, help="calls of each kind (default: all)")
+    parser.add_argument("--most", type=int, default=20, help="calls of each kind, spread evenly; 0: all (default: 20)")
+    parser.add_argument("--every", default="ball", help="the scenario in which every call fails once (default: ball)")
     parser.add_argument("--most-allocations", type=int, default=200, help="allocations and MPI calls (default: 200)")
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--only", default="", help="scenarios whose name begins with this")
@@ -176,18 +187,19 @@ def main():
             scenario = Scenario(options, name, scene, settings, ranks, rank, restarted, folder)
             for kind in options.kinds.split(","):
                 total = scenario.calls(kind)
-                faults = chosen(total, options.most_allocations if kind in ("allocate", "mpi") else options.most)
+                most = 0 if name == options.every else options.most
+                faults = chosen(total, options.most_allocations if kind in ("allocate", "mpi") else most)
                 with concurrent.futures.ThreadPoolExecutor(max(1, (os.cpu_count() or 2) // ranks)) as pool:
                     judged = list(pool.map(lambda n: scenario.judge(kind, n), faults))
                 ends = collections.Counter(end for end, _, _ in judged)
                 then = collections.Counter(continued for _, continued, _ in judged)
                 fine = ["same", "no checkpoint", "results refused"]
-                wrong = [(n, *j) for n, j in zip(faults, judged) if j[0] not in GOOD or j[1] not in fine + [""]]
+                wrong = [(n, *j) for n, j in zip(faults, judged) if j[0] not in GOOD or j[1] not in fine]
                 bad += wrong
                 print("| %s | %s | %d | %d | %s | %d | %s | %d |" % (
                     name, kind, total, len(faults), " | ".join(str(ends[g]) for g in GOOD),
                     sum(c for e, c in ends.items() if e not in GOOD), " | ".join(str(then[f]) for f in fine),
-                    sum(c for t, c in then.items() if t not in fine + [""])), flush=True)
+                    sum(c for t, c in then.items() if t not in fine)), flush=True)
                 for case in judged if options.verbose else []:
                     print("   ", case, file=sys.stderr)
                 for case in wrong:

@@ -15,8 +15,8 @@ TEST_F(RestartTest, EverySchemeGoesOnToTheLastBit) {
     SCOPED_TRACE(scheme);
     // Sums since the row before, and steps without a row or frame, are carried over too.
     expect_goes_on(drawn(word("Type", scheme) + steps(0.02, 1),
-                         count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(10, 100)),
-                   {10, 40});
+                         count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(35, 100)),
+                   {35});
   }
 }
 
@@ -37,11 +37,25 @@ TEST_F(RestartTest, AdaptiveStepsAndChosenTimePointsGoOn) {
       {5, 20, 35});
 }
 
+/// The scene with one more history, which scales the load.
+std::string scaled(std::string scene, const std::string& value) {
+  const std::string vector = numbers("Vector", {0.02, 0}), histories = "<ParameterList name=\"Histories\">";
+  scene.insert(scene.find(vector), word("History", "Scale"));
+  return scene.insert(scene.find(histories) + histories.size(), expression("Scale", value));
+}
+
 TEST_F(RestartTest, CutStepsGoOn) {
-  // Too few iterations where the surface jumps to the wall.
-  expect_goes_on(drawn(word("Type", "Newmark") + steps(0.2, 4, count("Maximum Cuts", 10)), checkpoints(1, 1000),
-                       list("Nonlinear Solver", count("Maximum Iterations", 4))),
-                 {3, 9, 15});
+  // The load is undefined in two short spans. The step from 0.35 to 0.4 takes it at 0.3805, the first half of that step
+  // at 0.36525; a quarter and what follows it do neither. The checkpoint after step 8 has half a step ahead.
+  const std::string undefined = "sqrt((t-0.3651)*(t-0.3654)*(t-0.3803)*(t-0.3807))";
+  const RunResult whole =
+      expect_goes_on(scaled(drawn(word("Type", "Bathe Composite") + list("Bathe Composite", number("Split", 0.61)) +
+                                      steps(0.05, 1, count("Maximum Cuts", 10)),
+                                  checkpoints(1, 1000)),
+                            undefined),
+                     {7, 8, 15});
+  EXPECT_EQ(whole.rejected_steps, 2);
+  EXPECT_EQ(whole.steps, 22);  // 7, a quarter, a half, a quarter, 12
 }
 
 TEST_F(RestartTest, HermiteFacesGoOn) {
@@ -109,7 +123,7 @@ TEST_F(RestartTest, LaggedPreconditionersGoOn) {
   {
     SCOPED_TRACE("MueLu");
     expect_goes_on(scene("MueLu", "Bathe Composite", 3), {5, 25, 45});
-    EXPECT_EQ(matrices(checkpoint("whole", 25)), 2) << "it was renewed, and has the prolongators of its first matrix";
+    EXPECT_GE(matrices(checkpoint("whole", 25)), 1);
   }
   for (const char* preconditioner : {"Ifpack2", "Direct"}) {
     SCOPED_TRACE(preconditioner);
@@ -142,7 +156,7 @@ TEST_F(RestartTest, AnInterruptedRunGoesOnAsIfNothingHadHappened) {
   EXPECT_EQ(history_rows(folder("parts")).back().substr(0, 3), "23,");
   const RunResult rest = run_scene(scene, "parts", folder("parts") + "/checkpoint.h5");
   EXPECT_EQ(rest.status, RunStatus::Completed);
-  expect_same("whole", "parts");
+  expect_same("whole", "parts", true);
 }
 
 TEST_F(RestartTest, ARunGoesOnBeyondItsEnd) {
@@ -160,19 +174,21 @@ TEST_F(RestartTest, ARunGoesOnBeyondItsEnd) {
 }
 
 TEST_F(RestartTest, AFailedRunGoesOnWithOtherSettings) {
-  const auto scene = [](int iterations) {
-    return drawn(word("Type", "Newmark") + steps(0.05, 1), checkpoints(0, 2),
-                 list("Nonlinear Solver", count("Maximum Iterations", iterations)));
+  // Steps of 0.02469 lead to the load's pole at 0.12345; steps that end at multiples of 0.05 avoid it.
+  const auto scene = [](double step) {
+    return scaled(drawn(word("Type", "Newmark") + steps(step, 1), checkpoints(0, 2)), "1e-9/(t-0.12345)^2");
   };
-  const RunResult failed = run_scene(scene(3), "parts");
+  const RunResult failed = run_scene(scene(0.02469), "parts");
   ASSERT_EQ(failed.status, RunStatus::Diverged);
-  EXPECT_NE(failed.reason.find("did not converge in 3 iterations"), std::string::npos) << failed.reason;
-  EXPECT_EQ(failed.checkpoint, checkpoint("parts", failed.steps));
-  const RunResult rest = run_scene(scene(100), "parts", failed.checkpoint);
+  EXPECT_EQ(failed.steps, 4);
+  EXPECT_NE(failed.reason.find("not a finite number between t = 0.09876 and 0.12345"), std::string::npos)
+      << failed.reason;
+  EXPECT_EQ(failed.checkpoint, checkpoint("parts", 4));
+  const RunResult rest = run_scene(scene(0.05), "parts", failed.checkpoint);
   EXPECT_EQ(rest.status, RunStatus::Completed);
-  EXPECT_EQ(rest.steps, 20);
+  EXPECT_EQ(rest.steps, 4 + 1 + 18);  // to 0.1, and 18 whole steps
   if (world()->getRank() == 0) {
-    EXPECT_NE(told_.find("Changed: Nonlinear Solver/Maximum Iterations: 3, now 100."), std::string::npos) << told_;
+    EXPECT_NE(told_.find("Time Step: 0.02469, now 0.05."), std::string::npos) << told_;
   }
 }
 
@@ -180,11 +196,11 @@ TEST_F(RestartTest, AnotherSchemeTakesOver) {
   const auto scene = [](const std::string& scheme, double step) {
     return drawn(word("Type", scheme) + steps(step, 1), checkpoints(25, 9));
   };
-  const RunResult fine = run_scene(scene("Newmark", 0.001), "fine");
+  const RunResult fine = run_scene(scene("Newmark", 0.004), "fine");
   run_scene(scene("Newmark", 0.02), "parts");
-  const RunResult other = run_scene(scene("Average Vector Field", 0.001), "parts", checkpoint("parts", 25));
+  const RunResult other = run_scene(scene("Average Vector Field", 0.004), "parts", checkpoint("parts", 25));
   EXPECT_EQ(other.status, RunStatus::Completed);
-  EXPECT_EQ(other.steps, 525);
+  EXPECT_EQ(other.steps, 25 + 125);
   // It is the same motion: the two schemes differ by their errors.
   const auto place = [&](const std::string& name) {
     const std::string row = history_rows(folder(name)).back();

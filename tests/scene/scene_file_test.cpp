@@ -43,8 +43,8 @@ std::string parameter(const std::string& type, const std::string& value) {
 TEST(SceneFileTest, DeepListsAreRefused) {
   EXPECT_EQ(refusal(nested(deepest_list)), "accepted");
   expect_refused(nested(deepest_list + 2), "scene.xml: a/a/");
-  EXPECT_NE(refusal(nested(deepest_list + 2)).find("lists within lists, deeper than 100"), std::string::npos);
-  EXPECT_NE(refusal(nested(300000)).find("lists within lists, deeper than 100"), std::string::npos);
+  EXPECT_NE(refusal(nested(deepest_list + 2)).find("lists are nested deeper than 100 levels"), std::string::npos);
+  EXPECT_NE(refusal(nested(300000)).find("lists are nested deeper than 100 levels"), std::string::npos);
   EXPECT_NE(refusal("<ParameterList><Validators>" + repeated(1000, "<v>")).find("deeper than 100"), std::string::npos);
 }
 
@@ -58,21 +58,21 @@ TEST(SceneFileTest, LongNamesAreRefused) {
   expect_refused("<ParameterList><ParameterList name=\"" + std::string(256, 'x') + "\"/></ParameterList>",
                  "scene.xml: x");
   EXPECT_NE(refusal("<ParameterList><ParameterList name=\"" + std::string(256, 'x') + "\"/></ParameterList>")
-                .find("is no name: 256 bytes, at most 255 are allowed"),
+                .find("is not a valid name: it has 256 bytes, at most 255 are allowed"),
             std::string::npos);
 }
 
 TEST(SceneFileTest, OnlyListsAndParametersAreAllowed) {
   expect_refused("<!DOCTYPE a [<!ENTITY x \"y\">]><ParameterList name=\"&x;\"/>",
                  "scene.xml: <!DOCTYPE is not allowed");
-  expect_refused("<ParameterList>\nMesh</ParameterList>", "scene.xml: line 2 has text outside of tags, \"Mesh\"");
+  expect_refused("<ParameterList>\nMesh</ParameterList>", "scene.xml: line 2 has text outside of tags: \"Mesh\"");
   expect_refused("<ParameterList><List/></ParameterList>",
                  "scene.xml:: <List> is neither <Parameter> nor <ParameterList>");
   expect_refused("<ParameterList><ParameterList/></ParameterList>",
                  "scene.xml:: <ParameterList> has no attribute \"name\"");
   expect_refused(
       "<ParameterList><Parameter name=\"p\" type=\"int\" value=\"1\"><Parameter/></Parameter></ParameterList>",
-      "scene.xml: p: <Parameter> inside of a parameter");
+      "scene.xml: p: <Parameter> inside a parameter");
   expect_refused("<ParameterList><ParameterList name=\"a\"/>\n<ParameterList name=\"a\"/></ParameterList>",
                  "scene.xml: a is given twice");
   expect_refused("<ParameterList>\n\n<", "scene.xml: XML parse error at line 3: ");
@@ -85,9 +85,10 @@ TEST(SceneFileTest, ControlCharactersAndBrokenTextAreRefused) {
   expect_refused("<ParameterList name=\"\xff\"/>", "scene.xml: XML parse error at line 1: not well-formed");
   expect_refused(parameter("string", "a&#10;b"), "scene.xml: p: \"a\nb\" is not of type string: byte 2");
   expect_refused("<ParameterList><ParameterList name=\"a&#9;b\"/></ParameterList>",
-                 "scene.xml: a\tb: \"a\tb\" is no name: it has a control");
-  expect_refused("<ParameterList><ParameterList name=\"&lt;any name>\"/></ParameterList>",
-                 "scene.xml: <any name>: \"<any name>\" is no name: it must not stand in angle brackets");
+                 "scene.xml: a\tb: \"a\tb\" is not a valid name: it contains a control");
+  expect_refused(
+      "<ParameterList><ParameterList name=\"&lt;any name>\"/></ParameterList>",
+      "scene.xml: <any name>: \"<any name>\" is not a valid name: it must not be enclosed in angle brackets");
   Teuchos::ParameterList scene;
   EXPECT_THROW(set_parameter(scene, scene_parameters(), "Units/Time=a\x1b[2J"), InputError);
   EXPECT_THROW(set_parameter(scene, scene_parameters(), "Linear Solver/\xff=1"), InputError);

@@ -22,6 +22,21 @@ TEST(StepControlTest, UncutStepsEndAtTheFinalTime) {
   EXPECT_NEAR(time, 2.05, 1e-12);
 }
 
+TEST(StepControlTest, AStepLongerThanTheRunIsCutToIt) {
+  const StepControl control({0, 2, 2e8, 0, 0});
+  ASSERT_FALSE(control.done(0));
+  EXPECT_EQ(control.next(0), 2);
+  EXPECT_TRUE(control.done(2));
+}
+
+TEST(StepControlTest, NoStepIsLostAtLateTimes) {
+  const StepControl control({1e9, 1e9 + 0.003, 0.001, 0, 0});  // times there are 1e-7 apart
+  double time = 1e9;
+  int steps = 0;
+  for (; !control.done(time) && steps < 100; ++steps) time += control.next(time);
+  EXPECT_EQ(steps, 3);
+}
+
 TEST(StepControlTest, ACutStepIsHalvedGrowsAgainAndHitsTheGrid) {
   StepControl control({0, 10, 1.0, 3, 0});
   double time = 2;

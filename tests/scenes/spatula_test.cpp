@@ -16,8 +16,6 @@ namespace {
 
 using test::world;
 
-bool second_run() { return world()->getSize() > 1; }
-
 Teuchos::ParameterList scene(const std::string& scheme, std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(),
                   {"Mesh/Spatula/Target Cells=400", "Nonlinear Solver/Tolerance=1e-11",
@@ -112,11 +110,10 @@ TEST(SpatulaSceneTest, QuasiStaticPullIsTheForceOnTheWall) {
     EXPECT_GT(pull[2], before) << n;
     before = pull[2];
   }
-  EXPECT_GT(before, 10);
+  EXPECT_GT(before, 1e-4) << "the balance was tested on nothing";
 }
 
-TEST(SpatulaSceneTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
-  if (second_run()) GTEST_SKIP();
+TEST(SpatulaLongTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
   Simulation still(scene("Static"), world());
   for (int n = 0; n < 39; ++n) ASSERT_TRUE(still.integrator().step(0.5).converged);
   const double mean_static = reaction(still)[2];
@@ -154,30 +151,37 @@ TEST(SpatulaSceneTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
       lateral = std::max(lateral, std::abs(pull[1]));
       if (n == 19) start = pull[2];
     }
-    EXPECT_LT(contact(s).measure, 0.92 * area) << scheme;
-    EXPECT_GT(contact(s).measure, 0.5 * area) << scheme;
+    EXPECT_LT(contact(s).measure, area) << scheme << " did not begin to peel";
+    EXPECT_GT(contact(s).measure, 0) << scheme;
     EXPECT_NEAR(start, at_end ? end_static : mean_static, 0.02 * end_static) << scheme;
     EXPECT_LT(imbalance, 1e-9 * peak) << scheme;
     EXPECT_LT(lateral, 1e-10 * peak) << scheme;  // y = 0 is a plane of symmetry
   }
 }
 
-TEST(SpatulaSceneTest, AverageVectorFieldAccountsForTheEnergy) {
-  if (second_run()) GTEST_SKIP();
+TEST(SpatulaLongTest, AverageVectorFieldAccountsForTheEnergy) {
   for (const char* damping : {"0", "0.004"}) {
     std::vector<std::string> settings = conjugate_gradients("CHOLMOD", "Assembled");
     settings.push_back(std::string("Materials/Keratin/Stiffness Damping=") + damping);
     settings.push_back("Time Integrator/Average Vector Field/Interaction Points=0");
     Simulation s(scene("Average Vector Field", settings), world());
-    const double start = test::total_energy(s);
+    const double start = test::total_energy(s), area = contact(s).measure;
+    bool peels = false;
     for (int n = 0; n < 48; ++n) {
       ASSERT_TRUE(s.integrator().step(1.0).converged) << n;
+      peels = peels || contact(s).measure < (1 - 1e-12) * area;
       const double work = s.integrator().external_work() - s.integrator().dissipated_energy();
-      // From 40 on it peels, and the elastic energy is not a polynomial of degree 8 along a step.
-      ASSERT_NEAR(test::total_energy(s) - start, work, n < 38 ? 1e-10 : 1e-5) << damping << ", " << n;
+      // Once it peels, the elastic energy is not a polynomial of degree 8 along a step.
+      ASSERT_NEAR(test::total_energy(s) - start, work, peels ? 1e-5 : 1e-10) << damping << ", " << n;
     }
-    EXPECT_GT(s.integrator().external_work(), 400);
-    EXPECT_EQ(s.integrator().dissipated_energy() > 5, damping != std::string("0"));
+    EXPECT_TRUE(peels) << damping;
+    EXPECT_GT(s.integrator().external_work(), 0.1) << "the balance was tested on nothing";
+    const double dissipated = s.integrator().dissipated_energy();
+    if (damping == std::string("0")) {
+      EXPECT_EQ(dissipated, 0.0);
+    } else {
+      EXPECT_GT(dissipated, 0.01);
+    }
   }
 }
 
@@ -194,17 +198,17 @@ std::vector<double> displacements(const Comm& comm, const std::vector<std::strin
 
 // All ranks together against each alone with its own factorisation.
 TEST(SpatulaSceneTest, RanksAndLinearSolversAgree) {
-  const int early = 5, peeling = 44;
-  const auto reference = displacements(test::self(), direct("CHOLMOD"), peeling);
+  const int early = 5, late = 12;
+  const auto reference = displacements(test::self(), direct("CHOLMOD"), late);
   const auto check = [](const std::vector<double>& u, const std::vector<double>& expected, const std::string& name) {
     ASSERT_EQ(u.size(), expected.size()) << name;
     const double size = *std::max_element(expected.begin(), expected.end());
     EXPECT_LT(test::distance(u, expected), 1e-9 * size) << name;
   };
   for (const char* factorization : {"CHOLMOD", "MUMPS"})
-    check(displacements(world(), direct(factorization), peeling), reference, factorization);
-  check(displacements(world(), conjugate_gradients("CHOLMOD", "Assembled"), peeling), reference, "CG, CHOLMOD");
-  check(displacements(world(), conjugate_gradients("MUMPS Single", "Matrix-Free"), peeling), reference, "CG, MUMPS");
+    check(displacements(world(), direct(factorization), late), reference, factorization);
+  check(displacements(world(), conjugate_gradients("CHOLMOD", "Assembled"), late), reference, "CG, CHOLMOD");
+  check(displacements(world(), conjugate_gradients("MUMPS Single", "Matrix-Free"), late), reference, "CG, MUMPS");
   const auto sooner = displacements(test::self(), direct("CHOLMOD"), early);
   for (const char* op : {"Assembled", "Matrix-Free"})  // dearer on so slender a body
     check(displacements(world(), conjugate_gradients("MueLu", op), early), sooner, std::string("MueLu, ") + op);

@@ -90,13 +90,13 @@ class TangentOperatorTest : public testing::TestWithParam<Case> {};
 TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
   const auto [dimension, element, material, points, bulk_points] = GetParam();
   for (const char* scheme :
-       {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Midpoint"})
+       {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Midpoint"}) {
+    const Simulation s(
+        test::scene(block(dimension, element, material, points, bulk_points) + test::time_integrator(scheme, 0.1, 1)),
+        world());
+    const Model& model = s.model();
+    const Table& table = s.integrator().table();
     for (int level : {0, 1, 3}) {
-      const Simulation s(
-          test::scene(block(dimension, element, material, points, bulk_points) + test::time_integrator(scheme, 0.1, 1)),
-          world());
-      const Model& model = s.model();
-      const Table& table = s.integrator().table();
       std::vector<State> states(table.stages.size());
       for (std::size_t k = 0; k < states.size(); ++k) {
         const double phase = static_cast<double>(k);
@@ -132,6 +132,7 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
       w->apply(direction, product);
       EXPECT_LT(distance(free_product, product), 1e-14) << scheme << ", level " << level;
     }
+  }
 }
 
 void expect_scales(const std::string& body) {

@@ -19,6 +19,24 @@ const char* const all_schemes[] = {
     "Newmark",   "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field", "Generalized-Alpha",
     "HHT-Alpha", "Midpoint"};
 
+/// Presses the top of a 3 by 2 block down by 6 sin(2 pi t/80) between side walls that move with `history`. A step of 20
+/// asks for a height of -4 at its end and of -1 in its middle. Between walls the area of the elements is then negative,
+/// so some point is inverted whatever the other nodes do, and every scheme fails. A step of 0.02 moves the top by 0.01.
+std::string press(const std::string& history = "") {
+  const std::string motion = history.empty() ? "" : test::word("History", history);
+  std::string conditions = test::list(
+      "Press", test::word("Node Set", "top") + test::word("Components", "y") + test::word("History", "Press"));
+  for (const char* side : {"left", "right"})
+    conditions += test::list(side, test::word("Node Set", side) + test::word("Components", "x") + motion);
+  return conditions;
+}
+
+const std::string pressing =
+    test::list("Press", test::word("Type", "Sine") +
+                            test::list("Sine", test::number("Amplitude", -6) + test::number("Frequency", 1.0 / 80)));
+/// The failure is certain; this spares the time of further iterations.
+const std::string few_iterations = test::list("Nonlinear Solver", test::count("Maximum Iterations", 10));
+
 TEST(IntegratorTest, AFailedStepChangesNothing) {
   for (const char* scheme : all_schemes) {
     // One Newton iteration cannot solve a large step: the step fails.
@@ -39,12 +57,14 @@ TEST(IntegratorTest, AFailedStepChangesNothing) {
 
 TEST(IntegratorTest, AfterAFailureTheRunGoesOnAsIfNothingHadHappened) {
   for (const char* scheme : all_schemes) {
-    const auto scene = test::scene(block_2d(1.0) + time_integrator(scheme, 0.02, 1) +
-                                   test::list("Nonlinear Solver", test::count("Maximum Iterations", 5)));
+    const std::string floor = test::list("Floor", test::word("Node Set", "bottom") + test::word("Components", "y"));
+    const auto scene =
+        test::scene(block_2d(1.0) + time_integrator(scheme, 0.02, 1) + few_iterations +
+                    test::list("Histories", pressing) + test::list("Boundary Conditions", floor + press()));
     Simulation disturbed(scene, world());
     Simulation smooth(scene, world());
     for (int step = 0; step < 5; ++step) {
-      EXPECT_FALSE(disturbed.integrator().step(1e3).converged) << scheme;
+      EXPECT_FALSE(disturbed.integrator().step(20).converged) << scheme;
       ASSERT_TRUE(disturbed.integrator().step(0.02).converged) << scheme;
       ASSERT_TRUE(smooth.integrator().step(0.02).converged) << scheme;
     }
@@ -99,7 +119,7 @@ TEST(IntegratorTest, StagesThatShareAPreconditionerSolveAsExactly) {
   EXPECT_LT(test::distance(shared.integrator().state().u, direct.integrator().state().u), 1e-10);
 }
 
-TEST(IntegratorTest, EmptyRanksDoNoHarm) {
+TEST(IntegratorEmptyRanksTest, MoveAsOneRankDoes) {
   // Four nodes: on six ranks, two are empty.
   const auto scene = test::scene(test::oscillator() + time_integrator("Bathe Composite", 0.1, 1));
   Simulation whole(scene, world());
@@ -125,7 +145,7 @@ TEST(IntegratorTest, AStepThatInvertsAnElementIsShortened) {
 }
 
 /// A damped block on a shaking table below a wall that attracts it.
-std::string shaken_block() {
+std::string shaken_block(const std::string& histories = "", const std::string& conditions = "") {
   std::string body = block_2d(0.0);
   body.insert(body.find(test::number("Density", 1)),
               test::number("Mass Damping", 0.1) + test::number("Stiffness Damping", 0.02));
@@ -134,20 +154,21 @@ std::string shaken_block() {
                     test::list("Wall", test::word("Side Set", "top") + test::numbers("Normal", {0, -1}) +
                                            test::numbers("Point", {0, 2.6}) + test::number("Gamma W", 2.0) +
                                            test::word("Contact Element", "Q1C2"))) +
-         test::list("Histories", test::list("Shake", test::word("Type", "Sine") +
-                                                         test::list("Sine", test::number("Amplitude", 0.1) +
-                                                                                test::number("Frequency", 0.4)))) +
+         test::list("Histories",
+                    histories + test::list("Shake", test::word("Type", "Sine") +
+                                                        test::list("Sine", test::number("Amplitude", 0.1) +
+                                                                               test::number("Frequency", 0.4)))) +
          test::list("Boundary Conditions",
-                    test::list("Table", test::word("Node Set", "bottom") + test::word("History", "Shake")) +
+                    conditions +
+                        test::list("Table", test::word("Node Set", "bottom") + test::word("History", "Shake")) +
                         test::list("Weight", test::word("Type", "Body Force") + test::numbers("Vector", {0, 0.01})));
 }
 
 TEST(IntegratorTest, AFailedStepChangesNoForceAndNoWorkEither) {
-  // Four iterations do for a small step and not for a large one.
   for (const char* scheme : all_schemes)
-    for (double large : {20.0, 300.0}) {
-      const auto scene = test::scene(shaken_block() + time_integrator(scheme, 0.01, 10) +
-                                     test::list("Nonlinear Solver", test::count("Maximum Iterations", 4)));
+    for (double large : {20.0, 25.0}) {
+      const auto scene =
+          test::scene(shaken_block(pressing, press("Shake")) + time_integrator(scheme, 0.01, 10) + few_iterations);
       Simulation disturbed(scene, world());
       Simulation smooth(scene, world());
       for (int step = 0; step < 4; ++step) {

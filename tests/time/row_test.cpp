@@ -7,7 +7,7 @@
 namespace ixos {
 namespace {
 
-TEST(RowTest, AlgebraCombinesCoefficients) {
+TEST(RowSerialTest, AlgebraCombinesCoefficients) {
   const Row row = 2.0 * (unknown_displacement() - displacement(0)) - velocity(1) / 4.0 + acceleration(0);
   EXPECT_EQ(row.unknown, 2);
   ASSERT_EQ(row.known.size(), 2U);
@@ -16,7 +16,7 @@ TEST(RowTest, AlgebraCombinesCoefficients) {
   EXPECT_EQ(row.known[1].v, -0.25);
 }
 
-TEST(RowTest, MonomialsAreSampledAtTheStates) {
+TEST(RowSerialTest, MonomialsAreSampledAtTheStates) {
   const Row row = unknown_displacement() - displacement(0) - 0.5 * velocity(0) - 0.25 * acceleration(0);
   // u = t^2 from t = 0 to 0.5: 0.25 - 0 - 0 - 0.5.
   EXPECT_DOUBLE_EQ(row.on_monomial(2, 0.5, {0.0}), -0.25);
@@ -24,7 +24,7 @@ TEST(RowTest, MonomialsAreSampledAtTheStates) {
   EXPECT_DOUBLE_EQ(row.on_monomial(0, 0.5, {0.0}), 0.0);
 }
 
-TEST(RowTest, EvaluationOnStatesIsTheLinearForm) {
+TEST(RowSerialTest, EvaluationOnStatesIsTheLinearForm) {
   std::vector<State> states{{{1.0}, {2.0}, {3.0}}, {{4.0}, {5.0}, {6.0}}};
   const double dt = 0.1;
   const Row row = 3.0 * unknown_displacement() - displacement(0) - 2.0 * displacement(1) + velocity(0) -
@@ -35,7 +35,7 @@ TEST(RowTest, EvaluationOnStatesIsTheLinearForm) {
   EXPECT_NEAR(result[0], 3 * 7.0 - 1 - 2 * 4 + dt * 2 - 0.5 * dt * 5 + dt * dt * 6, 1e-14);
 }
 
-TEST(RowTest, SmallIncrementsKeepTheirDigits) {
+TEST(RowSerialTest, SmallIncrementsKeepTheirDigits) {
   // u differs from u_0 in the last digits only; the difference must not be lost against u.
   std::vector<State> states{{{1e6}, {0.0}, {0.0}}};
   const Row row = 4.0 * (unknown_displacement() - displacement(0));

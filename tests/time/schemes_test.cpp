@@ -31,7 +31,7 @@ Table from_xml(const std::string& name, const std::string& parameters) {
   return chosen.table(validated(test::scene(parameters), chosen.parameters));
 }
 
-TEST(SchemesTest, NewmarkFollowsBetaAndGamma) {
+TEST(SchemesSerialTest, NewmarkFollowsBetaAndGamma) {
   for (const auto& [beta, gamma] : {std::pair{0.25, 0.5}, std::pair{0.3, 0.6}, std::pair{1.0 / 6, 0.5}}) {
     const Table table = from_xml("Newmark", test::number("Beta", beta) + test::number("Gamma", gamma));
     const Stage& stage = table.stages.at(0);
@@ -41,7 +41,7 @@ TEST(SchemesTest, NewmarkFollowsBetaAndGamma) {
   }
 }
 
-TEST(SchemesTest, CompositeFollowsBetaGammaPointsAndPath) {
+TEST(SchemesSerialTest, CompositeFollowsBetaGammaPointsAndPath) {
   for (const auto& [beta, gamma] : {std::pair{0.25, 0.5}, std::pair{0.3, 0.7}}) {
     const Table table = from_xml("Gautam-Sauer Composite", test::number("Beta", beta) + test::number("Gamma", gamma) +
                                                                test::count("Interaction Points", 7));
@@ -66,7 +66,7 @@ TEST(SchemesTest, CompositeFollowsBetaGammaPointsAndPath) {
   EXPECT_DOUBLE_EQ(kinematic.stages[0].interaction.points[1].velocity, xi * (1 - xi));
 }
 
-TEST(SchemesTest, GeneralizedAlphaAndHhtFollowTheirParameter) {
+TEST(SchemesSerialTest, GeneralizedAlphaAndHhtFollowTheirParameter) {
   for (double rho : {0.0, 0.5, 0.8, 1.0}) {
     const Table table = from_xml("Generalized-Alpha", test::number("Spectral Radius", rho));
     const double a_m = (2 * rho - 1) / (rho + 1), a_f = rho / (rho + 1);
@@ -89,7 +89,7 @@ TEST(SchemesTest, GeneralizedAlphaAndHhtFollowTheirParameter) {
   }
 }
 
-TEST(SchemesTest, MidpointTakesForcesInTheMiddle) {
+TEST(SchemesSerialTest, MidpointTakesForcesInTheMiddle) {
   const Stage stage = from_xml("Midpoint", "").stages.at(0);
   expect_row(stage.inertia, 2, -2, -2, 0, "inertia");
   ASSERT_EQ(stage.elastic.points.size(), 1U);
@@ -97,7 +97,7 @@ TEST(SchemesTest, MidpointTakesForcesInTheMiddle) {
   EXPECT_EQ(stage.elastic.points[0].from, 0.5);
 }
 
-TEST(SchemesTest, CentralDifferenceIsVelocityVerlet) {
+TEST(SchemesSerialTest, CentralDifferenceIsVelocityVerlet) {
   const Table table = from_xml("Central Difference", test::number("Safety", 0.7));
   EXPECT_EQ(table.safety, 0.7);
   EXPECT_TRUE(is_explicit(table));
@@ -113,7 +113,7 @@ TEST(SchemesTest, CentralDifferenceIsVelocityVerlet) {
   EXPECT_THROW(check(implicit), std::invalid_argument) << "explicit tables have a lumped mass";
 }
 
-TEST(SchemesTest, EnergyMomentumTakesDiscreteGradients) {
+TEST(SchemesSerialTest, EnergyMomentumTakesDiscreteGradients) {
   const Table table = from_xml("Energy-Momentum", "");
   expect_row(table.stages.at(0).inertia, 2, -2, -2, 0, "inertia");
   EXPECT_EQ(table.stages[0].elastic.mean, Mean::DiscreteGradient);
@@ -122,7 +122,7 @@ TEST(SchemesTest, EnergyMomentumTakesDiscreteGradients) {
   EXPECT_TRUE(is_symmetric(from_xml("Average Vector Field", "")));
 }
 
-TEST(SchemesTest, AverageVectorFieldFollowsItsPoints) {
+TEST(SchemesSerialTest, AverageVectorFieldFollowsItsPoints) {
   const Table table =
       from_xml("Average Vector Field", test::count("Elastic Points", 3) + test::count("Interaction Points", 6));
   EXPECT_EQ(table.stages[0].elastic.points.size(), 3U);
@@ -130,7 +130,7 @@ TEST(SchemesTest, AverageVectorFieldFollowsItsPoints) {
   expect_row(table.stages[0].inertia, 2, -2, -2, 0, "inertia");
 }
 
-TEST(SchemesTest, BatheIsThePublishedFormula) {
+TEST(SchemesSerialTest, BatheIsThePublishedFormula) {
   // Bathe 2007 at split 1/2: dt v = u_n - 4 u_h + 3 u, dt^2 a = dt v_n - 4 dt v_h + 3 dt v, for states that obey the
   // trapezoid of the first stage.
   const Table table = from_xml("Bathe Composite", "");
@@ -151,7 +151,7 @@ TEST(SchemesTest, BatheIsThePublishedFormula) {
   EXPECT_NEAR(value(table.stages[1].acceleration, u), v0 - 4 * vh + 3 * v, 1e-12);
 }
 
-TEST(SchemesTest, BatheFollowsSpectralRadiusAndSplit) {
+TEST(SchemesSerialTest, BatheFollowsSpectralRadiusAndSplit) {
   for (const auto& [rho, g] : {std::pair{0.5, 0.4}, std::pair{1.0, 0.5}, std::pair{0.0, 0.6}}) {
     const Table table = from_xml("Bathe Composite", test::number("Spectral Radius", rho) + test::number("Split", g));
     const double q1 = (rho + 1) / (2 * g * (rho - 1) + 4);
@@ -170,7 +170,7 @@ TEST(SchemesTest, BatheFollowsSpectralRadiusAndSplit) {
   EXPECT_NEAR(equal.stages[0].inertia.unknown, equal.stages[1].inertia.unknown, 1e-11);
 }
 
-TEST(SchemesTest, StagesWithLikeTangentsAreThoseWithinAFactorOfTwo) {
+TEST(SchemesSerialTest, StagesWithLikeTangentsAreThoseWithinAFactorOfTwo) {
   const auto like = [](double split) {
     const Table table = bathe_composite(0, split);
     const double ratio = table.stages[0].inertia.unknown / table.stages[1].inertia.unknown;
@@ -184,14 +184,14 @@ TEST(SchemesTest, StagesWithLikeTangentsAreThoseWithinAFactorOfTwo) {
   EXPECT_FALSE(like(0.8).second);
 }
 
-TEST(SchemesTest, EveryTableIsConsistent) {
+TEST(SchemesSerialTest, EveryTableIsConsistent) {
   for (const Scheme& candidate : schemes())
     EXPECT_NO_THROW(check(candidate.table(validated({}, candidate.parameters)))) << candidate.name;
   EXPECT_NO_THROW(check(bathe_composite(0.3, 0.7)));
   EXPECT_NO_THROW(check(newmark(0.4, 0.8)));
 }
 
-TEST(SchemesTest, InconsistentTablesAreRefused) {
+TEST(SchemesSerialTest, InconsistentTablesAreRefused) {
   Table table = newmark(0.25, 0.5);
   table.stages[0].velocity.unknown += 0.01;
   EXPECT_THROW(check(table), std::invalid_argument);
@@ -200,7 +200,7 @@ TEST(SchemesTest, InconsistentTablesAreRefused) {
   EXPECT_THROW(check(table), std::invalid_argument);
 }
 
-TEST(SchemesTest, UnknownSchemeNamesTheNearest) {
+TEST(SchemesSerialTest, UnknownSchemeNamesTheNearest) {
   try {
     scheme("Newmrak");
     FAIL();
@@ -216,7 +216,7 @@ std::string trapezoid(const std::string& more = "", const std::vector<double>& v
                                                     test::numbers("Acceleration", {4, -4, -4, -1})));
 }
 
-TEST(CustomTableTest, NewmarkWrittenDownIsNewmark) {
+TEST(CustomTableSerialTest, NewmarkWrittenDownIsNewmark) {
   const auto end = [](const std::string& scheme, const std::string& parameters) {
     Simulation s(test::scene(test::block_2d(1.0) + test::time_integrator(scheme, 0.05, 1, parameters)), test::world());
     for (int n = 0; n < 10; ++n) EXPECT_TRUE(s.integrator().step(0.05).converged);
@@ -225,7 +225,7 @@ TEST(CustomTableTest, NewmarkWrittenDownIsNewmark) {
   EXPECT_EQ(end("Custom", trapezoid()), end("Newmark", ""));
 }
 
-TEST(CustomTableTest, TakesTheExactMeanAndAnErrorConstant) {
+TEST(CustomTableSerialTest, TakesTheExactMeanAndAnErrorConstant) {
   const auto custom = [](const std::string& stage, const std::string& more) {
     return from_xml(
         "Custom",
@@ -241,7 +241,7 @@ TEST(CustomTableTest, TakesTheExactMeanAndAnErrorConstant) {
                std::invalid_argument);
 }
 
-TEST(CustomTableTest, TablesOfNoUseAreRefused) {
+TEST(CustomTableSerialTest, TablesOfNoUseAreRefused) {
   const auto refusal = [](const std::string& parameters) -> std::string {
     try {
       Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Custom", 0.05, 1, parameters)),
@@ -255,7 +255,7 @@ TEST(CustomTableTest, TablesOfNoUseAreRefused) {
   const auto contains = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  contains(refusal(""), "Time Integrator/Custom: Stages has none");
+  contains(refusal(""), "Time Integrator/Custom: Stages is empty");
   contains(refusal(trapezoid("", {2, -2, -1.1, 0})), "the velocity row gives");
   contains(refusal(trapezoid("", {2, -2, -1})), "3 numbers; a row has one for the unknown");
   contains(refusal(trapezoid("", {2, -2, -1, 0, 0, 0, 0})), "at most 4");

@@ -54,7 +54,7 @@ TEST(StepErrorTest, TheFirstStepHasOneToo) {
     EXPECT_NEAR(quality(scheme, "", 0, 0.005), 1, 0.15) << scheme;
 }
 
-TEST(StepErrorTest, RanksWithoutNodesJudgeWithTheOthers) {
+TEST(StepErrorEmptyRanksTest, JudgeWithTheOthers) {
   // Four nodes: on six ranks some have none, and momentum-form schemes solve for the first acceleration together.
   Simulation s(test::scene(test::oscillator() + test::time_integrator("Average Vector Field", 0.1, 1)), world());
   for (int n = 0; n < 3; ++n) {

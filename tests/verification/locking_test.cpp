@@ -1,6 +1,7 @@
 // Locking and its cures where it shows: Cook's membrane, nearly incompressible, and slender cantilevers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -75,42 +76,50 @@ Problem membrane(int divisions, ElasticLaw law, const Lame& lame, double load, i
   return problem;
 }
 
-TEST(LockingVerification, CooksMembraneOfANearlyIncompressibleMaterial) {
+TEST(LockingSerialTest, CooksMembraneOfANearlyIncompressibleMaterial) {
   const Lame lame = lame_constants(1, 0.4999);
   const auto tip = [&](int divisions, Formulation formulation) {
     return deflection(membrane(divisions, ElasticLaw::Linear, lame, 1.0), formulation);
   };
-  // The corner at the clamp is singular: first order at best.
-  const double reference = tip(64, Formulation::Enhanced);
-  EXPECT_NEAR(tip(64, Formulation::MeanDilatation), reference, 2e-3 * reference);
-  for (Formulation cure : {Formulation::MeanDilatation, Formulation::Enhanced}) {
-    double before = 0.3;
-    for (int divisions : {4, 8, 16}) {
-      const double error = 1 - tip(divisions, cure) / reference;
-      EXPECT_GT(error, 0) << divisions;
-      EXPECT_LT(error, 0.5 * before) << divisions;
-      before = error;
+  const Formulation cures[] = {Formulation::MeanDilatation, Formulation::Enhanced};
+  double coarsest[2], finest[2], last_change[2];
+  for (std::size_t k = 0; k < 2; ++k) {
+    // The corner at the clamp is singular: first order at best. The tip is always too stiff.
+    double before = coarsest[k] = tip(4, cures[k]);
+    double change = before;
+    for (int divisions : {8, 16, 32}) {
+      const double now = tip(divisions, cures[k]);
+      EXPECT_GT(now, before) << divisions;
+      EXPECT_LT(now - before, 0.6 * change) << divisions;
+      change = now - before;
+      before = now;
     }
-    EXPECT_LT(before, 0.02);
+    finest[k] = before;
+    last_change[k] = change;
   }
-  for (int divisions : {4, 8, 16}) EXPECT_LT(tip(divisions, Formulation::Standard), 0.35 * reference) << divisions;
+  EXPECT_NEAR(finest[0], finest[1], last_change[0] + last_change[1]);
+  EXPECT_LT(tip(16, Formulation::Standard), std::min(coarsest[0], coarsest[1])) << "it locks";
 }
 
-TEST(LockingVerification, CooksMembraneAtLargeDisplacements) {
+TEST(LockingSerialTest, CooksMembraneAtLargeDisplacements) {
   const double mu = 80.1938;
   const auto tip = [&](int divisions, double nu, Formulation formulation) {
     const Lame lame{mu, mu * 2 * nu / (1 - 2 * nu)};
     return deflection(membrane(divisions, ElasticLaw::NeoHooke, lame, 100, 4), formulation);
   };
-  for (double nu : {0.4, 0.49, 0.499}) {
-    const double mean = tip(16, nu, Formulation::MeanDilatation);
-    EXPECT_NEAR(tip(16, nu, Formulation::Enhanced), mean, 5e-3 * mean) << nu;
-    EXPECT_LT(tip(16, nu, Formulation::Standard), (nu < 0.45 ? 0.99 : 0.9) * mean) << nu;
+  double share = 1;  // of the cured deflection that standard elements reach: the less, the stiffer the bulk
+  for (double nu : {0.4, 0.49, 0.499, 0.4999}) {
+    const double coarse = tip(8, nu, Formulation::MeanDilatation), mean = tip(16, nu, Formulation::MeanDilatation);
+    const double standard = tip(16, nu, Formulation::Standard) / mean;
+    EXPECT_LT(standard, share) << nu;
+    share = standard;
+    // Lambda = 5000 mu: here Newton's iteration of enhanced elements may break down.
+    if (nu == 0.4999) {
+      EXPECT_LT(std::abs(tip(32, nu, Formulation::MeanDilatation) - mean), 0.6 * std::abs(mean - coarse));
+    } else {
+      EXPECT_NEAR(tip(16, nu, Formulation::Enhanced), mean, std::abs(mean - coarse)) << nu;
+    }
   }
-  // Lambda = 5000 mu, where Newton's iteration of enhanced elements may break down.
-  const double coarse = tip(16, 0.4999, Formulation::MeanDilatation);
-  EXPECT_NEAR(tip(32, 0.4999, Formulation::MeanDilatation), coarse, 0.01 * coarse);
-  EXPECT_LT(tip(16, 0.4999, Formulation::Standard), 0.4 * coarse);
 }
 
 /// A cantilever 20 by 1 by 1 of one element's thickness.
@@ -128,13 +137,23 @@ Problem cantilever(int dimension, int divisions, double nu) {
   return problem;
 }
 
+/// Energy of bending of an element of that formulation, of length l and of height and width 1, over the beam's. Plane
+/// strain: u_x = xy. Three dimensions: also u_z = -c yz, with the c of least energy.
+double stiffening(int dimension, Formulation formulation, double nu, double length) {
+  const double s = length * length, mu = 1 / (2 * (1 + nu)), lambda = 2 * mu * nu / (1 - 2 * nu);
+  const bool standard = formulation == Formulation::Standard;
+  if (dimension == 2) return standard ? (1 - nu) * (1 - nu) / (1 - 2 * nu) + (1 - nu) / 2 * s : (1 - nu) / 2 * (1 + s);
+  return standard ? 3 * lambda * mu / (lambda + 3 * mu) + (2 + s) * mu : (8.0 / 7 + s) * mu;
+}
+
 // Bernoulli's and Timoshenko's: P L^3/(3 E I) + P L/(kappa G A), kappa = 10 (1 + nu)/(12 + 11 nu) (Cowper 1966).
 TEST(LockingVerification, CantileversOfOneElementsThickness) {
   for (int dimension : {2, 3})
     for (double nu : {0.0, 0.3}) {
       const double modulus = dimension == 2 ? 1 / (1 - nu * nu) : 1, shear = 1 / (2 * (1 + nu));
       const double correction = 10 * (1 + nu) / (12 + 11 * nu);
-      const double theory = 1e-3 * (8000 / (3 * modulus / 12) + 20 / (correction * shear));
+      const double bending = 1e-3 * 8000 / (3 * modulus / 12), sliding = 1e-3 * 20 / shear;
+      const double theory = bending + sliding / correction;
       const auto ratio = [&](int elements, Formulation formulation) {
         return deflection(cantilever(dimension, elements, nu), formulation) / theory;
       };
@@ -142,9 +161,16 @@ TEST(LockingVerification, CantileversOfOneElementsThickness) {
       const double clamp = nu == 0 ? 1e-3 : dimension == 2 ? 2e-3 : 0.025;
       for (int n : {5, 10, 20}) EXPECT_NEAR(ratio(n, Formulation::Enhanced), 1 - 0.25 / (n * n), clamp) << nu;
       // Parasitic shear; and a single layer without volumetric stiffness is too soft where elements are short.
-      EXPECT_LT(ratio(5, Formulation::Standard), 0.15);
-      EXPECT_LT(ratio(5, Formulation::MeanDilatation), 0.2);
-      EXPECT_GT(ratio(40, Formulation::MeanDilatation), 1.4);
+      const auto expect = [&](int n, Formulation formulation) {
+        const double curved = (1 - 0.25 / (n * n)) / stiffening(dimension, formulation, nu, 20.0 / n);
+        const double expected = (bending * curved + sliding) / theory;
+        // In 3D the clamp holds u_z, and the curvature varies along the beam.
+        const double tolerance = (dimension == 2 ? 1e-5 : 0.01) * expected;
+        EXPECT_NEAR(ratio(n, formulation), expected, tolerance) << dimension << "D, nu " << nu << ", " << n;
+      };
+      expect(5, Formulation::Standard);
+      expect(5, Formulation::MeanDilatation);
+      expect(40, Formulation::MeanDilatation);
     }
 }
 
@@ -195,7 +221,7 @@ TEST(LockingVerification, WhatTheCuresDoNotOfferIsRefused) {
   for (const std::string formulation : {"Mean Dilatation", "Enhanced"})
     EXPECT_EQ(message(block(formulation, 2) + test::time_integrator("Energy-Momentum", 0.1, 1)),
               "Materials/Rubber/Element Formulation: \"" + formulation +
-                  "\" has no discrete gradient, which the scheme \"Energy-Momentum\" takes of the elastic energy; use "
+                  "\" has no discrete gradient, which the scheme \"Energy-Momentum\" needs; use "
                   "\"Standard\", or the scheme \"Average Vector Field\"");
   EXPECT_EQ(message(block("Standard", 2) + test::time_integrator("Energy-Momentum", 0.1, 1)), "accepted");
   const std::string matrix_free =

@@ -133,6 +133,7 @@ const std::vector<Case>& cases() {
   // r = gamma/beta: of x^2 + 2 (r - 1) x + 1; up to sqrt(4 r/(r - 2)).
   static const std::vector<Case> all{with_defaults(newmark(0.25, 0.5, 1)),
                                      newmark(0.3025, 0.6, 0.9 / 1.1),
+                                     newmark(0.4225, 0.8, 0.7 / 1.3),
                                      newmark(0.4, 0.8, 1),
                                      newmark(1.0 / 6, 0.5, 2 + std::sqrt(3.0), std::sqrt(12.0)),
                                      with_defaults(bathe(0, 0.5)),

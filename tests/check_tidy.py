@@ -1,0 +1,85 @@
+#!/usr/bin/python3
+"""Runs clang-tidy on the sources of lib/ and drivers/ that changed since their last clean run.
+
+    tests/check_tidy.py BUILD_FOLDER [--all]
+
+A source counts as unchanged if its text, that of each of the project's headers that it includes, its compile command,
+.clang-tidy and the version of clang-tidy are those of a clean run. The hashes of clean runs stand in
+$XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source. The
+build folder must have been built with Ninja. The exit status is 1 if clang-tidy found anything.
+"""
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def dependencies(build):
+    """By object file, the files that Ninja saw its compiler read."""
+    found, target = {}, None
+    for line in subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True, text=True, check=True).stdout.splitlines():
+        if line.startswith("    "):
+            found[target].append(os.path.normpath(os.path.join(build, line.strip())))
+        elif line:
+            target = line.split(":")[0]
+            found[target] = []
+    return found
+
+
+def key(source, command, files, version):
+    digest = hashlib.sha256((version + command.replace(ROOT, "")).encode())
+    own = {source, os.path.join(ROOT, ".clang-tidy")} | {f for f in files if f.startswith(ROOT + "/lib/") or
+                                                        f.startswith(ROOT + "/drivers/")}
+    for path in sorted(own):
+        with open(path, "rb") as file:
+            digest.update(os.path.relpath(path, ROOT).encode() + b"\0" + file.read() + b"\0")
+    return digest.hexdigest()
+
+
+def tidy(source, build):
+    done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
+    return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("build")
+    parser.add_argument("--all", action="store_true", help="check unchanged sources too")
+    options = parser.parse_args()
+    build = os.path.abspath(options.build)
+    cache = os.path.join(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"), "ixos-tidy")
+    os.makedirs(cache, exist_ok=True)
+    version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
+    with open(os.path.join(build, "compile_commands.json")) as file:
+        commands = json.load(file)
+    seen = dependencies(build)
+    todo = []
+    for entry in commands:
+        source = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
+        if not source.startswith((ROOT + "/lib/", ROOT + "/drivers/")):
+            continue
+        # The object's path is what the compile command writes.
+        words = entry["command"].split()
+        files = seen.get(words[words.index("-o") + 1], [])
+        stamp = os.path.join(cache, key(source, entry["command"], files, version))
+        if options.all or not files or not os.path.exists(stamp):
+            todo.append((source, stamp))
+    print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
+    clean = True
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for (source, stamp), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build), todo)):
+            if good:
+                open(stamp, "w").close()
+            else:
+                clean = False
+                print(output, flush=True)
+    sys.exit(0 if clean else 1)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,141 @@
+#include "model/mass.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Vector.hpp>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/enrich.hpp"
+#include "mesh/generators.hpp"
+#include "mesh/partition.hpp"
+#include "support/scene_text.hpp"
+#include "support/solids.hpp"
+
+namespace ixos {
+namespace {
+
+/// Parallelepipeds: a box of 3 by 2 (by 1), sheared along x.
+Mesh sheared(int dimension) {
+  BoxShape shape;
+  shape.dimension = dimension;
+  shape.lengths = {3, 2, 1};
+  shape.divisions = {4, 3, 2};
+  Mesh mesh = box(shape);
+  const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t i = 0; i < mesh.coordinates.size(); i += d) mesh.coordinates[i] += 0.3 * mesh.coordinates[i + 1];
+  return mesh;
+}
+
+std::unique_ptr<Model> body(int dimension, Inertia inertia) {
+  Material material = test::elastic(ElasticLaw::Linear, 0.2);
+  material.density = 0.7;
+  return test::model_of(sheared(dimension), material, inertia);
+}
+
+/// A smooth field of the place: ghosts agree with their owners.
+std::vector<double> wave(const Model& model) {
+  std::vector<double> field = test::at_rest(model);
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] = std::sin(1.3 * model.mesh().coordinates[i]) + 2;
+  return field;
+}
+
+std::vector<double> product(const Model& model, const std::vector<double>& x) {
+  std::vector<double> y(static_cast<std::size_t>(model.space().owned()));
+  model.mass()->multiply(x.data(), y.data());
+  return y;
+}
+
+// rho A/36 [4 2 1 2] by the distance round the rectangle, and nothing between directions.
+TEST(MassSerialTest, ElementMatrixOfARectangle) {
+  BoxShape shape;
+  shape.lengths = {3, 2, 0};
+  const Mesh mesh = box(shape);
+  const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+  const Pattern pattern(local);
+  Mass mass(local, pattern);
+  mass.add_block(local.blocks[0], 0.5);
+  const double around[] = {4, 2, 1, 2};
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto corner = [&](std::size_t b) { return 2 * static_cast<std::size_t>(local.blocks[0].nodes[b]); };
+      std::vector<double> x(8, 0.0), y(8, 9.0), diagonal(8, 1.0);
+      x[corner(a) + i] = 1;
+      mass.multiply(x.data(), y.data());
+      for (std::size_t b = 0; b < 4; ++b) {
+        EXPECT_NEAR(y[corner(b) + i], 0.5 * 6 / 36 * around[(b + 4 - a) % 4], 1e-16);
+        EXPECT_EQ(y[corner(b) + 1 - i], 0);
+      }
+      mass.add_diagonal(2.0, diagonal.data());
+      EXPECT_NEAR(diagonal[corner(a) + i], 1 + 2 * y[corner(a) + i], 1e-16);
+    }
+}
+
+TEST(MassTest, SumsToTheMassOfTheBodyAndItsFirstMoment) {
+  for (Inertia inertia : {Inertia::Consistent, Inertia::Lumped})
+    for (int dimension : {2, 3}) {
+      const auto model = body(dimension, inertia);
+      const auto d = static_cast<std::size_t>(dimension);
+      const std::vector<double> y = product(*model, std::vector<double>(test::at_rest(*model).size(), 1.0));
+      double sums[3] = {};  // of direction x: the mass, and its moments along x and y
+      for (std::size_t i = 0; i < y.size(); i += d) {
+        sums[0] += y[i];
+        for (std::size_t k = 0; k < 2; ++k) sums[1 + k] += y[i] * model->mesh().coordinates[i + k];
+      }
+      model->space().sum(sums, 3);
+      EXPECT_NEAR(sums[0], 0.7 * 6, 1e-13);
+      EXPECT_NEAR(sums[1], 0.7 * 6 * (1.5 + 0.3), 1e-13);
+      EXPECT_NEAR(sums[2], 0.7 * 6 * 1.0, 1e-13);
+    }
+}
+
+TEST(MassTest, LumpedMassesAreRowSumsAndDivideBack) {
+  for (int dimension : {2, 3}) {
+    const auto consistent = body(dimension, Inertia::Consistent), lumped = body(dimension, Inertia::Lumped);
+    EXPECT_FALSE(consistent->mass()->is_lumped());
+    EXPECT_TRUE(lumped->mass()->is_lumped());
+    const std::vector<double> x = wave(*lumped), ones(x.size(), 1.0);
+    const std::vector<double> rows = product(*consistent, ones), y = product(*lumped, x);
+    std::vector<double> diagonal(rows.size(), 0.0), back(rows.size());
+    lumped->mass()->add_diagonal(1.0, diagonal.data());
+    lumped->mass()->divide(y.data(), back.data());
+    double largest = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_NEAR(diagonal[i], rows[i], 1e-15);
+      EXPECT_NEAR(back[i], x[i], 1e-15 * std::abs(x[i]));
+      largest = std::max(largest, x[i]);
+    }
+    EXPECT_NEAR(lumped->mass()->largest_quotient(y.data()), largest, 1e-14);
+  }
+}
+
+TEST(MassTest, TheMatrixMultipliesAlike) {
+  for (Inertia inertia : {Inertia::Consistent, Inertia::Lumped}) {
+    const auto model = body(3, inertia);
+    const auto matrix = model->pattern().create_matrix(model->space());
+    model->mass()->add_to(3.0, matrix->getLocalMatrixHost().values.data());
+    const std::vector<double> x = wave(*model), y = product(*model, x);
+    Vector argument(model->space().owned_map()), image(argument);
+    for (std::size_t i = 0; i < y.size(); ++i) argument.replaceLocalValue(static_cast<LocalId>(i), x[i]);
+    matrix->apply(argument, image);
+    const auto view = image.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(view(i, 0), 3 * y[i], 1e-14);
+  }
+}
+
+TEST(MassSerialTest, HermiteElementsCannotBeLumped) {
+  Mesh mesh = sheared(2);
+  enrich(mesh, "bottom", ContactElement::Q1CH);
+  const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+  const Pattern pattern(local);
+  Mass mass(local, pattern, true);
+  EXPECT_THROW(
+      {
+        for (const LocalBlock& block : local.blocks) mass.add_block(block, 1.0);
+      },
+      InputError);
+}
+
+}  // namespace
+}  // namespace ixos
