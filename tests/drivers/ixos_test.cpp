@@ -10,16 +10,22 @@ namespace ixos::test {
 namespace {
 
 TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
-  // The wind is undefined from 20.85 to 20.95. The step from 20 to 24 takes it at 20.923, a Gauss point in time; the
-  // two halves of that step do not.
-  const std::vector<std::string> arguments{
-      strip, "--quiet", "--output", "out", "--set", "Mesh/Box/Divisions={40, 2}", "--set",
-      "Time Integrator/Time Step Control/Time Step=4", "--set", "Output/Fields Time Interval=0", "--set",
-      "Time Integrator/Stop/Peeled/Probe/Name=edge", "--set", "Time Integrator/Stop/Peeled/Probe/Quantity=uy", "--set",
-      "Histories/Gap/Type=Expression", "--set", "Histories/Gap/Expression/Value=1e-9*sqrt((t-20.85)*(t-20.95))",
-      "--set", "Boundary Conditions/Wind/Type=Traction", "--set", "Boundary Conditions/Wind/Side Set=top", "--set",
-      "Boundary Conditions/Wind/Vector={0, 1}", "--set", "Boundary Conditions/Wind/History=Gap", "--set",
-      "Time Integrator/Time Step Control/Maximum Cuts=8"};
+  // The wind is undefined from 20.85 to 20.95. The step from 20 to 24 has a Gauss point in time at 20.923; the two
+  // halves of that step have none there.
+  const std::vector<std::string> arguments{strip,      "--quiet",
+                                           "--output", "out",
+                                           "--set",    "Mesh/Box/Divisions={40, 2}",
+                                           "--set",    "Time Integrator/Time Step Control/Time Step=4",
+                                           "--set",    "Output/Fields Time Interval=0",
+                                           "--set",    "Time Integrator/Stop/Peeled/Probe/Name=edge",
+                                           "--set",    "Time Integrator/Stop/Peeled/Probe/Quantity=uy",
+                                           "--set",    "Histories/Gap/Type=Expression",
+                                           "--set",    "Histories/Gap/Expression/Value=1e-9*sqrt((t-20.85)*(t-20.95))",
+                                           "--set",    "Boundary Conditions/Wind/Type=Traction",
+                                           "--set",    "Boundary Conditions/Wind/Side Set=top",
+                                           "--set",    "Boundary Conditions/Wind/Vector={0, 1}",
+                                           "--set",    "Boundary Conditions/Wind/History=Gap",
+                                           "--set",    "Time Integrator/Time Step Control/Maximum Cuts=8"};
   const Outcome outcome = ixos(arguments, folder_);
   ASSERT_EQ(outcome.status, 0) << outcome.output;
   const std::string summary = contents(folder_ + "/out/summary.json");

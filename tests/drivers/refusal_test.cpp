@@ -56,7 +56,7 @@ TEST_F(DriverRefusalTest, SolversForSymmetricMatricesAreRefusedForUnsymmetricTan
                     "Linear Solver/Linear Solver Types/" + solver},
                    message);
   };
-  refused("Direct/Solver Type=CHOLMOD", "Direct/Solver Type: \"CHOLMOD\" needs a symmetric matrix");
+  refused("Direct/Solver Type=MUMPS", "Direct/Solver Type: \"MUMPS\" needs a symmetric matrix");
   refused("Belos/Solver Type=Pseudo Block CG", "tangent is not symmetric; use \"Pseudo Block GMRES\"");
 }
 

@@ -23,14 +23,14 @@ class RestartDriverTest : public DriverTest {
            "Final Time=2' --set 'Output/Fields Interval=50' " + more;
   }
   Outcome run(const std::string& more, int ranks = 1) const { return shell(command(more, ranks), folder_); }
-  /// Starts a run that would not end, waits for its first checkpoint, and does `then`; $pid is the process.
+  /// Starts a run that would not end, waits for its first checkpoint, and executes `then`; $pid is the process.
   Outcome interrupt(const std::string& more, const std::string& then, int ranks = 1) const {
     return run("--set '" + control + "Final Time=1e6' --output parts " + more +
                    " & pid=$!; until [ -e parts/checkpoint.h5 ] || ! kill -0 $pid; do sleep 0.02; done; " + then +
                    "; wait $pid",
                ranks);
   }
-  /// The option that ends a run some steps after the newest checkpoint of parts.
+  /// Returns the option that ends a run some steps after the newest checkpoint in "parts".
   std::string soon_after() const {
     const std::string newest = std::filesystem::read_symlink(path("parts/checkpoint.h5")).filename();
     const long step = std::stol(newest.substr(newest.find('-') + 1));
@@ -66,7 +66,8 @@ TEST_F(RestartDriverTest, ASignalledRunGoesOnAsIfNothingHadHappened) {
 TEST_F(RestartDriverTest, ASignalToOneRankEndsAllAndOneThatDiesTakesTheOthersAlong) {
   const std::string settings = "--quiet --set Output/Checkpoint/Interval=100";
   const auto second_rank = [](const std::string& signal) {
-    return "for p in $(pgrep -P $pid); do tr '\\0' '\\n' < /proc/$p/environ | grep -qx OMPI_COMM_WORLD_RANK=1 && kill -" +
+    return "for p in $(pgrep -P $pid); do tr '\\0' '\\n' < /proc/$p/environ | grep -qx OMPI_COMM_WORLD_RANK=1 && kill "
+           "-" +
            signal + " $p; done";
   };
   const Outcome told = interrupt(settings, second_rank("TERM"), 2);
@@ -99,7 +100,7 @@ TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnToSolverTolerance) {
   // Fields of two ranks are not gone on with by one.
   const Outcome same = run("--output two --restart two/checkpoint-200.h5");
   EXPECT_EQ(same.status, 2);
-  EXPECT_NE(same.output.find("another --output begins new ones"), std::string::npos) << same.output;
+  EXPECT_NE(same.output.find("Choose another --output to start new files"), std::string::npos) << same.output;
 }
 
 TEST_F(RestartDriverTest, AnotherNumberOfRanksGoesOnWithOneHdf5File) {
@@ -136,7 +137,7 @@ TEST_F(RestartDriverTest, BadRestartsAreRefusedWithoutATrace) {
   refused("--restart out/checkpoint.h5 --set 'Initial Conditions/Velocity={1, 0}'",
           "Initial Conditions/Velocity: {}, now {1, 0}");
   std::filesystem::resize_file(path("out/checkpoint-200.h5"), 5000);
-  refused("--restart out/checkpoint.h5", "the one before it is sound: ");
+  refused("--restart out/checkpoint.h5", "an earlier checkpoint is sound: ");
   EXPECT_EQ(ixos({"--restart", "out/checkpoint.h5"}, folder_).status, 2) << "without a scene";
 }
 

@@ -147,7 +147,7 @@ TEST_F(StudyDriverTest, RecordsThatMakeNoSenseAreMadeAgain) {
   }
 }
 
-/// The study of one run, with these settings in the place of the schemes.
+/// Returns the study with one run, which has these settings in place of the schemes.
 std::string study_of(const std::string& name, const std::string& settings) {
   std::string text = study;
   const std::string values = "{0.2, 0.1, 0.05}";
@@ -160,7 +160,7 @@ std::string study_of(const std::string& name, const std::string& settings) {
   return text;
 }
 
-/// The same compared with the results in the folder "alone".
+/// Returns the study with the results in the folder "alone" as its reference.
 std::string compared_with_a_folder(std::string text) {
   const auto start = text.find("<ParameterList name=\"Settings\">", text.find("<ParameterList name=\"Reference\">"));
   const auto end = text.find("</ParameterList></ParameterList>\n  <ParameterList name=\"Question\">");
@@ -169,8 +169,8 @@ std::string compared_with_a_folder(std::string text) {
 
 TEST_F(StudyDriverTest, FailuresAreResults) {
   // One iteration is never enough for a nonlinear step.
-  std::ofstream(folder_ + "/study.xml")
-      << study_of("hasty", R"x(<Parameter name="Nonlinear Solver/Maximum Iterations" type="int" value="1"/>)x");
+  std::ofstream(folder_ + "/study.xml") << study_of(
+      "hasty", R"x(<Parameter name="Nonlinear Solver/Maximum Iterations" type="int" value="1"/>)x");
   const Outcome outcome = run("study.xml --output out");
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   const std::string csv = contents(folder_ + "/out/study.csv");
@@ -184,7 +184,8 @@ TEST_F(StudyDriverTest, ATimeLimitEndsARunThatWouldNotEnd) {
   std::string text = compared_with_a_folder(
       study_of("endless", R"x(<Parameter name="Time Integrator/Time Step Control/Final Time" type="double" value="1e9"/>
         <Parameter name="Initial Conditions/Velocity Gradient" type="Array(double)" value="{0, 0, 0, 0}"/>)x"));
-  text.insert(text.find("<ParameterList name=\"Axes\">"), R"x(<Parameter name="Time Limit" type="double" value="1"/>)x");
+  text.insert(text.find("<ParameterList name=\"Axes\">"),
+              R"x(<Parameter name="Time Limit" type="double" value="1"/>)x");
   std::ofstream(folder_ + "/study.xml") << text;
   const Outcome outcome = run("study.xml --output out");
   EXPECT_EQ(outcome.status, 0) << outcome.output;

@@ -98,7 +98,7 @@ class Hdf5FieldsTest : public testing::Test {
   }
 };
 
-/// What one rank tests.
+/// For tests of one rank.
 class Hdf5FieldsSerialTest : public Hdf5FieldsTest {
  protected:
   void SetUp() override {

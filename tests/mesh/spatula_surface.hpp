@@ -18,7 +18,7 @@ inline SpatulaShape small(int cells) {
   return shape;
 }
 
-/// The mesh of the default shape, made once.
+/// Returns the mesh of the default shape, which is made once.
 inline const Mesh& default_spatula() {
   static const Mesh mesh = spatula({});
   return mesh;

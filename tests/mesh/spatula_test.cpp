@@ -83,13 +83,15 @@ double smooth_volume() {
   return pad + transition + M_PI * 1600 * 180;
 }
 
-/// A section: a core of c by l cells and r rings around it. Beyond the last station c - 2 t columns of cells join the
-/// outermost t columns of either side, on the core's l + 2 r layers, and the cells at the sections' narrow ends.
+/// Returns the number of cells. A section has a core of c by l cells and r rings around it. Beyond the last station
+/// c - 2 t columns of cells join the outermost t columns of either side, on the l + 2 r layers of the core, and the
+/// cells at the narrow ends of the sections.
 int cells_of(const SpatulaShape& s, int stations) {
   const int c = s.core_cells, l = s.core_layers, r = s.rings, t = s.tip_rows;
   return stations * (c * l + 2 * r * (c + l)) + (c - 2 * t) * (t * (l + 2 * r) + r * l);
 }
 
+/// Returns the number of nodes of that mesh.
 int nodes_of_stations(const SpatulaShape& s, int stations) {
   const int c = s.core_cells, l = s.core_layers, r = s.rings, t = s.tip_rows;
   return (stations + 1) * ((c + 1) * (l + 1) + 2 * r * (c + l)) + (c - 2 * t - 1) * (t * (l + 1 + 2 * r) + r * (l - 1));

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double alpha_1 = 0.3, alpha_2 = 0.2, density = 0.7, nu = 0.3;
 
-/// A rubber block of 3 by 2.
+/// Returns a rubber block of 3 by 2.
 std::unique_ptr<Model> block() {
   BoxShape shape;
   shape.lengths = {3, 2, 0};
@@ -28,7 +28,7 @@ std::unique_ptr<Model> block() {
   return test::model_of(box(shape), material, Inertia::Consistent);
 }
 
-/// The velocity v = (a + b x + c y, -c x).
+/// Returns the velocity v = (a + b x + c y, -c x).
 std::vector<double> velocity(const Model& model, double a, double b, double c) {
   std::vector<double> v = test::at_rest(model);
   for (std::size_t i = 0; i < v.size(); i += 2) {
@@ -39,7 +39,7 @@ std::vector<double> velocity(const Model& model, double a, double b, double c) {
   return v;
 }
 
-/// Rows of owned nodes of 2 C v.
+/// Returns 2 C v for owned nodes.
 std::vector<double> forces(const Model& model, const std::vector<double>& v) {
   std::vector<double> f(static_cast<std::size_t>(model.space().owned()), 0.0);
   model.damping()->multiply_add(2.0, v.data(), f.data());
@@ -54,8 +54,8 @@ double dissipation(const Model& model, const std::vector<double>& v) {
   return sum;
 }
 
-// A rigid velocity v dissipates alpha_1 times the integral of rho v.v, the strain rate b in x alpha_2 times that of
-// (lambda + 2 mu) b^2 besides. The origin is a corner.
+// A rigid velocity v dissipates alpha_1 times the integral of rho v.v. A strain rate b in x adds alpha_2 times the
+// integral of (lambda + 2 mu) b^2. The origin is a corner.
 TEST(DampingTest, DissipatesWhatMassAndStrainRateSay) {
   const auto model = block();
   const Lame lame = lame_constants(1, nu);

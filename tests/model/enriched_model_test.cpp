@@ -48,7 +48,7 @@ TEST(EnrichedModelTest, MassAndMomentaOfAnAffineVelocityAreExact) {
   }
 }
 
-/// Sum over owned nodes of (X + u) x f, over all ranks.
+/// Returns the sum of (X + u) x f over all nodes, f the elastic force at another displacement. Collective.
 double torque(const Model& model, const std::vector<double>& u, const std::vector<double>& elastic_at) {
   std::vector<double> f(u.size());
   EXPECT_TRUE(model.elastic_force({nullptr, nullptr, elastic_at.data()}, end_rule(), f.data()));

@@ -201,7 +201,7 @@ def damaged_checkpoints(driver, table, work, chance):
             with open(os.path.join(folder, last), "wb") as file:
                 file.write(contents)
             status, output = driver.run(["--output", folder, "--restart", os.path.join(folder, "checkpoint.h5")])
-            problem = "" if "the one before it is sound: " in output and before in output else "no offer: " + output
+            problem = "" if "an earlier checkpoint is sound: " in output and before in output else "no offer: " + output
             outcomes.append((status, output, problem))
         table.row(name, outcomes, (2,))
     os.remove(os.path.join(folder, last))

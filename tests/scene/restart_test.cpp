@@ -37,7 +37,7 @@ TEST_F(RestartTest, AdaptiveStepsAndChosenTimePointsGoOn) {
       {5, 20, 35});
 }
 
-/// The scene with one more history, which scales the load.
+/// Returns the scene with one more history, which scales the load.
 std::string scaled(std::string scene, const std::string& value) {
   const std::string vector = numbers("Vector", {0.02, 0}), histories = "<ParameterList name=\"Histories\">";
   scene.insert(scene.find(vector), word("History", "Scale"));
@@ -45,8 +45,8 @@ std::string scaled(std::string scene, const std::string& value) {
 }
 
 TEST_F(RestartTest, CutStepsGoOn) {
-  // The load is undefined in two short spans. The step from 0.35 to 0.4 takes it at 0.3805, the first half of that step
-  // at 0.36525; a quarter and what follows it do neither. The checkpoint after step 8 has half a step ahead.
+  // The load is undefined in two short spans. The step from 0.35 to 0.4 has a stage at 0.3805, its first half one at
+  // 0.36525; its first quarter and the steps after that avoid both. The checkpoint after step 8 has half a step ahead.
   const std::string undefined = "sqrt((t-0.3651)*(t-0.3654)*(t-0.3803)*(t-0.3807))";
   const RunResult whole =
       expect_goes_on(scaled(drawn(word("Type", "Bathe Composite") + list("Bathe Composite", number("Split", 0.61)) +

@@ -133,7 +133,7 @@ TEST_F(RunTest, AnAdaptiveRunThatNeedsTooShortAStepEnds) {
                 "\"Minimum Time Step\" type=\"double\" value=\"0.0009\"/><Parameter name=");
   const RunResult result = run_scene(scene);
   EXPECT_EQ(result.status, RunStatus::Diverged);
-  EXPECT_NE(result.reason.find("0.0009 is the least allowed"), std::string::npos) << result.reason;
+  EXPECT_NE(result.reason.find("the shortest one allowed is 0.0009 T0"), std::string::npos) << result.reason;
 }
 
 /// A block that falls onto a sticky wall.

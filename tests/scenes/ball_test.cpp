@@ -17,21 +17,24 @@ namespace {
 
 using test::world;
 
-double sum_energy(const VanDerWaals& law, double y) { return -law.c1() / (56 * std::pow(y, 7)) + law.c2() / (2 * y); }
+/// Returns the integral of psi over the gap.
+double integrated_energy(const VanDerWaals& law, double y) {
+  return -law.c1() / (56 * std::pow(y, 7)) + law.c2() / (2 * y);
+}
 
-/// The interaction energy of a regular polygon of 16 sides whose lowest corner has this gap: along a side of length l
-/// the mean of psi(y) is the change of its integral over the change of y.
+/// Returns the interaction energy of a regular polygon of 16 sides whose lowest corner has this gap. Along a straight
+/// side the mean of psi(y) is the change of its integral over the change of y.
 double polygon_energy(const VanDerWaals& law, double radius, double gap) {
   double energy = 0;
   for (int k = 0; k < 16; ++k) {
     const double y0 = gap + radius * (1 - std::cos(M_PI / 8 * k)),
                  y1 = gap + radius * (1 - std::cos(M_PI / 8 * (k + 1)));
-    energy += 2 * radius * std::sin(M_PI / 16) * (sum_energy(law, y1) - sum_energy(law, y0)) / (y1 - y0);
+    energy += 2 * radius * std::sin(M_PI / 16) * (integrated_energy(law, y1) - integrated_energy(law, y0)) / (y1 - y0);
   }
   return energy;
 }
 
-/// The largest |E - E_0| of a run on this rank alone.
+/// Returns the largest |E - E_0| of a run on this rank alone.
 double energy_error(const std::string& scheme, double dt, int steps) {
   Simulation s(test::scene_file("ball.xml", {"Time Integrator/Type=" + scheme}), test::self());
   const double before = test::total_energy(s);

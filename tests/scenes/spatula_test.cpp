@@ -8,6 +8,7 @@
 #include "fem/quadrature.hpp"
 #include "mesh/spatula.hpp"
 #include "scene/simulation.hpp"
+#include "solve/factorization.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
 
@@ -120,7 +121,7 @@ TEST(SpatulaLongTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
   ASSERT_TRUE(still.integrator().step(0.5).converged);
   const double end_static = reaction(still)[2];
   for (const std::string scheme : {"Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field"}) {
-    Simulation s(scene(scheme, conjugate_gradients("CHOLMOD", "Assembled")), world());
+    Simulation s(scene(scheme, conjugate_gradients(first_rank_factorization(), "Assembled")), world());
     const bool at_end = scheme == "Bathe Composite";  // its forces are those at the step's end; else means over it
     const Quadrature means = gauss_legendre_unit(scheme == "Average Vector Field" ? 8 : 5);
     const double area = contact(s).measure;
@@ -161,7 +162,7 @@ TEST(SpatulaLongTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
 
 TEST(SpatulaLongTest, AverageVectorFieldAccountsForTheEnergy) {
   for (const char* damping : {"0", "0.004"}) {
-    std::vector<std::string> settings = conjugate_gradients("CHOLMOD", "Assembled");
+    std::vector<std::string> settings = conjugate_gradients(first_rank_factorization(), "Assembled");
     settings.push_back(std::string("Materials/Keratin/Stiffness Damping=") + damping);
     settings.push_back("Time Integrator/Average Vector Field/Interaction Points=0");
     Simulation s(scene("Average Vector Field", settings), world());
@@ -199,17 +200,18 @@ std::vector<double> displacements(const Comm& comm, const std::vector<std::strin
 // All ranks together against each alone with its own factorisation.
 TEST(SpatulaSceneTest, RanksAndLinearSolversAgree) {
   const int early = 5, late = 12;
-  const auto reference = displacements(test::self(), direct("CHOLMOD"), late);
+  const auto reference = displacements(test::self(), direct(first_rank_factorization()), late);
   const auto check = [](const std::vector<double>& u, const std::vector<double>& expected, const std::string& name) {
     ASSERT_EQ(u.size(), expected.size()) << name;
     const double size = *std::max_element(expected.begin(), expected.end());
     EXPECT_LT(test::distance(u, expected), 1e-9 * size) << name;
   };
-  for (const char* factorization : {"CHOLMOD", "MUMPS"})
+  for (const std::string& factorization : {first_rank_factorization(), std::string("MUMPS")})
     check(displacements(world(), direct(factorization), late), reference, factorization);
-  check(displacements(world(), conjugate_gradients("CHOLMOD", "Assembled"), late), reference, "CG, CHOLMOD");
+  check(displacements(world(), conjugate_gradients(first_rank_factorization(), "Assembled"), late), reference,
+        "CG, " + first_rank_factorization());
   check(displacements(world(), conjugate_gradients("MUMPS Single", "Matrix-Free"), late), reference, "CG, MUMPS");
-  const auto sooner = displacements(test::self(), direct("CHOLMOD"), early);
+  const auto sooner = displacements(test::self(), direct(first_rank_factorization()), early);
   for (const char* op : {"Assembled", "Matrix-Free"})  // dearer on so slender a body
     check(displacements(world(), conjugate_gradients("MueLu", op), early), sooner, std::string("MueLu, ") + op);
 }

@@ -35,7 +35,7 @@ double pull_off_force(const Simulation& s) {
 
 double lift(const Simulation& s) { return probe_value(s.probes().front(), "uy", s.model(), s.integrator().state()); }
 
-/// Pulls until the strip's far end has risen, in steps of 1, none of which may fail; nothing must then adhere.
+/// Pulls in steps of 1 until the far end of the strip has risen. No step may fail, and nothing may adhere at the end.
 void peel_off(const std::string& scheme, const std::string& element, const std::string& divisions) {
   SCOPED_TRACE(scheme + ", " + element);
   Simulation s(test::scene_file("strip.xml", settings(scheme, element, 1.0, divisions)), world());
@@ -49,8 +49,8 @@ void peel_off(const std::string& scheme, const std::string& element, const std::
 }
 
 TEST(StripSerialTest, SchemesPeelItOffAtALargeStepWithoutACut) {
-  for (const char* scheme : {"Bathe Composite", "Gautam-Sauer Composite"})
-    for (const char* element : {"Q1C1", "Q1C4"}) peel_off(scheme, element, "{80, 4}");
+  peel_off("Bathe Composite", "Q1C1", "{160, 8}");
+  peel_off("Gautam-Sauer Composite", "Q1C4", "{160, 8}");
 }
 
 TEST(StripLongTest, EverySchemePeelsItOffAtALargeStepWithoutACut) {

@@ -5,6 +5,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include "base/error.hpp"
+#include "solve/factorization.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/linear_solver.hpp"
 #include "support/scene_text.hpp"
@@ -91,13 +92,13 @@ TEST(DirectSolverTest, TheRepairedKlu2IsTheOneInUse) {
   EXPECT_EQ(klu2_library().rfind("libixos", 0), 0U) << klu2_library();
 }
 
-TEST(DirectSolverTest, CholmodSolvesOnAnyNumberOfRanks) {
-  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0, world()), "CHOLMOD"), 1e-13);
+TEST(DirectSolverTest, TheFirstRanksFactorizationSolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0, world()), first_rank_factorization()), 1e-13);
 }
 
-TEST(DirectSolverTest, CholmodFactorsIndefiniteMatrices) {
+TEST(DirectSolverTest, TheFirstRanksFactorizationTakesIndefiniteMatrices) {
   // Eigenvalues from -1 to 3: no Cholesky factor, but an L D L^T.
-  EXPECT_LT(relative_residual(*tridiagonal(100, 1.0, 0, world()), "CHOLMOD"), 1e-11);
+  EXPECT_LT(relative_residual(*tridiagonal(100, 1.0, 0, world()), first_rank_factorization()), 1e-11);
 }
 
 TEST(DirectSolverTest, RefreshReadsNewValues) {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "scene/simulation.hpp"
+#include "solve/factorization.hpp"
 #include "solve/kept_state.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/linear_solver_defaults.hpp"
@@ -123,7 +124,7 @@ TEST(LaggedSolverTest, IterationsCompareWithinAFamily) {
   const auto w = tangent(s.model(), 1), even = tangent(s.model(), 1), odd = tangent(s.model(), 2);
   Teuchos::ParameterList list = multigrid(s.model());
   list.set("Preconditioner Type", "Direct");
-  list.sublist("Preconditioner Types").sublist("Direct").set("Solver Type", "CHOLMOD");
+  list.sublist("Preconditioner Types").sublist("Direct").set("Solver Type", first_rank_factorization());
   list.sublist("Reuse").set("Setup Cost", 5.0);
   const auto setups = [&](int families) {
     const LinearSolverFactory factory(list, &s.model());

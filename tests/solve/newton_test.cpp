@@ -130,7 +130,7 @@ TEST(NewtonTest, AStepIntoTheInadmissibleIsHalved) {
       [](double, double x) {
         return std::pair{x > 0 ? 1 - 1 / x : NAN, 1 / (x * x)};
       },
-      3, {1e-12, 100, {}});
+      3.5, {1e-12, 100, {}});
   EXPECT_TRUE(ending.result.converged) << ending.result.reason;
   double x = 1.3125;
   int iterations = 1;

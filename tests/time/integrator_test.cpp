@@ -34,7 +34,7 @@ std::string press(const std::string& history = "") {
 const std::string pressing =
     test::list("Press", test::word("Type", "Sine") +
                             test::list("Sine", test::number("Amplitude", -6) + test::number("Frequency", 1.0 / 80)));
-/// The failure is certain; this spares the time of further iterations.
+/// Saves the time of further iterations; the failure is certain.
 const std::string few_iterations = test::list("Nonlinear Solver", test::count("Maximum Iterations", 10));
 
 TEST(IntegratorTest, AFailedStepChangesNothing) {

@@ -88,7 +88,7 @@ TEST(StableStepSerialTest, LooksWhereTheStepLeads) {
   EXPECT_LT(bound, 2 / std::sqrt(s.model().mass()->largest_quotient(sums.data())));
 }
 
-/// Energies of an oscillator before and after each of 400 steps of this share of the true limit 2/omega.
+/// Returns the energies of an oscillator before and after each of 400 steps of this share of the true limit 2/omega.
 std::vector<double> energies(double share) {
   Simulation s(test::scene(test::oscillator() + test::time_integrator("Central Difference", 0.01, 1)), self());
   const double dt = share * 2 / std::sqrt(2.0);  // half of the mass is lumped at the top, the stiffness is 1

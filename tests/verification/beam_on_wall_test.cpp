@@ -111,14 +111,14 @@ TEST(BeamOnWallTest, PeakForceConvergesToSecondOrderInTheMesh) {
   EXPECT_NEAR(forces[1], forces[2], 1e-5 * forces[2]);
 }
 
-/// Griffith's balance for an arm on a rigid foundation, in which the rotation decays over d = sqrt(EI/S): a moment
-/// P (arm + d)/2 = sqrt(2 EI work of adhesion).
+/// Returns the force P of Griffith's balance for an arm on a rigid foundation, in which the rotation decays over
+/// d = sqrt(EI/S): P (arm + d)/2 = sqrt(2 EI work of adhesion).
 double griffith_force(const BeamOnWall& beam, double arm) {
   const double decay = std::sqrt(bending_stiffness(beam) / shear_stiffness(beam));
   return 2 * std::sqrt(2 * bending_stiffness(beam) * work_of_adhesion) / (arm + decay);
 }
 
-/// The displacement of the end of that arm, which does not rotate. Its root rotates by M d/EI, where
+/// Returns the displacement of the end of that arm. The end does not rotate; the root rotates by M d/EI, where
 /// M = P arm^2/(2 (arm + d)) is the moment there.
 double arm_displacement(const BeamOnWall& beam, double arm, double force) {
   const double bending = bending_stiffness(beam), d = std::sqrt(bending / shear_stiffness(beam));

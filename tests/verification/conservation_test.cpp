@@ -114,7 +114,7 @@ TEST(ConservationTest, MidpointKeepsAngularMomentum) {
   EXPECT_LT(angular_momentum_error("Midpoint", 0.2), 1e-10);
 }
 
-/// Largest |E_n - E_0| of velocity Verlet.
+/// Returns the largest |E_n - E_0| of velocity Verlet.
 double swing(double dt, int steps) {
   Simulation s(test::scene(block_2d(1.0) + time_integrator("Central Difference", dt, 1)), world());
   const double before = test::total_energy(s);
@@ -149,7 +149,7 @@ TEST(ConservationTest, AngularMomentumErrorIsOfSecondOrderOrBetter) {
   }
 }
 
-/// A block that tumbles and stretches: everything stays, to the tolerance of Newton's method.
+/// Checks that a block that tumbles and stretches keeps energy and momenta, to the tolerance of Newton's method.
 void expect_all_kept(const std::string& body, int steps) {
   Simulation s(test::scene(body + time_integrator("Energy-Momentum", 0.1, 1)), world());
   const double energy = test::total_energy(s);

@@ -137,8 +137,8 @@ Problem cantilever(int dimension, int divisions, double nu) {
   return problem;
 }
 
-/// Energy of bending of an element of that formulation, of length l and of height and width 1, over the beam's. Plane
-/// strain: u_x = xy. Three dimensions: also u_z = -c yz, with the c of least energy.
+/// Returns the bending energy of an element with this formulation and length, of height and width 1, over that of the
+/// beam. In plane strain u_x = xy; in three dimensions also u_z = -c yz, with the c of least energy.
 double stiffening(int dimension, Formulation formulation, double nu, double length) {
   const double s = length * length, mu = 1 / (2 * (1 + nu)), lambda = 2 * mu * nu / (1 - 2 * nu);
   const bool standard = formulation == Formulation::Standard;

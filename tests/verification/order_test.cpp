@@ -32,8 +32,8 @@ std::string damped_block() {
   return body;
 }
 
-/// The state at one by another scheme with short steps: a common limit is tested too. Computed once for each body and
-/// scheme.
+/// Returns the state at time 1 by another scheme with short steps, so that a common limit is tested too. Computes it
+/// once for each body and scheme.
 const Solution& reference_of(const std::string& body, const std::string& scheme) {
   static std::map<std::string, Solution> known;
   // With a lumped mass it is another body.

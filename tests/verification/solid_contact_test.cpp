@@ -20,7 +20,7 @@ using test::model_of;
 
 const VanDerWaals paper_law(2.5, 25);
 
-/// The terms of a wall before that side set.
+/// Returns the terms of a wall before that side set.
 std::vector<std::unique_ptr<Term>> wall_terms(const Model& model, const std::string& set, const VanDerWaals& law,
                                               const HalfSpace& wall, int surface_points) {
   const LocalMesh& mesh = model.mesh();
@@ -33,7 +33,7 @@ void add_wall(Model& model, const std::string& set, const VanDerWaals& law, cons
   for (auto& term : wall_terms(model, set, law, wall, surface_points)) model.add_interaction(std::move(term));
 }
 
-/// What a wall does to the body at rest that is not part of its model. Collective.
+/// Returns the report of a wall that is not part of the model, for the body at rest. Collective.
 InteractionReport report_of_wall(const Model& model, const std::string& set, const HalfSpace& wall,
                                  int surface_points) {
   InteractionReport report;
