@@ -23,7 +23,7 @@ class FileError : public std::runtime_error {
 /// It is a std::bad_alloc, so that no caller takes it for a defect of the function that threw it.
 class MemoryError : public std::bad_alloc {
  public:
-  explicit MemoryError(const std::string& message) : message_(message) {}
+  explicit MemoryError(const std::string& message) : message_(message) {}  // NOLINT(bugprone-throw-keyword-missing)
   const char* what() const noexcept override { return message_.what(); }
 
  private:

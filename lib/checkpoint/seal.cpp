@@ -105,7 +105,7 @@ std::string seal_problem(const std::string& path) {
       return fmt::format("is a checkpoint of format {}, and this version reads format {}", mark.format, format);
     if (mark.length != file.length())
       return fmt::format("is damaged: it has {} bytes, and was written with {}", file.length(), mark.length);
-    const std::string damaged = "is damaged: its checksum does not fit its contents";
+    std::string damaged = "is damaged: its checksum does not fit its contents";
     if (mark.length < seal_bytes || mark.pieces > (mark.length - seal_bytes) / sizeof(FilePiece)) return damaged;
     const std::uint64_t end = mark.length - table_bytes(mark.pieces);
     std::vector<FilePiece> pieces(mark.pieces);

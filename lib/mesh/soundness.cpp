@@ -27,13 +27,16 @@ Key<Most> key(const int* nodes, const std::vector<int>& places) {
   return result;
 }
 
+const int* nodes_of(const ElementBlock& block, int cell) {
+  return block.nodes.data() + static_cast<std::ptrdiff_t>(cell) * nodes_per_cell(block.type);
+}
+
 /// A cell's number over all blocks, and its nodes.
 template <class Call>
 void for_each_cell(const Mesh& mesh, const Call& call) {
   int cell = 0;
   for (const ElementBlock& block : mesh.blocks)
-    for (int c = 0; c < block.cells(); ++c)
-      call(cell++, plain_type(block.type), &block.nodes[static_cast<std::size_t>(c * nodes_per_cell(block.type))]);
+    for (int c = 0; c < block.cells(); ++c) call(cell++, plain_type(block.type), nodes_of(block, c));
 }
 
 struct CellSide {
@@ -112,7 +115,7 @@ void require_outer_sides(const Mesh& mesh, const SideSet& set) {
   for (const ElementBlock& block : mesh.blocks) first.push_back(first.back() + block.cells());
   for (const Side& side : set.sides) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    const int* nodes = &block.nodes[static_cast<std::size_t>(side.cell * nodes_per_cell(block.type))];
+    const int* nodes = nodes_of(block, side.cell);
     const CellSide wanted{key<4>(nodes, side_nodes(plain_type(block.type), side.side)), 0};
     const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), wanted);
     if (end - begin > 1)

@@ -33,8 +33,8 @@ class Inspection {
     });
     for (const Side& side : set->sides) {
       const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
-      for (int node : side_nodes(block.type, side.side))
-        hold(block.nodes[static_cast<std::size_t>(side.cell * nodes_per_cell(block.type) + node)], holds);
+      const int* nodes = block.nodes.data() + static_cast<std::ptrdiff_t>(side.cell) * nodes_per_cell(block.type);
+      for (int node : side_nodes(block.type, side.side)) hold(nodes[node], holds);
     }
   }
   void nodes(const List& list, const std::string& path, bool holds) {

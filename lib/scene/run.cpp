@@ -178,6 +178,7 @@ void Run::step() {
     if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
     return;
   }
+  if (watch_.on()) watch_.step(integrator_.table().interaction_points, [this] { return integrator_.gap_ratio(); });
   integrator_.accept();
   control_.succeeded();
   ++result_.steps;

@@ -26,6 +26,12 @@ Rule mean_rule(int n, Path path) {
   return exact_rule();
 }
 
+double quadrature_error(int n, double gap_ratio) {
+  if (n == 0 || gap_ratio <= 1) return 0;
+  const double root = std::sqrt(gap_ratio), rho = (root + 1) / (root - 1);
+  return 1e9 * std::pow(rho, -2 * n);
+}
+
 std::vector<TimePoint> gauss_times(int n) {
   const Quadrature gauss = gauss_legendre_unit(n > 0 ? n : 8);
   std::vector<TimePoint> times;

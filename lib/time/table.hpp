@@ -73,8 +73,9 @@ struct Table {
   /// Gauss points of the interaction's mean along the straight path, if their number may change from step to step;
   /// otherwise 0.
   int interaction_points = 0;
-  /// Largest change of the energy balance in a step, over the largest energy, that rounding and quadrature over a step
-  /// of sensible length explain; 0: the scheme promises nothing.
+  /// Largest change of the energy balance in a step, over the largest energy, that a scheme which conserves energy
+  /// promises for rounding and for the elastic force's points in time; 0: it promises nothing. The interaction's points
+  /// add quadrature_error().
   double energy_promise = 0;
   double safety = 1;  ///< explicit schemes: share of the stable step that a run uses
 };
@@ -86,6 +87,12 @@ bool is_explicit(const Table& table);
 /// Returns the mean over the path of an interaction: n Gauss points, or in closed form if n is 0 (linear path only;
 /// throws std::invalid_argument).
 Rule mean_rule(int n, Path path = Path::Linear);
+
+/// Returns a bound of the error that n Gauss points make in the energy of an r^-8 law over a step in which gaps change
+/// by the ratio q, as a share of the energy: 1e9 rho^(-2n), rho = (sqrt(q) + 1)/(sqrt(q) - 1). The pole at gap 0 lies
+/// on that Bernstein ellipse of the path (Trefethen 2019, theorem 19.3). The factor lies above those of the measured
+/// 1e-5 at 5, 8 and 16 points for ratios of 1.4, 2 and 5. Returns 0 for n = 0, the mean in closed form.
+double quadrature_error(int n, double gap_ratio);
 
 /// Returns n Gauss points over the step, 8 if n is 0.
 std::vector<TimePoint> gauss_times(int n);

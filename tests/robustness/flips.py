@@ -111,11 +111,12 @@ def main():
     parser.add_argument("--trials", type=int, default=60, help="for each scheme")
     parser.add_argument("--flips", type=int, default=10, help="in each trial")
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--schemes", default="Energy-Momentum,Average Vector Field")
     options = parser.parse_args()
     chance = random.Random(options.seed)
     silent = 0
     print("| scheme | trials | end | runs |\n|---|---|---|---|")
-    for scheme in ("Energy-Momentum", "Average Vector Field"):
+    for scheme in options.schemes.split(","):
         ends = {}
         with tempfile.TemporaryDirectory(prefix="ixos-flips-") as folder:
             begun = time.time()
