@@ -116,7 +116,7 @@ TEST(MassTest, TheMatrixMultipliesAlike) {
     const auto matrix = model->pattern().create_matrix(model->space());
     model->mass()->add_to(3.0, matrix->getLocalMatrixHost().values.data());
     const std::vector<double> x = wave(*model), y = product(*model, x);
-    Vector argument(model->space().owned_map()), image(argument);
+    Vector argument(model->space().owned_map()), image(model->space().owned_map());
     for (std::size_t i = 0; i < y.size(); ++i) argument.replaceLocalValue(static_cast<LocalId>(i), x[i]);
     matrix->apply(argument, image);
     const auto view = image.getLocalViewHost(Tpetra::Access::ReadOnly);
