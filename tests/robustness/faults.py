@@ -34,7 +34,7 @@ def scenarios():
     ball = [STEPS + "Final Time=0.02", "Output/Fields Interval=5", "Output/Checkpoint/Interval=5"]
     hdf5 = ["Output/Fields Format=HDF5"]
     strip = [STEPS + "Time Step=1", STEPS + "Final Time=4", "Output/Fields Interval=1", "Output/Checkpoint/Interval=1",
-             "Mesh/Box/Divisions={80, 4}", "Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type=MueLu"]
+             "Histories/Pull/Rate Ramp/Length=2", "Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type=MueLu"]
     yield "ball", "ball", ball, 1, 0, False
     yield "ball, HDF5 frames", "ball", ball + hdf5, 1, 0, False
     yield "ball, restarted", "ball", ball, 1, 0, True
