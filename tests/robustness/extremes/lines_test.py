@@ -94,7 +94,7 @@ class LinesTest(unittest.TestCase):
             for scheme in ("Bathe Composite", "Average Vector Field"):
                 reaction = self.run_scene(density.pulled(scheme, value)).run["reaction_right_x"][-1]
                 self.assertAlmostEqual(reaction / static, 1, delta=1e-11)
-        self.run_scene(density.pulled("Central Difference", 1e-100), "failed", saying="is below the least allowed")
+        self.run_scene(density.pulled("Central Difference", 1e-100), "failed", saying="is shorter than the shortest one allowed")
         # Without supports the acceleration, force over mass, is beyond all numbers.
         self.run_scene({**gap.block(EQUILIBRIUM), **steps("Newmark", 1e-3, 1), "Materials/Body/Density": 1e-310}, "refused",
                        saying="the acceleration cannot be solved for")
