@@ -159,6 +159,8 @@ class Scenario:
 def chosen(total, most):
     if most == 0 or total <= most:
         return list(range(1, total + 1))
+    if most == 1:
+        return [1 + total // 2]
     return sorted({1 + round(i * (total - 1) / (most - 1)) for i in range(most)})
 
 
