@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "scene/run.hpp"
+#include "run/run.hpp"
 
 namespace ixos {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
+#include "discretization/dof_space.hpp"
 #include "io/hdf5_file.hpp"
 #include "mesh/local_mesh.hpp"
-#include "model/dof_space.hpp"
 
 namespace ixos {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/small_matrix.hpp"
-#include "mesh/mesh.hpp"
+#include "fem/enriched_cell.hpp"
 
 namespace ixos {
 

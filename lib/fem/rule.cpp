@@ -41,9 +41,9 @@ Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weight
     if (x == 0)
       rule.kept_weight += weights[i];
     else if (path == Path::Linear)
-      rule.points.push_back({weights[i], 1 - x, 0.0, x});
+      rule.points.push_back({weights[i], 1 - x, 0.0, x, x});
     else
-      rule.points.push_back({weights[i], 1 - x * x, x * (1 - x), x * x});
+      rule.points.push_back({weights[i], 1 - x * x, x * (1 - x), x * x, x});
   }
   return rule;
 }

@@ -17,6 +17,7 @@ struct RulePoint {
   double from;
   double velocity;
   double to;
+  double time = 1;  ///< xi, the share of the segment's time that has passed
 };
 
 /// The kind of mean. Exact and DiscreteGradient have neither points nor a kept part:

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "base/pack.hpp"
+#include "interaction/gap_domain.hpp"
 
 namespace ixos {
 
@@ -14,12 +15,14 @@ template <class Law>
 class CutOff {
  public:
   static constexpr bool has_range = true;
+  static constexpr GapDomain domain = Law::domain;
 
   /// range > 0 [L0].
   CutOff(const Law& law, double range)
       : law_(law), range_(range), energy_(law.energy(range)), traction_(law.traction(range)) {}
 
   double range() const { return range_; }
+  const Law& uncut() const { return law_; }
 
   template <class T>
   T energy(const T& r) const {

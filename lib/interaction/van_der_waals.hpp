@@ -2,6 +2,8 @@
 #pragma once
 #include <cmath>
 
+#include "interaction/gap_domain.hpp"
+
 namespace ixos {
 
 /// psi(r) = c1/(8 r^8) - c2/(2 r^2) per reference area, gap r > 0 [L0]; the traction on the surface, along the half-
@@ -10,6 +12,7 @@ namespace ixos {
 class VanDerWaals {
  public:
   static constexpr bool has_range = false;
+  static constexpr GapDomain domain = GapDomain::Positive;
 
   /// gamma_L = L0/r0 > 0, gamma_W = E0/W0 > 0 with W0 = A_H/(2 pi^2 r0^3).
   VanDerWaals(double gamma_length, double gamma_energy)

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/generators/entry.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
@@ -19,5 +20,8 @@ Mesh read_tried_exodus_mesh(const std::string& path);
 
 /// Writes blocks and sets. Throws FileError.
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title);
+
+/// Returns the entry of the catalogue of meshes. Its parameter "File" must be a path that this process can open.
+MeshEntry exodus_mesh();
 
 }  // namespace ixos

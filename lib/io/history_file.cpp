@@ -97,4 +97,10 @@ void HistoryFile::close() {
   file_.close();
 }
 
+void check_column_name(const std::string& path, const std::string& name) {
+  if (name.find_first_of(",\"\r\n") != std::string::npos)
+    throw InputError(
+        fmt::format("{}: \"{}\" cannot name a column: it contains a comma, a quote or a line break", path, name));
+}
+
 }  // namespace ixos

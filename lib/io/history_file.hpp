@@ -45,4 +45,7 @@ class HistoryFile {
   TableLength length_;
 };
 
+/// Throws InputError, with the list path, for a name that cannot head a column of comma-separated values.
+void check_column_name(const std::string& path, const std::string& name);
+
 }  // namespace ixos

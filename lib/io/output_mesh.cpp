@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "fem/cell_types.hpp"
+#include "fem/with_element.hpp"
 
 namespace ixos {
 namespace {

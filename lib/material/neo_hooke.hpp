@@ -18,6 +18,8 @@ namespace ixos {
 struct NeoHooke {
   /// J <= 0 is inadmissible.
   static constexpr bool can_invert = true;
+  static constexpr bool has_discrete_gradient = true;
+  static constexpr bool has_spatial_tangent = true;
   Lame lame;
 
   /// Returns the energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.

@@ -5,31 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "fem/cell_type.hpp"
+#include "fem/enriched_cell.hpp"
+
 namespace ixos {
-
-/// Quad4Cq, Quad4CH, Hex8Cq and Hex8CH are quadrilaterals and hexahedra with an enriched contact side (see
-/// fem/contact_elements.hpp and fem/contact_hexahedra.hpp): nodes as of Quad4 or Hex8, then the other nodes of that
-/// side.
-enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4, Hex8CH };
-
-int nodes_per_cell(CellType type);
-int sides_per_cell(CellType type);
-/// Returns the type of the cell without its enrichment: Quad4 or Hex8.
-CellType plain_type(CellType type);
-/// Returns the enriched side: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 for plain cells.
-int contact_side(CellType type);
-/// Returns whether the other nodes of the contact side are derivatives: true for Quad4CH and Hex8CH.
-bool is_hermite(CellType type);
-
-/// Returns the position of node `a` of a cell in a table of cells x nodes per cell.
-inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
-  return static_cast<std::size_t>(cell) * static_cast<std::size_t>(nodes_per_cell) + static_cast<std::size_t>(a);
-}
-
-/// Returns the local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside,
-/// counter-clockwise. Two nodes for a quadrilateral, four for a hexahedron; an enriched side adds its other nodes. The
-/// sides of an enriched hexahedron that share an edge with its contact side begin with that edge.
-const std::vector<int>& side_nodes(CellType type, int side);
 
 /// Cells of one type and one material.
 struct ElementBlock {
@@ -46,32 +25,6 @@ struct ElementBlock {
   unsigned tied = 0;
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }
 };
-
-/// Returns the factor of the shape function of node `a` in the cell: 1, or its entry in `derivative_scale`. `Block` is
-/// an ElementBlock or a LocalBlock.
-template <class Block>
-double node_scale(const Block& block, int cell, int a) {
-  const int corners = nodes_per_cell(plain_type(block.type));
-  if (block.derivative_scale.empty() || a < corners) return 1.0;
-  return block.derivative_scale[cell_entry(cell, nodes_per_cell(block.type) - corners, a - corners)];
-}
-
-/// Returns the factor of node `a` of a side in the side's own element. The edge that a hexahedron's side 2 or 3 shares
-/// with the contact side runs against that side's coordinate, and so does the derivative along it.
-template <class Block>
-double side_node_scale(const Block& block, int cell, int side, std::size_t a) {
-  const int node = side_nodes(block.type, side)[a];
-  const double scale = node_scale(block, cell, node);
-  return block.type == CellType::Hex8CH && node >= 8 && (side == 2 || side == 3) ? -scale : scale;
-}
-
-/// Returns the tied edges of a side of the block's cells, as its own element counts them. `Block` as above.
-template <class Block>
-unsigned side_ties(const Block& block, int side) {
-  if (block.tied == 0 || side > contact_side(block.type)) return 0;
-  // The sides 0 to 3 share the edges 3 to 0 of the bottom, which is seen from outside.
-  return side == contact_side(block.type) ? block.tied : block.tied >> (3 - side) & 1U;
-}
 
 struct Side {
   int block;  ///< index of the block

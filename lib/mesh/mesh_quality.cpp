@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "base/small_matrix.hpp"
-#include "fem/cell_types.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/shape_table.hpp"
+#include "fem/with_element.hpp"
 
 namespace ixos {
 namespace {

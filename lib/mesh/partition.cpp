@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "base/memory.hpp"
-#include "fem/cell_types.hpp"
+#include "fem/with_element.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {

@@ -4,9 +4,9 @@
 
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
-#include "fem/cell_types.hpp"
 #include "fem/jacobian.hpp"
 #include "fem/shape_table.hpp"
+#include "fem/with_element.hpp"
 
 namespace ixos {
 namespace {

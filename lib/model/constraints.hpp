@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "model/time_function.hpp"
+#include "histories/time_function.hpp"
 
 namespace ixos {
 

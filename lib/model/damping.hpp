@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "discretization/pattern.hpp"
 #include "model/mass.hpp"
-#include "model/pattern.hpp"
-#include "model/term.hpp"
+#include "term/term.hpp"
 
 namespace ixos {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "discretization/pattern.hpp"
 #include "mesh/local_mesh.hpp"
-#include "model/pattern.hpp"
 
 namespace ixos {
 

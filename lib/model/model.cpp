@@ -5,24 +5,6 @@
 #include "base/error.hpp"
 
 namespace ixos {
-namespace {
-
-using Terms = std::vector<std::unique_ptr<Term>>;
-
-bool sum_forces(const Terms& terms, const Segment& segment, const Rule& rule, double* f, int size) {
-  std::fill_n(f, size, 0.0);
-  bool admissible = true;
-  for (const auto& term : terms) admissible = term->add_force(segment, rule, f) && admissible;
-  return admissible;
-}
-
-std::vector<std::unique_ptr<TangentAction>> actions(const Terms& terms) {
-  std::vector<std::unique_ptr<TangentAction>> result;
-  for (const auto& term : terms) result.push_back(term->create_action());
-  return result;
-}
-
-}  // namespace
 
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
     : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_) {
@@ -41,10 +23,9 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
 
 void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
-  elastic_block_.push_back(number);
-  elastic_material_.push_back(material);
-  elastic_.push_back(
-      make_elastic_term(mesh_, block, pattern_, material.law, material.lame, material.points, material.formulation));
+  auto term = make_elastic_term(mesh_, block, pattern_, material.law, material.points, material.formulation);
+  bodies_.push_back({term.get(), number, material});
+  terms_.push_back({block.name, std::move(term)});
   if (!mass_) return;
   mass_->add_block(block, material.density);
   if (material.mass_damping == 0 && material.stiffness_damping == 0) return;
@@ -54,17 +35,65 @@ void Model::add_block(std::size_t number, const Material& material) {
     block_mass->add_block(block, material.density);
     damping_->add_mass(material.mass_damping, std::move(block_mass));
   }
-  if (material.stiffness_damping != 0) damping_->add_stiffness(material.stiffness_damping, *elastic_.back());
+  if (material.stiffness_damping != 0) damping_->add_stiffness(material.stiffness_damping, *bodies_.back().term);
 }
 
-std::vector<std::unique_ptr<TangentAction>> Model::elastic_actions() const { return actions(elastic_); }
+void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
+  interactions_.push_back(term.get());
+  terms_.push_back({name, std::move(term)});
+}
 
-std::vector<std::unique_ptr<TangentAction>> Model::interaction_actions() const { return actions(interactions_); }
+template <class Visit>
+void Model::for_each(Part part, const Visit& visit) const {
+  for (const NamedTerm& named : terms_)
+    if (named.term->part() == part) visit(*named.term);
+}
+
+bool Model::is_gradient(Part part, const Rule& rule) const {
+  bool result = true;
+  for_each(part, [&](const Term& term) { result = result && term.is_gradient(rule); });
+  return result;
+}
+
+bool Model::force(Part part, const Segment& segment, const Rule& rule, double* f) const {
+  std::fill_n(f, space_.local(), 0.0);
+  bool admissible = true;
+  for_each(part, [&](const Term& term) { admissible = term.add_force(segment, rule, f) && admissible; });
+  return admissible;
+}
+
+void Model::add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const {
+  for_each(part, [&](const Term& term) { term.add_tangent(segment, rule, kind, values); });
+}
+
+std::vector<std::unique_ptr<TangentAction>> Model::actions(Part part) const {
+  std::vector<std::unique_ptr<TangentAction>> result;
+  for_each(part, [&](const Term& term) { result.push_back(term.create_action()); });
+  return result;
+}
+
+bool Model::add_row_sums(Part part, const Segment& segment, double* sums) const {
+  bool admissible = true;
+  for_each(part, [&](const Term& term) { admissible = term.add_row_sums(segment, sums) && admissible; });
+  return admissible;
+}
+
+double Model::local_energy(Part part, const double* u) const {
+  double sum = 0;
+  for_each(part, [&](const Term& term) { sum += term.energy(u); });
+  return sum;
+}
+
+double Model::energy(Part part, const double* u) const {
+  double sum = local_energy(part, u);
+  space_.sum(&sum, 1);
+  return sum;
+}
 
 std::vector<LinearPart> Model::linear_parts(double mass, double damping) const {
-  std::vector<LinearPart> parts(elastic_.size());
+  std::vector<LinearPart> parts(bodies_.size());
   for (std::size_t i = 0; i < parts.size() && mass_; ++i) {
-    const Material& material = elastic_material_[i];
+    const Material& material = bodies_[i].material;
     parts[i] = {damping * material.stiffness_damping, (mass + damping * material.mass_damping) * material.density};
   }
   return parts;
@@ -77,7 +106,7 @@ void Model::do_without_matrices() {
 void Model::find_scales() {
   const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
   std::vector<double> stiffness(rest.size(), 0.0), inertia(rest.size(), 0.0);
-  for (const auto& term : elastic_) term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
+  for (const Body& body : bodies_) body.term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
   if (mass_) mass_->add_diagonal(1, inertia.data());
   double sums[3] = {0, 0, static_cast<double>(space_.owned())};
   double stiffest = 0;
@@ -92,85 +121,36 @@ void Model::find_scales() {
   stiffest_ = space_.maximum(stiffest);
 }
 
-bool Model::elastic_force(const Segment& segment, const Rule& rule, double* f) const {
-  return sum_forces(elastic_, segment, rule, f, space_.local());
-}
-
-bool Model::interaction_force(const Segment& segment, const Rule& rule, double* f) const {
-  return sum_forces(interactions_, segment, rule, f, space_.local());
-}
-
-void Model::add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const {
-  for (const auto& term : elastic_) term->add_tangent(segment, rule, Tangent::Exact, values);
-}
-
-void Model::add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const {
-  for (const auto& term : interactions_) term->add_tangent(segment, rule, kind, values);
-}
-
-void Model::add_elastic_row_sums(const Segment& segment, double* sums) const {
-  for (const auto& term : elastic_) term->add_row_sums(segment, sums);
-}
-
-bool Model::add_interaction_row_sums(const Segment& segment, double* sums) const {
-  bool admissible = true;
-  for (const auto& term : interactions_) admissible = term->add_row_sums(segment, sums) && admissible;
-  return admissible;
-}
-
 double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
   if (interactions_.empty()) return 1.0;
   double step = 1.0;
-  for (const auto& term : interactions_) step = std::min(step, term->admissible_step(segment, interaction, direction));
+  for (const Interaction* term : interactions_)
+    step = std::min(step, term->admissible_step(segment, interaction, direction));
   return space_.minimum(step);
-}
-
-double Model::local_elastic_energy(const double* u) const {
-  double sum = 0;
-  for (const auto& term : elastic_) sum += term->energy(u);
-  return sum;
-}
-
-double Model::local_interaction_energy(const double* u) const {
-  double sum = 0;
-  for (const auto& term : interactions_) sum += term->energy(u);
-  return sum;
 }
 
 double Model::local_mean_potential(const Segment& segment) const {
   double sum = 0;
-  for (const auto& term : interactions_) sum += term->mean_potential(segment);
+  for (const Interaction* term : interactions_) sum += term->mean_potential(segment);
   return sum;
 }
 
 double Model::gap_ratio(const double* from, const double* to) const {
   double largest = 1;
-  for (const auto& term : interactions_) largest = std::max(largest, term->gap_ratio(from, to));
+  for (const Interaction* term : interactions_) largest = std::max(largest, term->gap_ratio(from, to));
   return space_.maximum(largest);
 }
 
 double Model::local_rounding(const double* u) const {
   double sum = 0;
-  for (const auto& term : interactions_) sum += term->rounding(u);
-  return sum;
-}
-
-double Model::elastic_energy(const double* u) const {
-  double sum = local_elastic_energy(u);
-  space_.sum(&sum, 1);
-  return sum;
-}
-
-double Model::interaction_energy(const double* u) const {
-  double sum = local_interaction_energy(u);
-  space_.sum(&sum, 1);
+  for (const Interaction* term : interactions_) sum += term->rounding(u);
   return sum;
 }
 
 InteractionReport Model::interaction_report(const double* u) const {
   InteractionReport report;
   report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
-  for (const auto& term : interactions_) term->report(u, report);
+  for (const Interaction* term : interactions_) term->report(u, report);
   std::vector<double> sums = report.force;
   sums.push_back(report.measure);
   space_.sum(sums.data(), static_cast<int>(sums.size()));
@@ -211,7 +191,7 @@ Momenta Model::momenta(const double* u, const double* v) const {
 
 std::vector<CellFields> Model::cell_fields(const double* u) const {
   std::vector<CellFields> fields(mesh_.blocks.size());
-  for (std::size_t i = 0; i < elastic_.size(); ++i) elastic_[i]->cell_fields(u, fields[elastic_block_[i]]);
+  for (const Body& body : bodies_) body.term->cell_fields(u, fields[body.block]);
   return fields;
 }
 
@@ -219,9 +199,9 @@ std::vector<double> Model::interaction_traction(const double* u) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
   std::vector<double> traction(static_cast<std::size_t>(space_.local()), 0.0);
   if (interactions_.empty()) return traction;
-  interaction_force({nullptr, nullptr, u}, end_rule(), traction.data());
+  force(Part::Interaction, {nullptr, nullptr, u}, end_rule(), traction.data());
   std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
-  for (const auto& term : interactions_) term->add_nodal_measure(measure.data());
+  for (const Interaction* term : interactions_) term->add_nodal_measure(measure.data());
   for (std::size_t i = 0; i < traction.size(); ++i)
     traction[i] = measure[i / d] > 0 && !mesh_.is_derivative(i / d) ? -traction[i] / measure[i / d] : 0.0;
   return traction;

@@ -7,23 +7,28 @@
 
 #include "model/constraints.hpp"
 #include "model/damping.hpp"
-#include "model/elastic_term.hpp"
 #include "model/loads.hpp"
 #include "model/mass.hpp"
-#include "model/term.hpp"
+#include "term/elastic_term.hpp"
+#include "term/interaction.hpp"
 
 namespace ixos {
 
 /// The material of one block.
 struct Material {
   std::string block;
-  ElasticLaw law = ElasticLaw::NeoHooke;
-  Lame lame{};
+  std::shared_ptr<const ElasticLaw> law;
   double density = 0;            ///< [E0 T0^2/L0^2]
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
+};
+
+/// A term and its name: that of its block, or of its interaction's list in the scene.
+struct NamedTerm {
+  std::string name;
+  std::unique_ptr<Term> term;
 };
 
 /// Quantities that the model stores and moves, summed over all ranks.
@@ -42,9 +47,9 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Adds an interaction. Interactions, constraints and loads are added before the model is given to an integrator or
-  /// an evaluator.
-  void add_interaction(std::unique_ptr<Term> term) { interactions_.push_back(std::move(term)); }
+  /// Adds an interaction of that name. Interactions, constraints and loads are added before the model is given to an
+  /// integrator or an evaluator.
+  void add_interaction(std::unique_ptr<Interaction> term, const std::string& name = "interaction");
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
 
@@ -62,37 +67,37 @@ class Model {
   /// Returns the largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
   double stiffest() const { return stiffest_; }
 
-  /// Sets f to the rule's force of the elastic (interaction) terms; f is local and overwritten. Returns false if the
-  /// state is inadmissible on this rank.
-  bool elastic_force(const Segment& segment, const Rule& rule, double* f) const;
-  bool interaction_force(const Segment& segment, const Rule& rule, double* f) const;
-  void add_elastic_tangent(const Segment& segment, const Rule& rule, double* values) const;
-  void add_interaction_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
-  /// Returns an action of each term; null if a term offers none.
-  std::vector<std::unique_ptr<TangentAction>> elastic_actions() const;
-  std::vector<std::unique_ptr<TangentAction>> interaction_actions() const;
+  /// Returns all terms: those of the elastic part first, each part in the order in which its terms were added.
+  const std::vector<NamedTerm>& terms() const { return terms_; }
+  /// Returns whether the forces of all terms of that part are gradients for the rule, so that its tangent is symmetric.
+  bool is_gradient(Part part, const Rule& rule) const;
+
+  /// Sets f to the rule's force of that part's terms; f is local and overwritten. Returns false if the state is
+  /// inadmissible on this rank.
+  bool force(Part part, const Segment& segment, const Rule& rule, double* f) const;
+  /// Adds the part's tangent. `kind` concerns interactions only.
+  void add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
+  /// Returns an action of each term of the part; null if a term offers none.
+  std::vector<std::unique_ptr<TangentAction>> actions(Part part) const;
   /// Returns, for each elastic term, its share of mass M + damping C.
   std::vector<LinearPart> linear_parts(double mass, double damping) const;
   /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
   void do_without_matrices();
   /// See Term::add_row_sums.
-  void add_elastic_row_sums(const Segment& segment, double* sums) const;
-  bool add_interaction_row_sums(const Segment& segment, double* sums) const;
+  bool add_row_sums(Part part, const Segment& segment, double* sums) const;
   /// Returns the largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
 
-  /// Returns this rank's share of the potential energy of the elastic (interaction) terms [E0 L0^D].
-  double local_elastic_energy(const double* u) const;
-  double local_interaction_energy(const double* u) const;
+  /// Returns the part's potential energy [E0 L0^D]: this rank's share, or the sum over all ranks (collective).
+  double local_energy(Part part, const double* u) const;
+  double energy(Part part, const double* u) const;
   /// Returns this rank's sum of Term::mean_potential over the interactions.
   double local_mean_potential(const Segment& segment) const;
   /// Returns the largest Term::gap_ratio. Collective.
   double gap_ratio(const double* from, const double* to) const;
   /// Returns this rank's sum of Term::rounding over the interactions.
   double local_rounding(const double* u) const;
-  /// Returns sums over all ranks [E0 L0^D]. Collective.
-  double elastic_energy(const double* u) const;
-  double interaction_energy(const double* u) const;
+  /// Return sums over all ranks. Collective.
   InteractionReport interaction_report(const double* u) const;
   Momenta momenta(const double* u, const double* v) const;
 
@@ -112,16 +117,22 @@ class Model {
  private:
   void add_block(std::size_t number, const Material& material);
   void find_scales();
+  template <class Visit>
+  void for_each(Part part, const Visit& visit) const;
 
   LocalMesh mesh_;
   DofSpace space_;
   Pattern pattern_;
   std::unique_ptr<Mass> mass_;
   std::unique_ptr<Damping> damping_;
-  std::vector<std::unique_ptr<Term>> elastic_;
-  std::vector<std::size_t> elastic_block_;  ///< of each elastic term
-  std::vector<Material> elastic_material_;
-  std::vector<std::unique_ptr<Term>> interactions_;
+  std::vector<NamedTerm> terms_;
+  struct Body {
+    const Elasticity* term;
+    std::size_t block;
+    Material material;
+  };
+  std::vector<Body> bodies_;                      ///< the elastic terms
+  std::vector<const Interaction*> interactions_;  ///< the interactions among the terms
   Constraints constraints_;
   Loads loads_;
   double elastic_scale_ = 0;

@@ -5,15 +5,12 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "scene/list_access.hpp"
-#include "scene/materials.hpp"
+#include "scene/interactions.hpp"
 
 namespace ixos {
 namespace {
 
-using List = Teuchos::ParameterList;
-
-void check_adaptive(const List& scene, const AdaptiveOptions& asked, const Table& table) {
+void check_adaptive(bool interacts, const AdaptiveOptions& asked, const Table& table) {
   const std::string path = "Time Integrator/Time Step Control/Adaptive";
   if (!asked.on) return;
   if (asked.tolerance == 0 && asked.gap_ratio == 0)
@@ -22,48 +19,50 @@ void check_adaptive(const List& scene, const AdaptiveOptions& asked, const Table
     throw InputError(fmt::format("{}/Maximum Gap Ratio: {} must be greater than 1, or 0", path, asked.gap_ratio));
   if (asked.tolerance > 0 && table.error_constant == 0)
     throw InputError(path + "/Tolerance: the scheme \"" + table.name + "\" has no estimate of its local error; use 0");
-  if (asked.gap_ratio > 0 && sublists(scene.sublist("Interactions")).empty())
+  if (asked.gap_ratio > 0 && !interacts)
     throw InputError(path + "/Maximum Gap Ratio: the scene has no interaction; use 0");
   if (asked.time_points && table.interaction_points == 0)
     throw InputError(path + "/Choose Time Points: with these settings the scheme \"" + table.name +
                      "\" has no Gauss points in time for the interaction; use false");
 }
 
-void check_cutoff(const List& interactions, const Table& table) {
+void check_interactions(const std::vector<SceneInteraction>& interactions, const Table& table) {
   const bool exact = std::any_of(table.stages.begin(), table.stages.end(),
                                  [](const Stage& stage) { return stage.interaction.mean == Mean::Exact; });
-  for (const std::string& name : sublists(interactions))
-    if (exact && interactions.sublist(name).get<double>("Cutoff") > 0)
-      throw InputError(
-          "Interactions/" + name + "/Cutoff: with these settings the scheme \"" + table.name +
-          "\" takes the exact mean of the interaction, which allows no cutoff; use 0, or Interaction Points "
-          "of at least 1");
+  for (const SceneInteraction& interaction : interactions)
+    if (exact && interaction.cutoff > 0)
+      interaction.node.refuse("Cutoff", "with these settings the scheme \"" + table.name +
+                                            "\" takes the exact mean of the interaction, which allows no cutoff; use "
+                                            "0, or Interaction Points of at least 1");
 }
 
-void check_formulations(const List& materials, const Table& table) {
+void check_materials(const SceneNode& lists, const std::vector<Material>& materials, const Table& table) {
   const bool discrete = std::any_of(table.stages.begin(), table.stages.end(),
                                     [](const Stage& stage) { return stage.elastic.mean == Mean::DiscreteGradient; });
-  for (const std::string& name : sublists(materials)) {
-    const List& list = materials.sublist(name);
-    const Formulation chosen = formulation(list);
-    const std::string path = "Materials/" + name;
-    if (discrete && chosen != Formulation::Standard)
-      throw InputError(path + "/Element Formulation: \"" + list.get<std::string>("Element Formulation") +
-                       "\" has no discrete gradient, which the scheme \"" + table.name +
-                       "\" needs; use \"Standard\", or the scheme \"Average Vector Field\"");
-    if (chosen == Formulation::Enhanced && list.get<int>("Quadrature Points") < 2)
-      throw InputError(path +
-                       "/Quadrature Points: 1 is too few for \"Enhanced\" elements, whose modes vanish at the centre; "
-                       "use at least 2");
+  const std::vector<SceneNode> nodes = lists.sublists();
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const SceneNode& node = nodes[i];
+    const auto no_discrete_gradient = [&](const char* entry, const char* use) {
+      node.refuse(entry, "\"" + node.text(entry) + "\" has no discrete gradient, which the scheme \"" + table.name +
+                             "\" needs; use \"" + use + "\", or the scheme \"Average Vector Field\"");
+    };
+    if (discrete && materials[i].formulation != Formulation::Standard)
+      no_discrete_gradient("Element Formulation", "Standard");
+    if (discrete && !materials[i].law->has_discrete_gradient()) no_discrete_gradient("Model", "Neo-Hooke");
+    if (materials[i].formulation == Formulation::Enhanced && materials[i].points < 2)
+      node.refuse("Quadrature Points",
+                  "1 is too few for \"Enhanced\" elements, whose modes vanish at the centre; use at least 2");
   }
 }
 
 }  // namespace
 
-void check_compatibility(const List& scene, const AdaptiveOptions& adaptive, const Table& table) {
-  check_adaptive(scene, adaptive, table);
-  check_cutoff(scene.sublist("Interactions"), table);
-  check_formulations(scene.sublist("Materials"), table);
+void check_compatibility(const SceneNode& scene, const std::vector<Material>& materials,
+                         const std::vector<SceneInteraction>& interactions, const AdaptiveOptions& adaptive,
+                         const Table& table) {
+  check_adaptive(!interactions.empty(), adaptive, table);
+  check_interactions(interactions, table);
+  check_materials(scene.sublist("Materials"), materials, table);
 }
 
 }  // namespace ixos

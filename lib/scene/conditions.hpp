@@ -1,7 +1,5 @@
 /// Boundary conditions and loads of a scene.
 #pragma once
-#include <Teuchos_ParameterList.hpp>
-
 #include "model/model.hpp"
 #include "scene/histories.hpp"
 
@@ -9,6 +7,6 @@ namespace ixos {
 
 /// Adds the conditions of the list "Boundary Conditions" to the model. Throws InputError with the list path, on all
 /// ranks alike. Collective.
-void add_conditions(const Teuchos::ParameterList& list, const Histories& histories, Model& model);
+void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model);
 
 }  // namespace ixos

@@ -9,12 +9,12 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
-#include "base/parameter_entries.hpp"
-#include "base/range_validator.hpp"
-#include "scene/parameter_text.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/parameter_text.hpp"
+#include "parameters/range_validator.hpp"
+#include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/validation.hpp"
 
 namespace ixos {
 namespace {

@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "base/pack.hpp"
-#include "base/parameter_entries.hpp"
-#include "interaction/cut_off.hpp"
-#include "interaction/van_der_waals.hpp"
+#include "parameters/parameter_entries.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -41,23 +39,22 @@ std::string bodies(const Simulation& simulation) {
 
 std::string surroundings(const Simulation& simulation) {
   std::string text;
-  const List& interactions = simulation.parameters().sublist("Interactions");
-  for (const auto& [name, entry] : entries(interactions)) {
-    const List& list = interactions.sublist(name);
+  for (const SceneInteraction& interaction : simulation.interactions()) {
+    const SceneNode& node = interaction.node;
     text += fmt::format(
         "Interaction {}: {} between side set \"{}\" and a {}, {} contact elements, {} Gauss points per direction\n",
-        name, list.get<std::string>("Law"), list.get<std::string>("Side Set"), list.get<std::string>("Obstacle"),
-        list.get<std::string>("Contact Element"),
-        list.get<int>("Surface Points") > 0 ? std::to_string(list.get<int>("Surface Points"))
-                                            : "the element's default number of");
-    if (const auto cutoff = list.get<double>("Cutoff"); cutoff > 0) {
-      const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
-      const double near = law.equilibrium_gap();
+        node.name(), node.text("Law"), interaction.side_set, node.text("Obstacle"), node.text("Contact Element"),
+        interaction.surface_points > 0 ? std::to_string(interaction.surface_points)
+                                       : "the element's default number of");
+    if (interaction.cutoff > 0) {
+      const GapLaw& law = *interaction.law;
+      const Pack cutoff = interaction.cutoff, near = law.equilibrium_gap(), far = law.adhesion_gap();
+      const double lost = std::abs(law.traction(cutoff)[0]);
       text += fmt::format(
           "  Cutoff at a gap of {} L0: the error of the traction is at most {:.3g} E0, {:.2g} of the largest "
           "attraction; the relative error of the work of adhesion is {:.2g}\n",
-          cutoff, std::abs(law.traction(cutoff)), std::abs(law.traction(cutoff) / law.traction(law.adhesion_gap())),
-          1 - CutOff(law, cutoff).energy(near) / law.energy(near));
+          interaction.cutoff, lost, std::abs(lost / law.traction(far)[0]),
+          1 - law.cut_off(interaction.cutoff)->energy(near)[0] / law.energy(near)[0]);
     }
   }
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");

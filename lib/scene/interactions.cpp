@@ -3,67 +3,122 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/error.hpp"
-#include "model/half_space_term.hpp"
-#include "scene/list_access.hpp"
+#include "interaction/catalogue.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/selection.hpp"
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
+#include "parameters/validation.hpp"
+#include "term/surface_terms.hpp"
 
 namespace ixos {
 namespace {
 
-using List = Teuchos::ParameterList;
+struct Parameters {
+  std::string side_set = required;
+  ContactElement element = ContactElement::Q1C1;
+  int bulk_points = 0, surface_points = 0;
+  double cutoff = 0, margin = 0.8;
+};
 
-HalfSpace half_space(const List& list, const std::string& path, std::size_t dimension) {
-  HalfSpace wall;
-  wall.normal = {};
-  const auto point = numbers(list, path, "Point", dimension, std::vector<double>(dimension, 0.0));
-  std::vector<double> up(dimension, 0.0);
-  up.back() = 1;
-  const auto normal = numbers(list, path, "Normal", dimension, up);
-  double largest = 0;
-  for (double n : normal) largest = std::max(largest, std::abs(n));
-  if (!(largest > 0)) throw InputError(path + "/Normal is zero: it must point out of the wall");
-  double square = 0;
-  for (double n : normal) square += n / largest * (n / largest);
-  for (std::size_t d = 0; d < dimension; ++d) {
-    wall.point[d] = point[d];
-    wall.normal[d] = normal[d] / largest / std::sqrt(square);
-  }
-  return wall;
+const Options<Parameters>& options() {
+  static const Options<Parameters> all =
+      Options<Parameters>()
+          .add("Side Set", &Parameters::side_set, "Side set of the surface that interacts.")
+          .choose("Contact Element", &Parameters::element,
+                  {{"Q1C1", ContactElement::Q1C1},
+                   {"Q1C2", ContactElement::Q1C2},
+                   {"Q1C3", ContactElement::Q1C3},
+                   {"Q1C4", ContactElement::Q1C4},
+                   {"Q1CH", ContactElement::Q1CH}},
+                  "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
+                  "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
+                  "slope. In 3D, Q1CH needs faces in a regular grid.")
+          .add("Bulk Points", &Parameters::bulk_points,
+               "Number of Gauss points along the contact side in the enriched elements, in 3D in both directions of "
+               "the face. With 0 it is the order + 1, or 5 for Q1CH in 3D.",
+               between(0, 64))
+          .add("Surface Points", &Parameters::surface_points,
+               "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4 "
+               "and Q1CH.",
+               between(0, 64))
+          .add("Cutoff", &Parameters::cutoff,
+               "Gap beyond which the interaction is neglected [L0]. The error of the traction is at most the traction "
+               "at this gap. 0: no cutoff.",
+               at_least(0))
+          .add("Step Margin", &Parameters::margin,
+               "Factor kappa that limits a Newton step: it keeps every gap r at least kappa min(r, equilibrium gap) "
+               "[-].",
+               greater_and_less_than(0, 1));
+  return all;
 }
 
-void add_interaction(const List& list, const std::string& path, Model& model) {
+void add_interaction(const SceneInteraction& interaction, Model& model) {
   const LocalMesh& mesh = model.mesh();
-  const std::size_t set = at(path + "/Side Set", [&] { return mesh.side_set(list.get<std::string>("Side Set")); });
-  const VanDerWaals law(list.get<double>("Gamma L"), list.get<double>("Gamma W"));
-  if (!std::isfinite(law.c1()) || !(law.c1() > 0) || !std::isfinite(law.c2()) || !(law.c2() > 0))
-    throw InputError(
-        fmt::format("{}: Gamma L and Gamma W are too extreme: c1 = {} and c2 = {} must be positive and finite", path,
-                    law.c1(), law.c2()));
-  const auto cutoff = list.get<double>("Cutoff");
-  if (cutoff > 0 && !(cutoff > law.adhesion_gap()))
-    throw InputError(fmt::format(
-        "{}/Cutoff: {} cuts off the attraction; it must be 0, or greater than the gap of largest attraction, {:.6g}",
-        path, cutoff, law.adhesion_gap()));
-  const HalfSpace wall = half_space(list, path, static_cast<std::size_t>(mesh.dimension));
-  auto terms = make_half_space_terms(mesh, mesh.side_sets[set], model.pattern(), law, wall,
-                                     {list.get<int>("Surface Points"), cutoff, list.get<double>("Step Margin")});
+  const SceneNode& node = interaction.node;
+  const std::size_t set = at(node.path_of("Side Set"), [&] { return mesh.side_set(interaction.side_set); });
+  const double adhesion_gap = interaction.law->adhesion_gap();
+  if (interaction.cutoff > 0 && !(interaction.cutoff > adhesion_gap))
+    node.refuse("Cutoff", fmt::format("{} cuts off the attraction; it must be 0, or greater than the gap of largest "
+                                      "attraction, {:.6g}",
+                                      interaction.cutoff, adhesion_gap));
+  const auto law = interaction.cutoff > 0 ? interaction.law->cut_off(interaction.cutoff) : interaction.law;
+  const auto obstacle = obstacles().make(node, static_cast<std::size_t>(mesh.dimension));
+  Interactions terms = make_surface_terms(mesh, mesh.side_sets[set], model.pattern(), law, obstacle,
+                                          {interaction.surface_points, interaction.margin});
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   InteractionReport report;
   for (const auto& term : terms) term->report(rest.data(), report);
   const double gap = model.space().minimum(report.least_gap);
-  if (!(gap > 0))
-    throw InputError(
-        fmt::format("{}: the surface \"{}\" starts in or below the wall, least gap {:.6g}; all gaps must be positive",
-                    path, list.get<std::string>("Side Set"), gap));
-  for (auto& term : terms) model.add_interaction(std::move(term));
+  if (!(gap > 0) && law->domain() == GapDomain::Positive)
+    node.refuse("", fmt::format("the surface \"{}\" starts in or below the {}, least gap {:.6g}; all gaps must be "
+                                "positive",
+                                interaction.side_set, obstacle->half_space() != nullptr ? "wall" : "obstacle", gap));
+  for (auto& term : terms) model.add_interaction(std::move(term), node.name());
 }
 
 }  // namespace
 
-void add_interactions(const List& list, Model& model) {
-  for (const std::string& name : sublists(list)) add_interaction(list.sublist(name), "Interactions/" + name, model);
+void declare_interaction(Teuchos::ParameterList& list) {
+  laws().declare(list);
+  options().declare(list);
+  obstacles().declare(list);
+}
+
+std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
+  std::vector<SceneInteraction> result;
+  for (const SceneNode& node : interactions.sublists()) {
+    const Parameters p = options().read(node);
+    result.push_back(
+        {node, p.side_set, p.element, p.bulk_points, p.surface_points, p.cutoff, p.margin, laws().make(node)});
+  }
+  return result;
+}
+
+void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& mesh) {
+  std::map<std::string, const SceneInteraction*> known;
+  for (const SceneInteraction& own : interactions) {
+    const auto [before, added] = known.insert({own.side_set, &own});
+    if (!added) {
+      const SceneInteraction& first = *before->second;
+      if (first.element != own.element || first.bulk_points != own.bulk_points)
+        own.node.refuse("Contact Element",
+                        fmt::format("another interaction wants {} on the side set \"{}\", or other Bulk Points",
+                                    first.node.text("Contact Element"), own.side_set));
+      continue;
+    }
+    at(own.node.path_of("Side Set"), [&] { return side_set_named(mesh, own.side_set); });
+    at(own.node.path_of("Contact Element"), [&] { enrich(mesh, own.side_set, own.element, own.bulk_points); });
+  }
+  check_cells(mesh);
+}
+
+void add_interactions(const std::vector<SceneInteraction>& interactions, Model& model) {
+  for (const SceneInteraction& interaction : interactions) add_interaction(interaction, model);
 }
 
 }  // namespace ixos

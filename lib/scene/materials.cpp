@@ -1,34 +1,61 @@
 #include "scene/materials.hpp"
 
-#include "scene/list_access.hpp"
+#include "material/catalogue.hpp"
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
 
 namespace ixos {
 namespace {
 
-Material material(const Teuchos::ParameterList& list) {
-  Material m;
-  m.block = list.get<std::string>("Block");
-  m.law = list.get<std::string>("Model") == "Neo-Hooke" ? ElasticLaw::NeoHooke : ElasticLaw::Linear;
-  m.lame = lame_constants(list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"));
-  m.density = list.get<double>("Density");
-  m.mass_damping = list.get<double>("Mass Damping");
-  m.stiffness_damping = list.get<double>("Stiffness Damping");
-  m.points = list.get<int>("Quadrature Points");
-  m.formulation = formulation(list);
-  return m;
+struct Defaults : Material {
+  Defaults() {
+    block = "body";
+    density = 5e-7;
+    points = 2;
+  }
+};
+
+const Options<Defaults>& options() {
+  static const Options<Defaults> all =
+      Options<Defaults>()
+          .add("Block", &Defaults::block, "Name of the block of cells that consists of this material.")
+          .add("Density", &Defaults::density,
+               "Mass density rho [E0 T0^2/L0^2]. In the default units, 5e-7 corresponds to 1000 kg/m^3.",
+               greater_than(0))
+          .add("Mass Damping", &Defaults::mass_damping,
+               "Rayleigh damping: the coefficient alpha_1 of the mass matrix [1/T0].", at_least(0))
+          .add("Stiffness Damping", &Defaults::stiffness_damping,
+               "Rayleigh damping: the coefficient alpha_2 of the stiffness matrix [T0]. It also damps finite rigid "
+               "rotations.",
+               at_least(0))
+          .add("Quadrature Points", &Defaults::points,
+               "Number of Gauss points per direction in elements that are not enriched.", between(1, 10))
+          .choose(
+              "Element Formulation", &Defaults::formulation,
+              {{"Standard", Formulation::Standard},
+               {"Mean Dilatation", Formulation::MeanDilatation},
+               {"Enhanced", Formulation::Enhanced}},
+              "Element type. Mean Dilatation avoids volumetric locking; its forces and tangents cost 2 to 4 times as "
+              "much as those of Standard. Enhanced also avoids locking in bending; its forces cost 5 to 40 times and "
+              "its tangents 3 to 10 times as much. Enhanced is not suitable for strong compression, and enriched "
+              "contact elements stay Standard.");
+  return all;
 }
 
 }  // namespace
 
-Formulation formulation(const Teuchos::ParameterList& material) {
-  const auto& name = material.get<std::string>("Element Formulation");
-  if (name == "Mean Dilatation") return Formulation::MeanDilatation;
-  return name == "Enhanced" ? Formulation::Enhanced : Formulation::Standard;
+void declare_material(Teuchos::ParameterList& list) {
+  elastic_laws().declare(list);
+  options().declare(list);
 }
 
-std::vector<Material> materials(const Teuchos::ParameterList& list) {
+std::vector<Material> read_materials(const SceneNode& materials) {
   std::vector<Material> result;
-  for (const std::string& name : sublists(list)) result.push_back(material(list.sublist(name)));
+  for (const SceneNode& node : materials.sublists()) {
+    Material material = options().read(node);
+    material.law = elastic_laws().make(node);
+    result.push_back(std::move(material));
+  }
   return result;
 }
 

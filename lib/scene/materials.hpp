@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "model/model.hpp"
+#include "parameters/scene_node.hpp"
 
 namespace ixos {
 
-/// Returns the element formulation of one material's list.
-Formulation formulation(const Teuchos::ParameterList& material);
+/// Adds the parameters of a material to a valid list.
+void declare_material(Teuchos::ParameterList& list);
 
-/// Returns the materials of the validated list "Materials".
-std::vector<Material> materials(const Teuchos::ParameterList& list);
+/// Returns the materials of the validated list "Materials". Throws InputError with the list path.
+std::vector<Material> read_materials(const SceneNode& materials);
 
 }  // namespace ixos

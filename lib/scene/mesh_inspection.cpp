@@ -3,12 +3,9 @@
 #include <algorithm>
 
 #include "mesh/soundness.hpp"
-#include "scene/list_access.hpp"
 
 namespace ixos {
 namespace {
-
-using List = Teuchos::ParameterList;
 
 template <class Set>
 const Set* find(const std::vector<Set>& sets, const std::string& name) {
@@ -23,28 +20,24 @@ class Inspection {
   Inspection(const Mesh& mesh, bool read)
       : mesh_(mesh), read_(read), held_(static_cast<std::size_t>(mesh.nodes()), false) {}
 
-  void sides(const List& list, const std::string& path, bool holds) {
-    const SideSet* set = find(mesh_.side_sets, list.get<std::string>("Side Set"));
+  void sides(const SceneNode& node, bool holds) {
+    const SideSet* set = find(mesh_.side_sets, node.text("Side Set"));
     if (set == nullptr) return;
-    at(path + "/Side Set", [&] {
+    at(node.path_of("Side Set"), [&] {
       require_sides(*set);
       if (read_) require_outer_sides(mesh_, *set);
-      return 0;
     });
     for (const Side& side : set->sides) {
       const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
       const int* nodes = block.nodes.data() + static_cast<std::ptrdiff_t>(side.cell) * nodes_per_cell(block.type);
-      for (int node : side_nodes(block.type, side.side)) hold(nodes[node], holds);
+      for (int corner : side_nodes(block.type, side.side)) hold(nodes[corner], holds);
     }
   }
-  void nodes(const List& list, const std::string& path, bool holds) {
-    const NodeSet* set = find(mesh_.node_sets, list.get<std::string>("Node Set"));
+  void nodes(const SceneNode& node, bool holds) {
+    const NodeSet* set = find(mesh_.node_sets, node.text("Node Set"));
     if (set == nullptr) return;
-    at(path + "/Node Set", [&] {
-      require_nodes(*set);
-      return 0;
-    });
-    for (int node : set->nodes) hold(node, holds);
+    at(node.path_of("Node Set"), [&] { require_nodes(*set); });
+    for (int number : set->nodes) hold(number, holds);
   }
   const std::vector<bool>& held() const { return held_; }
 
@@ -60,17 +53,14 @@ class Inspection {
 
 }  // namespace
 
-std::vector<std::string> inspect_mesh(const List& scene, const Mesh& mesh) {
-  const bool read = scene.sublist("Mesh").get<std::string>("Type") == "Exodus";
+std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
+  const bool read = scene.sublist("Mesh").text("Type") == "Exodus";
   Inspection inspection(mesh, read);
-  for (const std::string& name : sublists(scene.sublist("Interactions")))
-    inspection.sides(scene.sublist("Interactions").sublist(name), "Interactions/" + name, true);
-  for (const std::string& name : sublists(scene.sublist("Boundary Conditions"))) {
-    const List& list = scene.sublist("Boundary Conditions").sublist(name);
-    const auto type = list.get<std::string>("Type");
-    if (type == "Traction") inspection.sides(list, "Boundary Conditions/" + name, false);
-    if (type == "Displacement" || type == "Point Force")
-      inspection.nodes(list, "Boundary Conditions/" + name, type == "Displacement");
+  for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
+  for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
+    const std::string& type = node.text("Type");
+    if (type == "Traction") inspection.sides(node, false);
+    if (type == "Displacement" || type == "Point Force") inspection.nodes(node, type == "Displacement");
   }
   if (!read) return {};
   std::vector<std::string> warnings = loose_parts(mesh, inspection.held());

@@ -1,21 +1,18 @@
 #include "scene/probes.hpp"
 
-#include <Teuchos_Array.hpp>
-
-#include "scene/list_access.hpp"
+#include "io/history_file.hpp"
 
 namespace ixos {
 
-std::vector<Probe> find_probes(const Teuchos::ParameterList& list, const Model& model) {
+std::vector<Probe> find_probes(const SceneNode& list, const Model& model) {
   std::vector<Probe> probes;
-  for (const std::string& name : sublists(list)) {
-    const std::string path = "Output/Probes/" + name;
-    check_column_name(path, name);
-    const auto d = static_cast<std::size_t>(model.mesh().dimension);
-    const auto place = numbers(list.sublist(name), path, "Point", d, {});
+  for (const SceneNode& node : list.sublists()) {
+    check_column_name(node.path(), node.name());
+    const auto place = node.numbers("Point", static_cast<std::size_t>(model.mesh().dimension), {});
     if (place.empty())
-      throw InputError(path + "/Point is missing: the position of the probe in the reference configuration");
-    probes.push_back({name, place, at(path + "/Point", [&] { return locate(model.mesh(), model.space(), place); })});
+      throw InputError(node.path_of("Point") + " is missing: the position of the probe in the reference configuration");
+    probes.push_back(
+        {node.name(), place, at(node.path_of("Point"), [&] { return locate(model.mesh(), model.space(), place); })});
   }
   return probes;
 }

@@ -1,12 +1,13 @@
 /// The named points of a scene.
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <string>
 #include <vector>
 
-#include "model/material_point.hpp"
+#include "discretization/material_point.hpp"
 #include "model/model.hpp"
 #include "time/state.hpp"
+
+#include "parameters/scene_node.hpp"
 
 namespace ixos {
 
@@ -19,7 +20,7 @@ struct Probe {
 
 /// Returns the points of the list "Output/Probes". Throws InputError with the list path if a point lies outside the
 /// body. Collective.
-std::vector<Probe> find_probes(const Teuchos::ParameterList& list, const Model& model);
+std::vector<Probe> find_probes(const SceneNode& list, const Model& model);
 
 /// Returns a component of displacement ("ux", "uy", "uz"), velocity ("vx", ...) or present place ("x", "y", "z").
 /// Collective.

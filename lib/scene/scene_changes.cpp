@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/parameter_entries.hpp"
-#include "scene/parameter_text.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/parameter_text.hpp"
 
 namespace ixos {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
-#include "scene/list_access.hpp"
-#include "scene/list_xml.hpp"
-#include "scene/parameter_text.hpp"
-#include "scene/validation.hpp"
+#include "parameters/list_xml.hpp"
+#include "parameters/parameter_text.hpp"
+#include "parameters/scene_node.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mesh/mesh.hpp"
+#include "mesh/generators/entry.hpp"
 
 namespace ixos {
 
@@ -12,8 +12,7 @@ namespace ixos {
 /// then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
-/// Gives the surfaces of a validated "Interactions" list the contact elements that they ask for. Throws InputError with
-/// the list path.
-void enrich_surfaces(const Teuchos::ParameterList& interactions, Mesh& mesh);
+/// Returns the catalogue of meshes; its choice is "Type".
+const Catalogue<MeshEntry>& meshes();
 
 }  // namespace ixos

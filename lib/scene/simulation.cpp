@@ -12,18 +12,18 @@
 #include "base/error.hpp"
 #include "base/phase_timer.hpp"
 #include "checkpoint/fingerprint.hpp"
+#include "io/history_file.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
+#include "parameters/validation.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
 #include "scene/interactions.hpp"
-#include "scene/list_access.hpp"
 #include "scene/materials.hpp"
 #include "scene/mesh_inspection.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
-#include "scene/validation.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -32,9 +32,16 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-bool all_standard(const std::vector<Material>& materials) {
+bool all_have_actions(const std::vector<Material>& materials) {
   return std::all_of(materials.begin(), materials.end(),
-                     [](const Material& material) { return material.formulation == Formulation::Standard; });
+                     [](const Material& material) { return has_action(*material.law, material.formulation); });
+}
+
+/// Returns whether the tangents of all stages are symmetric.
+bool is_symmetric(const Table& table, const Model& model) {
+  return std::all_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
+    return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
+  });
 }
 
 /// Times are doubles: at 1e12 they are 1e-4 apart. A step or an interval has to be much longer than that.
@@ -70,7 +77,10 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
     if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
       check_resolution(control, std::string("Output/") + name, interval);
   Table table = chosen_table();
-  check_compatibility(parameters_, control.adaptive, table);
+  const SceneNode scene_node(parameters_, "");
+  materials_ = read_materials(scene_node.sublist("Materials"));
+  interactions_ = read_interactions(scene_node.sublist("Interactions"));
+  check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
   build_model(comm, folder, table.mass);
   build_integrator(std::move(table));
   set_initial_state();
@@ -106,7 +116,7 @@ std::vector<std::string> Simulation::reactions() const {
 }
 
 StopCriteria Simulation::stop_criteria() const {
-  return {parameters_.sublist("Time Integrator").sublist("Stop"), probes_, *model_};
+  return {SceneNode(parameters_, "").sublist("Time Integrator").sublist("Stop"), probes_, *model_};
 }
 
 Table Simulation::chosen_table() const {
@@ -124,10 +134,8 @@ Table Simulation::chosen_table() const {
 
 std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia inertia) const {
   if (ranks == 1) return partition_nodes(mesh, ranks);
-  const List& interactions = parameters_.sublist("Interactions");
   std::vector<std::string> contact;
-  for (const std::string& name : sublists(interactions))
-    contact.push_back(interactions.sublist(name).get<std::string>("Side Set"));
+  for (const SceneInteraction& interaction : interactions_) contact.push_back(interaction.side_set);
   // An explicit step solves nothing; of an implicit one the residual is a few per cent.
   return partition_nodes(mesh, ranks, node_work(mesh, contact, inertia == Inertia::Lumped ? 0 : 500));
 }
@@ -137,24 +145,24 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   Mesh mesh;
   together<InputError>(comm, [&] {
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
-    warnings_ = inspect_mesh(parameters_, mesh);
-    enrich_surfaces(parameters_.sublist("Interactions"), mesh);
+    warnings_ = inspect_mesh(SceneNode(parameters_, ""), mesh);
+    enrich_surfaces(interactions_, mesh);
   });
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty()) warnings_.push_back(std::move(bad));
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
-  const std::vector<Material> bodies = materials(parameters_.sublist("Materials"));
   model_ = at("Materials", [&] {
     return std::make_unique<Model>(localize(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks), comm,
-                                   bodies, inertia);
+                                   materials_, inertia);
   });
-  add_interactions(parameters_.sublist("Interactions"), *model_);
+  add_interactions(interactions_, *model_);
   const StepControlOptions control = step_control();
-  const Histories histories(parameters_.sublist("Histories"), control.initial_time, control.final_time);
-  add_conditions(parameters_.sublist("Boundary Conditions"), histories, *model_);
-  probes_ = find_probes(parameters_.sublist("Output").sublist("Probes"), *model_);
+  const SceneNode scene(parameters_, "");
+  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
+  add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
+  probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string> recorded = reactions();
   for (const std::string& name : recorded) {
     check_column_name("Output/Reactions", name);
@@ -178,8 +186,7 @@ double Simulation::stiffness(const Table& table) const {
   const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
   if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
   double damping = 0, largest = 0;
-  for (const Material& material : materials(parameters_.sublist("Materials")))
-    damping = std::max(damping, material.stiffness_damping);
+  for (const Material& material : materials_) damping = std::max(damping, material.stiffness_damping);
   for (const Stage& stage : table.stages) {
     const double stiffness = stage.elastic.end_weight() * dt * dt + damping * stage.damping.unknown * dt;
     largest = std::max(largest, stiffness * model_->stiffest() / stage.inertia.unknown);
@@ -195,8 +202,8 @@ void Simulation::build_integrator(Table table) {
   const ProblemSize size{model_->mesh().dimension,
                          model_->space().global(),
                          model_->space().comm()->getSize(),
-                         is_symmetric(table),
-                         all_standard(materials(parameters_.sublist("Materials"))),
+                         is_symmetric(table, *model_),
+                         all_have_actions(materials_),
                          level_width_,
                          stiffness(table)};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
@@ -211,12 +218,11 @@ void Simulation::build_integrator(Table table) {
 void Simulation::set_initial_state() {
   const LocalMesh& mesh = model_->mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  const List& list = parameters_.sublist("Initial Conditions");
-  const std::string path = "Initial Conditions";
+  const SceneNode initial = SceneNode(parameters_, "").sublist("Initial Conditions");
   const std::vector<double> zero(d, 0.0);
-  const auto uniform = numbers(list, path, "Velocity", d, zero);
-  const auto gradient = numbers(list, path, "Velocity Gradient", d * d, std::vector<double>(d * d, 0.0));
-  const auto origin = numbers(list, path, "Origin", d, zero);
+  const auto uniform = initial.numbers("Velocity", d, zero);
+  const auto gradient = initial.numbers("Velocity Gradient", d * d, std::vector<double>(d * d, 0.0));
+  const auto origin = initial.numbers("Origin", d, zero);
   std::vector<double> u(static_cast<std::size_t>(model_->space().local()), 0.0);
   std::vector<double> v(u.size());
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
@@ -229,10 +235,7 @@ void Simulation::set_initial_state() {
       v[node * d + i] = sum;
     }
   const double time = step_control().initial_time;
-  at("Initial Conditions", [&] {
-    integrator_->initialize(std::move(u), std::move(v), time);
-    return 0;
-  });
+  at(initial.path(), [&] { integrator_->initialize(std::move(u), std::move(v), time); });
 }
 
 }  // namespace ixos

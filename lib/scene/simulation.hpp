@@ -7,10 +7,11 @@
 
 #include "base/tpetra.hpp"
 #include "mesh/quality.hpp"
+#include "scene/interactions.hpp"
 #include "scene/probes.hpp"
-#include "scene/step_control.hpp"
 #include "scene/stop.hpp"
 #include "time/integrator.hpp"
+#include "time/step_control.hpp"
 
 namespace ixos {
 
@@ -21,7 +22,12 @@ class Simulation {
   /// files named relative to it. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
 
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
   const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, every default filled in
+  const std::vector<Material>& materials() const { return materials_; }
+  const std::vector<SceneInteraction>& interactions() const { return interactions_; }
   const Model& model() const { return *model_; }
   Integrator& integrator() { return *integrator_; }
   const Integrator& integrator() const { return *integrator_; }
@@ -44,6 +50,8 @@ class Simulation {
   void set_initial_state();
 
   Teuchos::ParameterList parameters_;
+  std::vector<Material> materials_;
+  std::vector<SceneInteraction> interactions_;
   std::unique_ptr<Model> model_;
   std::unique_ptr<Integrator> integrator_;
   std::vector<Probe> probes_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/closest_name.hpp"
-#include "scene/list_access.hpp"
 
 namespace ixos {
 namespace {
@@ -22,24 +21,22 @@ const Probe& probe_named(const std::vector<Probe>& probes, const std::string& na
 
 }  // namespace
 
-StopCriteria::StopCriteria(const Teuchos::ParameterList& list, const std::vector<Probe>& probes, const Model& model) {
-  for (const std::string& name : sublists(list)) {
-    const Teuchos::ParameterList& own = list.sublist(name);
-    const std::string path = "Time Integrator/Stop/" + name;
+StopCriteria::StopCriteria(const SceneNode& list, const std::vector<Probe>& probes, const Model& model) {
+  for (const SceneNode& node : list.sublists()) {
     Criterion criterion;
-    criterion.name = name;
-    if (own.get<std::string>("Type") == "Detached") {
-      if (!model.has_interactions()) throw InputError(path + "/Type: \"Detached\" needs an interaction");
+    criterion.name = node.name();
+    if (node.text("Type") == "Detached") {
+      if (!model.has_interactions()) node.refuse("Type", "\"Detached\" needs an interaction");
     } else {
-      const Teuchos::ParameterList& probe = own.sublist("Probe");
-      criterion.probe = at(path + "/Probe/Name",
-                           [&]() -> const Probe* { return &probe_named(probes, probe.get<std::string>("Name")); });
-      criterion.quantity = probe.get<std::string>("Quantity");
+      const SceneNode probe = node.sublist("Probe");
+      criterion.probe =
+          at(probe.path_of("Name"), [&]() -> const Probe* { return &probe_named(probes, probe.text("Name")); });
+      criterion.quantity = probe.text("Quantity");
       if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
-        throw InputError(fmt::format("{}/Probe/Quantity: \"{}\" names z, but the mesh has {} dimensions", path,
-                                     criterion.quantity, model.mesh().dimension));
-      criterion.above = probe.get<std::string>("Side") == "Above";
-      criterion.limit = probe.get<double>("Limit");
+        probe.refuse("Quantity", fmt::format("\"{}\" names z, but the mesh has {} dimensions", criterion.quantity,
+                                             model.mesh().dimension));
+      criterion.above = probe.text("Side") == "Above";
+      criterion.limit = probe.number("Limit");
     }
     criteria_.push_back(criterion);
   }

@@ -1,10 +1,9 @@
 /// Criteria that end a run before its final time.
 #pragma once
-#include <Teuchos_ParameterList.hpp>
 #include <string>
 #include <vector>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 #include "scene/probes.hpp"
 
 namespace ixos {
@@ -13,7 +12,7 @@ namespace ixos {
 class StopCriteria {
  public:
   /// Throws InputError with the list path if a criterion asks for something that the scene does not have.
-  StopCriteria(const Teuchos::ParameterList& list, const std::vector<Probe>& probes, const Model& model);
+  StopCriteria(const SceneNode& list, const std::vector<Probe>& probes, const Model& model);
 
   /// Returns the reason for the end of the run, or an empty string while no criterion holds. Collective.
   std::string reason(const Model& model, const State& state);

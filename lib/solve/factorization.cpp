@@ -3,7 +3,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <utility>
 
-#include "base/one_of.hpp"
+#include "parameters/one_of.hpp"
 
 namespace ixos {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/record.hpp"
 #include "base/tpetra.hpp"
-#include "checkpoint/record.hpp"
 
 namespace ixos {
 

@@ -3,7 +3,7 @@
 #include <Teuchos_RCP.hpp>
 #include <memory>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 
 namespace ixos {
 

@@ -8,7 +8,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "base/error.hpp"
-#include "base/parameter_entries.hpp"
+#include "parameters/parameter_entries.hpp"
 #include "solve/chebyshev_preconditioner.hpp"
 #include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"

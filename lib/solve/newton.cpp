@@ -13,7 +13,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
-#include "base/parameter_entries.hpp"
+#include "parameters/parameter_entries.hpp"
 #include "solve/admissible_line_search.hpp"
 #include "solve/descent_direction.hpp"
 #include "solve/incremental_potential.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/nonlinear_problem.hpp"
 

@@ -49,9 +49,9 @@ void SemiDiscreteEvaluator::evalModelImpl(const Base::InArgs<double>& in, const 
 bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vector& f) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   const Segment here{nullptr, nullptr, u_.data()};
-  bool admissible = model_.elastic_force(here, end_rule(), sum_.data());
+  bool admissible = model_.force(Part::Elastic, here, end_rule(), sum_.data());
   if (model_.has_interactions()) {
-    admissible = model_.interaction_force(here, end_rule(), part_.data()) && admissible;
+    admissible = model_.force(Part::Interaction, here, end_rule(), part_.data()) && admissible;
     for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
   }
   if (nonnull(in.get_x_dot_dot()) && model_.mass() != nullptr) {
@@ -81,8 +81,8 @@ void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, Crs
   Rule scaled = end_rule();
   scaled.points[0].weight = in.get_beta();
   const Segment here{nullptr, nullptr, u_.data()};
-  model_.add_elastic_tangent(here, scaled, values);
-  model_.add_interaction_tangent(here, scaled, Tangent::Exact, values);
+  model_.add_tangent(Part::Elastic, here, scaled, Tangent::Exact, values);
+  model_.add_tangent(Part::Interaction, here, scaled, Tangent::Exact, values);
   if (model_.mass() != nullptr) model_.mass()->add_to(in.get_W_x_dot_dot_coeff(), values);
   if (model_.damping() != nullptr) model_.damping()->add_to(in.get_alpha(), values);
   const double diagonal = in.get_beta() != 0 ? in.get_beta() : in.get_W_x_dot_dot_coeff();

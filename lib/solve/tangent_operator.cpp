@@ -11,8 +11,8 @@ namespace ixos {
 TangentOperator::TangentOperator(const Model& model, std::function<void(double*)> assemble)
     : model_(model),
       assemble_(std::move(assemble)),
-      elastic_(model.elastic_actions()),
-      interactions_(model.interaction_actions()),
+      elastic_(model.actions(Part::Elastic)),
+      interactions_(model.actions(Part::Interaction)),
       mass_in_elastic_(model.mass() != nullptr && !model.mass()->is_lumped()) {
   for (const auto* actions : {&elastic_, &interactions_})
     if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))

@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "parameters/validation.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/validation.hpp"
 #include "study/history_table.hpp"
 #include "time/catalogue.hpp"
 

@@ -8,12 +8,12 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
-#include "base/parameter_entries.hpp"
-#include "scene/list_access.hpp"
-#include "scene/parameter_text.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/parameter_text.hpp"
+#include "parameters/scene_node.hpp"
+#include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/validation.hpp"
 #include "study/study.hpp"
 
 namespace ixos {
@@ -27,32 +27,29 @@ constexpr std::size_t most_runs = 10000;
 constexpr std::size_t most_settings = 1000000;  ///< of all runs together
 constexpr std::size_t longest_name = 200;       ///< of a run's folder
 
-Assignments assignments(const List& list, const std::string& path) {
+Assignments assignments(const SceneNode& node) {
   Assignments result;
-  for (const auto& [name, entry] : entries(list)) {
+  for (const auto& [name, entry] : entries(node.list())) {
     if (entry.isList())
-      throw InputError(fmt::format(
-          "{}/{} is a list; only parameters are allowed here, each named by its path in the scene", path, name));
+      throw InputError(node.path_of(name) +
+                       " is a list; only parameters are allowed here, each named by its path in the scene");
     result.push_back(fmt::format("{}={}", name, value_text(entry)));
   }
   return result;
 }
 
-Axis read_axis(const List& list, const std::string& name) {
-  const std::string path = "Axes/" + name;
-  Axis axis{name, {}};
-  const auto parameter = list.get<std::string>("Parameter");
-  const Words& values = list.get<Words>("Values");
-  const std::vector<std::string> settings = sublists(list.sublist("Settings"));
+Axis read_axis(const SceneNode& node) {
+  Axis axis{node.name(), {}};
+  const std::string& parameter = node.text("Parameter");
+  const Words& values = node.get<Words>("Values");
+  const std::vector<SceneNode> settings = node.sublist("Settings").sublists();
   if (parameter.empty() != values.empty() || parameter.empty() == settings.empty())
-    throw InputError(path + ": give either Parameter and Values, or Settings with a list for each value");
+    throw InputError(node.path() + ": give either Parameter and Values, or Settings with a list for each value");
   for (const std::string& value : values) axis.values.push_back({value, {fmt::format("{}={}", parameter, value)}});
-  for (const std::string& label : settings)
-    axis.values.push_back(
-        {label, assignments(list.sublist("Settings").sublist(label), fmt::format("{}/Settings/{}", path, label))});
+  for (const SceneNode& setting : settings) axis.values.push_back({setting.name(), assignments(setting)});
   std::set<std::string> labels;
   for (const AxisValue& value : axis.values)
-    if (!labels.insert(value.label).second) throw InputError(path + ": \"" + value.label + "\" is given twice");
+    if (!labels.insert(value.label).second) throw InputError(node.path() + ": \"" + value.label + "\" is given twice");
   return axis;
 }
 
@@ -104,7 +101,7 @@ std::vector<StudyRun> combinations(const Study& study) {
   return runs;
 }
 
-Question read_question(const List& list, const std::vector<Axis>& axes) {
+Question read_question(const SceneNode& list, const std::vector<Axis>& axes) {
   Question question{list.get<std::string>("Connect"), list.get<std::string>("Cost"), list.get<std::string>("Measure"),
                     list.get<double>("Tolerance"), list.get<double>("Budget")};
   if (question.tolerance == 0 && question.budget == 0)
@@ -118,14 +115,14 @@ Question read_question(const List& list, const std::vector<Axis>& axes) {
   return question;
 }
 
-ErrorOptions read_errors(const List& list) {
+ErrorOptions read_errors(const SceneNode& list) {
   ErrorOptions options;
   const Words &force = list.get<Words>("Force"), &position = list.get<Words>("Position");
   options.force.assign(force.begin(), force.end());
   options.position.assign(position.begin(), position.end());
-  options.energy_scale = list.get<double>("Energy Scale");
-  if (list.get<Teuchos::Array<double>>("Interval").empty()) return options;
-  const auto interval = numbers(list, "Errors", "Interval", 2, {});
+  options.energy_scale = list.number("Energy Scale");
+  const auto interval = list.numbers("Interval", 2, {});
+  if (interval.empty()) return options;
   if (!(interval[0] < interval[1]))
     throw InputError(
         fmt::format("Errors/Interval: the start {} must be less than the end {}", interval[0], interval[1]));
@@ -140,13 +137,14 @@ std::string beside(const std::string& study, const std::string& path) {
 }
 
 Study read(const std::string& path) {
-  const List list = validated(read_scene_file(path), study_parameters());
+  const List complete = validated(read_scene_file(path), study_parameters());
+  const SceneNode list(complete, "");
   Study study;
-  study.name = list.name().empty() || list.name() == "ANONYMOUS" ? "Study" : list.name();
+  study.name = complete.name().empty() || complete.name() == "ANONYMOUS" ? "Study" : complete.name();
   study.scene = beside(path, list.get<std::string>("Scene"));
   study.jobs = list.get<int>("Jobs");
   study.time_limit = list.get<double>("Time Limit");
-  study.common = assignments(list.sublist("Common"), "Common");
+  study.common = assignments(list.sublist("Common"));
   const std::set<std::string> taken{"run",
                                     "status",
                                     "reason",
@@ -162,14 +160,14 @@ Study read(const std::string& path) {
                                     "end_time",
                                     "linear_iterations",
                                     "peak_memory_bytes"};
-  for (const std::string& name : sublists(list.sublist("Axes"))) {
-    if (taken.count(name) > 0)
-      throw InputError("Axes/" + name + ": this is the name of a column of study.csv; choose another name");
-    study.axes.push_back(read_axis(list.sublist("Axes").sublist(name), name));
+  for (const SceneNode& axis : list.sublist("Axes").sublists()) {
+    if (taken.count(axis.name()) > 0)
+      throw InputError(axis.path() + ": this is the name of a column of study.csv; choose another name");
+    study.axes.push_back(read_axis(axis));
   }
   if (study.axes.empty()) throw InputError("Axes is empty; a study needs at least one axis");
-  const List& reference = list.sublist("Reference");
-  study.reference = assignments(reference.sublist("Settings"), "Reference/Settings");
+  const SceneNode reference = list.sublist("Reference");
+  study.reference = assignments(reference.sublist("Settings"));
   study.reference_folder = reference.get<std::string>("Folder");
   if (study.reference.empty() == study.reference_folder.empty())
     throw InputError("Reference: give either Folder or Settings");

@@ -1,8 +1,8 @@
 #include <Teuchos_Array.hpp>
 
-#include "base/one_of.hpp"
-#include "base/range_validator.hpp"
-#include "scene/validation.hpp"
+#include "parameters/one_of.hpp"
+#include "parameters/range_validator.hpp"
+#include "parameters/validation.hpp"
 #include "study/study.hpp"
 
 namespace ixos {

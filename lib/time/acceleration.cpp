@@ -19,10 +19,10 @@ bool Acceleration::balance(double time, const std::vector<double>& u, const std:
   force_.resize(u.size());
   balance_.assign(u.size(), 0.0);
   model_.loads().add_force(time, 1.0, balance_.data());
-  bool admissible = model_.elastic_force(here, end_rule(), force_.data());
+  bool admissible = model_.force(Part::Elastic, here, end_rule(), force_.data());
   for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
   if (model_.has_interactions()) {
-    admissible = model_.interaction_force(here, end_rule(), force_.data()) && admissible;
+    admissible = model_.force(Part::Interaction, here, end_rule(), force_.data()) && admissible;
     for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
   }
   if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), balance_.data());

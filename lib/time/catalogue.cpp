@@ -2,8 +2,8 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
-#include "base/one_of.hpp"
-#include "base/range_validator.hpp"
+#include "parameters/one_of.hpp"
+#include "parameters/range_validator.hpp"
 #include "time/custom_table.hpp"
 #include "time/schemes.hpp"
 

@@ -5,9 +5,9 @@
 #include <Teuchos_Array.hpp>
 #include <stdexcept>
 
-#include "base/one_of.hpp"
-#include "base/parameter_entries.hpp"
-#include "base/range_validator.hpp"
+#include "parameters/one_of.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/range_validator.hpp"
 
 namespace ixos {
 namespace {

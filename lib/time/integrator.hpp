@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 #include "model/model.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/newton.hpp"

@@ -28,7 +28,7 @@ StableStep::StableStep(const Model& model, double safety) : model_(model), safet
 double StableStep::limit(const std::vector<double>& u) const {
   sums_ = elastic_;
   const Segment here{nullptr, nullptr, u.data()};
-  if (!model_.add_interaction_row_sums(here, sums_.data())) return 0;
+  if (!model_.add_row_sums(Part::Interaction, here, sums_.data())) return 0;
   const double w2 = model_.mass()->largest_quotient(sums_.data());
   return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
 }
@@ -43,7 +43,7 @@ void StableStep::transfer(Record& record) {
 double StableStep::operator()(const State& state, double wanted) {
   if (age_ == 0) {
     std::fill(elastic_.begin(), elastic_.end(), 0.0);
-    model_.add_elastic_row_sums({nullptr, nullptr, state.u.data()}, elastic_.data());
+    model_.add_row_sums(Part::Elastic, {nullptr, nullptr, state.u.data()}, elastic_.data());
   }
   age_ = (age_ + 1) % elastic_interval;
   double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u)));

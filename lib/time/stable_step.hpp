@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 #include "model/model.hpp"
 #include "time/state.hpp"
 

@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-Potential StageProblem::rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const {
+Potential StageProblem::rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const {
   Potential sum;
   if (rule.mean == Mean::Exact) {
     sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data()});
@@ -21,7 +21,7 @@ Potential StageProblem::rule_potential(const Rule& rule, const std::vector<doubl
       for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.from * (*from_)[i];
     if (point.velocity != 0)
       for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.velocity * path_velocity_[i];
-    const double energy = elastic ? model_.local_elastic_energy(at.data()) : model_.local_interaction_energy(at.data());
+    const double energy = model_.local_energy(part, at.data());
     sum.value += point.weight / point.to * energy;
     sum.magnitude += point.weight / point.to * std::abs(energy);
   }
@@ -33,13 +33,13 @@ Potential StageProblem::potential(const Vector& x) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   std::vector<double> u(u_.size()), bracket(u_.size()), product(u_.size());
   model_.space().import(x, u.data());
-  Potential sum = rule_potential(stage_->elastic, u, true);
+  Potential sum = rule_potential(Part::Elastic, stage_->elastic, u);
   const auto add = [&sum](double value) {
     sum.value += value;
     sum.magnitude += std::abs(value);
   };
   if (model_.has_interactions()) {
-    const Potential interaction = rule_potential(stage_->interaction, u, false);
+    const Potential interaction = rule_potential(Part::Interaction, stage_->interaction, u);
     sum.value += interaction.value;
     sum.magnitude += interaction.magnitude;
   }

@@ -45,6 +45,8 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
   tangent_at_.clear();
+  has_potential_ =
+      model_.is_gradient(Part::Elastic, stage_->elastic) && model_.is_gradient(Part::Interaction, stage_->interaction);
   if (has_mass_) evaluate_known(stage_->inertia, known, dt, known_inertia_);
   if (model_.damping() != nullptr) evaluate_known(stage_->damping, known, dt, known_damping_);
   const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
@@ -59,19 +61,18 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
   // the last bit: the weights are 1/2.
   const bool have_end = residual_of_ == stage_ && u_ == known[0].u;
-  const auto keep = [&](const Rule& rule, std::vector<double>& force, const auto& evaluate_force) {
+  const auto keep = [&](Part part, const Rule& rule, std::vector<double>& force) {
     if (rule.kept_weight == 0) return;
     if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
       for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += force[i];
       return;
     }
-    admissible = evaluate_force(Segment{nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
+    admissible = model_.force(part, {nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
     residual_of_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
-  keep(stage_->elastic, elastic_, [&](auto&&... args) { return model_.elastic_force(args...); });
-  if (model_.has_interactions())
-    keep(stage_->interaction, interaction_, [&](auto&&... args) { return model_.interaction_force(args...); });
+  keep(Part::Elastic, stage_->elastic, elastic_);
+  if (model_.has_interactions()) keep(Part::Interaction, stage_->interaction, interaction_);
   if (model_.space().minimum(admissible ? 1 : 0) == 0) throw std::logic_error("the start of the step is inadmissible");
   if (!model_.loads().empty()) {
     std::fill(load_.begin(), load_.end(), 0.0);
@@ -142,14 +143,15 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
     for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
   }
 
-  bool admissible = model_.elastic_force(segment(stage_->elastic), stage_->elastic, elastic_.data());
+  bool admissible = model_.force(Part::Elastic, segment(stage_->elastic), stage_->elastic, elastic_.data());
   // Norms of the three parts, the number of ranks on which some part is inadmissible, the number of values that are not
   // yet reached, and the norm of u.
   double sums[6] = {
       has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
   if (model_.has_interactions()) {
     admissible =
-        model_.interaction_force(segment(stage_->interaction), stage_->interaction, interaction_.data()) && admissible;
+        model_.force(Part::Interaction, segment(stage_->interaction), stage_->interaction, interaction_.data()) &&
+        admissible;
     sums[2] = dot(interaction_, interaction_, owned);
   }
   sums[3] = admissible ? 0 : 1;
@@ -193,8 +195,8 @@ void StageProblem::record_forces(State& state) const {
 void StageProblem::assemble(double* values) const {
   if (has_mass_) model_.mass()->add_to(stage_->inertia.unknown / (dt_ * dt_), values);
   if (model_.damping() != nullptr) model_.damping()->add_to(stage_->damping.unknown / dt_, values);
-  model_.add_elastic_tangent(segment(stage_->elastic), stage_->elastic, values);
-  model_.add_interaction_tangent(segment(stage_->interaction), stage_->interaction, tangent_kind(), values);
+  model_.add_tangent(Part::Elastic, segment(stage_->elastic), stage_->elastic, Tangent::Exact, values);
+  model_.add_tangent(Part::Interaction, segment(stage_->interaction), stage_->interaction, tangent_kind(), values);
   if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);
 }
 

@@ -45,9 +45,7 @@ class StageProblem final : public NonlinearProblem {
   /// Returns tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but at least the change that
   /// rounding u_s alone makes.
   double convergence_bound(double relative_tolerance) const override;
-  bool is_gradient() const override {
-    return stage_->elastic.is_gradient() && stage_->interaction.is_gradient() && !moving_;
-  }
+  bool is_gradient() const override { return has_potential_ && !moving_; }
   double way_left(const Vector& x) override;
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
@@ -65,13 +63,14 @@ class StageProblem final : public NonlinearProblem {
   bool is_reached(std::size_t dof, double value) const;
   void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
-  Potential rule_potential(const Rule& rule, const std::vector<double>& u, bool elastic) const;
+  Potential rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const;
 
   const Model& model_;
   const Table& table_;
   const Stage* stage_ = nullptr;  ///< the one that it is armed for
   bool exact_rates_;  ///< driven degrees of freedom have the velocity and acceleration of their motion, not the rows'
   bool has_mass_;
+  bool has_potential_ = false;  ///< the armed stage's rules are gradients for all terms
   double dt_ = 0;
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start

@@ -8,10 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "model/half_space_term.hpp"
+#include "interaction/van_der_waals.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/simulation.hpp"
+#include "term/surface_terms.hpp"
 
 namespace {
 
@@ -22,8 +23,9 @@ std::vector<double> contact_force(const ixos::Model& model, const std::vector<do
   wall.point = {0, 0, 0};
   wall.normal = {0, 1, 0};
   std::vector<double> force(u.size(), 0.0);
-  for (const auto& term : ixos::make_half_space_terms(mesh, mesh.side_sets[mesh.side_set("contact")], model.pattern(),
-                                                      ixos::VanDerWaals(2.5, 25), wall, {points, 0.8}))
+  for (const auto& term :
+       ixos::make_surface_terms(mesh, mesh.side_sets[mesh.side_set("contact")], model.pattern(),
+                                ixos::gap_law(ixos::VanDerWaals(2.5, 25)), ixos::flat_wall(wall), {points, 0.8}))
     term->add_force({nullptr, nullptr, u.data()}, ixos::end_rule(), force.data());
   return force;
 }

@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
 #include "solve/tangent_operator.hpp"
@@ -39,10 +39,10 @@ class Product {
  public:
   Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping)
       : model_(ixos::localize(mesh, ixos::partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()),
-               comm, {{"body", ixos::ElasticLaw::NeoHooke, ixos::lame_constants(1, 0.3), 1.0, 0, damping}}),
+               comm, {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, damping}}),
         u_(static_cast<std::size_t>(model_.space().local())),
         tangent_(model_, [this](double* values) {
-          model_.add_elastic_tangent({nullptr, nullptr, u_.data()}, rule_, values);
+          model_.add_tangent(Part::Elastic, {nullptr, nullptr, u_.data()}, rule_, Tangent::Exact, values);
           model_.mass()->add_to(4.0, values);
         }) {
     model_.do_without_matrices();

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "run/run.hpp"
 #include "scene/parameters.hpp"
-#include "scene/run.hpp"
 #include "scene/scene_file.hpp"
 #include "time/catalogue.hpp"
 

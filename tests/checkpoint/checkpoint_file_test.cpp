@@ -9,7 +9,7 @@
 
 #include "checkpoint/fingerprint.hpp"
 #include "checkpoint/seal.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "support/scene_text.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/quality.hpp"
 #include "support/comparison.hpp"
@@ -43,7 +43,7 @@ double patch_error(const Mesh& mesh, Formulation formulation) {
   const Comm comm = world();
   Material rubber;
   rubber.block = "body";
-  rubber.lame = lame_constants(1.0, 0.3);
+  rubber.law = neo_hooke(lame_constants(1.0, 0.3));
   rubber.density = 1.0;
   rubber.formulation = formulation;
   Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber},

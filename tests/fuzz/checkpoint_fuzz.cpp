@@ -2,7 +2,7 @@
 #include "base/error.hpp"
 #include "checkpoint/seal.hpp"
 #include "input.hpp"
-#include "scene/restart.hpp"
+#include "run/restart.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

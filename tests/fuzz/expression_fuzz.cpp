@@ -1,7 +1,7 @@
 // Expressions in t.
 #include "base/error.hpp"
+#include "histories/time_function.hpp"
 #include "input.hpp"
-#include "model/time_function.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

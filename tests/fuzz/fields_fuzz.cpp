@@ -1,7 +1,7 @@
 // A field file that a restart goes on with, of either format: the file's own decides.
 #include "base/error.hpp"
 #include "input.hpp"
-#include "scene/field_recorder.hpp"
+#include "run/field_recorder.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

@@ -3,12 +3,12 @@
 #include <cstring>
 
 #include "base/error.hpp"
-#include "checkpoint/record.hpp"
+#include "base/record.hpp"
 #include "input.hpp"
-#include "scene/history.hpp"
-#include "scene/run_files.hpp"
-#include "scene/step_control.hpp"
+#include "run/history.hpp"
+#include "run/run_files.hpp"
 #include "scene/stop.hpp"
+#include "time/step_control.hpp"
 
 namespace {
 

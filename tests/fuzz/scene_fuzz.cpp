@@ -1,12 +1,12 @@
 // Scenes: XML to the point where ixos --check stops.
 #include "base/error.hpp"
-#include "base/parameter_entries.hpp"
 #include "input.hpp"
-#include "mesh/spatula.hpp"
+#include "mesh/generators/spatula.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/validation.hpp"
 
 #include <Teuchos_Array.hpp>
 

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "io/exodus_mesh.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "support/refusal.hpp"
 

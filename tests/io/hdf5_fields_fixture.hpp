@@ -6,8 +6,8 @@
 
 #include "base/agreement.hpp"
 #include "io/field_file.hpp"
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "support/scene_text.hpp"

@@ -12,8 +12,8 @@
 #include "fem/jacobian.hpp"
 #include "fem/reference_elements.hpp"
 #include "fem/shape_table.hpp"
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "io/exodus_mesh.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"

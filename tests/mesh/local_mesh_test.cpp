@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "support/refusal.hpp"
 

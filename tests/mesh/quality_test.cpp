@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 
 namespace ixos {
 namespace {

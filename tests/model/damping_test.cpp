@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 
@@ -21,7 +21,7 @@ std::unique_ptr<Model> block() {
   BoxShape shape;
   shape.lengths = {3, 2, 0};
   shape.divisions = {4, 3, 0};
-  Material material = test::elastic(ElasticLaw::NeoHooke, nu);
+  Material material = test::elastic(neo_hooke, nu);
   material.density = density;
   material.mass_damping = alpha_1;
   material.stiffness_damping = alpha_2;
@@ -75,7 +75,7 @@ TEST(DampingTest, TheMatrixIsThatOfItsParts) {
   const std::vector<double> rest = test::at_rest(*model);
   Rule stiffness = end_rule();
   stiffness.points[0].weight = 5 * alpha_2;
-  model->add_elastic_tangent({nullptr, nullptr, rest.data()}, stiffness, entries);
+  model->add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, stiffness, Tangent::Exact, entries);
   model->mass()->add_to(5 * alpha_1, entries);
   damping.add_to(5.0, c->getLocalMatrixHost().values.data());
   const auto found = c->getLocalMatrixHost(), wanted = expected->getLocalMatrixHost();

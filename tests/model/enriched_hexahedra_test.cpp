@@ -6,16 +6,18 @@
 #include <memory>
 #include <tuple>
 
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "discretization/material_point.hpp"
+#include "discretization/nodal_measure.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
-#include "model/half_space_term.hpp"
-#include "model/material_point.hpp"
 #include "model/model.hpp"
-#include "model/nodal_measure.hpp"
+#include "term/surface_terms.hpp"
 
 #include <Tpetra_Core.hpp>
+#include "support/solids.hpp"
 
 namespace ixos {
 namespace {
@@ -41,16 +43,15 @@ LocalMesh body(ContactElement element, bool distorted) {
   return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
 }
 
-Material rubber(ElasticLaw elastic) {
+Material rubber(test::ElasticLawOfConstants elastic) {
   Material material;
   material.block = "body";
-  material.law = elastic;
-  material.lame = lame_constants(1.0, 0.3);
+  material.law = elastic(lame_constants(1.0, 0.3));
   material.density = 1.5;
   return material;
 }
 
-std::unique_ptr<Model> model_of(ContactElement element, bool distorted, ElasticLaw elastic = ElasticLaw::NeoHooke,
+std::unique_ptr<Model> model_of(ContactElement element, bool distorted, test::ElasticLawOfConstants elastic = neo_hooke,
                                 Formulation formulation = Formulation::Standard) {
   Material material = rubber(elastic);
   material.formulation = formulation;
@@ -64,8 +65,8 @@ void add_wall(Model& model, const std::string& set, std::size_t axis, double gap
   wall.normal[axis] = 1;
   wall.point[axis] = -gap;
   const LocalMesh& mesh = model.mesh();
-  for (auto& term :
-       make_half_space_terms(mesh, mesh.side_sets[mesh.side_set(set)], model.pattern(), law, wall, SurfaceOptions{}))
+  for (auto& term : make_surface_terms(mesh, mesh.side_sets[mesh.side_set(set)], model.pattern(), gap_law(law),
+                                       flat_wall(wall), SurfaceOptions{}))
     model.add_interaction(std::move(term));
 }
 
@@ -137,11 +138,11 @@ TEST(EnrichedHexahedraTest, AStateOfConstantStressBalancesUniformTractionsOnAllS
   const double e = 0.01;
   const double g[3][3] = {{e, 0, 0}, {0, e, 0}, {0, 0, e}};
   for (ContactElement element : elements) {
-    const auto model = model_of(element, true, ElasticLaw::Linear);
+    const auto model = model_of(element, true, linear_elastic);
     const LocalMesh& mesh = model->mesh();
     std::vector<double> force(mesh.coordinates.size()), load(force.size(), 0.0);
     const std::vector<double> u = affine(mesh, g);
-    model->elastic_force({nullptr, nullptr, u.data()}, end_rule(), force.data());
+    model->force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), force.data());
     const Lame lame = lame_constants(1.0, 0.3);
     const double pressure = (3 * lame.lambda + 2 * lame.mu) * e;
     const std::tuple<const char*, std::size_t, double> sides[] = {{"left", 0, -1}, {"right", 0, 1},   {"front", 1, -1},
@@ -183,14 +184,14 @@ TEST(EnrichedHexahedraTest, GapAndForceOfParallelSidesAreThoseOfTheLaw) {
       EXPECT_NEAR(report.least_gap, 0.28, 1e-14) << set;
       EXPECT_NEAR(report.measure, area, 0.5) << set;  // its edge x = 2 is not straight
       EXPECT_NEAR(report.force[static_cast<std::size_t>(axis)], report.measure * law.traction(0.28), 1e-12) << set;
-      EXPECT_NEAR(model->interaction_energy(rest.data()), report.measure * law.energy(0.28), 1e-12) << set;
+      EXPECT_NEAR(model->energy(Part::Interaction, rest.data()), report.measure * law.energy(0.28), 1e-12) << set;
     }
 }
 
 TEST(EnrichedHexahedraTest, ForcesAreGradientsOfEnergiesAndTangentsOfForces) {
   const double h = 1e-5;
   const auto check = [h](ContactElement element, Formulation formulation) {
-    const auto model = model_of(element, true, ElasticLaw::NeoHooke, formulation);
+    const auto model = model_of(element, true, neo_hooke, formulation);
     add_wall(*model, "patch", 2, 0.35);
     add_wall(*model, "left", 0, 0.35);
     const LocalMesh& mesh = model->mesh();
@@ -213,20 +214,20 @@ TEST(EnrichedHexahedraTest, ForcesAreGradientsOfEnergiesAndTangentsOfForces) {
     };
     const Rule rule = end_rule();
     compare(
-        "elastic", [&](const auto& x) { return model->elastic_energy(x.data()); },
+        "elastic", [&](const auto& x) { return model->energy(Part::Elastic, x.data()); },
         [&](const auto& x, auto& f) {
-          return model->elastic_force({nullptr, nullptr, x.data()}, rule, f.data());
+          return model->force(Part::Elastic, {nullptr, nullptr, x.data()}, rule, f.data());
         },
         [&](auto& k) {
-          model->add_elastic_tangent({nullptr, nullptr, u.data()}, rule, k.data());
+          model->add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
         });
     compare(
-        "interaction", [&](const auto& x) { return model->interaction_energy(x.data()); },
+        "interaction", [&](const auto& x) { return model->energy(Part::Interaction, x.data()); },
         [&](const auto& x, auto& f) {
-          return model->interaction_force({nullptr, nullptr, x.data()}, rule, f.data());
+          return model->force(Part::Interaction, {nullptr, nullptr, x.data()}, rule, f.data());
         },
         [&](auto& k) {
-          model->add_interaction_tangent({nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
+          model->add_tangent(Part::Interaction, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
         });
   };
   for (ContactElement element : elements)
@@ -240,7 +241,7 @@ TEST(EnrichedHexahedraTest, EveryNodeResists) {
     const Pattern& pattern = model->pattern();
     std::vector<double> stiffness(9 * static_cast<std::size_t>(pattern.pairs()), 0.0), mass(stiffness);
     const std::vector<double> rest(model->mesh().coordinates.size(), 0.0);
-    model->add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), stiffness.data());
+    model->add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact, stiffness.data());
     model->mass()->add_to(1.0, mass.data());
     for (int row = 0; row < pattern.rows(); ++row)
       for (int i = 0; i < 3; ++i) {

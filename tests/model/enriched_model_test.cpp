@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "discretization/material_point.hpp"
 #include "interaction/van_der_waals.hpp"
-#include "model/material_point.hpp"
 #include "scene/simulation.hpp"
 #include "solve/rigid_body_modes.hpp"
 #include "support/bodies.hpp"
@@ -51,7 +51,7 @@ TEST(EnrichedModelTest, MassAndMomentaOfAnAffineVelocityAreExact) {
 /// Returns the sum of (X + u) x f over all nodes, f the elastic force at another displacement. Collective.
 double torque(const Model& model, const std::vector<double>& u, const std::vector<double>& elastic_at) {
   std::vector<double> f(u.size());
-  EXPECT_TRUE(model.elastic_force({nullptr, nullptr, elastic_at.data()}, end_rule(), f.data()));
+  EXPECT_TRUE(model.force(Part::Elastic, {nullptr, nullptr, elastic_at.data()}, end_rule(), f.data()));
   const std::vector<double>& x = model.mesh().coordinates;
   double sum = 0;
   for (std::size_t n = 0; n < static_cast<std::size_t>(model.mesh().owned_nodes); ++n)
@@ -92,7 +92,7 @@ TEST(EnrichedModelTest, GapAndForceOfAParallelSideAreThoseOfTheLaw) {
     EXPECT_NEAR(report.least_gap, 0.28, 1e-14) << element;
     EXPECT_NEAR(report.measure, 3.0, 1e-13) << element;
     EXPECT_NEAR(report.force[1], 3 * law.traction(0.28), 1e-13) << element;
-    EXPECT_NEAR(s.model().interaction_energy(rest.data()), 3 * law.energy(0.28), 1e-13) << element;
+    EXPECT_NEAR(s.model().energy(Part::Interaction, rest.data()), 3 * law.energy(0.28), 1e-13) << element;
   }
 }
 
@@ -105,7 +105,7 @@ TEST(EnrichedModelTest, RigidBodyModesCarryNoForce) {
       std::vector<double> u(local), f(local);
       s.model().space().import(*modes->getVector(m), u.data());
       for (double& value : u) value *= 1e-6;
-      s.model().elastic_force({nullptr, nullptr, u.data()}, end_rule(), f.data());
+      s.model().force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data());
       // A small rotation strains by its square.
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.model().space().owned()); ++i)
         EXPECT_LT(std::abs(f[i]), 2e-11) << element << ", mode " << m;

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
@@ -29,7 +29,7 @@ Mesh sheared(int dimension) {
 }
 
 std::unique_ptr<Model> body(int dimension, Inertia inertia) {
-  Material material = test::elastic(ElasticLaw::Linear, 0.2);
+  Material material = test::elastic(linear_elastic, 0.2);
   material.density = 0.7;
   return test::model_of(sheared(dimension), material, inertia);
 }

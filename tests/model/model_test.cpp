@@ -126,7 +126,7 @@ TEST(ModelTest, TwoRanksAssembleTheSameOperatorAsOne) {
       std::vector<double> u(static_cast<std::size_t>(model.space().local()));
       for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.1 * std::sin(1.9 * mesh.coordinates[i]);
       double* values = w->getLocalMatrixHost().values.data();
-      model.add_elastic_tangent({nullptr, nullptr, u.data()}, end_rule(), values);
+      model.add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), Tangent::Exact, values);
       model.mass()->add_to(3.0, values);
       Vector x(model.space().owned_map()), y(model.space().owned_map());
       {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "scene/run.hpp"
+#include "run/run.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 
@@ -19,7 +19,7 @@ using test::word;
 using test::world;
 
 /// An interaction that does nothing but count who asks it what.
-class CountingTerm final : public Term {
+class CountingTerm final : public Interaction {
  public:
   struct Calls {
     long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0;
@@ -37,6 +37,11 @@ class CountingTerm final : public Term {
     return 1;
   }
   void report(const double*, InteractionReport&) const override { ++calls_.report; }
+  bool needs_positive_gaps() const override { return false; }
+  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
+  double mean_potential(const Segment&) const override { return 0; }
+  double rounding(const double*) const override { return 0; }
+  void add_nodal_measure(double*) const override {}
 
  private:
   Calls& calls_;

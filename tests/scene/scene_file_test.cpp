@@ -6,7 +6,7 @@
 #include <Teuchos_Array.hpp>
 
 #include "base/error.hpp"
-#include "scene/list_xml.hpp"
+#include "parameters/list_xml.hpp"
 #include "scene/parameters.hpp"
 
 namespace ixos {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "mesh/spatula.hpp"
+#include "mesh/generators/spatula.hpp"
 #include "scene/parameters.hpp"
 
 namespace ixos {
@@ -71,7 +71,7 @@ TEST(SceneMeshTest, RefusedShapesNameTheMesh) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "Mesh: spatula: tip length 140 must be at most the pad length less the widening length, 130");
+                 "Mesh/Spatula: tip length 140 must be at most the pad length less the widening length, 130");
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "interaction/van_der_waals.hpp"
 #include "io/exodus_mesh.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"

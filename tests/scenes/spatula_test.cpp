@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "fem/quadrature.hpp"
-#include "mesh/spatula.hpp"
+#include "mesh/generators/spatula.hpp"
 #include "scene/simulation.hpp"
 #include "solve/factorization.hpp"
 #include "support/comparison.hpp"
@@ -89,7 +89,7 @@ TEST(SpatulaSceneTest, StartsWithItsWholePadAtTheEquilibriumGap) {
     for (double force : start.force) EXPECT_NEAR(force, 0, 1e-9);  // against 2624 of repulsion alone
     // int psi dA = -W A, the work of adhesion W = 15^(1/3) pi/(8 25 2.5).
     const double adhesion = std::cbrt(15.0) * M_PI / (8 * 25 * 2.5);
-    EXPECT_NEAR(s.model().interaction_energy(s.integrator().state().u.data()), -adhesion * area, 1e-9 * area);
+    EXPECT_NEAR(s.model().energy(Part::Interaction, s.integrator().state().u.data()), -adhesion * area, 1e-9 * area);
     const double error = 1 - area / outline;
     EXPECT_GT(error, 0) << "an inscribed polygon";
     EXPECT_LT(error, 0.3 * before) << cells;

@@ -29,7 +29,7 @@ Teuchos::RCP<CrsMatrix> tangent(const Model& model, double mass) {
   const auto w = model.pattern().create_matrix(model.space());
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   double* values = w->getLocalMatrixHost().values.data();
-  model.add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), values);
+  model.add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact, values);
   model.mass()->add_to(mass, values);
   return w;
 }

@@ -141,7 +141,8 @@ void expect_scales(const std::string& body) {
   const auto stiffness = model.pattern().create_matrix(model.space()),
              mass = model.pattern().create_matrix(model.space());
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  model.add_elastic_tangent({nullptr, nullptr, rest.data()}, end_rule(), stiffness->getLocalMatrixHost().values.data());
+  model.add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact,
+                    stiffness->getLocalMatrixHost().values.data());
   model.mass()->add_to(1.0, mass->getLocalMatrixHost().values.data());
   Vector k(model.space().owned_map()), m(model.space().owned_map()), ratio(model.space().owned_map());
   stiffness->getLocalDiagCopy(k);

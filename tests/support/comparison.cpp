@@ -19,8 +19,8 @@ std::vector<double> gathered(const Model& model, const std::vector<double>& loca
 double total_energy(const Simulation& simulation) {
   const Model& model = simulation.model();
   const State& state = simulation.integrator().state();
-  return model.momenta(state.u.data(), state.v.data()).kinetic_energy + model.elastic_energy(state.u.data()) +
-         model.interaction_energy(state.u.data());
+  return model.momenta(state.u.data(), state.v.data()).kinetic_energy + model.energy(Part::Elastic, state.u.data()) +
+         model.energy(Part::Interaction, state.u.data());
 }
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {

@@ -13,10 +13,9 @@ std::unique_ptr<Model> model_of(const Mesh& mesh, Material material, Inertia ine
                                  std::vector<Material>{material}, inertia);
 }
 
-Material elastic(ElasticLaw law, double nu) {
+Material elastic(ElasticLawOfConstants law, double nu) {
   Material material;
-  material.law = law;
-  material.lame = lame_constants(1, nu);
+  material.law = law(lame_constants(1, nu));
   material.density = 1;
   return material;
 }

@@ -11,8 +11,11 @@ namespace ixos::test {
 /// The mesh, all of its block "body" of this material, on all ranks.
 std::unique_ptr<Model> model_of(const Mesh& mesh, Material material, Inertia inertia);
 
+/// A function like neo_hooke() or linear_elastic().
+using ElasticLawOfConstants = std::shared_ptr<const ElasticLaw> (*)(const Lame&);
+
 /// E = 1, density 1.
-Material elastic(ElasticLaw law, double nu);
+Material elastic(ElasticLawOfConstants law, double nu);
 
 /// No displacement, or no velocity: a local array of zeros.
 std::vector<double> at_rest(const Model& model);

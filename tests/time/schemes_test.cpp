@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "fem/quadrature.hpp"
+#include "parameters/validation.hpp"
 #include "scene/simulation.hpp"
-#include "scene/validation.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 #include "time/catalogue.hpp"

@@ -37,8 +37,8 @@ double highest_frequency(const Simulation& s, const std::vector<double>& u) {
   const auto matrix = model.pattern().create_matrix(model.space());
   double* values = matrix->getLocalMatrixHost().values.data();
   const Segment here{nullptr, nullptr, u.data()};
-  model.add_elastic_tangent(here, end_rule(), values);
-  model.add_interaction_tangent(here, end_rule(), Tangent::Exact, values);
+  model.add_tangent(Part::Elastic, here, end_rule(), Tangent::Exact, values);
+  model.add_tangent(Part::Interaction, here, end_rule(), Tangent::Exact, values);
   const auto size = static_cast<std::size_t>(n);
   std::vector<double> dense(size * size), unit(size), column(size), real(size), imaginary(size), work(8 * size);
   Vector x(model.space().owned_map()), y(model.space().owned_map());
@@ -83,8 +83,8 @@ TEST(StableStepSerialTest, LooksWhereTheStepLeads) {
   EXPECT_GT(s.model().interaction_report(state.u.data()).least_gap, 0.1);
   std::vector<double> sums(state.u.size(), 0.0);
   const Segment end{nullptr, nullptr, state.u.data()};
-  s.model().add_elastic_row_sums(end, sums.data());
-  ASSERT_TRUE(s.model().add_interaction_row_sums(end, sums.data()));
+  s.model().add_row_sums(Part::Elastic, end, sums.data());
+  ASSERT_TRUE(s.model().add_row_sums(Part::Interaction, end, sums.data()));
   EXPECT_LT(bound, 2 / std::sqrt(s.model().mass()->largest_quotient(sums.data())));
 }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mesh/generators.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -81,7 +81,7 @@ double measured_frequency(Ends ends, double length, const std::array<int, 3>& di
   shape.dimension = 3;
   shape.lengths = {length, 1, 1};
   shape.divisions = divisions;
-  Material material = test::elastic(ElasticLaw::Linear, 0);  // nu = 0: no lateral contraction for the clamp to hold
+  Material material = test::elastic(linear_elastic, 0);  // nu = 0: no lateral contraction for the clamp to hold
   material.formulation = formulation;
   const auto model = model_of(box(shape), material, Inertia::Consistent);
   const LocalMesh& mesh = model->mesh();

@@ -34,7 +34,7 @@ double torque(const Model& model, const std::vector<double>& u, const std::vecto
 
 std::vector<double> force_at(const Model& model, const std::vector<double>& u) {
   std::vector<double> f(u.size());
-  EXPECT_TRUE(model.elastic_force({nullptr, nullptr, u.data()}, end_rule(), f.data()));
+  EXPECT_TRUE(model.force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
   return f;
 }
 

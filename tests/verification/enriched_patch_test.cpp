@@ -6,10 +6,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "discretization/nodal_measure.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/selection.hpp"
-#include "model/nodal_measure.hpp"
 #include "support/comparison.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
@@ -44,7 +44,7 @@ void run(ContactElement element) {
   mesh.coordinates[2 * 6] += 0.2;
   mesh.coordinates[2 * 6 + 1] -= 0.15;
   enrich(mesh, "bottom", element);
-  const Material rubber = test::elastic(ElasticLaw::Linear, 0.3);
+  const Material rubber = test::elastic(linear_elastic, 0.3);
   const auto model = test::model_of(mesh, rubber, Inertia::None);
   const LocalMesh& local = model->mesh();
 
@@ -59,7 +59,7 @@ void run(ContactElement element) {
     if (corner) model->constraints().add(2 * node + 1, 1.0, nullptr);
   }
   std::vector<double> expected = test::at_rest(*model);
-  const double strain = p / (rubber.lame.lambda + 2 * rubber.lame.mu);
+  const double strain = p / (rubber.law->lame().lambda + 2 * rubber.law->lame().mu);
   for (std::size_t n = 0; n < expected.size() / 2; ++n) expected[2 * n + 1] = strain * local.coordinates[2 * n + 1];
   expect_equilibrium(*model, expected, 1e-14);
 }
@@ -79,7 +79,7 @@ void run_hexahedra(ContactElement element, bool patch) {
   }
   if (patch) add_side_set(mesh, "patch", "bottom", {{}, {2.5, 1.5, 2}});
   enrich(mesh, patch ? "patch" : "bottom", element);
-  const Material rubber = test::elastic(ElasticLaw::Linear, 0.3);
+  const Material rubber = test::elastic(linear_elastic, 0.3);
   const auto model = test::model_of(mesh, rubber, Inertia::None);
   const LocalMesh& local = model->mesh();
 
@@ -97,7 +97,7 @@ void run_hexahedra(ContactElement element, bool patch) {
   }
   std::vector<double> expected = test::at_rest(*model);
   for (std::size_t k = 0; k < expected.size(); ++k)
-    expected[k] = p / (3 * rubber.lame.lambda + 2 * rubber.lame.mu) * local.coordinates[k];
+    expected[k] = p / (3 * rubber.law->lame().lambda + 2 * rubber.law->lame().mu) * local.coordinates[k];
   expect_equilibrium(*model, expected, 1e-13);
 }
 

@@ -5,14 +5,15 @@
 #include <cmath>
 
 #include "fem/quadrature.hpp"
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
-#include "model/half_space_term.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
+#include "term/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -146,7 +147,7 @@ double pull(ContactElement element, int n, const Sphere& sphere) {
   enrich(mesh, "bottom", element);
   Material rubber;
   rubber.block = "body";
-  rubber.lame = lame_constants(1.0, 0.3);
+  rubber.law = neo_hooke(lame_constants(1.0, 0.3));
   const Comm comm = world();
   Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber});
   HalfSpace wall;
@@ -155,7 +156,7 @@ double pull(ContactElement element, int n, const Sphere& sphere) {
   options.points = 16;
   const LocalMesh& local = model.mesh();
   const auto& sides = local.side_sets[local.side_set("bottom")];
-  for (auto& term : make_half_space_terms(local, sides, model.pattern(), law, wall, options))
+  for (auto& term : make_surface_terms(local, sides, model.pattern(), gap_law(law), flat_wall(wall), options))
     model.add_interaction(std::move(term));
 
   std::vector<double> u(local.coordinates.size(), 0.0);

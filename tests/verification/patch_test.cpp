@@ -3,12 +3,13 @@
 
 #include <cmath>
 
-#include "mesh/enrich.hpp"
-#include "mesh/generators.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
+#include "support/solids.hpp"
 #include "time/integrator.hpp"
 #include "time/schemes.hpp"
 
@@ -40,13 +41,13 @@ Mesh distorted_box(int dimension, ContactElement element) {
   return mesh;
 }
 
-void run_patch(int dimension, ElasticLaw law, const Table& table, ContactElement element = ContactElement::Q1C1) {
+void run_patch(int dimension, test::ElasticLawOfConstants law, const Table& table,
+               ContactElement element = ContactElement::Q1C1) {
   const Mesh mesh = distorted_box(dimension, element);
   const Comm comm = world();
   Material rubber;
   rubber.block = "body";
-  rubber.law = law;
-  rubber.lame = lame_constants(1.0, 0.3);
+  rubber.law = law(lame_constants(1.0, 0.3));
   rubber.density = 1.0;
   Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber});
   const LocalMesh& local = model.mesh();
@@ -78,7 +79,7 @@ TEST(PatchTest, AffineMotionIsReproduced) {
   for (int dimension : {2, 3})
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
-      run_patch(dimension, ElasticLaw::NeoHooke, table);
+      run_patch(dimension, neo_hooke, table);
 }
 
 TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
@@ -86,14 +87,14 @@ TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
        {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
-      run_patch(2, ElasticLaw::NeoHooke, table, element);
+      run_patch(2, neo_hooke, table, element);
   for (ContactElement element :
        {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
-    run_patch(3, ElasticLaw::NeoHooke, average_vector_field(4, 8), element);
+    run_patch(3, neo_hooke, average_vector_field(4, 8), element);
 }
 
 TEST(PatchTest, AffineMotionOfALinearMaterialIsReproduced) {
-  for (int dimension : {2, 3}) run_patch(dimension, ElasticLaw::Linear, newmark(0.25, 0.5));
+  for (int dimension : {2, 3}) run_patch(dimension, linear_elastic, newmark(0.25, 0.5));
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(RigidLimitTest, ForceOnAParallelFaceIsTheTractionTimesItsSize) {
       EXPECT_NEAR(report.force.front(), 0, 1e-15);
       EXPECT_NEAR(report.least_gap, gap, 1e-14);
       EXPECT_NEAR(report.measure, gap < law.adhesion_gap() ? 1.0 : 0.0, 1e-14);
-      EXPECT_NEAR(s.model().interaction_energy(s.integrator().state().u.data()), law.energy(gap), 1e-13);
+      EXPECT_NEAR(s.model().energy(Part::Interaction, s.integrator().state().u.data()), law.energy(gap), 1e-13);
     }
 }
 

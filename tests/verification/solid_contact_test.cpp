@@ -5,10 +5,11 @@
 #include <cmath>
 #include <tuple>
 
-#include "mesh/generators.hpp"
-#include "model/half_space_term.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
+#include "term/surface_terms.hpp"
 #include "time/schemes.hpp"
 
 namespace ixos {
@@ -21,12 +22,13 @@ using test::model_of;
 const VanDerWaals paper_law(2.5, 25);
 
 /// Returns the terms of a wall before that side set.
-std::vector<std::unique_ptr<Term>> wall_terms(const Model& model, const std::string& set, const VanDerWaals& law,
-                                              const HalfSpace& wall, int surface_points) {
+Interactions wall_terms(const Model& model, const std::string& set, const VanDerWaals& law, const HalfSpace& wall,
+                        int surface_points) {
   const LocalMesh& mesh = model.mesh();
   SurfaceOptions options;
   options.points = surface_points;
-  return make_half_space_terms(mesh, mesh.side_sets[mesh.side_set(set)], model.pattern(), law, wall, options);
+  return make_surface_terms(mesh, mesh.side_sets[mesh.side_set(set)], model.pattern(), gap_law(law), flat_wall(wall),
+                            options);
 }
 
 void add_wall(Model& model, const std::string& set, const VanDerWaals& law, const HalfSpace& wall, int surface_points) {
@@ -71,7 +73,7 @@ TEST(SolidContactTest, ForceOnARigidSphereIsTheDifferenceOfEnergies) {
   const double radius = 10, gaps[] = {0.18, 0.2547093, 0.4, 3.0};
   std::vector<double> errors[4];
   for (int divisions : {8, 16, 32}) {
-    const auto model = model_of(ball(radius, divisions), elastic(ElasticLaw::Linear, 0.2), Inertia::None);
+    const auto model = model_of(ball(radius, divisions), elastic(linear_elastic, 0.2), Inertia::None);
     for (std::size_t k = 0; k < 4; ++k) {
       const double gap = gaps[k];
       const double exact = 2 * M_PI * radius * (paper_law.energy(gap) - paper_law.energy(gap + 2 * radius));
@@ -98,7 +100,7 @@ double force_on_block(double nx, double ny, double gap, int surface_points) {
   BoxShape shape;
   shape.dimension = 3;
   shape.divisions = {2, 2, 1};
-  const auto model = model_of(box(shape), elastic(ElasticLaw::Linear, 0.2), Inertia::None);
+  const auto model = model_of(box(shape), elastic(linear_elastic, 0.2), Inertia::None);
   const std::array<double, 3> normal{nx, ny, std::sqrt(1 - nx * nx - ny * ny)};
   add_wall(*model, "bottom", paper_law, {{0, 0, -gap}, normal}, surface_points);
   const auto force = model->interaction_report(at_rest(*model).data()).force;
@@ -179,7 +181,7 @@ std::vector<double> hertz_ratios(double h, int fine, const std::vector<double>& 
   const double radius = 10, nu = 0.2, reduced = 1 / (1 - nu * nu), gap = 0.02;
   // Work of adhesion 2e-7: a pull of 2 pi R times that, 1e-5, against forces of 0.03 to 0.14.
   const VanDerWaals law(50, 1e5);
-  const auto model = model_of(punch(radius, h, fine), elastic(ElasticLaw::NeoHooke, nu), Inertia::None);
+  const auto model = model_of(punch(radius, h, fine), elastic(neo_hooke, nu), Inertia::None);
   add_wall(*model, "bottom", law, {{0, 0, -gap}, {0, 0, 1}}, 5);
   const LocalMesh& mesh = model->mesh();
   const auto down = rate_ramp(-1.0, 0.0, 0.0, RampShape::Linear);  // u = -t

@@ -1,0 +1,67 @@
+#include "discretization/pattern.hpp"
+
+#include <Tpetra_CrsGraph.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <algorithm>
+
+namespace ixos {
+
+Pattern::Pattern(const LocalMesh& mesh) : dimension_(mesh.dimension), row_start_{0} {
+  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(mesh.owned_nodes));
+  for (int node = 0; node < mesh.owned_nodes; ++node) neighbours[row_index(node)].push_back(node);
+  for (const LocalBlock& block : mesh.blocks) {
+    const int n = nodes_per_cell(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell) {
+      const int* nodes = &block.nodes[cell_entry(cell, n)];
+      for (int a = 0; a < n; ++a)
+        if (nodes[a] < mesh.owned_nodes)
+          neighbours[row_index(nodes[a])].insert(neighbours[row_index(nodes[a])].end(), nodes, nodes + n);
+    }
+  }
+  for (std::vector<int>& row : neighbours) {
+    std::sort(row.begin(), row.end());
+    row.erase(std::unique(row.begin(), row.end()), row.end());
+    columns_.insert(columns_.end(), row.begin(), row.end());
+    row_start_.push_back(static_cast<int>(columns_.size()));
+  }
+}
+
+int Pattern::pair(int row, int column) const {
+  if (row >= rows()) return -1;
+  const auto begin = columns_.begin() + row_start_[row_index(row)];
+  const auto end = columns_.begin() + row_start_[row_index(row) + 1];
+  return static_cast<int>(std::lower_bound(begin, end, column) - columns_.begin());
+}
+
+int Pattern::offset(int row, int column) const {
+  if (row >= rows()) return -1;
+  const int first = row_start_[row_index(row)];
+  return dimension_ * dimension_ * first + dimension_ * (pair(row, column) - first);
+}
+
+Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {
+  if (graph_.is_null()) {
+    using RowStarts = CrsGraph::local_graph_device_type::row_map_type::non_const_type;
+    using Columns = CrsGraph::local_graph_device_type::entries_type::non_const_type;
+    const std::size_t d = static_cast<std::size_t>(dimension_);
+    RowStarts starts("row starts", static_cast<std::size_t>(rows()) * d + 1);
+    Columns columns("columns", columns_.size() * d * d);
+    std::size_t k = 0;
+    for (int row = 0; row < rows(); ++row)
+      for (std::size_t i = 0; i < d; ++i) {
+        for (int p = row_start_[row_index(row)]; p < row_start_[row_index(row) + 1]; ++p)
+          for (std::size_t j = 0; j < d; ++j)
+            columns(k++) = columns_[static_cast<std::size_t>(p)] * dimension_ + static_cast<int>(j);
+        starts(static_cast<std::size_t>(row) * d + i + 1) = k;
+      }
+    auto graph = Teuchos::rcp(new CrsGraph(space.owned_map(), space.local_map(), starts, columns));
+    graph->fillComplete(space.owned_map(), space.owned_map());
+    graph_ = graph;
+  }
+  auto matrix = Teuchos::rcp(new CrsMatrix(graph_));
+  matrix->fillComplete(space.owned_map(), space.owned_map());
+  return matrix;
+}
+
+}  // namespace ixos

@@ -1,0 +1,41 @@
+/// The sparsity of the tangent, and the places of an element's entries in it.
+#pragma once
+#include <vector>
+
+#include "base/tpetra.hpp"
+#include "discretization/dof_space.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// Nodes that share a cell are coupled. Rows are owned nodes; columns are local nodes in ascending order. In the matrix
+/// each node pair is a dense block of dimension x dimension values whose rows are `stride` apart, so an element's
+/// entries are written through one offset for each node pair, without a search.
+class Pattern {
+ public:
+  explicit Pattern(const LocalMesh& mesh);
+
+  int rows() const { return static_cast<int>(row_start_.size()) - 1; }
+  const std::vector<int>& row_start() const { return row_start_; }  ///< per owned node, in node pairs
+  const std::vector<int>& columns() const { return columns_; }      ///< local node numbers
+  int pairs() const { return static_cast<int>(columns_.size()); }
+
+  /// Returns the index of the node pair, or -1 if `row` is not owned. Both nodes must share a cell.
+  int pair(int row, int column) const;
+  /// Returns the index of the first matrix value of the node pair's block, or -1 if `row` is not owned.
+  int offset(int row, int column) const;
+  /// Returns the distance between the rows of the blocks of that owned node.
+  int stride(int row) const { return dimension_ * (row_start_[row_index(row) + 1] - row_start_[row_index(row)]); }
+
+  /// Returns a matrix of this sparsity, fill-complete, values zero.
+  Teuchos::RCP<CrsMatrix> create_matrix(const DofSpace& space) const;
+
+ private:
+  static std::size_t row_index(int row) { return static_cast<std::size_t>(row); }
+  int dimension_;
+  std::vector<int> row_start_;
+  std::vector<int> columns_;
+  mutable Teuchos::RCP<const CrsGraph> graph_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,263 @@
+/// Energy, force and tangent of one element (or one pack of elements), over any scalar type.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "base/small_matrix.hpp"
+#include "element/node_pairs.hpp"
+#include "fem/rule.hpp"
+#include "fem/shape_table.hpp"
+
+namespace ixos {
+
+/// Isoparametric displacement element with a hyperelastic material. T is double, Pack, or an AD type. Nodal arrays are
+/// [node][component]; the tangent is [node D + component][node D + component].
+///
+/// On every path that a rule knows, the displacement gradient at a time point is a fixed combination of those of the
+/// segment's ends, so time points are looped inside the quadrature point: one gather, one B^T A B and one scatter serve
+/// any number of them.
+template <class Element, class Material>
+struct ElasticKernel {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+  using Shape = Element;
+  using Law = Material;
+  using Table = ShapeTable<Element>;
+  /// Whether the kernel knows Mean::DiscreteGradient.
+  static constexpr bool has_discrete_gradient = true;
+
+  template <class T>
+  using Nodal = Small<T, N, D>;
+  template <class T>
+  using Tangent = Small<T, N * D>;
+
+  /// Data at one quadrature point: dxi_d/dX_J, and quadrature weight times reference volume [L0^D].
+  template <class T>
+  struct Point {
+    Small<T, D> inverse_jacobian;
+    T weight;
+  };
+  /// The element's points; the table must outlive it.
+  template <class T>
+  struct Geometry {
+    const Table* table;
+    std::vector<Point<T>> points;
+  };
+
+  /// The ends of the segment: u_from and h v_from may be null if the rule does not use them.
+  template <class T>
+  struct Segment {
+    const Nodal<T>* from;
+    const Nodal<T>* velocity;
+    const Nodal<T>* to;
+  };
+
+  /// Computes the geometry from nodal coordinates X [L0]. The caller checks that all weights are positive.
+  template <class T>
+  static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
+    Geometry<T> result{&table, std::vector<Point<T>>(table.size())};
+    for (std::size_t q = 0; q < table.size(); ++q) {
+      const Small<T, D> jacobian = gradient(x, table.gradient[q]);
+      const T det = determinant(jacobian);
+      result.points[q].inverse_jacobian = inverse(jacobian, det);
+      result.points[q].weight = det * table.weight[q];
+    }
+    return result;
+  }
+
+  /// Returns the stored energy [E0 L0^D].
+  template <class T>
+  static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+    T sum(0.0);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q)
+      sum += geometry.points[q].weight * material.energy(gradient(u, shape_gradients(geometry, q)));
+    return sum;
+  }
+
+  /// Returns means over the reference volume: tr(sigma) [E0], J, W [E0], in this order. tr(sigma) = P:F/J, and in plane
+  /// strain also the stress out of the plane.
+  template <class T>
+  static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+    return means_of(material, geometry, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); });
+  }
+
+  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane
+  /// by lane.
+  template <class T>
+  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                     Nodal<T>& f) {
+    T least_jacobian(1e300);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Ends<T> ends(segment, dn);
+      Small<T, D> mean{};
+      for (const RulePoint& point : rule.points) {
+        Small<T, D> p;
+        least_jacobian = smaller(least_jacobian, material.stress(ends.at(point), p));
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
+      }
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
+      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
+    }
+    return least_jacobian;
+  }
+
+  /// Adds the rule's tangent dF/du_s to k.
+  template <class T>
+  static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                          const Rule& rule, Tangent<T>& k) {
+    // With one time point in three dimensions the spatial form is twice as fast. Several time points share the
+    // contraction of their mean moduli.
+    if constexpr (D == 3 && Material::has_spatial_tangent)
+      if (rule.points.size() == 1 && rule.mean == Mean::Points)
+        return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Ends<T> ends(segment, dn);
+      Small<T, D * D> mean{};
+      for (const RulePoint& point : rule.points) {
+        Small<T, D> p;
+        Small<T, D * D> moduli;
+        material.stress_and_moduli(ends.at(point), p, moduli);
+        const double weight = point.weight * point.to;
+        for (std::size_t r = 0; r < D * D; ++r)
+          for (std::size_t c = 0; c < D * D; ++c) mean[r][c] += weight * moduli[r][c];
+      }
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient_moduli(ends.from, ends.to, mean);
+      for (std::size_t r = 0; r < D * D; ++r)
+        for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry.points[q].weight;
+      if (rule.is_gradient())
+        add_contraction<true>(dn, dn, mean, k);
+      else
+        add_contraction<false>(dn, dn, mean, k);
+    }
+  }
+
+  /// Displacement gradients at the ends of the segment.
+  template <class T>
+  struct Ends {
+    Ends(const Segment<T>& segment, const Nodal<T>& dn) : to(gradient(*segment.to, dn)) {
+      has_from = segment.from != nullptr;
+      has_velocity = segment.velocity != nullptr;
+      if (has_from) from = gradient(*segment.from, dn);
+      if (has_velocity) velocity = gradient(*segment.velocity, dn);
+    }
+
+    Small<T, D> at(const RulePoint& point) const {
+      Small<T, D> h;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) {
+          h[i][j] = point.to * to[i][j];
+          if (has_from) h[i][j] += point.from * from[i][j];
+          if (has_velocity) h[i][j] += point.velocity * velocity[i][j];
+        }
+      return h;
+    }
+
+    /// Returns J at the end of the segment.
+    T jacobian() const {
+      Small<T, D> f = to;
+      for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+      return determinant(f);
+    }
+
+    Small<T, D> to, from, velocity;
+    bool has_from, has_velocity;
+  };
+
+  /// Returns dN_a/dX_J at point q.
+  template <class T>
+  static Nodal<T> shape_gradients(const Geometry<T>& geometry, std::size_t q) {
+    const auto& reference = geometry.table->gradient[q];
+    const Point<T>& point = geometry.points[q];
+    Nodal<T> dn{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t j = 0; j < D; ++j)
+        for (std::size_t d = 0; d < D; ++d) dn[a][j] += reference[a][d] * point.inverse_jacobian[d][j];
+    return dn;
+  }
+
+  /// Returns H_iJ = sum_a u_ai dN_a/dX_J; given reference gradients dN_a/dxi_d, the derivative by xi.
+  template <class T, class S>
+  static Small<T, D> gradient(const Nodal<T>& u, const Nodal<S>& dn) {
+    Small<T, D> h{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) h[i][j] += u[a][i] * dn[a][j];
+    return h;
+  }
+
+ protected:
+  /// Returns means() of the displacement gradients that gradient_at(q) gives for the quadrature points.
+  template <class T, class GradientAt>
+  static std::array<T, 3> means_of(const Material& material, const Geometry<T>& geometry,
+                                   const GradientAt& gradient_at) {
+    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Small<T, D> h = gradient_at(q);
+      const T& weight = geometry.points[q].weight;
+      Small<T, D> p;
+      const T jacobian = material.stress(h, p);
+      T trace(0.0);
+      for (std::size_t i = 0; i < D; ++i) {
+        trace += p[i][i];
+        for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+      }
+      trace = trace / jacobian;
+      if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+      sums[0] += weight * trace;
+      sums[1] += weight * jacobian;
+      sums[2] += weight * material.energy(h);
+    }
+    const T reference = volume(geometry);
+    for (T& sum : sums) sum = sum / reference;
+    return sums;
+  }
+
+  /// Returns the reference volume.
+  template <class T>
+  static T volume(const Geometry<T>& geometry) {
+    T sum(0.0);
+    for (const Point<T>& point : geometry.points) sum += point.weight;
+    return sum;
+  }
+
+ private:
+  template <class T>
+  static void add_spatial_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                                  const RulePoint& point, Tangent<T>& k) {
+    for (std::size_t q = 0; q < geometry.points.size(); q += points_at_once) {
+      const std::size_t count = std::min(points_at_once, geometry.points.size() - q);
+      std::array<SpatialPoint<T, N, D>, points_at_once> linearized;
+      for (std::size_t i = 0; i < count; ++i) linearize(material, geometry, segment, point, q + i, linearized[i]);
+      add_products(linearized, count, k);
+    }
+  }
+
+  template <class T>
+  [[gnu::always_inline]] static void linearize(const Material& material, const Geometry<T>& geometry,
+                                               const Segment<T>& segment, const RulePoint& point, std::size_t q,
+                                               SpatialPoint<T, N, D>& result) {
+    result.reference = shape_gradients(geometry, q);
+    const Ends<T> ends(segment, result.reference);
+    Small<T, D> inverse_deformation;
+    result.moduli = material.spatial_tangent(ends.at(point), inverse_deformation);
+    result.moduli.scale(geometry.points[q].weight * (point.weight * point.to));
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i) {
+        result.current[a][i] = result.reference[a][0] * inverse_deformation[0][i];
+        for (std::size_t j = 1; j < D; ++j) result.current[a][i] += result.reference[a][j] * inverse_deformation[j][i];
+      }
+  }
+};
+
+}  // namespace ixos

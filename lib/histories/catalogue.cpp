@@ -1,0 +1,23 @@
+#include "histories/catalogue.hpp"
+
+namespace ixos {
+
+#define ENTRY(name) HistoryEntry name();
+#include "histories/entries.def"
+#undef ENTRY
+
+const Catalogue<HistoryEntry>& histories() {
+#define ENTRY(name) name(),
+  static const Catalogue<HistoryEntry> catalogue("Type", "Kind of function.",
+                                                 {
+#include "histories/entries.def"
+                                                 });
+#undef ENTRY
+  return catalogue;
+}
+
+std::string history_value(const std::string& what) {
+  return what + " A motion is in L0; a load is its Vector times this number.";
+}
+
+}  // namespace ixos

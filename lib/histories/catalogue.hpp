@@ -1,0 +1,21 @@
+/// The histories that a scene may choose.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "histories/time_function.hpp"
+#include "parameters/catalogue.hpp"
+#include "parameters/range_validator.hpp"
+
+namespace ixos {
+
+/// An entry makes a function of time from its parameters.
+using HistoryEntry = CatalogueEntry<std::shared_ptr<const TimeFunction>>;
+
+/// Returns the catalogue; its choice is "Type".
+const Catalogue<HistoryEntry>& histories();
+
+/// Returns the documentation of a history's value, whose unit depends on its use.
+std::string history_value(const std::string& what);
+
+}  // namespace ixos

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/error.hpp"
+#include "histories/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+void check(const std::vector<double>& times, const std::vector<double>& values) {
+  if (times.size() < 2) throw InputError(fmt::format("the table has {} times; it needs at least 2", times.size()));
+  if (values.size() != times.size())
+    throw InputError(fmt::format("the table has {} times and {} values; it needs as many values as times", times.size(),
+                                 values.size()));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i]) || !std::isfinite(values[i]))
+      throw InputError(
+          fmt::format("entry {} of the table is ({}, {}); both numbers must be finite", i + 1, times[i], values[i]));
+    if (i > 0 && times[i] <= times[i - 1])
+      throw InputError(fmt::format("entry {} of the table: the times must increase, but {} follows {}", i + 1, times[i],
+                                   times[i - 1]));
+  }
+}
+
+class Table final : public TimeFunction {
+ public:
+  Table(std::vector<double> times, const std::vector<double>& values) : times_(std::move(times)) {
+    check(times_, values);
+    const std::size_t last = times_.size() - 1;
+    const auto length = [this](std::size_t i) { return times_[i + 1] - times_[i]; };
+    const auto slope = [&](std::size_t i) { return (values[i + 1] - values[i]) / length(i); };
+    for (std::size_t i = 0; i <= last; ++i) {
+      if (last == 1) {
+        knots_.push_back({values[i], slope(0), 0});
+        continue;
+      }
+      // The parabola through the times m - 1, m and m + 1, in Newton's form.
+      const std::size_t m = std::clamp<std::size_t>(i, 1, last - 1);
+      const double half_curvature = (slope(m) - slope(m - 1)) / (times_[m + 1] - times_[m - 1]);
+      const double rate = slope(m - 1) + half_curvature * ((times_[i] - times_[m - 1]) + (times_[i] - times_[m]));
+      knots_.push_back({values[i], rate, 2 * half_curvature});
+    }
+  }
+
+  TimeValue at(double time) const override {
+    const double slack = 1e-9 * (last_time() - first_time());
+    if (!(time >= first_time() - slack && time <= last_time() + slack)) {
+      const double nan = std::numeric_limits<double>::quiet_NaN();
+      return {nan, nan, nan};
+    }
+    const auto above = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
+    const auto i = static_cast<std::size_t>(above - times_.begin()) - 1;
+    return between(knots_[i], knots_[i + 1], times_[i + 1] - times_[i], time - times_[i]);
+  }
+  double first_time() const override { return times_.front(); }
+  double last_time() const override { return times_.back(); }
+
+ private:
+  /// The polynomial of degree 5 in tau = since / length that has the values and derivatives of both ends: `from` gives
+  /// its first three coefficients, the conditions at `to` the others.
+  static TimeValue between(const TimeValue& from, const TimeValue& to, double length, double since) {
+    const double tau = since / length;
+    const double c0 = from.value;
+    const double c1 = length * from.rate;
+    const double c2 = length * length * from.acceleration / 2;
+    const double value = to.value - c0 - c1 - c2;
+    const double rate = length * to.rate - c1 - 2 * c2;
+    const double acceleration = length * length * to.acceleration - 2 * c2;
+    const double c3 = 10 * value - 4 * rate + acceleration / 2;
+    const double c4 = -15 * value + 7 * rate - acceleration;
+    const double c5 = 6 * value - 3 * rate + acceleration / 2;
+    return {c0 + tau * (c1 + tau * (c2 + tau * (c3 + tau * (c4 + tau * c5)))),
+            (c1 + tau * (2 * c2 + tau * (3 * c3 + tau * (4 * c4 + tau * 5 * c5)))) / length,
+            (2 * c2 + tau * (6 * c3 + tau * (12 * c4 + tau * 20 * c5))) / (length * length)};
+  }
+
+  std::vector<double> times_;
+  std::vector<TimeValue> knots_;
+};
+
+struct Parameters {
+  std::vector<double> times, values;
+};
+
+}  // namespace
+
+std::shared_ptr<const TimeFunction> interpolated(std::vector<double> times, const std::vector<double>& values) {
+  return std::make_shared<Table>(std::move(times), values);
+}
+
+HistoryEntry table_history() {
+  Options<Parameters> options;
+  options
+      .add("Times", &Parameters::times, "Times of the table [T0]. They must increase strictly and cover the whole run.",
+           any_number())
+      .add("Values", &Parameters::values, history_value("Values of the table, one for each of Times."), any_number());
+  return {"Table", "Quintic interpolation of a table, twice continuously differentiable.", "", options.list(),
+          [options](const SceneNode& node) {
+            const Parameters p = options.read(node);
+            return interpolated(p.times, p.values);
+          }};
+}
+
+}  // namespace ixos

@@ -1,0 +1,53 @@
+/// Obstacles that a surface interacts with.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "base/pack.hpp"
+#include "base/small_matrix.hpp"
+#include "interaction/half_space.hpp"
+
+namespace ixos {
+
+/// A point in space, one pack for each coordinate; the third is 0 in two dimensions.
+using PackPoint = std::array<Pack, 3>;
+
+/// The obstacle as a point sees it.
+struct Sight {
+  Pack gap;               ///< signed distance to the obstacle's surface [L0], positive outside
+  PackPoint normal;       ///< gradient of the gap, a unit vector
+  Small<Pack, 3> bend{};  ///< second derivatives of the gap [1/L0], symmetric; bend normal = 0
+};
+
+/// The direction of the mean force over a step, and its derivative in the second point.
+struct MeanSight {
+  PackPoint normal;
+  Small<Pack, 3> slope{};
+};
+
+/// A rigid body described by the signed distance to its surface. Obstacles know nothing of laws.
+class Obstacle {
+ public:
+  virtual ~Obstacle() = default;
+
+  /// Returns the half-space if the obstacle is one. Surfaces before it take a scalar path without normals.
+  virtual const HalfSpace* half_space() const { return nullptr; }
+
+  /// Returns distance, normal and curvature at the point x.
+  virtual Sight at(const PackPoint& x) const = 0;
+
+  /// Returns a direction n with n . (x1 - x0) = gap(x1) - gap(x0): with it, the force -T n with the mean traction T
+  /// of the gaps does the work that the interaction's energy loses. By default it is the mean normal on the straight
+  /// path by 3 Gauss points, for which the equation holds up to the error of the quadrature.
+  virtual MeanSight mean(const PackPoint& x0, const PackPoint& x1) const;
+
+  /// Returns the largest s <= 1 for which the gap along x + s d stays at least `least`, or less. The gap at x exceeds
+  /// `least`. By default sphere tracing: the distance is Lipschitz continuous with constant 1.
+  virtual Pack admissible_step(const PackPoint& x, const PackPoint& d, const Pack& least) const;
+};
+
+/// Returns the half-space as an obstacle.
+std::shared_ptr<const Obstacle> flat_wall(const HalfSpace& wall);
+
+}  // namespace ixos

@@ -1,0 +1,73 @@
+#include "interaction/half_space.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "interaction/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+class Wall final : public Obstacle {
+ public:
+  explicit Wall(const HalfSpace& wall) : wall_(wall) {}
+  const HalfSpace* half_space() const override { return &wall_; }
+  Sight at(const PackPoint& x) const override {
+    Sight sight;
+    sight.gap = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      sight.gap += (x[i] - wall_.point[i]) * wall_.normal[i];
+      sight.normal[i] = wall_.normal[i];
+    }
+    return sight;
+  }
+  Pack admissible_step(const PackPoint& x, const PackPoint& d, const Pack& least) const override {
+    Pack change = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) change += d[i] * wall_.normal[i];
+    const auto closes = change < 0.0;
+    const Pack step = (at(x).gap - least) / select(closes, Pack(-change), Pack(1.0));
+    return smaller(select(closes, step, Pack(1.0)), Pack(1.0));
+  }
+
+ private:
+  HalfSpace wall_;
+};
+
+struct Parameters {
+  std::vector<double> point, normal;
+};
+
+std::shared_ptr<const Obstacle> make(const SceneNode& node, std::size_t dimension) {
+  HalfSpace wall;
+  wall.normal = {};
+  const auto point = node.numbers("Point", dimension, std::vector<double>(dimension, 0.0));
+  std::vector<double> up(dimension, 0.0);
+  up.back() = 1;
+  const auto normal = node.numbers("Normal", dimension, up);
+  double largest = 0;
+  for (double n : normal) largest = std::max(largest, std::abs(n));
+  if (!(largest > 0)) throw InputError(node.path_of("Normal") + " is zero: it must point out of the wall");
+  double square = 0;
+  for (double n : normal) square += n / largest * (n / largest);
+  for (std::size_t d = 0; d < dimension; ++d) {
+    wall.point[d] = point[d];
+    wall.normal[d] = normal[d] / largest / std::sqrt(square);
+  }
+  return flat_wall(wall);
+}
+
+}  // namespace
+
+std::shared_ptr<const Obstacle> flat_wall(const HalfSpace& wall) { return std::make_shared<Wall>(wall); }
+
+ObstacleEntry half_space_obstacle() {
+  Options<Parameters> options;
+  options
+      .add("Point", &Parameters::point, "A point on the surface of the wall [L0]. If empty, it is the origin.",
+           any_number())
+      .add("Normal", &Parameters::normal,
+           "Vector that points out of the wall. If empty, it points along the last axis.", any_number());
+  return {"Half-Space", "Half-Space is a rigid flat wall.", "", options.list(), make, true};
+}
+
+}  // namespace ixos

@@ -1,0 +1,24 @@
+/// The elastic laws that a scene may choose.
+#pragma once
+#include <memory>
+
+#include "material/elastic_law.hpp"
+#include "parameters/catalogue.hpp"
+
+namespace ixos {
+
+/// An entry makes an elastic law from its parameters.
+using ElasticEntry = CatalogueEntry<std::shared_ptr<const ElasticLaw>>;
+
+/// Returns the catalogue; its choice is "Model".
+const Catalogue<ElasticEntry>& elastic_laws();
+
+/// Young's modulus [E0] and Poisson's ratio [-], which several laws share.
+struct IsotropicConstants {
+  double young = 1;
+  double poisson = 0.2;
+  Lame lame() const { return lame_constants(young, poisson); }
+};
+Options<IsotropicConstants> isotropic_options();
+
+}  // namespace ixos

@@ -1,0 +1,72 @@
+#include "mesh/enrichment/contact_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace ixos {
+
+std::vector<int> side_corners(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  std::vector<int> corners;
+  for (int a : side_nodes(block.type, side.side))
+    corners.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+  return corners;
+}
+
+int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of) {
+  if (derivative_of >= 0 && mesh.derivative_of.empty())
+    mesh.derivative_of.assign(static_cast<std::size_t>(mesh.nodes()), -1);
+  mesh.coordinates.insert(mesh.coordinates.end(), x.begin(), x.end());
+  if (!mesh.derivative_of.empty()) mesh.derivative_of.push_back(derivative_of);
+  return mesh.nodes() - 1;
+}
+
+void complete_node_sets(Mesh& mesh, const std::vector<Between>& added) {
+  for (NodeSet& set : mesh.node_sets) {
+    const std::set<int> members(set.nodes.begin(), set.nodes.end());
+    const auto is_member = [&](int node) { return members.count(node) != 0; };
+    std::set<int> further;
+    for (const Between& between : added)
+      if (std::all_of(between.corners.begin(), between.corners.end(), is_member))
+        further.insert(between.nodes.begin(), between.nodes.end());
+    set.nodes.insert(set.nodes.end(), further.begin(), further.end());
+  }
+}
+
+Edge edge_key(int a, int b) { return std::minmax(a, b); }
+
+double length(const Mesh& mesh, const Edge& edge) {
+  const auto dimension = static_cast<std::size_t>(mesh.dimension);
+  const double* a = &mesh.coordinates[dimension * static_cast<std::size_t>(edge.first)];
+  const double* b = &mesh.coordinates[dimension * static_cast<std::size_t>(edge.second)];
+  return dimension == 2 ? std::hypot(b[0] - a[0], b[1] - a[1]) : std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
+  // Counts, for each edge of the set's faces, those faces less all cells around it. A cell has one face in the set, so
+  // the count is zero if every cell at the edge is enriched along it; cells may also meet in the edge alone.
+  constexpr std::array<std::array<int, 2>, 12> edges{
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  std::map<Edge, int> balance;
+  for (const Side& side : set.sides) {
+    const std::vector<int> corners = side_corners(mesh, side);
+    for (std::size_t k = 0; k < 4; ++k) ++balance[edge_key(corners[k], corners[(k + 1) % 4])];
+  }
+  for (const ElementBlock& block : mesh.blocks) {
+    const int n = nodes_per_cell(block.type);
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (const auto& [a, b] : edges) {
+        const auto found =
+            balance.find(edge_key(block.nodes[cell_entry(cell, n, a)], block.nodes[cell_entry(cell, n, b)]));
+        if (found != balance.end()) --found->second;
+      }
+  }
+  std::set<Edge> tied;
+  for (const auto& [edge, left] : balance)
+    if (left != 0) tied.insert(edge);
+  return tied;
+}
+
+}  // namespace ixos

@@ -1,0 +1,188 @@
+#include "mesh/enrichment/enrich.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "mesh/enrichment/contact_nodes.hpp"
+#include "mesh/selection.hpp"
+
+namespace ixos {
+namespace {
+
+CellType enriched_type(CellType plain, ContactElement element) {
+  const bool quad = plain == CellType::Quad4;
+  switch (element) {
+    case ContactElement::Q1C2:
+      return quad ? CellType::Quad4C2 : CellType::Hex8C2;
+    case ContactElement::Q1C3:
+      return quad ? CellType::Quad4C3 : CellType::Hex8C3;
+    case ContactElement::Q1C4:
+      return quad ? CellType::Quad4C4 : CellType::Hex8C4;
+    default:
+      return quad ? CellType::Quad4CH : CellType::Hex8CH;
+  }
+}
+
+void check(const Mesh& mesh, const SideSet& set) {
+  std::set<std::pair<int, int>> cells;
+  for (const Side& side : set.sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const std::string where =
+        fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
+    if (block.type != plain_type(block.type))
+      throw InputError(where + ": the cell already has an enriched side; a cell can have only one");
+    if (!cells.insert({side.block, side.cell}).second)
+      throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have only one");
+  }
+}
+
+/// A cell turned so that one of its sides becomes the contact side.
+struct Turn {
+  std::vector<int> corner;  ///< by new corner: the old one
+  std::vector<int> side;    ///< by old side: the new one
+};
+
+/// Returns the corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
+int opposite(int corner, const std::vector<int>& corners) {
+  const int layer = corner / 4 * 4, above = (corner + 4) % 8;
+  for (int other : {layer + (corner + 1) % 4, layer + (corner + 3) % 4})
+    if (std::find(corners.begin(), corners.end(), above) != corners.end() &&
+        std::find(corners.begin(), corners.end(), other) == corners.end())
+      return other;
+  return above;
+}
+
+Turn turn_of(CellType plain, int side) {
+  Turn turn;
+  if (plain == CellType::Quad4) {
+    for (int a = 0; a < 4; ++a) turn.corner.push_back((a + side) % 4);
+  } else {
+    const std::vector<int>& corners = side_nodes(plain, side);
+    turn.corner = {corners[0], corners[3], corners[2], corners[1]};  // the bottom is seen from inside
+    for (int a = 0; a < 4; ++a) turn.corner.push_back(opposite(turn.corner[static_cast<std::size_t>(a)], corners));
+  }
+  const int sides = sides_per_cell(plain);
+  turn.side.resize(static_cast<std::size_t>(sides));
+  for (int now = 0; now < sides; ++now) {
+    std::set<int> corners;
+    for (int a : side_nodes(plain, now)) corners.insert(turn.corner[static_cast<std::size_t>(a)]);
+    for (int old = 0; old < sides; ++old)
+      if (corners == std::set<int>(side_nodes(plain, old).begin(), side_nodes(plain, old).end()))
+        turn.side[static_cast<std::size_t>(old)] = now;
+  }
+  return turn;
+}
+
+/// Moves the set's cells to new blocks, turned so that their contact side is where their type wants it.
+class BlockSplit {
+ public:
+  BlockSplit(Mesh& mesh, const SideSet& set, const std::vector<ExtraNodes>& extra, CellType type, int points)
+      : mesh_(mesh), extra_(extra), type_(type), points_(points), rich_(mesh.blocks.size()) {
+    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(plain_type(type), side));
+    for (std::size_t k = 0; k < set.sides.size(); ++k)
+      rich_[static_cast<std::size_t>(set.sides[k].block)][set.sides[k].cell] = {set.sides[k].side, k};
+  }
+
+  void apply() {
+    std::vector<ElementBlock> blocks;
+    for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) split(mesh_.blocks[b], rich_[b], blocks);
+    mesh_.blocks = std::move(blocks);
+    for (SideSet& set : mesh_.side_sets)
+      for (Side& side : set.sides) {
+        const Place& place = places_[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)];
+        const auto old = static_cast<std::size_t>(side.side);
+        side = {place.block, place.cell, place.turn < 0 ? side.side : turn(place.turn).side[old]};
+      }
+  }
+
+ private:
+  struct Place {
+    int block;
+    int cell;
+    int turn;  ///< the old number of the contact side, -1 of cells that are not turned
+  };
+  struct Rich {
+    int side;           ///< the cell's contact side
+    std::size_t index;  ///< its number in the set
+  };
+
+  const Turn& turn(int side) const { return turns_[static_cast<std::size_t>(side)]; }
+
+  /// Cells without enrichment stay in front, the others follow, by the edges that are tied.
+  void split(ElementBlock& old, const std::map<int, Rich>& rich, std::vector<ElementBlock>& blocks) {
+    std::map<unsigned, int> number;  // by tied edges: the block
+    for (const auto& [cell, entry] : rich) number[extra_[entry.index].tied] = 0;
+    const auto first = static_cast<int>(blocks.size());
+    int next = rich.size() < static_cast<std::size_t>(old.cells()) || rich.empty() ? first + 1 : first;
+    for (auto& [tied, block] : number) block = next++;
+    blocks.resize(static_cast<std::size_t>(next));
+    for (const auto& [tied, block] : number)
+      blocks[static_cast<std::size_t>(block)] = {old.name, type_, {}, {}, points_, tied};
+
+    places_.emplace_back();
+    std::vector<int> plain_nodes;
+    std::vector<double> plain_scale = old.derivative_scale;  // of an enriched block, which is never split
+    const int n = nodes_per_cell(old.type);
+    int plain = 0;
+    for (int cell = 0; cell < old.cells(); ++cell) {
+      const int* nodes = &old.nodes[cell_entry(cell, n)];
+      const auto found = rich.find(cell);
+      if (found == rich.end()) {
+        places_.back().push_back({first, plain++, -1});
+        plain_nodes.insert(plain_nodes.end(), nodes, nodes + n);
+        continue;
+      }
+      const ExtraNodes& extra = extra_[found->second.index];
+      const int block = number.at(extra.tied);
+      ElementBlock& target = blocks[static_cast<std::size_t>(block)];
+      places_.back().push_back({block, target.cells(), found->second.side});
+      for (int a : turn(found->second.side).corner) target.nodes.push_back(nodes[a]);
+      target.nodes.insert(target.nodes.end(), extra.nodes.begin(), extra.nodes.end());
+      target.derivative_scale.insert(target.derivative_scale.end(), extra.derivative_scale.begin(),
+                                     extra.derivative_scale.end());
+    }
+    if (plain > 0 || rich.empty())
+      blocks[static_cast<std::size_t>(first)] = {old.name,   old.type, std::move(plain_nodes), std::move(plain_scale),
+                                                 old.points, old.tied};
+  }
+
+  Mesh& mesh_;
+  const std::vector<ExtraNodes>& extra_;
+  CellType type_;
+  int points_;
+  std::vector<Turn> turns_;
+  std::vector<std::map<int, Rich>> rich_;   ///< by block: its cells in the set
+  std::vector<std::vector<Place>> places_;  ///< where each old cell went
+};
+
+std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement element) {
+  switch (element) {
+    case ContactElement::Q1C2:
+      return add_lagrange_nodes(mesh, set, 2);
+    case ContactElement::Q1C3:
+      return add_lagrange_nodes(mesh, set, 3);
+    case ContactElement::Q1C4:
+      return add_lagrange_nodes(mesh, set, 4);
+    default:
+      return mesh.dimension == 2 ? add_hermite_nodes(mesh, set) : add_hermite_face_nodes(mesh, set);
+  }
+}
+
+}  // namespace
+
+void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points) {
+  if (element == ContactElement::Q1C1) return;
+  const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
+  check(mesh, set);
+  if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
+  const CellType type = enriched_type(mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8, element);
+  const std::vector<ExtraNodes> extra = add_nodes(mesh, set, element);
+  BlockSplit(mesh, set, extra, type, points).apply();
+}
+
+}  // namespace ixos

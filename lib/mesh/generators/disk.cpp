@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/generators/entry.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "parameters/range_validator.hpp"
+
+namespace ixos {
+namespace {
+
+void check(const DiskShape& shape) {
+  if (!(shape.diameter > 0)) throw InputError(fmt::format("diameter {} must be positive", shape.diameter));
+  if (shape.core_divisions < 2 || shape.core_divisions % 2 != 0)
+    throw InputError(fmt::format("core divisions {} must be even and at least 2", shape.core_divisions));
+  if (shape.rings < 1) throw InputError(fmt::format("rings {} must be at least 1", shape.rings));
+  if (!(shape.core_half_side > 0 && shape.core_half_side < 0.7))
+    throw InputError(fmt::format("core half side {} must lie between 0 and 0.7", shape.core_half_side));
+  const double nodes =
+      (shape.core_divisions + 1.0) * (shape.core_divisions + 1.0) + 4.0 * shape.core_divisions * shape.rings;
+  if (nodes > 5e7)
+    throw InputError(fmt::format("core divisions {} and rings {} make {:.3g} nodes; at most 5e7 are allowed",
+                                 shape.core_divisions, shape.rings, nodes));
+}
+
+/// Returns the grid indices of the core's boundary nodes, counter-clockwise from the corner at 225 degrees.
+std::vector<std::array<int, 2>> core_boundary(int n) {
+  std::vector<std::array<int, 2>> nodes;
+  nodes.reserve(4 * static_cast<std::size_t>(n));
+  for (int i = 0; i < n; ++i) nodes.push_back({i, 0});
+  for (int j = 0; j < n; ++j) nodes.push_back({n, j});
+  for (int i = n; i > 0; --i) nodes.push_back({i, n});
+  for (int j = n; j > 0; --j) nodes.push_back({0, j});
+  return nodes;
+}
+
+struct Parameters : DiskShape {
+  std::vector<double> place{0.0, 0.0};  ///< of the centre
+};
+
+}  // namespace
+
+Mesh disk(const DiskShape& shape) {
+  check(shape);
+  const int n = shape.core_divisions;
+  const int around = 4 * n;
+  const double radius = shape.diameter / 2;
+  const double half = shape.core_half_side * radius;
+  const auto core_node = [n](int i, int j) { return j * (n + 1) + i; };
+  const auto boundary = core_boundary(n);
+
+  Mesh mesh;
+  mesh.dimension = 2;
+  const auto add_node = [&mesh, &shape](double x, double y) {
+    mesh.coordinates.push_back(shape.center[0] + x);
+    mesh.coordinates.push_back(shape.center[1] + y);
+  };
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) add_node(half * (2.0 * i / n - 1), half * (2.0 * j / n - 1));
+  for (int ring = 1; ring <= shape.rings; ++ring) {
+    const double s = static_cast<double>(ring) / shape.rings;
+    for (int k = 0; k < around; ++k) {
+      const auto [i, j] = boundary[static_cast<std::size_t>(k)];
+      const double angle = M_PI * (-0.75 + 2.0 * k / around);
+      add_node((1 - s) * half * (2.0 * i / n - 1) + s * radius * std::cos(angle),
+               (1 - s) * half * (2.0 * j / n - 1) + s * radius * std::sin(angle));
+    }
+  }
+
+  const auto ring_node = [&](int ring, int k) {
+    k %= around;
+    const auto [i, j] = boundary[static_cast<std::size_t>(k)];
+    return ring == 0 ? core_node(i, j) : (n + 1) * (n + 1) + (ring - 1) * around + k;
+  };
+  ElementBlock body{"body", CellType::Quad4, {}};
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      for (int node : {core_node(i, j), core_node(i + 1, j), core_node(i + 1, j + 1), core_node(i, j + 1)})
+        body.nodes.push_back(node);
+  SideSet surface{"surface", {}};
+  NodeSet rim{"surface", {}};
+  for (int ring = 0; ring < shape.rings; ++ring) {
+    for (int k = 0; k < around; ++k) {
+      if (ring + 1 == shape.rings) {
+        surface.sides.push_back({0, body.cells(), 1});
+        rim.nodes.push_back(ring_node(ring + 1, k));
+      }
+      for (int node : {ring_node(ring, k), ring_node(ring + 1, k), ring_node(ring + 1, k + 1), ring_node(ring, k + 1)})
+        body.nodes.push_back(node);
+    }
+  }
+  mesh.blocks.push_back(std::move(body));
+  mesh.side_sets.push_back(std::move(surface));
+  mesh.node_sets.push_back(std::move(rim));
+  mesh.node_sets.push_back({"center", {core_node(n / 2, n / 2)}});
+  return mesh;
+}
+
+MeshEntry disk_mesh() {
+  Options<Parameters> options;
+  options.add("Diameter", &Parameters::diameter, "Diameter of the disk [L0].", greater_than(0))
+      .add("Center", &Parameters::place, "Coordinates x and y of the centre [L0].", any_number())
+      .add("Core Divisions", &Parameters::core_divisions,
+           "Number of cells along a side of the square core. It must be even.", between(2, 10000))
+      .add("Rings", &Parameters::rings, "Number of layers of cells around the core.", between(1, 10000))
+      .add("Core Half Side", &Parameters::core_half_side,
+           "Half the side length of the core, divided by the radius of the disk [-].", greater_and_less_than(0, 0.7));
+  return {"Disk",
+          "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
+          "\"surface\", and the node set \"center\".",
+          "", options.list(), [options](const SceneNode& node) {
+            Parameters shape = options.read(node);
+            copy_values(node, "Center", shape.place, 2, shape.center);
+            return at(node.path(), [&] { return disk(shape); });
+          }};
+}
+
+}  // namespace ixos

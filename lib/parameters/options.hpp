@@ -1,0 +1,112 @@
+/// The parameters of a struct, declared once for documentation, validation and reading.
+#pragma once
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "parameters/one_of.hpp"
+#include "parameters/scene_node.hpp"
+
+namespace ixos {
+
+/// Each entry names a member of S, its documentation and what is allowed; the member's value in S{} is the default.
+/// list() gives the valid list, read() the struct from a list that the validation has completed.
+template <class S>
+class Options {
+  using List = Teuchos::ParameterList;
+
+ public:
+  using Validator = Teuchos::RCP<const Teuchos::ParameterEntryValidator>;
+  template <class E>
+  using Words = std::vector<std::pair<std::string, E>>;
+
+  /// A member, of S or of a base of it, of type double, int, bool, std::string, or std::vector of double or int.
+  template <class B, class V>
+  Options& add(const char* name, V B::*member, const std::string& documentation,
+               const Validator& validator = Teuchos::null) {
+    return entry(
+        [=](List& list) {
+          list.set(name, stored(S{}.*member), documentation);
+          if (nonnull(validator)) list.getEntry(name).setValidator(validator);
+        },
+        [=](const SceneNode& node, S& target) { target.*member = loaded(node, name, target.*member); });
+  }
+
+  /// A number that the user must give: its default is NaN, which is in no range.
+  template <class B>
+  Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
+    return entry(
+        [=](List& list) {
+          list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
+          list.getEntry(name).setValidator(validator);
+        },
+        [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
+  }
+
+  /// A choice among words that stand for the values of an enumeration.
+  template <class B, class E>
+  Options& choose(const char* name, E B::*member, const Words<E>& words, const std::string& documentation) {
+    std::vector<std::string> names;
+    for (const auto& word : words) names.push_back(word.first);
+    return entry(
+        [=](List& list) {
+          for (const auto& [word, value] : words)
+            if (value == S{}.*member) list.set(name, word, documentation, one_of(names));
+        },
+        [=](const SceneNode& node, S& target) {
+          for (const auto& [word, value] : words)
+            if (word == node.text(name)) target.*member = value;
+        });
+  }
+
+  /// Adds the entries to a valid list.
+  void declare(List& list) const {
+    for (const Entry& e : entries_) e.declare(list);
+  }
+  List list() const {
+    List result;
+    declare(result);
+    return result;
+  }
+  S read(const SceneNode& node) const {
+    S result;
+    for (const Entry& e : entries_) e.read(node, result);
+    return result;
+  }
+
+ private:
+  struct Entry {
+    std::function<void(List&)> declare;
+    std::function<void(const SceneNode&, S&)> read;
+  };
+
+  Options& entry(std::function<void(List&)> declare, std::function<void(const SceneNode&, S&)> read) {
+    entries_.push_back({std::move(declare), std::move(read)});
+    return *this;
+  }
+
+  template <class V>
+  static const V& stored(const V& value) {
+    return value;
+  }
+  template <class V>
+  static Teuchos::Array<V> stored(const std::vector<V>& values) {
+    return Teuchos::Array<V>(values);
+  }
+  template <class V>
+  static V loaded(const SceneNode& node, const char* name, const V& /*type*/) {
+    return node.get<V>(name);
+  }
+  template <class V>
+  static std::vector<V> loaded(const SceneNode& node, const char* name, const std::vector<V>& /*type*/) {
+    return node.get<Teuchos::Array<V>>(name).toVector();
+  }
+
+  std::vector<Entry> entries_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,29 @@
+#include "parameters/scene_node.hpp"
+
+#include <fmt/format.h>
+
+#include "parameters/parameter_entries.hpp"
+
+namespace ixos {
+
+std::vector<double> SceneNode::numbers(const char* entry, std::size_t count, std::vector<double> fallback) const {
+  const auto& values = get<Teuchos::Array<double>>(entry);
+  if (values.empty()) return fallback;
+  if (static_cast<std::size_t>(values.size()) != count)
+    throw InputError(fmt::format("{} has {} elements, not {}, which the dimension of the mesh requires", path_of(entry),
+                                 values.size(), count));
+  return values.toVector();
+}
+
+std::vector<SceneNode> SceneNode::sublists() const {
+  std::vector<SceneNode> nodes;
+  for (const auto& [name, entry] : entries(*list_))
+    if (entry.isList()) nodes.push_back(sublist(name));
+  return nodes;
+}
+
+void SceneNode::refuse(const std::string& entry, const std::string& why) const {
+  throw InputError((entry.empty() ? path_ : path_of(entry)) + ": " + why);
+}
+
+}  // namespace ixos

@@ -1,0 +1,63 @@
+/// A list of a scene that knows its path.
+#pragma once
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+
+namespace ixos {
+
+/// Calls a function, and puts the list path before the message of an InputError that it throws.
+template <class Function>
+auto at(const std::string& path, const Function& function) {
+  try {
+    return function();
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+/// A validated list and its path from the scene's root, "Interactions/Wall", for messages. It refers to the list, which
+/// must outlive it.
+class SceneNode {
+ public:
+  using List = Teuchos::ParameterList;
+
+  SceneNode(const List& list, std::string path) : list_(&list), path_(std::move(path)) {}
+
+  const List& list() const { return *list_; }
+  const std::string& path() const { return path_; }
+  /// Returns the last part of the path: the name that the user gave the list.
+  std::string name() const { return path_.substr(path_.rfind('/') + 1); }
+  /// Returns the path of an entry.
+  std::string path_of(const std::string& entry) const { return path_.empty() ? entry : path_ + "/" + entry; }
+
+  /// Returns the value of an entry, which the validation has put there.
+  template <class T>
+  const T& get(const char* entry) const {
+    return list_->get<T>(entry);
+  }
+  double number(const char* entry) const { return get<double>(entry); }
+  int count(const char* entry) const { return get<int>(entry); }
+  bool flag(const char* entry) const { return get<bool>(entry); }
+  const std::string& text(const char* entry) const { return get<std::string>(entry); }
+  std::vector<double> numbers(const char* entry) const { return get<Teuchos::Array<double>>(entry).toVector(); }
+  /// Returns an array of `count` numbers, or `fallback` if the user gave none. Throws InputError.
+  std::vector<double> numbers(const char* entry, std::size_t count, std::vector<double> fallback) const;
+
+  /// Returns the sublist of that name.
+  SceneNode sublist(const std::string& entry) const { return {list_->sublist(entry), path_of(entry)}; }
+  /// Returns all sublists, in order.
+  std::vector<SceneNode> sublists() const;
+
+  /// Throws InputError "path/entry: why".
+  [[noreturn]] void refuse(const std::string& entry, const std::string& why) const;
+
+ private:
+  const List* list_;
+  std::string path_;
+};
+
+}  // namespace ixos

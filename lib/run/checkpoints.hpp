@@ -1,0 +1,61 @@
+/// The checkpoints of a run, in its folder: checkpoint-<step>.h5 and the link checkpoint.h5 to the newest.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/record.hpp"
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// Writes checkpoints and keeps the last few.
+class Checkpoints {
+ public:
+  /// As the scene's list "Output/Checkpoint" says, in this folder.
+  Checkpoints(const Simulation& simulation, const std::string& folder);
+
+  bool on() const { return keep_ > 0; }
+  /// Is one due by the number of steps?
+  bool due(long step) const { return on() && interval_ > 0 && step > 0 && step != last_step_ && step % interval_ == 0; }
+  /// Is one due by this rank's clock?
+  bool due_by_clock() const;
+  /// Writes one, unless this step has one already; `transfer` names the run's state, twice, first
+  /// to learn its size. Then those that are not among the
+  /// last ones are deleted, other runs' in the same folder too. Throws FileError; what was there is there still.
+  /// Collective.
+  void write(long step, const std::function<void(Record&)>& transfer);
+  /// At a fresh start: checkpoint.h5 does not link to an earlier run's any more. Returns the newest step of such runs,
+  /// or -1: their files stay until write() deletes them. Collective.
+  long begin();
+  /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's, and
+  /// checkpoint.h5 links to it. Collective.
+  void resume(long step);
+  /// The newest one's path, or nothing.
+  std::string newest() const;
+
+ private:
+  std::string path(long step) const;
+  void tidy() const;
+
+  const Simulation& simulation_;
+  std::string folder_;
+  int interval_;
+  double clock_interval_;
+  int keep_;
+  long last_step_ = -1;
+  double last_time_;         ///< of the clock [s]
+  std::vector<long> steps_;  ///< of those that are kept
+};
+
+/// What made the arithmetic: version of Ixos, width of vectors, compiler. Another one may round otherwise.
+std::string build_name();
+
+/// The steps of the checkpoints in a folder, whatever their state, ascending.
+std::vector<long> checkpoint_steps(const std::string& folder);
+
+/// The path of a folder's checkpoint of a step.
+std::string checkpoint_path(const std::string& folder, long step);
+
+}  // namespace ixos

@@ -1,0 +1,59 @@
+#include "run/energy_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ixos {
+namespace {
+
+bool damped(const std::vector<Material>& materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const Material& m) { return m.mass_damping != 0 || m.stiffness_damping != 0; });
+}
+
+}  // namespace
+
+EnergyWatch::EnergyWatch(const Simulation& simulation)
+    : scheme_(simulation.parameters().sublist("Time Integrator").get<std::string>("Type")) {
+  const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
+  const Teuchos::ParameterList& list = output.sublist("Watch");
+  const auto action = list.get<std::string>("Action");
+  if (action == "Off" || !output.get<bool>("Energies")) return;
+  action_ = action == "Stop" ? Action::Stop : action == "Resume" ? Action::Resume : Action::Warn;
+  allowed_ = list.get<double>("Tolerance");
+  const double promise = simulation.integrator().table().energy_promise;
+  if (allowed_ > 0 || promise == 0 || damped(simulation.materials())) return;
+  by_scheme_ = true;
+  // Each step of Newton's method leaves a residual that does work.
+  allowed_ = promise + 10 * simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance");
+}
+
+void EnergyWatch::step(int interaction_points, const std::function<double()>& gap_ratio) {
+  if (by_scheme_ && interaction_points > 0) quadrature_ += quadrature_error(interaction_points, gap_ratio());
+}
+
+std::string EnergyWatch::look(long step, double balance, double largest_energy) {
+  const double change = std::abs(balance - last_);
+  const auto steps = static_cast<double>(std::max(step - last_step_, 1L));
+  const double bound = (allowed_ * steps + quadrature_) * largest_energy;
+  const bool first = std::isnan(last_), good = first ? std::isfinite(balance) : change <= bound;
+  last_ = balance;
+  last_step_ = step;
+  quadrature_ = 0;
+  if (good) return "";
+  return fmt::format(
+      "step {}: the energy balance moved by {:.3g}, and {} as it is set keeps it within {:.3g}: the step is too long "
+      "for its points in time, or memory was damaged",
+      step, change, scheme_, bound);
+}
+
+void EnergyWatch::transfer(Record& record) {
+  const Record::Section section(record, "watch");
+  record.number("balance", last_);
+  record.number("step", last_step_);
+  record.number("quadrature", quadrature_);
+}
+
+}  // namespace ixos

@@ -1,0 +1,46 @@
+/// A watch on the energy balance: a scheme that conserves energy knows its own bound.
+#pragma once
+#include <functional>
+#include <limits>
+#include <string>
+
+#include "base/record.hpp"
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// Compares the change of the energy balance from row to row with what the scheme, its points in time and Newton's
+/// tolerance promise (Table::energy_promise). A larger change means that the points do not suffice for the step, or
+/// that memory was damaged: a flipped bit in a displacement or a velocity moves the balance at once.
+class EnergyWatch {
+ public:
+  enum class Action { Warn, Stop, Resume };
+
+  /// As the list "Output/Watch" says; on by default for schemes with a promise, where no damping dissipates.
+  explicit EnergyWatch(const Simulation& simulation);
+
+  bool on() const { return allowed_ > 0; }
+  Action action() const { return action_; }
+
+  /// Takes part in each step: `gap_ratio`, asked for only if the bound depends on it, is that of
+  /// Integrator::gap_ratio().
+  void step(int interaction_points, const std::function<double()>& gap_ratio);
+
+  /// Looks at a row: the energy less external work plus dissipation after so many steps, and the largest energy so far
+  /// [both E0 L0^D]. Returns what is wrong, or nothing.
+  std::string look(long step, double balance, double largest_energy);
+
+  /// For checkpoints.
+  void transfer(Record& record);
+
+ private:
+  double allowed_ = 0;  ///< change of the balance in a step, over the largest energy; 0: off
+  Action action_ = Action::Warn;
+  bool by_scheme_ = false;  ///< the scheme set the bound
+  double quadrature_ = 0;   ///< what the interaction's points add to it since the last row, summed over the steps
+  std::string scheme_;
+  double last_ = std::numeric_limits<double>::quiet_NaN();  ///< balance of the row before
+  long last_step_ = 0;
+};
+
+}  // namespace ixos

@@ -1,0 +1,79 @@
+/// history.csv: the recorded rows of a run.
+#pragma once
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/record.hpp"
+#include "io/history_file.hpp"
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// The groups of columns that are evaluated; the others stay empty.
+struct HistoryOptions {
+  bool energies = true;
+  bool momenta = true;
+  bool interaction = true;
+};
+
+/// The counts that the driver adds to a row.
+struct RowCounts {
+  long step = 0;
+  double time_step = 0;
+  long newton_iterations = 0;  ///< since the row before
+  long linear_iterations = 0;
+  double wall_seconds = 0;  ///< cumulative
+};
+
+/// The writer of the rows, which it evaluates; the file is written on rank 0. Collective.
+class History {
+ public:
+  History(Simulation& simulation, const HistoryOptions& options);
+
+  /// Creates the file. Throws FileError.
+  void create(const std::string& path);
+  /// Throws InputError unless the file is the one that existed when the loaded checkpoint was written.
+  void verify(const std::string& path) const;
+  /// Continues the verified file; drops later rows.
+  void resume(const std::string& path);
+
+  void record(const RowCounts& counts);
+  /// Skips the row of a step: its reactions still count for max_forces().
+  void pass();
+  /// Returns the largest |E_n - E_0 - external work + dissipation| of the recorded rows [E0 L0^D]; NaN without
+  /// energies.
+  double max_energy_error() const { return max_energy_error_; }
+  /// Returns the largest kinetic, elastic or interaction energy of the recorded rows [E0 L0^D], the scale of that
+  /// error.
+  double largest_energy() const { return largest_energy_; }
+  /// Returns, by reaction column, the value of largest magnitude over all steps.
+  const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
+  /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
+  double balance() const { return balance_; }
+  void sync();   ///< has the disk keep the rows; throws FileError
+  void close();  ///< after the last row; throws FileError
+
+  /// Writes or reads the sums and the length of the file for checkpoints.
+  void transfer(Record& record);
+
+ private:
+  std::vector<double> reactions();
+
+  Simulation& simulation_;
+  HistoryOptions options_;
+  std::vector<std::string> columns_;
+  TableLength length_;                 ///< of the file, as loaded
+  std::unique_ptr<HistoryFile> file_;  ///< on rank 0
+  /// Energy at the first row, less external work, plus dissipation; NaN if no energies were recorded yet.
+  double initial_energy_ = std::numeric_limits<double>::quiet_NaN();
+  double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
+  double max_energy_error_ = 0;
+  double largest_energy_ = 0;
+  std::vector<std::size_t> reaction_sets_;  ///< node set numbers
+  std::vector<std::pair<std::string, double>> max_forces_;
+};
+
+}  // namespace ixos

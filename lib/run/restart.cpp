@@ -1,0 +1,120 @@
+#include "run/restart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/agreement.hpp"
+#include "checkpoint/seal.hpp"
+#include "run/checkpoints.hpp"
+#include "scene/scene_changes.hpp"
+#include "scene/scene_file.hpp"
+
+namespace ixos {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The newest sound checkpoint of those steps, or nothing.
+std::string newest_sound(const std::string& folder, const std::vector<long>& steps) {
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step)
+    if (std::string path = checkpoint_path(folder, *step); seal_problem(path).empty()) return path;
+  return "";
+}
+
+/// An offer to go with the refusal of a checkpoint: one before it where its name says its step, else any beside it.
+std::string offer(const fs::path& bad) {
+  const std::string folder = fs::absolute(bad).parent_path().string();
+  std::vector<long> steps = checkpoint_steps(folder);
+  const auto own = std::find_if(steps.begin(), steps.end(), [&](long step) {
+    return fs::path(checkpoint_path(folder, step)).filename() == bad.filename();
+  });
+  steps.erase(own, steps.end());
+  const std::string sound = newest_sound(folder, steps);
+  return sound.empty() ? "; no earlier checkpoint is sound" : "; an earlier checkpoint is sound: " + sound;
+}
+
+/// The file behind a path; a link may point at what is gone.
+fs::path resolved(const std::string& path) {
+  std::error_code code;
+  if (fs::is_directory(path, code)) {
+    const std::string sound = newest_sound(path, checkpoint_steps(path));
+    if (sound.empty()) throw InputError(path + ": the folder has no sound checkpoint");
+    return fs::canonical(sound);
+  }
+  const fs::path target =
+      fs::is_symlink(path, code) ? fs::path(path).parent_path() / fs::read_symlink(path) : fs::path(path);
+  fs::path whole = fs::canonical(target, code);
+  if (code) throw InputError(target.string() + ": cannot be read: " + code.message() + offer(target));
+  if (!fs::is_regular_file(whole)) throw InputError(whole.string() + ": is not a file");
+  return whole;
+}
+
+}  // namespace
+
+Restart::Restart(const Simulation& simulation, const std::string& path) {
+  const Model& model = simulation.model();
+  // One rank chooses: a file that another one cannot read must not lead it to an older checkpoint.
+  on_first_rank(model.space().comm(), [&] {
+    path_ = resolved(path).string();
+    const std::string problem = seal_problem(path_);
+    if (!problem.empty()) throw InputError(path_ + ": " + problem + offer(path_));
+  });
+  path_ = from_first_rank(model.space().comm(), path_);
+  together<InputError>(model.space().comm(), [&] { compare_scenes(simulation); });
+  reader_ = std::make_unique<CheckpointReader>(path_, model.space(), model.mesh());
+  reader_->set_same(same_scene_, same_solution_);
+  note_differences(simulation);
+}
+
+void Restart::compare_scenes(const Simulation& simulation) {
+  const Hdf5Input file(path_);
+  const auto before = read_scene_text(file.text("scene"), path_ + ": its scene");
+  // As it would be read back, so that both are spelt alike.
+  const auto now = read_scene_text(scene_text(simulation.parameters()), "the scene");
+  std::string refused, mesh;
+  for (const SceneChange& change : scene_changes(before, now)) {
+    if (change.bearing == Bearing::State) refused += "\n  " + change.text();
+    if (change.path.rfind("Mesh/", 0) == 0 || change.path.rfind("Interactions/", 0) == 0)
+      mesh += "\n  " + change.text();
+    if (change.bearing == Bearing::Motion) same_scene_ = false;
+    if (change.bearing == Bearing::Solution) same_solution_ = false;
+    notes_.push_back("Changed: " + change.text() + ".");
+  }
+  if (file.text("mesh") != simulation.mesh_fingerprint())
+    throw InputError(path_ + ": belongs to another mesh than the scene's" + mesh);
+  if (!refused.empty())
+    throw InputError(path_ + ": belongs to a scene that differs in what a restart cannot change:" + refused);
+}
+
+void Restart::note_differences(const Simulation& simulation) {
+  std::string build;
+  reader_->text("build", build);
+  const bool same_build = build == build_name();
+  if (!same_build) notes_.push_back(fmt::format("It was written by \"{}\", this is \"{}\".", build, build_name()));
+  if (!reader_->same_partition())
+    notes_.push_back(fmt::format("It was written on {} rank(s), this run has {}.", reader_->ranks(),
+                                 simulation.model().space().comm()->getSize()));
+  if (!same_scene_)
+    notes_.emplace_back(
+        "The run resumes from the same displacements and velocities. Energy errors still refer to the first row.");
+  else if (!reader_->exact() || !same_build)
+    notes_.emplace_back("The run resumes to solver tolerance, not bit for bit.");
+}
+
+void Restart::load(const std::function<void(Record&)>& transfer) {
+  try {
+    transfer(*reader_);
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.rfind(path_, 0) == 0 ? what : path_ + ": " + what);
+  }
+}
+
+bool Restart::is_in(const std::string& folder) const {
+  std::error_code code;
+  return fs::equivalent(fs::path(path_).parent_path(), folder, code) && !code;
+}
+
+}  // namespace ixos

@@ -1,0 +1,304 @@
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_Time.hpp>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "run/checkpoints.hpp"
+#include "run/energy_watch.hpp"
+#include "run/restart.hpp"
+#include "run/run_files.hpp"
+#include "run/summary.hpp"
+
+namespace ixos {
+namespace {
+
+/// One run, from its beginning or a checkpoint to its end.
+class Run {
+ public:
+  Run(Simulation& simulation, const RunOptions& options)
+      : simulation_(simulation),
+        options_(options),
+        comm_(simulation.model().space().comm()),
+        integrator_(simulation.integrator()),
+        times_(simulation.step_control()),
+        control_(times_),
+        stop_(simulation.stop_criteria()),
+        checkpoints_(simulation, options.folder),
+        files_(simulation, options.folder),
+        watch_(simulation) {
+    if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
+  }
+
+  RunResult execute() {
+    phases_start_ = phase_seconds();
+    start_ = Teuchos::Time::wallTime();
+    if (options_.restart.empty())
+      begin();
+    else
+      go_on();
+    try {
+      while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
+        if (interlude()) step();
+      }
+      end();
+    } catch (const FileError& error) {
+      throw FileError(with_position(error.what()));
+    }
+    return result_;
+  }
+
+ private:
+  void begin();
+  void begin_files();
+  void go_on();
+  void resume_files();
+  bool interlude();
+  void step();
+  bool good_enough(double dt);
+  void end();
+  void checkpoint();
+  void watch_energy();
+  void go_back();
+  std::string with_position(const std::string& message) const;
+  void transfer(Record& record);
+  void tell(const std::string& line) const {
+    if (options_.tell && comm_->getRank() == 0) options_.tell(line);
+  }
+  void warn(const std::string& line) const {
+    if (options_.warn && comm_->getRank() == 0) options_.warn(line);
+  }
+  double wall() const { return Teuchos::Time::wallTime() - start_; }
+  PhaseSeconds phases() const {
+    PhaseSeconds seconds = phase_seconds();
+    for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] -= phases_start_[i];
+    return seconds;
+  }
+  void fail(const std::string& reason) {
+    result_.status = RunStatus::Diverged;
+    result_.reason = reason;
+  }
+
+  Simulation& simulation_;
+  const RunOptions& options_;
+  const Comm& comm_;
+  Integrator& integrator_;
+  StepControlOptions times_;
+  StepControl control_;
+  StopCriteria stop_;
+  Checkpoints checkpoints_;
+  RunFiles files_;
+  EnergyWatch watch_;
+  bool warned_ = false;       ///< of the energy balance
+  std::string resumed_from_;  ///< the checkpoint that the watch went back to
+  std::function<double(double)> stable_;
+
+  RunResult result_;
+  double start_ = 0;             ///< of the clock, less the seconds before a restart
+  PhaseSeconds phases_start_{};  ///< the same of the phases
+};
+
+void Run::begin() {
+  begin_files();
+  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+}
+
+/// New files, which begin with the present state.
+void Run::begin_files() {
+  files_.open_folder(false);
+  const long earlier = checkpoints_.begin();
+  if (earlier >= 0 && checkpoints_.on())
+    tell(fmt::format(
+        "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
+        options_.folder, earlier));
+  files_.create();
+  watch_energy();
+}
+
+void Run::go_on() {
+  Restart restart(simulation_, options_.restart);
+  restart.load([this](Record& record) { transfer(record); });
+  ++result_.restarts;
+  if (restart.is_in(options_.folder))
+    resume_files();
+  else
+    begin_files();
+  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
+  for (const std::string& note : restart.notes()) tell(note);
+  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
+  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+}
+
+/// What is there is gone on with; nothing is changed before all of it is found to fit.
+void Run::resume_files() {
+  files_.verify();
+  files_.open_folder(true);
+  checkpoints_.resume(result_.steps);  // the link first: killed from here on, it leads to what is there
+  files_.resume();
+}
+
+/// Between steps: checkpoints that are due, and signals. False where the run is over.
+bool Run::interlude() {
+  if (checkpoints_.due(result_.steps)) checkpoint();
+  if (!options_.interrupted && !checkpoints_.on()) return true;
+  int mine[2] = {options_.interrupted && options_.interrupted() ? 1 : 0, checkpoints_.due_by_clock() ? 1 : 0};
+  int any[2] = {mine[0], mine[1]};
+  if (comm_->getSize() > 1) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, mine, any);
+  if (any[0] != 0) {
+    result_.status = RunStatus::Interrupted;
+    result_.reason = "interrupted by a signal";
+    return false;
+  }
+  if (any[1] != 0) checkpoint();
+  return true;
+}
+
+void Run::step() {
+  const double before = integrator_.time();
+  const double dt = control_.next(before, stable_);
+  if (!(dt >= control_.least()) && control_.next(before) >= control_.least())
+    return fail(fmt::format("the stable step, {:.3g} T0, is shorter than the shortest one allowed, {:.3g} T0", dt,
+                            control_.least()));
+  if (!(before + dt > before)) return fail(fmt::format("a step of {:.3g} T0 is lost in rounding", dt));
+  const StepResult step = integrator_.attempt(dt);
+  result_.linear_iterations += step.linear_iterations;
+  result_.newton_iterations += step.newton_iterations;
+  const double seconds = wall();
+  files_.count(step, seconds);
+  if (!step.converged) {
+    ++result_.rejected_steps;
+    if (!control_.cut(dt)) fail(step.reason);
+    return;
+  }
+  if (times_.adaptive.on && !good_enough(dt)) {
+    ++result_.rejected_steps;
+    if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
+    return;
+  }
+  if (watch_.on()) watch_.step(integrator_.table().interaction_points, [this] { return integrator_.gap_ratio(); });
+  integrator_.accept();
+  control_.succeeded();
+  ++result_.steps;
+  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
+  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+  files_.record(result_.steps, dt, before);
+  watch_energy();
+  if (options_.watch && comm_->getRank() == 0)
+    options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
+}
+
+/// Looks at the row of the present state, if it has one.
+void Run::watch_energy() {
+  if (!watch_.on() || !files_.recorded()) return;
+  const History& history = files_.history();
+  // Memory may be damaged on one rank only; what follows is collective.
+  const std::string wrong =
+      first_problem(comm_, watch_.look(result_.steps, history.balance(), history.largest_energy()));
+  if (wrong.empty()) return;
+  const bool resumes = watch_.action() == EnergyWatch::Action::Resume && !checkpoints_.newest().empty() &&
+                       checkpoints_.newest() != resumed_from_;
+  if (!warned_ || resumes) warn(wrong);
+  warned_ = true;
+  if (resumes) return go_back();
+  if (watch_.action() != EnergyWatch::Action::Warn) fail(wrong);
+}
+
+/// Resumes from the newest checkpoint; a second time only from a later one.
+void Run::go_back() {
+  resumed_from_ = checkpoints_.newest();
+  start_ = Teuchos::Time::wallTime();
+  phases_start_ = phase_seconds();
+  try {
+    Restart restart(simulation_, resumed_from_);
+    restart.load([this](Record& record) { transfer(record); });
+    resume_files();
+  } catch (const InputError& error) {
+    return fail(std::string("the run cannot go back to its checkpoint: ") + error.what());
+  }
+  ++result_.restarts;
+  result_.reason.clear();
+  tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
+}
+
+/// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
+bool Run::good_enough(double dt) {
+  const AdaptiveOptions& asked = times_.adaptive;
+  StepJudgement judgement;
+  if (asked.tolerance > 0) judgement.error = integrator_.error();
+  if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator_.gap_ratio();
+  const int used = integrator_.table().interaction_points;
+  if (asked.time_points && used > 0) {
+    const int needed = time_points(judgement.gap_ratio);
+    integrator_.set_interaction_points(needed);
+    if (needed > used) return false;  // the same step again
+  }
+  return control_.accepts(dt, judgement);
+}
+
+void Run::end() {
+  // Before the last state's row and frame, where these come only because it is the last: a restart has no use for them.
+  std::string problem;
+  try {
+    if (checkpoints_.on()) checkpoint();
+  } catch (const FileError& error) {  // on all ranks; there may be room for a row and the summary
+    problem = error.what();
+  }
+  files_.finish();
+  result_.end_time = integrator_.time();
+  result_.wall_seconds = wall();
+  result_.max_energy_error = files_.history().max_energy_error();
+  result_.largest_energy = files_.history().largest_energy();
+  result_.max_forces = files_.history().max_forces();
+  result_.checkpoint = checkpoints_.newest();
+  result_.phase_seconds = phases();
+  write_summary(simulation_, result_, options_.folder + "/summary.json");
+  if (!problem.empty()) throw FileError(problem);
+}
+
+/// A message of a file that cannot be written, with what a person needs to go on.
+std::string Run::with_position(const std::string& message) const {
+  const std::string newest = checkpoints_.newest();
+  return fmt::format("{} (t = {:.6g} T0, step {}{}). {}", message, integrator_.time(), result_.steps,
+                     result_.reason.empty() ? "" : ": " + result_.reason,
+                     newest.empty() ? "No checkpoint was written" : "To resume, use the newest checkpoint: " + newest);
+}
+
+void Run::checkpoint() {
+  // What a restart goes on with is on the disk before the checkpoint that counts on it.
+  files_.sync();
+  checkpoints_.write(result_.steps, [this](Record& record) { transfer(record); });
+}
+
+void Run::transfer(Record& record) {
+  const Record::Section section(record, "run");
+  double seconds = wall();
+  PhaseSeconds seconds_by_phase = phases();
+  record.number("steps", result_.steps);
+  record.number("rejected steps", result_.rejected_steps);
+  record.number("newton iterations", result_.newton_iterations);
+  record.number("linear iterations", result_.linear_iterations);
+  record.number("restarts", result_.restarts);
+  record.number("wall seconds", seconds);
+  for (std::size_t i = 0; i < phase_names.size(); ++i)
+    record.number((std::string("seconds ") + phase_names[i]).c_str(), seconds_by_phase[i]);
+  if (record.loading()) {
+    start_ -= seconds;
+    for (std::size_t i = 0; i < phases_start_.size(); ++i) phases_start_[i] -= seconds_by_phase[i];
+  }
+  files_.transfer(record, result_.steps, seconds);
+  integrator_.transfer(record);
+  files_.history().transfer(record);
+  stop_.transfer(record);
+  watch_.transfer(record);
+  // Other steps or another scheme begin with their own.
+  if (!record.loading() || record.same_scene()) control_.transfer(record);
+}
+
+}  // namespace
+
+RunResult run(Simulation& simulation, const RunOptions& options) { return Run(simulation, options).execute(); }
+
+}  // namespace ixos

@@ -1,0 +1,142 @@
+#include "run/run_files.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "io/disk_file.hpp"
+#include "scene/scene_file.hpp"
+
+namespace ixos {
+namespace {
+
+const Teuchos::ParameterList& output(const Simulation& simulation) { return simulation.parameters().sublist("Output"); }
+
+HistoryOptions history_options(const Simulation& simulation) {
+  const Teuchos::ParameterList& list = output(simulation);
+  return {list.get<bool>("Energies"), list.get<bool>("Momenta"), list.get<bool>("Interaction")};
+}
+
+/// Of "History" or "Fields".
+Recording recording(const Simulation& simulation, const std::string& what) {
+  const Teuchos::ParameterList& list = output(simulation);
+  return {list.get<int>(what + " Interval"), list.get<double>(what + " Time Interval"),
+          simulation.step_control().initial_time};
+}
+
+}  // namespace
+
+bool Recording::due(long step, double before, double now) const {
+  if (interval_ == 0) return steps_ > 0 && step % steps_ == 0;
+  const double slack = 1e-9 * (now - start_);
+  return std::floor((now - start_ + slack) / interval_) > std::floor((before - start_ + slack) / interval_);
+}
+
+RunFiles::RunFiles(Simulation& simulation, const std::string& folder)
+    : simulation_(simulation),
+      folder_(folder),
+      history_(simulation, history_options(simulation)),
+      rows_(recording(simulation, "History")),
+      frames_(recording(simulation, "Fields")) {
+  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, folder + "/fields.e");
+}
+
+void RunFiles::open_folder(bool goes_on) {
+  const bool keep_fields = goes_on && (has_frames() || !fields_);
+  on_first_rank(simulation_.model().space().comm(), [&] {
+    std::error_code code;
+    std::filesystem::create_directories(folder_, code);
+    if (code) throw FileError("the results folder cannot be used: " + folder_ + ": " + code.message());
+    for (const std::string& name : names_in(folder_)) {
+      if (name != "summary.json" && (keep_fields || name.rfind("fields.e", 0) != 0)) continue;
+      const std::filesystem::path path = std::filesystem::path(folder_) / name;
+      std::filesystem::remove(path, code);
+      if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());
+    }
+    write_scene_file(simulation_.parameters(), folder_ + "/effective.xml");
+  });
+}
+
+void RunFiles::create() {
+  history_.create(history_path());
+  if (fields_) begin_frames();
+  row();
+  recorded_ = framed_ = true;
+}
+
+void RunFiles::verify() const {
+  history_.verify(history_path());
+  if (has_frames()) fields_->verify(field_length_);
+}
+
+void RunFiles::resume() {
+  history_.resume(history_path());
+  if (has_frames())
+    fields_->resume(field_length_);
+  else if (fields_)
+    begin_frames();
+}
+
+void RunFiles::begin_frames() {
+  fields_->create();
+  fields_->record();
+  framed_ = true;
+}
+
+void RunFiles::count(const StepResult& attempt, double wall_seconds) {
+  counts_.newton_iterations += attempt.newton_iterations;
+  counts_.linear_iterations += attempt.linear_iterations;
+  counts_.wall_seconds = wall_seconds;
+}
+
+void RunFiles::row() {
+  history_.record(counts_);
+  counts_.newton_iterations = 0;
+  counts_.linear_iterations = 0;
+}
+
+void RunFiles::record(long step, double dt, double before) {
+  counts_.step = step;
+  counts_.time_step = dt;
+  const double now = simulation_.integrator().time();
+  recorded_ = rows_.due(step, before, now);
+  if (recorded_)
+    row();
+  else
+    history_.pass();
+  framed_ = frames_.due(step, before, now);
+  if (fields_ && framed_) fields_->record();
+}
+
+void RunFiles::finish() {
+  if (!recorded_) row();
+  if (fields_ && !framed_) fields_->record();
+  history_.close();
+  if (!fields_) return;
+  fields_->sync();
+  fields_->close();
+}
+
+void RunFiles::sync() {
+  history_.sync();
+  if (fields_) fields_->sync();
+}
+
+void RunFiles::transfer(Record& record, long step, double wall_seconds) {
+  record.number("time step", counts_.time_step);
+  record.number("newton iterations since the row", counts_.newton_iterations);
+  record.number("linear iterations since the row", counts_.linear_iterations);
+  record.number("recorded", recorded_);
+  record.number("framed", framed_);
+  if (fields_ && !record.loading()) field_length_ = fields_->length();
+  record.number("frames", field_length_.frames);
+  std::vector<double> bytes{field_length_.bytes};
+  if (!record.loading() || record.same_partition()) record.share("bytes of frames", bytes);
+  if (!record.loading()) return;
+  field_length_.bytes = bytes.empty() ? 0 : bytes[0];
+  counts_.step = step;
+  counts_.wall_seconds = wall_seconds;
+}
+
+}  // namespace ixos

@@ -1,0 +1,71 @@
+#include "run/summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "base/agreement.hpp"
+#include "io/disk_file.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the largest resident set of this process [bytes], 0 if the system does not report it.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::stod(line.substr(6));
+  return 0;
+}
+
+const char* name(RunStatus status) {
+  if (status == RunStatus::Completed) return "completed";
+  if (status == RunStatus::Stopped) return "stopped";
+  return status == RunStatus::Diverged ? "diverged" : "interrupted";
+}
+
+}  // namespace
+
+void write_summary(const Simulation& simulation, const RunResult& result, const std::string& path) {
+  const Model& model = simulation.model();
+  const Comm& comm = model.space().comm();
+  double memory = peak_memory();
+  model.space().sum(&memory, 1);
+  nlohmann::ordered_json json;
+  json["status"] = name(result.status);
+  json["reason"] = result.reason;
+  json["scheme"] = simulation.parameters().sublist("Time Integrator").get<std::string>("Type");
+  json["end_time"] = result.end_time;
+  json["steps"] = result.steps;
+  json["rejected_steps"] = result.rejected_steps;
+  json["restarts"] = result.restarts;
+  json["dofs"] = model.space().global();
+  json["elements"] = model.mesh().global_cells;
+  json["least_scaled_jacobian"] = simulation.mesh_quality().least_scaled_jacobian;
+  json["largest_aspect_ratio"] = simulation.mesh_quality().largest_aspect_ratio;
+  json["ranks"] = comm->getSize();
+  json["newton_iterations"] = result.newton_iterations;
+  json["linear_iterations"] = result.linear_iterations;
+  json["wall_seconds"] = result.wall_seconds;
+  json["setup_seconds"] = simulation.setup_seconds();
+  json["seconds_per_increment"] = result.wall_seconds / static_cast<double>(std::max(result.steps, 1L));
+  json["seconds"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < phase_names.size(); ++i) json["seconds"][phase_names[i]] = result.phase_seconds[i];
+  json["peak_memory_bytes"] = static_cast<long long>(memory);
+  if (std::isnan(result.max_energy_error))
+    json["max_energy_error"] = nullptr;
+  else
+    json["max_energy_error"] = result.max_energy_error;
+  json["largest_energy"] = result.largest_energy;
+  json["max_force"] = nlohmann::ordered_json::object();
+  for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
+  json["checkpoint"] = nullptr;
+  if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
+  on_first_rank(
+      comm, [&] { write_whole_file(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n'); });
+}
+
+}  // namespace ixos

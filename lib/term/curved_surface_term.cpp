@@ -1,0 +1,334 @@
+// Interaction of a surface with an obstacle of any shape.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "term/surface_sides.hpp"
+#include "term/surface_terms.hpp"
+
+namespace ixos {
+namespace {
+
+/// Sides of one element type. At a point x with gap g, normal n and second derivatives H of the gap, the force per
+/// reference area is -T n and its tangent psi'' n n^T - T H.
+template <class SideElement>
+class CurvedSurfaceTerm final : public Interaction {
+  using Sides = SurfaceSides<SideElement>;
+  static constexpr std::size_t D = Sides::D;
+  static constexpr std::size_t N = Sides::N;
+  using Vectors = typename Sides::Vectors;
+  using Matrix = Small<Pack, D>;
+
+ public:
+  CurvedSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
+                    const std::shared_ptr<const GapLaw>& law, std::shared_ptr<const Obstacle> obstacle,
+                    const SurfaceOptions& options)
+      : law_(law),
+        obstacle_(std::move(obstacle)),
+        margin_(options.margin),
+        sides_(mesh, sides, pattern, options.points) {}
+
+  bool needs_positive_gaps() const override { return law_.domain == GapDomain::Positive; }
+
+  /// The exact mean follows the mean normal, whose force has no potential.
+  bool is_gradient(const Rule& rule) const override { return rule.mean == Mean::Points; }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    Pack least_gap = 1.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, segment);
+      Vectors force{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        std::array<Pack, D> traction{};
+        for (const RulePoint& point : rule.points) {
+          const Sight sight = obstacle_->at(ends.at(q, point));
+          least_gap = smaller(least_gap, sight.gap);
+          const Pack pressure = point.weight * law_.traction(sight.gap);
+          for (std::size_t i = 0; i < D; ++i) traction[i] += pressure * sight.normal[i];
+        }
+        const PackPoint to = ends.to(q);
+        const Pack end_gap = obstacle_->at(to).gap;
+        least_gap = smaller(least_gap, end_gap);
+        if (rule.mean != Mean::Points) {
+          const PackPoint from = ends.from(q);
+          const Pack pressure = law_.mean_traction(obstacle_->at(from).gap, end_gap);
+          const MeanSight mean = obstacle_->mean(from, to);
+          for (std::size_t i = 0; i < D; ++i) traction[i] += pressure * mean.normal[i];
+        }
+        const auto& shape = sides_.quadrature().value[q];
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t i = 0; i < D; ++i) force[a][i] -= shape[a] * (sides_.measure(b)[q] * traction[i]);
+      }
+      sides_.batches().scatter_force(b, force, f);
+    }
+    return least(least_gap) > 0 || !needs_positive_gaps();
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, segment);
+      Small<Pack, N * D> tangent{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const auto& shape = sides_.quadrature().value[q];
+        const Matrix k = stiffness(ends, b, q, rule, kind);
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t c = 0; c < N; ++c)
+            for (std::size_t i = 0; i < D; ++i)
+              for (std::size_t j = 0; j < D; ++j) tangent[a * D + i][c * D + j] += (shape[a] * shape[c]) * k[i][j];
+      }
+      sides_.batches().scatter_tangent(b, tangent, values);
+    }
+  }
+
+  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(*this); }
+
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    Pack least_gap = 1.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, {nullptr, nullptr, segment.to});
+      Vectors rows{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const auto& shape = sides_.quadrature().value[q];
+        least_gap = smaller(least_gap, obstacle_->at(ends.to(q)).gap);
+        const Matrix k = stiffness(ends, b, q, end_rule(), Tangent::Exact);
+        double total_shape = 0;
+        for (double value : shape) total_shape += std::abs(value);
+        for (std::size_t i = 0; i < D; ++i) {
+          Pack sum = 0.0;
+          for (std::size_t j = 0; j < D; ++j) sum += std::experimental::abs(k[i][j]);
+          for (std::size_t a = 0; a < N; ++a) rows[a][i] += (std::abs(shape[a]) * total_shape) * sum;
+        }
+      }
+      sides_.batches().scatter_force(b, rows, sums);
+    }
+    return least(least_gap) > 0 || !needs_positive_gaps();
+  }
+
+  double energy(const double* u) const override {
+    return sum_over_points(u, [&](const Sight& sight, const Pack& weight) { return weight * law_.energy(sight.gap); });
+  }
+
+  double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
+    if (!needs_positive_gaps()) return 1;
+    Pack step = 1.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, segment);
+      Vectors change;
+      sides_.batches().gather(b, direction, change);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const PackPoint d = interpolate(sides_.quadrature().value[q], change);
+        const auto restrict_to = [&](const PackPoint& x, double share) {
+          PackPoint way;
+          for (std::size_t i = 0; i < 3; ++i) way[i] = share * d[i];
+          const Pack gap = obstacle_->at(x).gap;
+          step = smaller(step, obstacle_->admissible_step(x, way, margin_ * smaller(gap, law_.equilibrium_gap())));
+        };
+        restrict_to(ends.to(q), 1);
+        // A path that is straight can cut through a convex obstacle between two ends outside.
+        for (const RulePoint& point : rule.points) restrict_to(ends.at(q, point), point.to);
+      }
+    }
+    return least(select(step > 0.0, step, Pack(0.0)));
+  }
+
+  /// Throws std::logic_error: see is_gradient().
+  double mean_potential(const Segment&) const override {
+    throw std::logic_error("the exact mean before a curved obstacle has no potential");
+  }
+
+  double gap_ratio(const double* from, const double* to) const override {
+    const double near = 10 * law_.equilibrium_gap();
+    double largest = 1;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, {from, nullptr, to});
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack r0 = obstacle_->at(ends.from(q)).gap, r1 = obstacle_->at(ends.to(q)).gap;
+        const Pack lesser = smaller(r0, r1);
+        const Pack ratio = select(lesser < near, Pack((r0 + r1 - lesser) / lesser), Pack(1.0));
+        largest = std::max(largest, -least(Pack(-ratio)));
+      }
+    }
+    return largest;
+  }
+
+  double rounding(const double* u) const override {
+    return sum_over_points(u, [&](const Sight& sight, const Pack& weight) {
+      const Pack force = weight * law_.magnitude(sight.gap);
+      return Pack(force * force);
+    });
+  }
+
+  void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
+
+  void report(const double* u, InteractionReport& report) const override {
+    report.force.resize(D, 0.0);
+    report.measure += sum_over_points(u, [&](const Sight& sight, const Pack& weight) {
+      report.least_gap = std::min(report.least_gap, least(sight.gap));
+      const Pack force = weight * law_.traction(sight.gap);
+      for (std::size_t i = 0; i < D; ++i) report.force[i] += total(Pack(force * sight.normal[i]));
+      return select(sight.gap < law_.adhesion_gap(), weight, Pack(0.0));
+    });
+  }
+
+ private:
+  /// Keeps the matrix of each quadrature point.
+  class Action final : public TangentAction {
+   public:
+    explicit Action(const CurvedSurfaceTerm& term)
+        : term_(term), points_(term.sides_.quadrature().size()), stiffness_(term.sides_.size() * points_) {}
+
+    void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
+      for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
+        const Ends ends(term_, b, segment);
+        for (std::size_t q = 0; q < points_; ++q) stiffness_[b * points_ + q] = term_.stiffness(ends, b, q, rule, kind);
+      }
+    }
+
+    void add_product(const double* x, double* y) const override {
+      for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
+        Vectors u, f{};
+        term_.sides_.batches().gather(b, x, u);
+        for (std::size_t q = 0; q < points_; ++q) {
+          const auto& shape = term_.sides_.quadrature().value[q];
+          const PackPoint at = term_.interpolate(shape, u);
+          for (std::size_t i = 0; i < D; ++i) {
+            Pack force = 0.0;
+            for (std::size_t j = 0; j < D; ++j) force += stiffness_[b * points_ + q][i][j] * at[j];
+            for (std::size_t a = 0; a < N; ++a) f[a][i] += shape[a] * force;
+          }
+        }
+        term_.sides_.batches().scatter_force(b, f, y);
+      }
+    }
+
+    void add_diagonal(double* d) const override {
+      for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
+        Vectors diagonal{};
+        for (std::size_t q = 0; q < points_; ++q) {
+          const auto& shape = term_.sides_.quadrature().value[q];
+          for (std::size_t a = 0; a < N; ++a)
+            for (std::size_t i = 0; i < D; ++i)
+              diagonal[a][i] += (shape[a] * shape[a]) * stiffness_[b * points_ + q][i][i];
+        }
+        term_.sides_.batches().scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+   private:
+    const CurvedSurfaceTerm& term_;
+    std::size_t points_;
+    std::vector<Matrix> stiffness_;  ///< batches x quadrature points
+  };
+
+  /// Places of one batch at the ends of the segment.
+  class Ends {
+   public:
+    Ends(const CurvedSurfaceTerm& term, std::size_t b, const Segment& segment)
+        : term_(term), has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      const auto place = [&](const double* u, Vectors& x) {
+        term.sides_.batches().gather(b, u, x);
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t i = 0; i < D; ++i) x[a][i] += term.sides_.reference(b)[a][i];
+      };
+      place(segment.to, to_);
+      if (has_from_) place(segment.from, from_);
+      if (has_velocity_) term.sides_.batches().gather(b, segment.velocity, velocity_);
+    }
+    PackPoint to(std::size_t q) const { return term_.interpolate(shape(q), to_); }
+    PackPoint from(std::size_t q) const { return term_.interpolate(shape(q), from_); }
+    PackPoint at(std::size_t q, const RulePoint& point) const {
+      PackPoint x = to(q);
+      for (Pack& component : x) component *= point.to;
+      const auto add = [&](double factor, const PackPoint& part) {
+        for (std::size_t i = 0; i < 3; ++i) x[i] += factor * part[i];
+      };
+      if (has_from_) add(point.from, from(q));
+      if (has_velocity_) add(point.velocity, term_.interpolate(shape(q), velocity_));
+      return x;
+    }
+
+   private:
+    const auto& shape(std::size_t q) const { return term_.sides_.quadrature().value[q]; }
+    const CurvedSurfaceTerm& term_;
+    bool has_from_, has_velocity_;
+    Vectors to_, from_, velocity_;
+  };
+
+  PackPoint interpolate(const std::array<double, N>& shape, const Vectors& nodal) const {
+    PackPoint sum{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i) sum[i] += shape[a] * nodal[a][i];
+    return sum;
+  }
+
+  /// Returns the derivative of the force at a quadrature point by its displacement at the end of the segment, times the
+  /// measure. The convex kind leaves out each part that is negative.
+  Matrix stiffness(const Ends& ends, std::size_t b, std::size_t q, const Rule& rule, Tangent kind) const {
+    const bool convex = kind == Tangent::Convex;
+    const auto kept = [&](const Pack& x) { return convex ? select(x > 0.0, x, Pack(0.0)) : x; };
+    Matrix k{};
+    for (const RulePoint& point : rule.points) {
+      const Sight sight = obstacle_->at(ends.at(q, point));
+      const double weight = point.weight * point.to;
+      const Pack along = weight * kept(law_.stiffness(sight.gap)), across = weight * bent(sight, kept);
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j)
+          k[i][j] += along * (sight.normal[i] * sight.normal[j]) + across * sight.bend[i][j];
+    }
+    if (rule.mean != Mean::Points) {
+      const PackPoint from = ends.from(q), to = ends.to(q);
+      const Sight end = obstacle_->at(to);
+      const Pack start_gap = obstacle_->at(from).gap;
+      const MeanSight mean = obstacle_->mean(from, to);
+      const Pack along = kept(law_.mean_stiffness(start_gap, end.gap));
+      const Pack across = convex ? Pack(0.0) : Pack(-law_.mean_traction(start_gap, end.gap));
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j)
+          k[i][j] += along * (mean.normal[i] * end.normal[j]) + across * mean.slope[i][j];
+    }
+    for (auto& row : k)
+      for (Pack& value : row) value *= sides_.measure(b)[q];
+    return k;
+  }
+
+  /// Returns -T, the factor of H. H of a convex obstacle is positive semidefinite, that of a cavity negative.
+  template <class Kept>
+  Pack bent(const Sight& sight, const Kept& kept) const {
+    Pack trace = 0.0;
+    for (std::size_t i = 0; i < D; ++i) trace += sight.bend[i][i];
+    const Pack factor = -law_.traction(sight.gap);
+    return select(kept(Pack(factor * trace)) == factor * trace, factor, Pack(0.0));
+  }
+
+  /// Returns the sum of visit(sight, weight) over the points of sides that count on this rank; `weight` is the measure.
+  template <class Visit>
+  double sum_over_points(const double* u, const Visit& visit) const {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(*this, b, {nullptr, nullptr, u});
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
+        sum += visit(obstacle_->at(ends.to(q)), Pack(sides_.owned(b) * sides_.measure(b)[q]));
+    }
+    return total(sum);
+  }
+
+  AnyGapLaw law_;
+  std::shared_ptr<const Obstacle> obstacle_;
+  double margin_;
+  Sides sides_;
+};
+
+}  // namespace
+
+Interactions make_curved_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
+                               const std::shared_ptr<const GapLaw>& law,
+                               const std::shared_ptr<const Obstacle>& obstacle, const SurfaceOptions& options) {
+  Interactions terms;
+  for_each_kind_of_side(mesh, sides, [&](auto side, const std::vector<LocalSide>& group) {
+    using SideElement = typename decltype(side)::type;
+    terms.push_back(std::make_unique<CurvedSurfaceTerm<SideElement>>(mesh, group, pattern, law, obstacle, options));
+  });
+  return terms;
+}
+
+}  // namespace ixos

@@ -1,0 +1,49 @@
+/// Elasticity of one block.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "discretization/pattern.hpp"
+#include "material/elastic_law.hpp"
+#include "mesh/local_mesh.hpp"
+#include "term/term.hpp"
+
+namespace ixos {
+
+/// The element's energy. All of them are functions of the displacement alone.
+enum class Formulation {
+  Standard,        ///< ElasticKernel: locks if nearly incompressible, and in bending
+  MeanDilatation,  ///< MeanDilatationKernel: cures the first, of all cell types
+  Enhanced         ///< EnhancedKernel: cures both if pressures are moderate; enriched cells stay Standard
+};
+
+/// Means over the reference volume of each cell of one block, for output.
+struct CellFields {
+  std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus
+  std::vector<double> jacobian;          ///< J [-]
+  std::vector<double> energy_density;    ///< W per reference volume [E0]
+};
+
+/// The elasticity of a block.
+class Elasticity : public Term {
+ public:
+  Part part() const final { return Part::Elastic; }
+  /// Adds the diagonal of the tangent at segment.to to a local array.
+  virtual void add_diagonal(const Segment& segment, double* diagonal) const = 0;
+  /// Fills in the fields of the block.
+  virtual void cell_fields(const double* u, CellFields& fields) const = 0;
+};
+
+/// Returns whether a block of that law and formulation can be applied without a matrix, by Term::create_action().
+bool has_action(const ElasticLaw& law, Formulation formulation);
+
+/// Returns the term for one block, its cells in SIMD batches. The caller has checked the mesh (see check_cells).
+/// `points`: Gauss points a direction of elements that are not enriched, 0 for the element's own number; an enriched
+/// block gives its own number. All but Standard accept no rule with Mean::DiscreteGradient, nor do laws without a
+/// discrete gradient; Enhanced needs two points or more. The laws neo_hooke() and linear_elastic() are compiled into
+/// the kernels, other laws are called once for each pack of quadrature points.
+std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                              const std::shared_ptr<const ElasticLaw>& law, int points = 0,
+                                              Formulation formulation = Formulation::Standard);
+
+}  // namespace ixos

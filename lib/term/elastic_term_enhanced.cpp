@@ -1,0 +1,14 @@
+#include "term/elastic_term_impl.hpp"
+
+#include "element/enhanced_kernel.hpp"
+#include "fem/reference_elements.hpp"
+
+namespace ixos {
+
+std::unique_ptr<Elasticity> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                               const std::shared_ptr<const ElasticLaw>& law, int points) {
+  if (block.type == CellType::Quad4) return make_kernel_term<EnhancedKernel, Quad4>(mesh, block, pattern, law, points);
+  return make_kernel_term<EnhancedKernel, Hex8>(mesh, block, pattern, law, points);
+}
+
+}  // namespace ixos

@@ -1,0 +1,223 @@
+/// The elastic term of one kernel; included only where terms are made, see elastic_term.hpp.
+#pragma once
+#include "term/elastic_term.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+
+#include "discretization/cell_quadrature.hpp"
+#include "discretization/element_batches.hpp"
+#include "element/elastic_action.hpp"
+#include "element/elastic_kernel.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hooke.hpp"
+
+namespace ixos {
+
+template <class Kernel>
+class ElasticTerm final : public Elasticity {
+  using Element = typename Kernel::Shape;
+  using Material = typename Kernel::Law;
+  static constexpr std::size_t D = Kernel::D;
+  static constexpr std::size_t N = Kernel::N;
+  static constexpr bool has_action =
+      std::is_same_v<Kernel, ElasticKernel<Element, Material>> && Material::has_spatial_tangent;
+  using Nodal = typename Kernel::template Nodal<Pack>;
+  using Geometry = typename Kernel::template Geometry<Pack>;
+
+ public:
+  ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material,
+              int points)
+      : material_(material),
+        youngs_modulus_(youngs_modulus(material.lame)),
+        batches_(block.nodes, pattern, node_scales(block)),
+        table_(cell_points<Element>(block, points), block.tied),
+        has_default_points_(cell_points<Element>(block, points) == Element::default_points) {
+    geometry_.reserve(batches_.size());
+    owned_.reserve(batches_.size());
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal x;
+      batches_.gather(b, mesh.coordinates.data(), x);
+      geometry_.push_back(Kernel::geometry(table_, x));
+      owned_.emplace_back([&](auto lane) {
+        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
+        return lane < batches_.lanes(b) && block.owned[cell] != 0 ? 1.0 : 0.0;
+      });
+    }
+  }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    if (!Kernel::has_discrete_gradient && rule.mean == Mean::DiscreteGradient)
+      throw std::logic_error("this element formulation has no discrete gradient");
+    Pack least_jacobian = 1.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      Nodal force{};
+      least_jacobian = smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
+      batches_.scatter_force(b, force, f);
+    }
+    return least(least_jacobian) > 0;
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
+    for_each_batch(segment, rule,
+                   [&](std::size_t b, const CellTangent& tangent) { batches_.scatter_tangent(b, tangent, values); });
+  }
+
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
+      Nodal rows{};
+      for (std::size_t r = 0; r < N * D; ++r)
+        for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
+      batches_.scatter_force(b, rows, sums);
+    });
+    return true;
+  }
+
+  void add_diagonal(const Segment& segment, double* diagonal) const override {
+    for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
+      Nodal values;
+      for (std::size_t r = 0; r < N * D; ++r) values[r / D][r % D] = tangent[r][r];
+      batches_.scatter_diagonal(b, values, diagonal);
+    });
+  }
+
+  /// Returns null unless the kernel is ElasticKernel and the law has a spatial tangent.
+  std::unique_ptr<TangentAction> create_action() const override {
+    if constexpr (has_action) return std::make_unique<Action>(*this);
+    return nullptr;
+  }
+
+  double energy(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal nodal;
+      batches_.gather(b, u, nodal);
+      sum += owned_[b] * Kernel::energy(material_, geometry_[b], nodal);
+    }
+    return total(sum);
+  }
+
+  void cell_fields(const double* u, CellFields& fields) const override {
+    for (std::vector<double>* field : {&fields.stress_invariant, &fields.jacobian, &fields.energy_density})
+      field->resize(batches_.cells());
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal nodal;
+      batches_.gather(b, u, nodal);
+      const auto means = Kernel::means(material_, geometry_[b], nodal);
+      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane) {
+        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
+        fields.stress_invariant[cell] = means[0][lane] / youngs_modulus_;
+        fields.jacobian[cell] = means[1][lane];
+        fields.energy_density[cell] = means[2][lane];
+      }
+    }
+  }
+
+ private:
+  using CellTangent = typename Kernel::template Tangent<Pack>;
+
+  /// Calls visit(batch, tangent) for all cells.
+  template <class Visit>
+  void for_each_batch(const Segment& segment, const Rule& rule, const Visit& visit) const {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gathered ends(batches_, b, segment);
+      CellTangent tangent{};
+      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+      visit(b, tangent);
+    }
+  }
+
+  class Action final : public TangentAction {
+    using Kept = ElasticAction<Element, Material>;
+    using Layout = typename Kept::Layout;
+
+   public:
+    explicit Action(const ElasticTerm& term) : term_(term) {}
+
+    void linearize(const Segment& segment, const Rule& rule, Tangent, const LinearPart& linear) override {
+      layout_ = Layout(term_.material_, rule, linear.rest, linear.inertia);
+      size_ = term_.table_.size() * layout_.point_size();
+      data_.resize(size_ * term_.batches_.size());
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        const Gathered ends(term_.batches_, b, segment);
+        Kept::linearize(term_.material_, term_.geometry_[b], ends.segment(), rule, linear.rest, linear.inertia,
+                        &data_[b * size_]);
+      }
+    }
+
+    /// Returns whether the quadrature points are those of Mass.
+    bool applies_mass() const override { return term_.has_default_points_; }
+
+    void add_product(const double* x, double* y) const override {
+      typename Kept::template Scratch<Pack> scratch(term_.table_.size());
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        Nodal u, f{};
+        term_.batches_.gather(b, x, u);
+        Kept::add_product(term_.table_, layout_, &data_[b * size_], u, scratch, f);
+        term_.batches_.scatter_force(b, f, y);
+      }
+    }
+
+    void add_diagonal(double* d) const override {
+      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+        Nodal diagonal{};
+        Kept::add_diagonal(term_.table_, layout_, &data_[b * size_], diagonal);
+        term_.batches_.scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+   private:
+    const ElasticTerm& term_;
+    Layout layout_;
+    std::size_t size_ = 0;  ///< of a batch's data
+    std::vector<NarrowPack> data_;
+  };
+
+  /// The segment's arrays at one batch; absent arrays stay null.
+  class Gathered {
+   public:
+    Gathered(const ElementBatches<N, D>& batches, std::size_t b, const Segment& segment)
+        : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      batches.gather(b, segment.to, to_);
+      if (has_from_) batches.gather(b, segment.from, from_);
+      if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
+    }
+    typename Kernel::template Segment<Pack> segment() const {
+      return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+    }
+
+   private:
+    bool has_from_, has_velocity_;
+    Nodal to_, from_, velocity_;
+  };
+
+  Material material_;
+  double youngs_modulus_;
+  ElementBatches<N, D> batches_;
+  typename Kernel::Table table_;
+  bool has_default_points_;
+  std::vector<Geometry> geometry_;
+  std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
+};
+
+/// Returns the term of Kernel<Element, law>.
+template <template <class, class> class Kernel, class Element>
+std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                             const std::shared_ptr<const ElasticLaw>& law, int points) {
+  if (const auto* own = dynamic_cast<const ElasticLawOf<NeoHooke>*>(law.get()))
+    return std::make_unique<ElasticTerm<Kernel<Element, NeoHooke>>>(mesh, block, pattern, own->law(), points);
+  if (const auto* own = dynamic_cast<const ElasticLawOf<LinearElastic>*>(law.get()))
+    return std::make_unique<ElasticTerm<Kernel<Element, LinearElastic>>>(mesh, block, pattern, own->law(), points);
+  return std::make_unique<ElasticTerm<Kernel<Element, AnyElasticLaw>>>(mesh, block, pattern, AnyElasticLaw(law),
+                                                                       points);
+}
+
+/// Makes the elastic term of one formulation each, so that they compile apart. An enhanced block is not enriched.
+std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
+                                                      const Pattern& pattern,
+                                                      const std::shared_ptr<const ElasticLaw>& law, int points);
+std::unique_ptr<Elasticity> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                               const std::shared_ptr<const ElasticLaw>& law, int points);
+
+}  // namespace ixos

@@ -1,0 +1,23 @@
+#include "term/elastic_term_impl.hpp"
+
+#include "element/elastic_kernel.hpp"
+#include "fem/with_element.hpp"
+
+namespace ixos {
+
+bool has_action(const ElasticLaw& law, Formulation formulation) {
+  return formulation == Formulation::Standard && law.has_spatial_tangent();
+}
+
+std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                              const std::shared_ptr<const ElasticLaw>& law, int points,
+                                              Formulation formulation) {
+  const bool enriched = block.type != CellType::Quad4 && block.type != CellType::Hex8;
+  if (formulation == Formulation::MeanDilatation) return make_mean_dilatation_term(mesh, block, pattern, law, points);
+  if (formulation == Formulation::Enhanced && !enriched) return make_enhanced_term(mesh, block, pattern, law, points);
+  return with_element(block.type, [&](auto element) {
+    return make_kernel_term<ElasticKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
+  });
+}
+
+}  // namespace ixos

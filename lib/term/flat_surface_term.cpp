@@ -1,0 +1,245 @@
+// Interaction of a surface with a half-space.
+#include <algorithm>
+#include <cmath>
+
+#include "interaction/surface_kernel.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "term/flat_sides.hpp"
+#include "term/surface_terms.hpp"
+
+namespace ixos {
+namespace {
+
+/// Sides of one element type.
+template <class SideElement, class Law>
+class FlatSurfaceTerm final : public Interaction {
+  using Kernel = SurfaceKernel<SideElement, Law>;
+  using Sides = FlatSides<SideElement>;
+  static constexpr std::size_t D = Sides::D;
+  static constexpr std::size_t N = Sides::N;
+  using Nodal = typename Sides::Nodal;
+
+ public:
+  FlatSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
+                  const HalfSpace& wall, const SurfaceOptions& options)
+      : law_(law), options_(options), sides_(mesh, sides, pattern, wall, options.points) {}
+
+  bool needs_positive_gaps() const override { return law_.domain == GapDomain::Positive; }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    Pack least_gap = 1.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Gaps gaps(sides_, b, segment);
+      Nodal along{};
+      least_gap = smaller(least_gap,
+                          Kernel::add_force(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), rule, along));
+      sides_.batches().scatter_force(b, sides_.from_normal(along), f);
+    }
+    return least(least_gap) > 0 || !needs_positive_gaps();
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Gaps gaps(sides_, b, segment);
+      Small<Pack, N> along{};
+      Kernel::add_tangent(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), rule, kind == Tangent::Convex,
+                          along);
+      Small<Pack, N * D> tangent;
+      for (std::size_t r = 0; r < N * D; ++r)
+        for (std::size_t c = 0; c < N * D; ++c)
+          tangent[r][c] = along[r / D][c / D] * (sides_.normal()[r % D] * sides_.normal()[c % D]);
+      sides_.batches().scatter_tangent(b, tangent, values);
+    }
+  }
+
+  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(*this); }
+
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    double least_gap = 1;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal gap = sides_.gaps_of(b, segment.to);
+      Nodal rows{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const auto& shape = sides_.quadrature().value[q];
+        const Pack r = Kernel::interpolate(shape, gap);
+        least_gap = std::min(least_gap, least(r));
+        double total_shape = 0;
+        for (double value : shape) total_shape += std::abs(value);
+        const Pack stiffness = total_shape * sides_.measure(b)[q] * std::experimental::abs(law_.stiffness(r));
+        for (std::size_t a = 0; a < N; ++a) rows[a] += std::abs(shape[a]) * stiffness;
+      }
+      // |n_i n_j| summed over j.
+      double normal_sum = 0;
+      for (std::size_t d = 0; d < D; ++d) normal_sum += std::abs(sides_.normal()[d]);
+      Small<Pack, N, D> along;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) along[a][d] = rows[a] * (std::abs(sides_.normal()[d]) * normal_sum);
+      sides_.batches().scatter_force(b, along, sums);
+    }
+    return least_gap > 0 || !needs_positive_gaps();
+  }
+
+  double energy(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b)
+      sum += sides_.owned(b) * Kernel::energy(law_, sides_.quadrature(), sides_.measure(b), sides_.gaps_of(b, u));
+    return total(sum);
+  }
+
+  double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
+    if (!needs_positive_gaps()) return 1;
+    Pack step = 1.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Gaps gaps(sides_, b, segment);
+      step = smaller(step,
+                     Kernel::admissible_step(sides_.quadrature(), gaps.segment(), rule, sides_.change_of(b, direction),
+                                             options_.margin, law_.equilibrium_gap()));
+    }
+    return least(step);
+  }
+
+  double mean_potential(const Segment& segment) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal from = sides_.gaps_of(b, segment.from), to = sides_.gaps_of(b, segment.to);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
+        sum += sides_.owned(b) * sides_.measure(b)[q] *
+               law_.mean_potential(Kernel::interpolate(sides_.quadrature().value[q], from),
+                                   Kernel::interpolate(sides_.quadrature().value[q], to));
+    }
+    return total(sum);
+  }
+
+  double gap_ratio(const double* from, const double* to) const override {
+    const double near = 10 * law_.equilibrium_gap();
+    double largest = 1;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal start = sides_.gaps_of(b, from), end = sides_.gaps_of(b, to);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack r0 = Kernel::interpolate(sides_.quadrature().value[q], start);
+        const Pack r1 = Kernel::interpolate(sides_.quadrature().value[q], end);
+        const Pack lesser = smaller(r0, r1);
+        const Pack ratio = select(lesser < near, Pack((r0 + r1 - lesser) / lesser), Pack(1.0));
+        largest = std::max(largest, -least(Pack(-ratio)));
+      }
+    }
+    return largest;
+  }
+
+  double rounding(const double* u) const override {
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal gap = sides_.gaps_of(b, u);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack force =
+            sides_.measure(b)[q] * law_.magnitude(Kernel::interpolate(sides_.quadrature().value[q], gap));
+        sum += sides_.owned(b) * force * force;
+      }
+    }
+    return total(sum);
+  }
+
+  void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
+
+  void report(const double* u, InteractionReport& report) const override {
+    report.force.resize(D, 0.0);
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal gap = sides_.gaps_of(b, u);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack r = Kernel::interpolate(sides_.quadrature().value[q], gap);
+        const Pack weight = sides_.owned(b) * sides_.measure(b)[q];
+        report.least_gap = std::min(report.least_gap, least(r));
+        report.measure += total(select(r < law_.adhesion_gap(), weight, Pack(0.0)));
+        const double force = total(Pack(weight * law_.traction(r)));
+        for (std::size_t d = 0; d < D; ++d) report.force[d] += force * sides_.normal()[d];
+      }
+    }
+  }
+
+ private:
+  /// Keeps the matrix of each side along the wall's normal.
+  class Action final : public TangentAction {
+   public:
+    explicit Action(const FlatSurfaceTerm& term) : term_(term), along_(term.sides_.size()) {}
+
+    void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        const Gaps gaps(term_.sides_, b, segment);
+        along_[b] = {};
+        Kernel::add_tangent(term_.law_, term_.sides_.quadrature(), term_.sides_.measure(b), gaps.segment(), rule,
+                            kind == Tangent::Convex, along_[b]);
+      }
+    }
+
+    void add_product(const double* x, double* y) const override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        const Nodal change = term_.sides_.change_of(b, x);
+        Nodal force{};
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t c = 0; c < N; ++c) force[a] += along_[b][a][c] * change[c];
+        term_.sides_.batches().scatter_force(b, term_.sides_.from_normal(force), y);
+      }
+    }
+
+    void add_diagonal(double* d) const override {
+      for (std::size_t b = 0; b < along_.size(); ++b) {
+        Small<Pack, N, D> diagonal;
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t i = 0; i < D; ++i)
+            diagonal[a][i] = along_[b][a][a] * (term_.sides_.normal()[i] * term_.sides_.normal()[i]);
+        term_.sides_.batches().scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+   private:
+    const FlatSurfaceTerm& term_;
+    std::vector<Small<Pack, N>> along_;
+  };
+
+  /// Nodal gaps of one batch at the ends of the segment.
+  class Gaps {
+   public:
+    Gaps(const Sides& sides, std::size_t b, const Segment& segment)
+        : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      to_ = sides.gaps_of(b, segment.to);
+      if (has_from_) from_ = sides.gaps_of(b, segment.from);
+      if (has_velocity_) velocity_ = sides.change_of(b, segment.velocity);
+    }
+    typename Kernel::template Segment<Pack> segment() const {
+      return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+    }
+
+   private:
+    bool has_from_, has_velocity_;
+    Nodal to_, from_, velocity_;
+  };
+
+  Law law_;
+  SurfaceOptions options_;
+  Sides sides_;
+};
+
+template <class Law>
+Interactions make_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
+                        const Law& law, const HalfSpace& wall, const SurfaceOptions& options) {
+  Interactions terms;
+  for_each_kind_of_side(mesh, sides, [&](auto side, const std::vector<LocalSide>& group) {
+    using SideElement = typename decltype(side)::type;
+    terms.push_back(std::make_unique<FlatSurfaceTerm<SideElement, Law>>(mesh, group, pattern, law, wall, options));
+  });
+  return terms;
+}
+
+}  // namespace
+
+Interactions make_flat_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
+                             const std::shared_ptr<const GapLaw>& law, const HalfSpace& wall,
+                             const SurfaceOptions& options) {
+  if (const auto* own = dynamic_cast<const GapLawOf<VanDerWaals>*>(law.get()))
+    return make_terms(mesh, sides, pattern, own->law(), wall, options);
+  if (const auto* own = dynamic_cast<const GapLawOf<CutOff<VanDerWaals>>*>(law.get()))
+    return make_terms(mesh, sides, pattern, own->law(), wall, options);
+  return make_terms(mesh, sides, pattern, AnyGapLaw(law), wall, options);
+}
+
+}  // namespace ixos

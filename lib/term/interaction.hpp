@@ -1,0 +1,47 @@
+/// What an interaction says beyond the contract of all terms.
+#pragma once
+#include <limits>
+#include <vector>
+
+#include "term/term.hpp"
+
+namespace ixos {
+
+/// This rank's share of an interaction's report on a displacement. Sums over ranks give the whole; for `least_gap`, the
+/// minimum.
+struct InteractionReport {
+  std::vector<double> force;  ///< on the bodies [E0 L0^(D-1)]
+  double measure = 0;         ///< reference length or area closer than the gap of largest attraction [L0^(D-1)]
+  double least_gap = std::numeric_limits<double>::infinity();  ///< [L0]
+};
+
+/// An interaction of a surface with its surroundings.
+class Interaction : public Term {
+ public:
+  Part part() const final { return Part::Interaction; }
+
+  /// Returns whether a gap r <= 0 is inadmissible.
+  virtual bool needs_positive_gaps() const = 0;
+
+  /// Returns the largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
+  virtual double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const = 0;
+
+  /// Returns this rank's share of the potential whose derivative in u_to is the force of the exact rule.
+  virtual double mean_potential(const Segment& segment) const = 0;
+
+  /// Returns the largest ratio of the gaps at a quadrature point in a step. Only points whose lesser gap is below ten
+  /// times the equilibrium gap count.
+  virtual double gap_ratio(const double* from, const double* to) const = 0;
+
+  /// Returns the sum of squares of the forces at quadrature points that cancel in add_force, and of the effect of
+  /// rounding the gap, both over the machine's epsilon: near the equilibrium gap the force consists of nothing else.
+  virtual double rounding(const double* u) const = 0;
+
+  /// Adds the report on u.
+  virtual void report(const double* u, InteractionReport& report) const = 0;
+
+  /// Adds, per local node, int N_a dA over the surface [L0^(D-1)].
+  virtual void add_nodal_measure(double* measure) const = 0;
+};
+
+}  // namespace ixos

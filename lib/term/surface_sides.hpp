@@ -1,0 +1,114 @@
+/// Sides of one element type in SIMD batches: quadrature, measure, and where their points are.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "discretization/element_batches.hpp"
+#include "fem/shape_table.hpp"
+#include "fem/with_element.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+template <class SideElement>
+class SurfaceSides {
+ public:
+  static constexpr std::size_t D = SideElement::dimension + 1;
+  static constexpr std::size_t N = SideElement::nodes;
+  using Vectors = Small<Pack, N, D>;
+
+  /// `points`: Gauss points a direction; 0: 5, but 8 on sides of order 3 or more.
+  SurfaceSides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, int points)
+      : quadrature_(counts(points), ties(mesh, sides)), batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Vectors x;
+      batches_.gather(b, mesh.coordinates.data(), x);
+      reference_.push_back(x);
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) measure_.push_back(quadrature_.weight[q] * stretch(x, q));
+      owned_.emplace_back([&](auto lane) {
+        return lane < batches_.lanes(b) && sides[b * static_cast<std::size_t>(pack_width) + lane].owned ? 1.0 : 0.0;
+      });
+    }
+  }
+
+  const ShapeTable<SideElement>& quadrature() const { return quadrature_; }
+  const ElementBatches<N, D>& batches() const { return batches_; }
+  std::size_t size() const { return batches_.size(); }  ///< batches
+  /// Returns quadrature weight times reference length or area, by quadrature point.
+  const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }
+  /// Returns 1 for sides that count on this rank, otherwise 0.
+  const Pack& owned(std::size_t b) const { return owned_[b]; }
+  /// Returns nodal reference coordinates [L0]; those of a Hermite side's derivative nodes are derivatives.
+  const Vectors& reference(std::size_t b) const { return reference_[b]; }
+  /// Adds, per local node, int N_a dA [L0^(D-1)].
+  void add_nodal_measure(double* measure_by_node) const {
+    for (std::size_t b = 0; b < size(); ++b)
+      for (std::size_t q = 0; q < quadrature_.size(); ++q)
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+            measure_by_node[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D] +=
+                batches_.scale(b, a, lane) * quadrature_.value[q][a] * measure(b)[q][lane];
+  }
+
+ protected:
+  /// Nodes that are places; the others of a Hermite side are derivatives.
+  static constexpr std::size_t places = IsHermite<SideElement>::value ? std::size_t{1} << (D - 1) : N;
+
+ private:
+  static std::array<int, D - 1> counts(int points) {
+    std::array<int, D - 1> result;
+    const int own = SideElement::default_points[0] > 3 ? 8 : 5;  // beyond order 2 more
+    result.fill(points > 0 ? points : own);
+    return result;
+  }
+
+  /// Returns the tied edges, which are the same for all sides.
+  static unsigned ties(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
+    if (sides.empty()) return 0;
+    return side_ties(mesh.blocks[static_cast<std::size_t>(sides.front().block)], sides.front().side);
+  }
+
+  static std::vector<double> scale_table(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
+    std::vector<double> scales;
+    if (places == N) return scales;
+    for (const LocalSide& side : sides)
+      for (std::size_t a = 0; a < N; ++a)
+        scales.push_back(side_node_scale(mesh.blocks[static_cast<std::size_t>(side.block)], side.cell, side.side, a));
+    return scales;
+  }
+
+  static std::vector<int> node_table(const std::vector<LocalSide>& sides) {
+    std::vector<int> nodes;
+    for (const LocalSide& side : sides) nodes.insert(nodes.end(), side.nodes.begin(), side.nodes.end());
+    return nodes;
+  }
+
+  /// Returns the reference length or area per unit of the reference side at quadrature point q.
+  Pack stretch(const Small<Pack, N, D>& x, std::size_t q) const {
+    Small<Pack, D - 1, D> tangent{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t k = 0; k + 1 < D; ++k)
+        for (std::size_t d = 0; d < D; ++d) tangent[k][d] += quadrature_.gradient[q][a][k] * x[a][d];
+    Pack square = 0.0;
+    if constexpr (D == 2) {
+      square = tangent[0][0] * tangent[0][0] + tangent[0][1] * tangent[0][1];
+    } else {
+      for (std::size_t d = 0; d < 3; ++d) {
+        const std::size_t e = (d + 1) % 3, f = (d + 2) % 3;
+        const Pack component = tangent[0][e] * tangent[1][f] - tangent[0][f] * tangent[1][e];
+        square += component * component;
+      }
+    }
+    return std::experimental::sqrt(square);
+  }
+
+  ShapeTable<SideElement> quadrature_;
+  ElementBatches<N, D> batches_;
+  std::vector<Vectors> reference_;
+  std::vector<Pack> measure_;  ///< batches x quadrature points
+  std::vector<Pack> owned_;
+};
+
+}  // namespace ixos

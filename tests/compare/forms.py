@@ -1,0 +1,134 @@
+"""The scenes and studies of xml/ in short forms, for bitwise.py."""
+import os
+import pathlib
+import sys
+import typing
+import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
+from driver_process import ROOT, STEPS  # noqa: E402
+
+XML = pathlib.Path(ROOT, "xml")
+FINAL, SCHEME, RAMP = STEPS + "Final Time=", "Time Integrator/Type=", "Histories/Pull/Rate Ramp/Length="
+BALL = [FINAL + "0.3"]
+STRIP = [RAMP + "2", FINAL + "3"]  # a ramp has to end before the run does
+BLOCK = [FINAL + "2"]
+SMALL_BLOCK = ["Mesh/Box/Divisions={14, 14, 14}", "Mesh/Box/Lengths={14, 14, 14}"]
+SHORT_STEPS = [STEPS + "Time Step=0.005", RAMP + "0.1", FINAL + "0.1"]  # Automatic takes Chebyshev, matrix-free
+SPATULA = ["Mesh/Spatula/Target Cells=4000", RAMP + "2", FINAL + "3"]
+BEND = ["Mesh/Spatula/Target Cells=4000", FINAL + "0", "Boundary Conditions/Bend/Node Set=tip",
+        "Boundary Conditions/Bend/Components=z", "Boundary Conditions/Bend/History=Bend", "Output/Reactions={tip}"]
+TRAPEZOID = ["Custom/Stages/One/Velocity={2, -2, -1, 0}", "Custom/Stages/One/Acceleration={4, -4, -4, -1}"]
+
+
+class Form(typing.NamedTuple):
+    """A run to compare."""
+    name: str
+    file: pathlib.Path
+    settings: list
+    ranks: int = 1
+    program: str = "ixos"
+
+
+class ShortStudy(typing.NamedTuple):
+    """What makes a study short: values of axes, and changes of the lists Common, Reference/Settings and Errors."""
+    common: dict
+    axes: dict
+    reference: dict
+    errors: dict = {}
+
+
+STEP, TIME = STEPS + "Time Step", STEPS + "Final Time"
+COARSE = {"Mesh/Box/Divisions": "{160, 8}", RAMP[:-1]: "1.5", TIME: "2"}
+TO_2 = {"Interval": "{0, 2}"}
+STUDIES = {
+    "ball-study": ShortStudy({TIME: "0.3"}, {"Time Step": ["0.01", "0.002"]}, {STEP: "0.0005"}),
+    "ball-adaptive-study": ShortStudy({TIME: "0.4"}, {"Level": ["1", "2"]}, {STEP: "0.0005"}),
+    "spatula-study": ShortStudy({TIME: "2", RAMP[:-1]: "2"}, {"Time Step": ["0.5"], "Tolerance": ["1e-4", "1e-9"]},
+                                {STEP: "0.25"}, TO_2),
+    "strip-options-study": ShortStudy(COARSE, {"Round": ["1"]}, {}, TO_2),
+    "strip-study": ShortStudy({**COARSE, "Output/History Time Interval": "0.5"},
+                              {"Contact Element": ["Q1C1", "Q1C4"], "Time Step": ["0.5", "0.1"]},
+                              {"Mesh/Box/Divisions": "{160, 8}"}, TO_2),
+}
+
+
+def scene_forms(schemes):
+    """Yields name, scene, settings and, if there are several, ranks. All runs repeat bit for bit: none uses MUMPS on
+    several ranks."""
+    def solver(*settings):
+        return ["Linear Solver/" + setting for setting in ("Linear Solver Type=Belos", *settings)]
+
+    for scheme in schemes:
+        yield "ball, " + scheme, "ball", [*BALL, SCHEME + scheme]
+    yield "ball, Custom", "ball", [*BALL, SCHEME + "Custom", *("Time Integrator/" + row for row in TRAPEZOID)]
+    for bound in ("Maximum Gap Ratio=1.1", "Tolerance=0.01"):
+        yield "ball, adaptive, " + bound, "ball", [FINAL + "0.4", STEPS + "Type=Adaptive", STEPS + "Adaptive/" + bound]
+    yield "ball, two ranks", "ball", BALL, 2
+    yield "strip", "strip", STRIP
+    yield "strip, two ranks", "strip", STRIP, 2
+    for formulation in ("Mean Dilatation", "Enhanced"):
+        yield "strip, " + formulation, "strip", [*STRIP, "Materials/Strip/Element Formulation=" + formulation]
+    yield "strip, Q1CH", "strip", [*STRIP, "Interactions/Wall/Contact Element=Q1CH"]
+    yield "block-on-wall", "block-on-wall", BLOCK
+    yield "block-on-wall, matrix-free, short steps", "block-on-wall", SMALL_BLOCK + SHORT_STEPS
+    yield "block-on-wall, two ranks, matrix-free, short steps", "block-on-wall", SMALL_BLOCK + SHORT_STEPS, 2
+    for operator in ("Matrix-Free", "Assembled"):
+        yield f"block-on-wall, MueLu, {operator}", "block-on-wall", [
+            *SMALL_BLOCK, *BLOCK, *solver("Preconditioner Type=MueLu", "Operator=" + operator)]
+    yield "spatula", "spatula", SPATULA
+    yield "spatula, MueLu, Matrix-Free", "spatula", [
+        *SPATULA, *solver("Preconditioner Type=MueLu", "Operator=Matrix-Free")]
+    for scheme in ("Static", "Newmark"):
+        yield "spatula-vibration, bent, " + scheme, "spatula-vibration", [*BEND, SCHEME + scheme]
+
+
+def named(entry, tag, name):
+    """Returns the child of an XML element with this tag and name, or nothing."""
+    return next((child for child in entry.findall(tag) if child.get("name") == name), None)
+
+
+def write_short_study(study, short, folder):
+    """Writes a study in its short form into a folder. Returns the path of the file."""
+    tree = ElementTree.parse(XML / (study + ".xml"))
+    root = tree.getroot()
+    scene = named(root, "Parameter", "Scene")
+    scene.set("value", str(XML / scene.get("value")))
+    axes = named(root, "ParameterList", "Axes")
+    reference = named(named(root, "ParameterList", "Reference"), "ParameterList", "Settings")
+    for entry, settings in ((named(root, "ParameterList", "Common"), short.common), (reference, short.reference),
+                            (named(root, "ParameterList", "Errors"), short.errors)):
+        for name, value in settings.items():
+            parameter = named(entry, "Parameter", name)
+            if parameter is None:
+                parameter = ElementTree.SubElement(entry, "Parameter", name=name, type="string")
+            parameter.set("value", value)
+    for name, labels in short.axes.items():
+        axis = named(axes, "ParameterList", name)
+        values, settings = named(axis, "Parameter", "Values"), named(axis, "ParameterList", "Settings")
+        if values is not None:
+            values.set("value", "{" + ", ".join(labels) + "}")
+        else:
+            for setting in [setting for setting in settings if setting.get("name") not in labels]:
+                settings.remove(setting)
+    path = folder / (study + ".xml")
+    tree.write(path)
+    return path
+
+
+def forms_to_compare(schemes, folder):
+    """Returns all forms. Writes the short studies into the folder."""
+    forms = [Form(name, XML / (scene + ".xml"), *rest) for name, scene, *rest in scene_forms(schemes)]
+    covered = {form.file.stem for form in forms} | set(STUDIES)
+    forgotten = sorted(path.name for path in XML.glob("*.xml") if path.stem not in covered)
+    if forgotten:
+        sys.exit(f"these files of xml/ have no short form in tests/compare/forms.py: {', '.join(forgotten)}")
+    return forms + [Form(study, write_short_study(study, short, folder), [], 1, "ixos-study")
+                    for study, short in STUDIES.items()]
+
+
+def forms_to_time():
+    """Returns the forms whose times count."""
+    settings = {"ball": BALL, "strip": STRIP, "block-on-wall": BLOCK}
+    return [Form(scene, XML / (scene + ".xml"), [*short, "Output/Checkpoint/Keep=0"])
+            for scene, short in settings.items()]

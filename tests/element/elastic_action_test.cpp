@@ -1,0 +1,136 @@
+// The tangent without a matrix, of one element: against the kernel's matrix and the mass by quadrature.
+#include "element/elastic_action.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "fem/reference_elements.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hooke.hpp"
+
+namespace ixos {
+namespace {
+
+template <class ElementType, class MaterialType, class KeptType, int Points = 2>
+struct Case {
+  using Element = ElementType;
+  using Material = MaterialType;
+  using Kept = KeptType;
+  static constexpr int points = Points;
+};
+
+template <class C>
+class ElasticActionTest : public testing::Test {
+ protected:
+  using Element = typename C::Element;
+  using Kept = typename C::Kept;
+  using Kernel = ElasticKernel<Element, typename C::Material>;
+  using Action = ElasticAction<Element, typename C::Material>;
+  using Nodal = typename Kernel::template Nodal<double>;
+  using Tangent = typename Kernel::template Tangent<double>;
+  static constexpr std::size_t D = Kernel::D;
+  static constexpr std::size_t N = Kernel::N;
+  static constexpr bool exact = std::is_same_v<Kept, double>;
+
+  static std::array<int, D> points() {
+    std::array<int, D> counts{};
+    counts.fill(C::points);
+    return counts;
+  }
+
+  /// A distorted square or cube, a deformation and a change.
+  ElasticActionTest() {
+    double phase = 0;
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t d = 0; d < D; ++d) {
+        phase += 1.7;
+        x_[a][d] = 0.5 * corners<static_cast<int>(D)>()[a][d] + 0.08 * std::sin(phase);
+        u_[a][d] = 0.05 * std::sin(1.3 * phase);
+        change_[a][d] = std::cos(2.1 * phase);
+      }
+    geometry_ = Kernel::geometry(table_, x_);
+  }
+
+  Nodal product(const Rule& rule, double rest, double inertia, const Nodal& u, const Nodal& change) const {
+    const typename Action::Layout layout(material_, rule, rest, inertia);
+    std::vector<Kept> data(table_.size() * layout.point_size());
+    Action::linearize(material_, geometry_, {&zero_, nullptr, &u}, rule, rest, inertia, data.data());
+    typename Action::template Scratch<double> scratch(table_.size());
+    Nodal f{};
+    Action::add_product(table_, layout, data.data(), change, scratch, f);
+    return f;
+  }
+
+  /// The same by the kernel's matrix and the mass matrix.
+  Nodal expected(const Rule& rule, double rest, double inertia) const {
+    Tangent k{};
+    Kernel::add_tangent(material_, geometry_, {&zero_, nullptr, &u_}, rule, k);
+    Rule at_rest = end_rule();
+    at_rest.points[0].weight *= rest;
+    Kernel::add_tangent(material_, geometry_, {&zero_, nullptr, &zero_}, at_rest, k);
+    Nodal f{};
+    for (std::size_t r = 0; r < N * D; ++r)
+      for (std::size_t c = 0; c < N * D; ++c) f[r / D][r % D] += k[r][c] * change_[c / D][c % D];
+    for (std::size_t q = 0; q < table_.size(); ++q)
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b < N; ++b)
+          for (std::size_t i = 0; i < D; ++i)
+            f[a][i] += inertia * geometry_.points[q].weight * table_.value[q][a] * table_.value[q][b] * change_[b][i];
+    return f;
+  }
+
+  static double distance(const Nodal& a, const Nodal& b) {
+    double square = 0, scale = 0;
+    for (std::size_t n = 0; n < N; ++n)
+      for (std::size_t d = 0; d < D; ++d) {
+        square += (a[n][d] - b[n][d]) * (a[n][d] - b[n][d]);
+        scale += b[n][d] * b[n][d];
+      }
+    return std::sqrt(square / scale);
+  }
+
+  typename C::Material material_{lame_constants(1.0, 0.3)};
+  ShapeTable<Element> table_{points()};
+  Nodal x_{}, u_{}, zero_{}, change_{};
+  typename Kernel::template Geometry<double> geometry_;
+};
+
+using Cases =
+    testing::Types<Case<Quad4, NeoHooke, double>, Case<Hex8, NeoHooke, double>, Case<Hex8, NeoHooke, double, 3>,
+                   Case<Hex8, LinearElastic, double>, Case<Quad4, NeoHooke, float>, Case<Hex8, NeoHooke, float>>;
+TYPED_TEST_SUITE(ElasticActionTest, Cases);
+
+TYPED_TEST(ElasticActionTest, IsTheMatrixTimesTheChange) {
+  // One time point, and two.
+  Rule two;
+  two.points = {{0.3, 0.4, 0, 0.6}, {0.7, 0, 0, 1}};
+  const double tolerance = this->exact ? 2e-15 : 2e-7;
+  for (const Rule& rule : {end_rule(), two})
+    for (double rest : {0.0, 0.2})
+      for (double inertia : {0.0, 0.7})
+        EXPECT_LT(this->distance(this->product(rule, rest, inertia, this->u_, this->change_),
+                                 this->expected(rule, rest, inertia)),
+                  tolerance)
+            << rest << ' ' << inertia;
+}
+
+// What single precision must not cost: slender bodies rotate far where they strain little.
+TYPED_TEST(ElasticActionTest, ARotationOfTheUndeformedBodyIsFree) {
+  typename TestFixture::Nodal rotation{};
+  for (std::size_t a = 0; a < this->N; ++a) {
+    rotation[a][0] = -this->x_[a][1];
+    rotation[a][1] = this->x_[a][0];
+  }
+  const auto force = this->product(end_rule(), 0, 0, this->zero_, rotation);
+  double energy = 0;
+  for (std::size_t a = 0; a < this->N; ++a)
+    for (std::size_t d = 0; d < this->D; ++d) energy += rotation[a][d] * force[a][d];
+  EXPECT_LT(std::abs(energy), this->exact ? 1e-15 : 1e-13);
+}
+
+}  // namespace
+}  // namespace ixos

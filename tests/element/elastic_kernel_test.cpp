@@ -1,0 +1,289 @@
+#include "element/elastic_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "element/element_nodes.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hooke.hpp"
+
+namespace ixos {
+namespace {
+
+/// One element of a material in a finite motion, over any scalar type.
+template <class Element, class Material>
+struct Body : test::ElementNodes<Element> {
+  using Kernel = ElasticKernel<Element, Material>;
+  using Nodes = test::ElementNodes<Element>;
+  using Nodes::D;
+  using Nodes::N;
+  using typename Nodes::Variable;
+  /// Nodes that are points: a Hermite side's others are derivatives, and the forces on them moments.
+  static constexpr std::size_t places = IsHermite<Element>::value ? std::size_t{1} << D : N;
+  template <class T>
+  using Nodal = typename Nodes::template Nodal<T>;
+  template <class T>
+  struct Motion {
+    Nodal<T> x, from, velocity, to;
+  };
+
+  Material material{lame_constants(1.0, 0.2)};
+
+  static const typename Kernel::Table& table() {
+    static const typename Kernel::Table values;
+    return values;
+  }
+
+  static int dof(std::size_t a, std::size_t d) { return static_cast<int>(a * D + d); }
+
+  /// A distorted unit square or cube; the phase varies shape and motion.
+  static Motion<double> motion(double phase) {
+    return {Nodes::distorted(phase), Nodes::wave(0.06, phase + 1), Nodes::wave(0.06, phase + 2),
+            Nodes::wave(0.1, phase + 3)};
+  }
+
+  /// The motion with the end of the segment as independent variables.
+  static Motion<Variable> seeded(const Motion<double>& m) {
+    return {Nodes::template constant<Variable>(m.x), Nodes::template constant<Variable>(m.from),
+            Nodes::template constant<Variable>(m.velocity), Nodes::seeded(m.to)};
+  }
+
+  template <class T>
+  T energy(const Motion<T>& m) const {
+    return Kernel::energy(material, Kernel::geometry(table(), m.x), m.to);
+  }
+
+  template <class T>
+  Nodal<T> force(const Motion<T>& m, const Rule& rule) const {
+    const typename Kernel::template Segment<T> segment{&m.from, &m.velocity, &m.to};
+    Nodal<T> f{};
+    Kernel::add_force(material, Kernel::geometry(table(), m.x), segment, rule, f);
+    return f;
+  }
+
+  double least_jacobian(const Motion<double>& m, const Rule& rule) const {
+    const typename Kernel::template Segment<double> segment{&m.from, &m.velocity, &m.to};
+    Nodal<double> f{};
+    return Kernel::add_force(material, Kernel::geometry(table(), m.x), segment, rule, f);
+  }
+
+  template <class T>
+  Small<T, N * D> tangent(const Motion<T>& m, const Rule& rule) const {
+    const typename Kernel::template Segment<T> segment{&m.from, &m.velocity, &m.to};
+    Small<T, N * D> k{};
+    Kernel::add_tangent(material, Kernel::geometry(table(), m.x), segment, rule, k);
+    return k;
+  }
+};
+
+std::vector<Rule> rules() {
+  std::vector<Rule> result{end_rule()};
+  for (Path path : {Path::Linear, Path::Kinematic}) {
+    result.push_back(point_rule({0.0, 1.0}, {0.5, 0.5}, path));
+    result.push_back(gauss_rule(4, path));
+  }
+  return result;
+}
+
+template <class B>
+class ElasticKernelTest : public testing::Test {};
+using Bodies =
+    testing::Types<Body<Quad4, NeoHooke>, Body<Hex8, NeoHooke>, Body<Quad4, LinearElastic>, Body<Hex8, LinearElastic>,
+                   Body<Hex8C2, NeoHooke>, Body<Hex8CH, NeoHooke>, Body<Quad4C2, NeoHooke>, Body<Quad4C3, NeoHooke>,
+                   Body<Quad4C4, NeoHooke>, Body<Quad4CH, NeoHooke>>;
+TYPED_TEST_SUITE(ElasticKernelTest, Bodies);
+
+TYPED_TEST(ElasticKernelTest, WeightsSumToTheVolume) {
+  // A parallelepiped: the square or cube of side 1 under I + H, of volume det(I + H).
+  auto m = TypeParam::motion(0.0);
+  for (std::size_t a = 0; a < TypeParam::N; ++a)
+    for (std::size_t d = 0; d < TypeParam::D; ++d) m.x[a][d] -= TypeParam::wave(0.1, 0.0)[a][d];
+  Small<double, TypeParam::D> h{};
+  h[0][0] = 0.3;
+  h[0][1] = 0.2;
+  h[1][0] = -0.1;
+  const auto u = TypeParam::affine(h, m.x);
+  for (std::size_t a = 0; a < TypeParam::N; ++a)
+    for (std::size_t d = 0; d < TypeParam::D; ++d) m.x[a][d] += u[a][d];
+  double volume = 0;
+  for (const auto& point : TypeParam::Kernel::geometry(TypeParam::table(), m.x).points) volume += point.weight;
+  EXPECT_NEAR(volume, 1.3 * 1.0 + 0.2 * 0.1, 1e-14);
+}
+
+TYPED_TEST(ElasticKernelTest, ForceIsTheGradientOfTheEnergy) {
+  const TypeParam body{};
+  const auto m = TypeParam::motion(0.0);
+  const typename TypeParam::Variable energy = body.energy(TypeParam::seeded(m));
+  const auto force = body.force(m, end_rule());
+  EXPECT_GT(energy.val(), 0.0);
+  for (std::size_t a = 0; a < TypeParam::N; ++a)
+    for (std::size_t d = 0; d < TypeParam::D; ++d)
+      EXPECT_NEAR(force[a][d], energy.dx(TypeParam::dof(a, d)), 1e-13) << a << ' ' << d;
+}
+
+TYPED_TEST(ElasticKernelTest, TangentIsTheSymmetricDerivativeOfTheForce) {
+  const TypeParam body{};
+  const auto m = TypeParam::motion(0.0);
+  for (const Rule& rule : rules()) {
+    const auto force = body.force(TypeParam::seeded(m), rule);
+    const auto tangent = body.tangent(m, rule);
+    for (std::size_t r = 0; r < tangent.size(); ++r)
+      for (std::size_t c = 0; c < tangent.size(); ++c) {
+        const double derivative = force[r / TypeParam::D][r % TypeParam::D].dx(static_cast<int>(c));
+        EXPECT_NEAR(tangent[r][c], derivative, 1e-13) << r << ' ' << c << ", " << rule.points.size() << " points";
+        EXPECT_NEAR(tangent[r][c], tangent[c][r], 1e-14) << r << ' ' << c;
+      }
+  }
+}
+
+TYPED_TEST(ElasticKernelTest, DiscreteGradientDoesTheWorkOfTheEnergyAndHasItsTangent) {
+  const TypeParam body{};
+  const auto m = TypeParam::motion(0.0);
+  const Rule rule = discrete_gradient_rule();
+  const auto force = body.force(m, rule);
+  double work = 0;
+  for (std::size_t a = 0; a < TypeParam::N; ++a)
+    for (std::size_t d = 0; d < TypeParam::D; ++d) work += force[a][d] * (m.to[a][d] - m.from[a][d]);
+  auto start = m;
+  start.to = m.from;
+  EXPECT_NEAR(work, body.energy(m) - body.energy(start), 1e-13);
+  const auto derivative = body.force(TypeParam::seeded(m), rule);
+  const auto tangent = body.tangent(m, rule);
+  for (std::size_t r = 0; r < tangent.size(); ++r)
+    for (std::size_t c = 0; c < tangent.size(); ++c)
+      EXPECT_NEAR(tangent[r][c], derivative[r / TypeParam::D][r % TypeParam::D].dx(static_cast<int>(c)), 1e-13);
+}
+
+TYPED_TEST(ElasticKernelTest, PacksEqualDoublesLaneByLane) {
+  for (const Rule& rule : {gauss_rule(3, Path::Kinematic), discrete_gradient_rule()}) {
+    auto m = TypeParam::motion(0.0);
+    const auto put = [](auto& target, const auto& values, std::size_t i) {
+      for (std::size_t a = 0; a < values.size(); ++a)
+        for (std::size_t d = 0; d < values[a].size(); ++d) target[a][d][i] = values[a][d];
+    };
+    typename TypeParam::template Motion<Pack> packed{};
+    const auto phase = [](std::size_t i) { return static_cast<double>(i); };
+    for (std::size_t i = 0; i < Pack::size(); ++i) {
+      m = TypeParam::motion(phase(i));
+      put(packed.x, m.x, i);
+      put(packed.from, m.from, i);
+      put(packed.velocity, m.velocity, i);
+      put(packed.to, m.to, i);
+    }
+    const TypeParam body{};
+    const Pack energy = body.energy(packed);
+    const auto force = body.force(packed, rule);
+    const auto tangent = body.tangent(packed, rule);
+    for (std::size_t i = 0; i < Pack::size(); ++i) {
+      m = TypeParam::motion(phase(i));
+      EXPECT_NEAR(lane(energy, i), body.energy(m), 1e-13);
+      const auto one_force = body.force(m, rule);
+      const auto one_tangent = body.tangent(m, rule);
+      for (std::size_t a = 0; a < TypeParam::N; ++a)
+        for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(lane(force[a][d], i), one_force[a][d], 1e-13);
+      for (std::size_t r = 0; r < tangent.size(); ++r)
+        for (std::size_t c = 0; c < tangent.size(); ++c) EXPECT_NEAR(lane(tangent[r][c], i), one_tangent[r][c], 1e-13);
+    }
+  }
+}
+
+TYPED_TEST(ElasticKernelTest, ConstantStressIsInEquilibriumOnADistortedElement) {
+  const TypeParam body{};
+  auto m = TypeParam::motion(0.0);
+  Small<double, TypeParam::D> h{}, stress{};
+  double phase = 0.2;
+  for (auto& row : h)
+    for (double& value : row) value = 0.2 * std::sin(phase += 1.3);
+  m.to = TypeParam::affine(h, m.x);
+  body.material.stress(h, stress);
+  double volume = 0;
+  for (const auto& point : TypeParam::Kernel::geometry(TypeParam::table(), m.x).points) volume += point.weight;
+  const auto f = body.force(m, end_rule());
+  // The forces are in equilibrium, and their first moment about the origin is the stress times the volume.
+  for (std::size_t i = 0; i < TypeParam::D; ++i) {
+    double sum = 0;
+    for (std::size_t a = 0; a < TypeParam::places; ++a) sum += f[a][i];
+    EXPECT_NEAR(sum, 0.0, 1e-14);
+    for (std::size_t j = 0; j < TypeParam::D; ++j) {
+      double moment = 0;
+      for (std::size_t a = 0; a < TypeParam::N; ++a) moment += f[a][i] * m.x[a][j];
+      EXPECT_NEAR(moment, stress[i][j] * volume, 1e-14);
+    }
+  }
+}
+
+/// Frobenius norm of the difference of the tangent and the force's central difference quotients with step h.
+template <class B>
+double quotient_error(double h) {
+  const B body{};
+  const auto tangent = body.tangent(B::motion(0.0), end_rule());
+  double sum = 0;
+  for (std::size_t c = 0; c < tangent.size(); ++c) {
+    auto ahead = B::motion(0.0), behind = B::motion(0.0);
+    ahead.to[c / B::D][c % B::D] += h;
+    behind.to[c / B::D][c % B::D] -= h;
+    const auto after = body.force(ahead, end_rule()), before = body.force(behind, end_rule());
+    for (std::size_t r = 0; r < tangent.size(); ++r) {
+      const double quotient = (after[r / B::D][r % B::D] - before[r / B::D][r % B::D]) / (2 * h);
+      sum += (quotient - tangent[r][c]) * (quotient - tangent[r][c]);
+    }
+  }
+  return std::sqrt(sum);
+}
+
+TEST(NeoHookeElementTest, DifferenceQuotientsOfTheForceConvergeToTheTangentWithSecondOrder) {
+  EXPECT_NEAR((quotient_error<Body<Quad4, NeoHooke>>(1e-2) / quotient_error<Body<Quad4, NeoHooke>>(1e-3)), 100.0, 2.0);
+  EXPECT_NEAR((quotient_error<Body<Hex8, NeoHooke>>(1e-2) / quotient_error<Body<Hex8, NeoHooke>>(1e-3)), 100.0, 2.0);
+}
+
+template <class B>
+void expect_no_response_to_rotation() {
+  const double c = std::cos(2.0), s = std::sin(2.0);
+  Small<double, B::D> h{};  // R - I, in the plane of the first and the last axis
+  h[0][0] = h[B::D - 1][B::D - 1] = c - 1;
+  h[0][B::D - 1] = -s;
+  h[B::D - 1][0] = s;
+  auto m = B::motion(0.0);
+  m.to = B::affine(h, m.x);
+  const B body{};
+  EXPECT_NEAR(body.energy(m), 0.0, 1e-14);
+  for (const auto& node : body.force(m, end_rule()))
+    for (double value : node) EXPECT_NEAR(value, 0.0, 1e-14);
+  EXPECT_NEAR(body.least_jacobian(m, end_rule()), 1.0, 1e-14);
+}
+
+TEST(NeoHookeElementTest, RigidRotationGivesNeitherForceNorEnergy) {
+  expect_no_response_to_rotation<Body<Quad4, NeoHooke>>();
+  expect_no_response_to_rotation<Body<Hex8, NeoHooke>>();
+}
+
+template <class B>
+void expect_least_jacobian() {
+  const B body{};
+  auto m = B::motion(0.0);
+  Small<double, B::D> h{};
+  h[0][0] = -2.0;  // a mirror
+  m.to = B::affine(h, m.x);
+  EXPECT_NEAR(body.least_jacobian(m, end_rule()), -1.0, 1e-14);
+  // Time points before the end count: half-way from a stretch of -0.6 to none, J = 0.2.
+  h[0][0] = -1.6;
+  m.from = B::affine(h, m.x);
+  m.to = {};
+  EXPECT_NEAR(body.least_jacobian(m, end_rule()), 1.0, 1e-14);
+  EXPECT_NEAR(body.least_jacobian(m, point_rule({0.5, 1.0}, {0.5, 0.5})), 0.2, 1e-14);
+  // Of the quadrature points the worst counts: one corner pushed far inside.
+  m = B::motion(0.0);
+  m.to = {};
+  for (std::size_t d = 0; d < B::D; ++d) m.to[0][d] = -1.5 * m.x[0][d];
+  EXPECT_LE(body.least_jacobian(m, end_rule()), 0.0);
+}
+
+TEST(NeoHookeElementTest, LeastJacobianIsThatOfAllPoints) {
+  expect_least_jacobian<Body<Quad4, NeoHooke>>();
+  expect_least_jacobian<Body<Hex8, NeoHooke>>();
+}
+
+}  // namespace
+}  // namespace ixos

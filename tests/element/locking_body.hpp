@@ -1,0 +1,68 @@
+/// One element of each kernel, for the tests of the cures of locking.
+#pragma once
+#include "element/element_nodes.hpp"
+#include "element/enhanced_kernel.hpp"
+#include "element/mean_dilatation_kernel.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/neo_hooke.hpp"
+
+namespace ixos::test {
+
+/// One element of a kernel, over any scalar type.
+template <class ElementType, class KernelType>
+struct Body : ElementNodes<ElementType> {
+  using Element = ElementType;
+  using Kernel = KernelType;
+  using Law = typename Kernel::Law;
+  using Standard = ElasticKernel<Element, Law>;
+  using Nodes = ElementNodes<Element>;
+  template <class T>
+  using Nodal = typename Nodes::template Nodal<T>;
+  template <class T>
+  using Matrix = Small<T, Nodes::N * Nodes::D>;
+
+  static const typename Kernel::Table& table() {
+    static const typename Kernel::Table values;
+    return values;
+  }
+
+  template <class T>
+  T energy(const Nodal<T>& u) const {
+    return Kernel::energy(law, Kernel::geometry(table(), Nodes::template constant<T>(x)), u);
+  }
+
+  /// Of a segment from `from` with velocity `velocity`.
+  template <class K = Kernel, class T>
+  Nodal<T> force(const Nodal<T>& u, const Rule& rule = end_rule()) const {
+    const Nodal<T> start = Nodes::template constant<T>(from), rate = Nodes::template constant<T>(velocity);
+    Nodal<T> f{};
+    K::add_force(law, K::geometry(table(), Nodes::template constant<T>(x)), {&start, &rate, &u}, rule, f);
+    return f;
+  }
+
+  template <class K = Kernel, class T>
+  Matrix<T> tangent(const Nodal<T>& u, const Rule& rule = end_rule()) const {
+    const Nodal<T> start = Nodes::template constant<T>(from), rate = Nodes::template constant<T>(velocity);
+    Matrix<T> k{};
+    K::add_tangent(law, K::geometry(table(), Nodes::template constant<T>(x)), {&start, &rate, &u}, rule, k);
+    return k;
+  }
+
+  double least_jacobian(const Nodal<double>& u, const Rule& rule = end_rule()) const {
+    Nodal<double> f{};
+    return Kernel::add_force(law, Kernel::geometry(table(), x), {&from, &velocity, &u}, rule, f);
+  }
+
+  Law law{lame_constants(1.0, 0.3)};
+  Nodal<double> x = Nodes::distorted(0.0), from = Nodes::wave(0.06, 1.0), velocity = Nodes::wave(0.06, 2.0);
+  Nodal<double> to = Nodes::wave(0.1, 3.0);
+};
+
+template <class Element, class Law>
+using Mean = Body<Element, MeanDilatationKernel<Element, Law>>;
+template <class Element, class Law>
+using Modes = Body<Element, EnhancedKernel<Element, Law>>;
+template <class Element, class Law>
+using Plain = Body<Element, ElasticKernel<Element, Law>>;
+
+}  // namespace ixos::test

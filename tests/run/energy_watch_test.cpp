@@ -1,0 +1,91 @@
+// The watch on the energy balance: quiet while a scheme keeps its promise, and awake when memory is damaged.
+#include <cmath>
+
+#include "run/restart_fixture.hpp"
+#include "support/bodies.hpp"
+
+namespace ixos::test {
+namespace {
+
+/// A block that flies into a sticky wall without any dissipation.
+std::string flying(const std::string& scheme, const std::string& watch, double damping = 0) {
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + counts("Divisions", {6, 3}))) +
+         list("Materials", list("Rubber", number("Density", 1) + number("Mass Damping", damping))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.9}))) +
+         list("Initial Conditions", numbers("Velocity", {0.1, -0.05})) +
+         list("Output", checkpoints(4, 3) + list("Watch", watch)) +
+         list("Time Integrator", word("Type", scheme) + steps(0.05, 1));
+}
+
+class EnergyWatchTest : public RestartTest {
+ protected:
+  /// Runs to the end. Before step `at` a velocity's exponent loses a bit, once.
+  RunResult disturbed(const std::string& scene, const std::string& name, int at) {
+    Simulation simulation(test::scene(scene), world());
+    RunOptions options;
+    options.folder = folder(name);
+    options.tell = [this](const std::string& line) { told_ += line + "\n"; };
+    options.warn = [this](const std::string& line) { ++warnings_, told_ += line + "\n"; };
+    int steps = 0;
+    options.interrupted = [&] {
+      auto& v = const_cast<std::vector<double>&>(simulation.integrator().state().v);
+      if (++steps == at && world()->getRank() == 0) v.at(1) /= 2;
+      return false;
+    };
+    return run(simulation, options);
+  }
+
+  int warnings_ = 0;  ///< on the first rank
+};
+
+TEST_F(EnergyWatchTest, AnUndamagedRunIsQuiet) {
+  for (const char* scheme : {"Energy-Momentum", "Average Vector Field"}) {
+    const RunResult result = disturbed(flying(scheme, ""), "whole", -1);
+    EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+    EXPECT_EQ(warnings_, 0) << told_;
+  }
+}
+
+TEST_F(EnergyWatchTest, DamageIsWarnedOfOnceByDefault) {
+  for (const char* scheme : {"Energy-Momentum", "Average Vector Field"}) {
+    warnings_ = 0;
+    told_.clear();
+    const RunResult result = disturbed(flying(scheme, ""), "whole", 11);
+    EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+    if (world()->getRank() != 0) continue;
+    EXPECT_EQ(warnings_, 1);
+    EXPECT_NE(told_.find("step 11: the energy balance moved by "), std::string::npos) << told_;
+    EXPECT_NE(told_.find(std::string(scheme) + " as it is set"), std::string::npos) << told_;
+  }
+}
+
+TEST_F(EnergyWatchTest, DamageEndsTheRunWhereThatIsAskedFor) {
+  const RunResult result = disturbed(flying("Energy-Momentum", word("Action", "Stop")), "whole", 11);
+  EXPECT_EQ(result.status, RunStatus::Diverged);
+  EXPECT_EQ(result.steps, 11);
+  EXPECT_NE(result.reason.find("memory was damaged"), std::string::npos) << result.reason;
+}
+
+TEST_F(EnergyWatchTest, TheRunGoesBackToItsCheckpointAndForgetsTheDamage) {
+  const std::string scene = flying("Energy-Momentum", word("Action", "Resume"));
+  const RunResult whole = disturbed(scene, "whole", -1);
+  const RunResult result = disturbed(scene, "parts", 11);
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_EQ(result.restarts, 1);
+  EXPECT_EQ(result.steps, whole.steps);
+  EXPECT_EQ(result.max_energy_error, whole.max_energy_error);
+  expect_same("whole", "parts");
+}
+
+TEST_F(EnergyWatchTest, OtherSchemesAndDampedBodiesAreWatchedOnlyWithATolerance) {
+  for (const std::string& scene : {flying("Newmark", ""), flying("Energy-Momentum", "", 0.1),
+                                   flying("Energy-Momentum", word("Action", "Off") + number("Tolerance", 1e-6))}) {
+    disturbed(scene, "whole", 11);
+    EXPECT_EQ(warnings_, 0) << told_;
+  }
+  disturbed(flying("Newmark", number("Tolerance", 1e-3)), "whole", 11);
+  EXPECT_EQ(warnings_, world()->getRank() == 0 ? 1 : 0) << told_;
+}
+
+}  // namespace
+}  // namespace ixos::test

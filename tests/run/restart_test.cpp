@@ -1,0 +1,253 @@
+// Runs that go on from a checkpoint: as if nothing had happened, or with other settings.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "io/hdf5_file.hpp"
+#include "run/restart_fixture.hpp"
+#include "support/bodies.hpp"
+
+namespace ixos::test {
+namespace {
+
+TEST_F(RestartTest, EverySchemeGoesOnToTheLastBit) {
+  for (const std::string& scheme : test::moving_schemes()) {
+    SCOPED_TRACE(scheme);
+    // Sums since the row before, and steps without a row or frame, are carried over too.
+    expect_goes_on(drawn(word("Type", scheme) + steps(0.02, 1),
+                         count("History Interval", 3) + count("Fields Interval", 4) + checkpoints(35, 100)),
+                   {35});
+  }
+}
+
+TEST_F(RestartTest, FieldsInOneHdf5FileGoOn) {
+  expect_goes_on(drawn(word("Type", "Newmark") + steps(0.02, 1),
+                       word("Fields Format", "HDF5") + count("Fields Interval", 3) + checkpoints(10, 100)),
+                 {10, 40, 50});
+}
+
+TEST_F(RestartTest, AdaptiveStepsAndChosenTimePointsGoOn) {
+  const std::string adaptive =
+      list("Adaptive", number("Tolerance", 1e-4) + number("Maximum Gap Ratio", 1.3) +
+                           "<Parameter name=\"Choose Time Points\" type=\"bool\" value=\"true\"/>");
+  expect_goes_on(
+      drawn(word("Type", "Average Vector Field") + word("Predictor", "Extrapolation") +
+                steps(0.001, 1.5, word("Type", "Adaptive") + adaptive),
+            number("History Time Interval", 0.1) + number("Fields Time Interval", 0.3) + checkpoints(5, 1000)),
+      {5, 20, 35});
+}
+
+/// Returns the scene with one more history, which scales the load.
+std::string scaled(std::string scene, const std::string& value) {
+  const std::string vector = numbers("Vector", {0.02, 0}), histories = "<ParameterList name=\"Histories\">";
+  scene.insert(scene.find(vector), word("History", "Scale"));
+  return scene.insert(scene.find(histories) + histories.size(), expression("Scale", value));
+}
+
+TEST_F(RestartTest, CutStepsGoOn) {
+  // The load is undefined in two short spans. The step from 0.35 to 0.4 has a stage at 0.3805, its first half one at
+  // 0.36525; its first quarter and the steps after that avoid both. The checkpoint after step 8 has half a step ahead.
+  const std::string undefined = "sqrt((t-0.3651)*(t-0.3654)*(t-0.3803)*(t-0.3807))";
+  const RunResult whole =
+      expect_goes_on(scaled(drawn(word("Type", "Bathe Composite") + list("Bathe Composite", number("Split", 0.61)) +
+                                      steps(0.05, 1, count("Maximum Cuts", 10)),
+                                  checkpoints(1, 1000)),
+                            undefined),
+                     {7, 8, 15});
+  EXPECT_EQ(whole.rejected_steps, 2);
+  EXPECT_EQ(whole.steps, 22);  // 7, a quarter, a half, a quarter, 12
+}
+
+TEST_F(RestartTest, HermiteFacesGoOn) {
+  expect_goes_on(list("Mesh", word("Type", "Box") +
+                                  list("Box", count("Dimension", 3) + numbers("Lengths", {3, 2, 1}) +
+                                                  counts("Divisions", {3, 2, 1})) +
+                                  list("Sets", list("patch", word("From", "bottom") + numbers("Upper", {2, 2, 1})))) +
+                     list("Materials", list("Rubber", number("Density", 1))) +
+                     list("Interactions", list("Wall", word("Side Set", "patch") + word("Contact Element", "Q1CH") +
+                                                           numbers("Point", {0, 0, -0.5}))) +
+                     list("Boundary Conditions", list("Grip", word("Node Set", "left"))) +
+                     list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 0, 0, 0, -0.1, 0, 0})) +
+                     list("Output", count("Fields Interval", 3) + checkpoints(4, 100)) +
+                     list("Time Integrator", word("Type", "Average Vector Field") + steps(0.05, 0.6)),
+                 {4, 8});
+}
+
+TEST_F(RestartTest, StaticsGoOn) {
+  std::string scene = drawn(word("Type", "Static") + steps(0.05, 1), checkpoints(4, 100));
+  // Nothing else would hold the block sideways.
+  const std::string loose = word("Components", "y");
+  scene.replace(scene.find(loose), loose.size(), word("Components", "xy"));
+  expect_goes_on(scene, {4, 16});
+}
+
+/// What the first lagged solver has in a checkpoint.
+double matrices(const std::string& path) {
+  Hdf5Input file(path);
+  for (const char* group : {"run", "integrator", "solver 1"}) file.enter(group);
+  return file.number("matrices");
+}
+
+TEST_F(RestartTest, ACheckpointOfARestartThatTookNoStepIsWhole) {
+  // What the first checkpoint said of preconditioners still waits for the first matrix.
+  for (const char* preconditioner : {"Chebyshev", "Direct", "MueLu"}) {
+    SCOPED_TRACE(preconditioner);
+    on_first([&] { fs::remove_all(folder_); });
+    const std::string scene =
+        drawn(word("Type", "Newmark") + steps(0.02, 1), checkpoints(5, 100),
+              list("Linear Solver", word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) +
+                                        list("Reuse", number("Setup Cost", 1e6))));
+    run_scene(scene, "whole");
+    EXPECT_EQ(run_scene(scene, "between", checkpoint("whole", 25), [] { return true; }).status, RunStatus::Interrupted);
+    EXPECT_EQ(run_scene(scene, "rest", checkpoint("between", 25)).status, RunStatus::Completed);
+    EXPECT_EQ(history_rows(folder("whole")).back(), history_rows(folder("rest")).back());
+    // And a run that writes one before its first step goes on itself.
+    int calls = 0;
+    const RunResult went_on = run_scene(scene, "beside", checkpoint("whole", 25), [&calls] { return ++calls > 100; });
+    EXPECT_EQ(went_on.status, RunStatus::Completed);
+    EXPECT_TRUE(fs::exists(checkpoint("beside", 25)));
+    EXPECT_EQ(history_rows(folder("whole")).back(), history_rows(folder("beside")).back());
+  }
+}
+
+TEST_F(RestartTest, LaggedPreconditionersGoOn) {
+  const auto scene = [](const std::string& preconditioner, const std::string& scheme, double setup_cost,
+                        const std::string& op = "Assembled") {
+    return drawn(
+        word("Type", scheme) + steps(0.02, 1), checkpoints(5, 100),
+        list("Linear Solver", word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) +
+                                  word("Operator", op) + list("Reuse", number("Setup Cost", setup_cost)) +
+                                  list("Preconditioner Types",
+                                       list("MueLu", count("coarse: max size", 10) + word("verbosity", "none")))));
+  };
+  {
+    SCOPED_TRACE("MueLu");
+    expect_goes_on(scene("MueLu", "Bathe Composite", 3), {5, 25, 45});
+    EXPECT_GE(matrices(checkpoint("whole", 25)), 1);
+  }
+  for (const char* preconditioner : {"Ifpack2", "Direct"}) {
+    SCOPED_TRACE(preconditioner);
+    expect_goes_on(scene(preconditioner, "Newmark", 3), {5, 25});
+  }
+  for (const char* op : {"Assembled", "Matrix-Free"}) {
+    SCOPED_TRACE(std::string("Chebyshev, ") + op);
+    expect_goes_on(scene("Chebyshev", "Bathe Composite", 3, op), {5, 25});
+  }
+  // A multigrid's finest level is the operator's own matrix, which only a new preconditioner changes.
+  for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct"}) {
+    SCOPED_TRACE(std::string("matrix-free, ") + preconditioner);
+    expect_goes_on(scene(preconditioner, "Newmark", 3, "Matrix-Free"), {5, 25});
+  }
+  // KLU as a preconditioner: the order of its pivots is older than its matrix.
+  SCOPED_TRACE("KLU");
+  expect_goes_on(scene("Direct", "Energy-Momentum", 3), {5, 25});
+}
+
+TEST_F(RestartTest, AnInterruptedRunGoesOnAsIfNothingHadHappened) {
+  const std::string scene =
+      drawn(word("Type", "Newmark") + steps(0.02, 1), count("History Interval", 10) + count("Fields Interval", 10));
+  run_scene(scene, "whole");
+  int calls = 0;
+  const RunResult first = run_scene(scene, "parts", "", [&calls] { return ++calls > 23; });
+  EXPECT_EQ(first.status, RunStatus::Interrupted);
+  EXPECT_EQ(first.steps, 23);
+  EXPECT_EQ(first.checkpoint, checkpoint("parts", 23));
+  // The last state has a row, which the run as a whole has not.
+  EXPECT_EQ(history_rows(folder("parts")).back().substr(0, 3), "23,");
+  const RunResult rest = run_scene(scene, "parts", folder("parts") + "/checkpoint.h5");
+  EXPECT_EQ(rest.status, RunStatus::Completed);
+  expect_same("whole", "parts", true);
+}
+
+TEST_F(RestartTest, ARunGoesOnBeyondItsEnd) {
+  const auto scene = [](double end) { return drawn(word("Type", "Bathe Composite") + steps(0.02, end)); };
+  run_scene(scene(1), "whole");
+  run_scene(scene(0.5), "parts");
+  run_scene(scene(1), "parts", folder("parts") + "/checkpoint.h5");
+  expect_same("whole", "parts");
+  if (world()->getRank() == 0) {
+    EXPECT_NE(told_.find("Final Time: 0.5, now 1"), std::string::npos) << told_;
+  }
+  // Of a run that is over there is nothing to go on with.
+  EXPECT_EQ(run_scene(scene(1), "parts", folder("parts") + "/checkpoint.h5").steps, 50);
+  expect_same("whole", "parts");
+}
+
+TEST_F(RestartTest, AFailedRunGoesOnWithOtherSettings) {
+  // Steps of 0.02469 lead to the load's pole at 0.12345; steps that end at multiples of 0.05 avoid it.
+  const auto scene = [](double step) {
+    return scaled(drawn(word("Type", "Newmark") + steps(step, 1), checkpoints(0, 2)), "1e-9/(t-0.12345)^2");
+  };
+  const RunResult failed = run_scene(scene(0.02469), "parts");
+  ASSERT_EQ(failed.status, RunStatus::Diverged);
+  EXPECT_EQ(failed.steps, 4);
+  EXPECT_NE(failed.reason.find("not a finite number between t = 0.09876 and 0.12345"), std::string::npos)
+      << failed.reason;
+  EXPECT_EQ(failed.checkpoint, checkpoint("parts", 4));
+  const RunResult rest = run_scene(scene(0.05), "parts", failed.checkpoint);
+  EXPECT_EQ(rest.status, RunStatus::Completed);
+  EXPECT_EQ(rest.steps, 4 + 1 + 18);  // to 0.1, and 18 whole steps
+  if (world()->getRank() == 0) {
+    EXPECT_NE(told_.find("Time Step: 0.02469, now 0.05."), std::string::npos) << told_;
+  }
+}
+
+TEST_F(RestartTest, AnotherSchemeTakesOver) {
+  const auto scene = [](const std::string& scheme, double step) {
+    return drawn(word("Type", scheme) + steps(step, 1), checkpoints(25, 9));
+  };
+  const RunResult fine = run_scene(scene("Newmark", 0.004), "fine");
+  run_scene(scene("Newmark", 0.02), "parts");
+  const RunResult other = run_scene(scene("Average Vector Field", 0.004), "parts", checkpoint("parts", 25));
+  EXPECT_EQ(other.status, RunStatus::Completed);
+  EXPECT_EQ(other.steps, 25 + 125);
+  // It is the same motion: the two schemes differ by their errors.
+  const auto place = [&](const std::string& name) {
+    const std::string row = history_rows(folder(name)).back();
+    std::vector<double> cells;
+    std::string cell;
+    for (std::istringstream text(row); std::getline(text, cell, ',');)
+      cells.push_back(cell.empty() ? 0 : std::stod(cell));
+    return cells[cells.size() - 4];
+  };
+  EXPECT_NEAR(place("parts"), place("fine"), 2e-3 * std::abs(place("fine")));
+  EXPECT_EQ(fine.restarts, 0);
+}
+
+TEST_F(RestartTest, AnotherFolderBeginsWithTheStateOfTheCheckpoint) {
+  const std::string scene =
+      drawn(word("Type", "Newmark") + steps(0.02, 1), count("Fields Interval", 10) + checkpoints(20, 9));
+  run_scene(scene, "whole");
+  run_scene(scene, "elsewhere", checkpoint("whole", 20));
+  const auto all = history_rows(folder("whole")), later = history_rows(folder("elsewhere"));
+  ASSERT_EQ(later.size(), 32U);
+  for (std::size_t row = 2; row < later.size(); ++row) EXPECT_EQ(later[row], all[row + 20]);
+  EXPECT_EQ(later[1].substr(0, 3), "20,");
+  EXPECT_EQ(run_scene(scene, "elsewhere", checkpoint("elsewhere", 40)).steps, 50);
+  EXPECT_EQ(history_rows(folder("elsewhere")), later);
+}
+
+TEST_F(RestartTest, OtherSolversGoOnToTolerance) {
+  const auto scene = [](const std::string& solver) {
+    return drawn(word("Type", "Newmark") + steps(0.02, 1), checkpoints(20, 9), list("Linear Solver", solver));
+  };
+  run_scene(scene(word("Linear Solver Type", "Direct")), "whole");
+  copy("whole", "parts");
+  run_scene(scene(word("Linear Solver Type", "Belos") + word("Preconditioner Type", "Ifpack2")), "parts",
+            checkpoint("parts", 20));
+  if (world()->getRank() == 0) {
+    EXPECT_NE(told_.find("to solver tolerance, not bit for bit"), std::string::npos) << told_;
+  }
+  const auto one = history_rows(folder("whole")), other = history_rows(folder("parts"));
+  ASSERT_EQ(one.size(), other.size());
+  const auto energy = [](const std::string& row) {
+    std::string cell;
+    std::istringstream text(row);
+    for (int column = 0; column < 5; ++column) std::getline(text, cell, ',');
+    return std::stod(cell);
+  };
+  EXPECT_NEAR(energy(other.back()), energy(one.back()), 1e-7 * energy(one.back()));
+}
+
+}  // namespace
+}  // namespace ixos::test

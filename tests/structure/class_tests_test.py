@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+"""Checks that each class of lib has its test.
+
+    tests/structure/class_tests_test.py
+
+lib/<folder>/<name>.hpp is tested by tests/<folder>/<name>_test.cpp if it has a source file <name>.cpp, or if it defines
+a class or a class template. Headers that only have structs of data, declarations or function templates are tested with
+what uses them. `elsewhere` names the test of a header whose test has another name; `missing` lists the headers that no
+test is about yet. The exit status is 1 if a header has no test and is in neither table, or if a table is out of date.
+"""
+import re
+import sys
+
+sys.dont_write_bytecode = True
+from includes import LIB, ROOT, is_header_of_lib, list_files  # noqa: E402
+
+TESTS = ROOT / "tests"
+COMMENT = re.compile(r"//.*")
+CLASS = re.compile(r"^class\s+\w+[^;{()]*\{", re.MULTILINE)
+CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]*\{", re.MULTILINE)
+
+# By header: the test, as a path below tests, and what that test shows of the header.
+elsewhere = {
+    "base/digest.hpp": ("checkpoint/seal_test.cpp", "seals hold checksums"),
+    "base/error.hpp": ("parameters/validation_test.cpp", "most tests of refusals catch an InputError"),
+    "base/memory.hpp": ("drivers/failures_test.cpp", "the message of a driver that finds no memory"),
+    "base/record.hpp": ("checkpoint/checkpoint_file_test.cpp", "an interface; what a record writes comes back"),
+    "checkpoint/fingerprint.hpp": ("checkpoint/checkpoint_file_test.cpp", "FingerprintTest"),
+    "discretization/material_point.hpp": ("model/enriched_model_test.cpp", "probes interpolate an affine field"),
+    "discretization/nodal_measure.hpp": ("model/enriched_hexahedra_test.cpp", "nodal volumes sum to the volume"),
+    "element/enhanced_kernel.hpp": ("element/locking_kernels_test.cpp", "tests both cures of locking"),
+    "element/mean_dilatation_kernel.hpp": ("element/locking_kernels_test.cpp", "tests both cures of locking"),
+    "fem/cell_type.hpp": ("mesh/enrichment/enrich_hexahedra_test.cpp", "nodes and sides of all types conform"),
+    "fem/contact_elements.hpp": ("fem/reference_elements_test.cpp", "ContactElementTest"),
+    "fem/shape_table.hpp": ("fem/reference_elements_test.cpp", "tables integrate quadratics"),
+    "fem/ties.hpp": ("fem/contact_hexahedra_test.cpp", "tied edges"),
+    "fem/with_element.hpp": ("mesh/enrichment/enrich_hexahedra_test.cpp", "chooses the elements that conform"),
+    "io/exodus_mesh.hpp": ("io/exodus_test.cpp", "meshes that are written, read and refused"),
+    "io/field_file.hpp": ("io/hdf5_fields_test.cpp", "an interface; frames in both formats"),
+    "io/hdf5_file.hpp": ("checkpoint/checkpoint_file_test.cpp", "checkpoints are their only files"),
+    "material/discrete_neo_hooke.hpp": ("material/neo_hooke_test.cpp", "the tests of the discrete gradient"),
+    "mesh/enrichment/contact_nodes.hpp": ("mesh/enrichment/enrich_test.cpp", "the steps of enrich()"),
+    "mesh/generators/spatula_pad.hpp": ("mesh/generators/spatula_parts_test.cpp", "the pad's outline and faces"),
+    "mesh/mesh.hpp": ("mesh/generators/generators_test.cpp", "mostly data; numbers of cells and nodes"),
+    "mesh/partition.hpp": ("mesh/local_mesh_test.cpp", "PartitionNodesTest"),
+    "mesh/selection.hpp": ("mesh/enrichment/enrich_test.cpp", "SelectionTest"),
+    "mesh/soundness.hpp": ("io/unsound_meshes_test.cpp", "each fault of a mesh"),
+    "parameters/list_xml.hpp": ("scene/scene_file_test.cpp", "scenes are such files"),
+    "parameters/parameter_text.hpp": ("parameters/validation_test.cpp", "values are read strictly"),
+    "run/checkpoints.hpp": ("run/restart_refusal_test.cpp", "which checkpoints are kept"),
+    "run/field_recorder.hpp": ("run/restart_test.cpp", "resumed frames are those of a run without a restart"),
+    "run/history.hpp": ("run/run_test.cpp", "columns and rows of history.csv"),
+    "run/run_files.hpp": ("run/restart_refusal_test.cpp", "what a refused restart leaves in the folder"),
+    "run/summary.hpp": ("drivers/ixos_test.cpp", "the keys of summary.json"),
+    "scene/compatibility.hpp": ("verification/locking_test.cpp", "formulations that a scheme refuses"),
+    "scene/conditions.hpp": ("verification/driven_test.cpp", "motions and loads of scenes"),
+    "scene/documentation.hpp": ("drivers/ixos_test.cpp", "ixos --parameters and --template"),
+    "scene/explanation.hpp": ("drivers/ixos_test.cpp", "ixos --explain"),
+    "scene/histories.hpp": ("drivers/refusal_test.cpp", "histories that are refused"),
+    "scene/interactions.hpp": ("drivers/refusal_test.cpp", "interactions that are refused"),
+    "scene/materials.hpp": ("drivers/refusal_test.cpp", "materials that are refused"),
+    "scene/mesh_inspection.hpp": ("io/unsound_meshes_test.cpp", "the warnings of a scene's mesh"),
+    "scene/parameters.hpp": ("parameters/validation_test.cpp", "validates scenes against them"),
+    "scene/probes.hpp": ("run/run_test.cpp", "columns of probes"),
+    "scene/scene_changes.hpp": ("run/restart_refusal_test.cpp", "SceneChangesTest"),
+    "scene/simulation.hpp": ("scenes/ball_test.cpp", "the tests of scenes construct it"),
+    "scene/stop.hpp": ("run/run_test.cpp", "runs that a criterion ends"),
+    "solve/admissible_line_search.hpp": ("solve/newton_test.cpp", "a step into the inadmissible is halved"),
+    "solve/assemblable_operator.hpp": ("solve/tangent_operator_test.cpp", "an interface of TangentOperator"),
+    "solve/chebyshev_preconditioner.hpp": ("solve/chebyshev_test.cpp", "the polynomial"),
+    "solve/direct_preconditioner.hpp": ("solve/multigrid_test.cpp", "a kept factorisation"),
+    "solve/factorization.hpp": ("solve/direct_solver_test.cpp", "each factorisation solves"),
+    "solve/incremental_potential.hpp": ("time/integrator_test.cpp", "NOX's line searches descend the potential"),
+    "solve/kept_state.hpp": ("solve/multigrid_test.cpp", "families of matrices"),
+    "solve/klu2_repair.hpp": ("solve/direct_solver_test.cpp", "the repaired solver is the one in use"),
+    "solve/lagged_solver.hpp": ("solve/multigrid_test.cpp", "LaggedSolverTest"),
+    "solve/linear_solver.hpp": ("solve/direct_solver_test.cpp", "LinearSolverTest"),
+    "solve/linear_solver_defaults.hpp": ("solve/multigrid_test.cpp", "LinearSolverDefaultsSerialTest"),
+    "solve/nonlinear_problem.hpp": ("solve/newton_test.cpp", "an interface; problems with known solutions"),
+    "solve/rigid_body_modes.hpp": ("solve/multigrid_test.cpp", "the modes carry no elastic force"),
+    "solve/semi_discrete_evaluator.hpp": ("embedding/main.cpp", "another program evaluates the model"),
+    "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
+    "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),
+    "study/study_errors.hpp": ("study/study_test.cpp", "errors are those of known functions"),
+    "study/study_result.hpp": ("study/study_test.cpp", "recommendation and files"),
+    "study/study_runner.hpp": ("drivers/study_test.cpp", "whole studies"),
+    "term/interaction.hpp": ("verification/solid_contact_test.cpp", "an interface; its reports of parallel sides"),
+    "term/surface_terms.hpp": ("model/enriched_hexahedra_test.cpp", "forces are gradients of energies"),
+    "term/term.hpp": ("scene/costs_test.cpp", "an interface; counts its calls"),
+    "time/acceleration.hpp": ("time/integrator_test.cpp", "the initial acceleration satisfies the balance"),
+    "time/catalogue.hpp": ("time/schemes_test.cpp", "tests every scheme of the catalogue"),
+    "time/custom_table.hpp": ("time/schemes_test.cpp", "CustomTableSerialTest"),
+    "time/momentum_form.hpp": ("time/schemes_test.cpp", "the schemes that have this form"),
+    "time/row_on_states.hpp": ("time/row_test.cpp", "evaluation on states"),
+    "time/stage_problem.hpp": ("time/stage_potential_test.cpp", "residual, potential and relaxed tangent"),
+    "time/table.hpp": ("time/schemes_test.cpp", "consistent and inconsistent tables"),
+    "time/work.hpp": ("verification/driven_test.cpp", "work and energy balance"),
+}
+
+# Headers that are only used in tests, or in none: each still needs its own.
+missing = [
+    "base/agreement.hpp",
+    "base/ldl.hpp",
+    "base/phase_timer.hpp",
+    "discretization/dof_space.hpp",
+    "discretization/element_batches.hpp",
+    "element/mean_dilatation_point.hpp",
+    "element/node_pairs.hpp",
+    "element/point_gradients.hpp",
+    "histories/catalogue.hpp",
+    "interaction/catalogue.hpp",
+    "interaction/gap_law.hpp",
+    "interaction/obstacle.hpp",
+    "io/classic_layout.hpp",
+    "io/disk_file.hpp",
+    "io/exodus_definition.hpp",
+    "io/exodus_handle.hpp",
+    "io/exodus_variables.hpp",
+    "io/gathered_mesh.hpp",
+    "io/global_order.hpp",
+    "io/hdf5_handle.hpp",
+    "io/hdf5_image.hpp",
+    "io/hdf5_series.hpp",
+    "material/spatial_tangent.hpp",
+    "mesh/generators/spatula_section.hpp",
+    "mesh/level_width.hpp",
+    "parameters/catalogue.hpp",
+    "parameters/list_access.hpp",
+    "parameters/scene_node.hpp",
+    "parameters/one_of.hpp",
+    "parameters/options.hpp",
+    "solve/collected_matrix.hpp",
+    "solve/descent_direction.hpp",
+    "solve/factorization_list.hpp",
+    "solve/mass_operator.hpp",
+    "solve/problem_evaluator.hpp",
+    "solve/tpetra_preconditioner.hpp",
+    "solve/with_parameter_list.hpp",
+    "term/elastic_term_impl.hpp",
+    "term/flat_sides.hpp",
+    "term/surface_sides.hpp",
+]
+
+
+def name_test(header):
+    """Returns the path below tests of a header's own test."""
+    return header.removesuffix(".hpp") + "_test.cpp"
+
+
+def has_test(header):
+    """Returns whether a header has its own test."""
+    return (TESTS / name_test(header)).is_file()
+
+
+def needs_test(header):
+    """Returns whether a header has a source file, or defines a class or a class template."""
+    text = COMMENT.sub("", (LIB / header).read_text(encoding="utf-8"))
+    return (LIB / header).with_suffix(".cpp").is_file() or any(p.search(text) for p in (CLASS, CLASS_TEMPLATE))
+
+
+def check_entry(table, header):
+    """Returns why a header should not be in that table; an empty string if it should."""
+    if not is_header_of_lib(header):
+        return f"lib/{header} does not exist: delete or rename its entry in {table}"
+    if has_test(header):
+        return f"lib/{header} has its test, tests/{name_test(header)}: delete its entry in {table}"
+    if not needs_test(header):
+        return f"lib/{header} needs no test of its own: delete its entry in {table}"
+    return ""
+
+
+def check_tables():
+    """Yields a message for each entry of the two tables that is out of date."""
+    for table, headers in (("elsewhere", elsewhere), ("missing", missing)):
+        yield from filter(None, (check_entry(table, header) for header in headers))
+    for header in sorted(set(missing) & set(elsewhere)):
+        yield f"lib/{header} is in both tables: delete one entry"
+    for header, (test, _) in elsewhere.items():
+        if not (TESTS / test).is_file():
+            yield f"tests/{test} does not exist: name the test of lib/{header} in elsewhere"
+
+
+def main():
+    headers = [header for header in list_files(".hpp") if needs_test(header)]
+    problems = list(check_tables())
+    for header in headers:
+        if not has_test(header) and header not in elsewhere and header not in missing:
+            problems.append(f"lib/{header} has no test: write tests/{name_test(header)}, or name in elsewhere the test "
+                            "that covers it")
+    for header in missing:
+        print(f"lib/{header} still needs tests/{name_test(header)}")
+    if problems:
+        sys.exit("\n".join(f"class_tests_test.py: {problem}" for problem in problems))
+    print(f"{len(headers)} headers: {sum(map(has_test, headers))} have their own test, {len(elsewhere)} another, "
+          f"{len(missing)} none")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""Compiles each header of lib alone: a header must include what it needs, and may be included twice.
+
+    tests/structure/headers_test.py BUILD_FOLDER [--all] [HEADER...]
+
+The compiler only checks the syntax, with the flags that the build folder has for the sources of lib. Headers are named
+by their path below lib; default: all. A header is not checked again while its text, that of each header of lib that it
+includes, the flags and the version of the compiler are those of a check that it passed; --all checks it all the same.
+These checks are noted in $XDG_CACHE_HOME/ixos-headers (default ~/.cache/ixos-headers). The exit status is 1 if a header
+does not compile.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True
+from content_hash import PassedChecks, hash_contents  # noqa: E402
+from includes import LIB, ROOT, collect_headers, is_header_of_lib, list_files  # noqa: E402
+
+MOST_LINES = 3  # of one header's errors: the rest follows from the first
+ENVIRONMENT = {**os.environ, "LC_ALL": "C"}  # errors in English, so that they can be found
+
+
+def read_command(build):
+    """Returns the compiler with the flags of the sources of lib, and the folder where the build runs it."""
+    with open(build / "compile_commands.json", encoding="utf-8") as file:
+        entries = [e for e in json.load(file) if LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
+    if not entries:
+        sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
+    # The shortest is that of a source without flags of its own.
+    entry = min(entries, key=lambda e: len(shlex.split(e["command"])))
+    words = shlex.split(entry["command"])
+    for option in ("-o", "-c"):
+        at = words.index(option)
+        del words[at:at + 2]
+    return words, entry["directory"]
+
+
+def compile_header(header, command, folder):
+    """Returns the first errors of the compiler; an empty list if there are none."""
+    text = f'#include "{header}"\n' * 2
+    # The text comes by standard input: in a main file, compilers object to "#pragma once".
+    done = subprocess.run([*command, "-fsyntax-only", "-x", "c++", "-"], input=text, cwd=folder, env=ENVIRONMENT,
+                          capture_output=True, text=True)
+    if done.returncode == 0:
+        return []
+    lines = done.stderr.splitlines()
+    return ([line for line in lines if "error:" in line] or lines or [f"exit status {done.returncode}"])[:MOST_LINES]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("headers", nargs="*")
+    parser.add_argument("--all", action="store_true", help="check unchanged headers too")
+    options = parser.parse_args()
+    if unknown := [header for header in options.headers if not is_header_of_lib(header)]:
+        sys.exit(f"no header of lib: {', '.join(unknown)}")
+    command, folder = read_command(options.build.resolve())
+    version = subprocess.run([command[0], "--version"], capture_output=True, text=True, check=True).stdout
+    flags = [word.replace(str(ROOT), "") for word in command]  # the same in every clone
+    headers = options.headers or list_files(".hpp")
+    keys = {header: hash_contents(LIB, collect_headers(header), header, version, *flags) for header in headers}
+    passed = PassedChecks("ixos-headers")
+    todo = [header for header in headers if options.all or keys[header] not in passed]
+    failed = 0
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for header, errors in zip(todo, pool.map(lambda h: compile_header(h, command, folder), todo)):
+            if errors:
+                failed += 1
+                print(f"lib/{header} does not compile alone: include what it needs", *errors, sep="\n  ", flush=True)
+            else:
+                passed.add(keys[header])
+    print(f"{len(todo)} headers of lib compiled alone, {failed} failed; {len(headers) - len(todo)} had not changed")
+    sys.exit(1 if failed else 0)
+
+
+if __name__ == "__main__":
+    main()
