@@ -49,6 +49,22 @@ void Model::for_each(Part part, const Visit& visit) const {
     if (named.term->part() == part) visit(*named.term);
 }
 
+void Model::begin_step(const double* u, const double* v, double time, double dt) {
+  for (const NamedTerm& named : terms_) named.term->begin_step(u, v, time, dt);
+}
+
+void Model::accept(const double* u, const double* v) {
+  for (const NamedTerm& named : terms_) named.term->accept(u, v);
+}
+
+void Model::transfer(Record& record) {
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    if (!terms_[i].term->has_state()) continue;
+    const Record::Section section(record, "term " + std::to_string(i + 1) + ", " + terms_[i].name);
+    terms_[i].term->transfer(record);
+  }
+}
+
 bool Model::is_gradient(Part part, const Rule& rule) const {
   bool result = true;
   for_each(part, [&](const Term& term) { result = result && term.is_gradient(rule); });

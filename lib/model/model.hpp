@@ -69,6 +69,10 @@ class Model {
 
   /// Returns all terms: those of the elastic part first, each part in the order in which its terms were added.
   const std::vector<NamedTerm>& terms() const { return terms_; }
+  /// Tell all terms of the steps, see Term.
+  void begin_step(const double* u, const double* v, double time, double dt);
+  void accept(const double* u, const double* v);
+  void transfer(Record& record);
   /// Returns whether the forces of all terms of that part are gradients for the rule, so that its tangent is symmetric.
   bool is_gradient(Part part, const Rule& rule) const;
 

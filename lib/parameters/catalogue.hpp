@@ -50,7 +50,7 @@ class Catalogue {
       names.push_back(entry.name);
       if (!has_sublist(entry)) text += " " + described(entry);
     }
-    list.set(choice_, names.front(), text, one_of(names));
+    list.set(choice_, names.front(), text, choice_of(names));
     for (const Entry& entry : entries_) {
       if (entry.in_place) {
         for (auto it = entry.parameters.begin(); it != entry.parameters.end(); ++it)

@@ -7,6 +7,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "parameters/one_of.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
 
@@ -63,11 +64,11 @@ void check_entry(const std::string& name, const Entry& value, const Entry& valid
   }
 }
 
-/// Returns the names of the sublists that some choice offers and none has chosen, see required.
+/// Returns the names of the sublists that a choice offers and has not chosen, see choice_of().
 std::vector<std::string> unchosen_sublists(const List& valid, const List& complete) {
   std::vector<std::string> offered, chosen;
   for (const auto& [name, entry] : entries(valid)) {
-    if (entry.isList() || entry.validator().is_null() || entry.validator()->validStringValues().is_null()) continue;
+    if (entry.isList() || !is_choice(entry.validator())) continue;
     for (const std::string& value : *entry.validator()->validStringValues()) offered.push_back(value);
     chosen.push_back(complete.get<std::string>(name));
   }

@@ -10,8 +10,7 @@ namespace ixos {
 /// Conventions of a list of valid parameters, beside names, default values, validators and documentation:
 /// - a sublist named any_name stands for any number of sublists whose names the user chooses;
 /// - a sublist marked by mark_free_form() takes anything: another library checks it;
-/// - if a list has a string, "Type" or "Law", and sublists of the names that the string may take, only the chosen one
-///   is filled in with defaults;
+/// - a string with the validator choice_of() chooses among sublists: only the chosen one is filled in with defaults;
 /// - a string whose default is `required`, and a double whose default is NaN, must be given.
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);

@@ -76,7 +76,7 @@ void add_time_step_control(List& list) {
   List& control = list.sublist("Time Step Control", false, "Times of the run, and size of its steps.");
   control.set("Type", "Fixed",
               "How the step size is chosen. Fixed keeps it; Adaptive checks each step and adapts the size.",
-              one_of({"Fixed", "Adaptive"}));
+              choice_of({"Fixed", "Adaptive"}));
   control.set("Initial Time", 0.0, "Time at which the run starts [T0].", any_number());
   require(control, "Final Time", "Time at which the run ends [T0]. It must be later than Initial Time.", any_number());
   require(control, "Time Step",
@@ -110,7 +110,7 @@ void add_stop(List& list) {
   stop.set("Type", "Probe",
            "Kind of criterion. Probe is met when a probe passes a limit; Detached when the contact of a surface that "
            "was in contact is lost.",
-           one_of({"Probe", "Detached"}));
+           choice_of({"Probe", "Detached"}));
   List& probe = stop.sublist("Probe", false, "A limit on a probe.");
   probe.set("Name", required, "Name of a probe in Output/Probes.");
   probe.set("Quantity", "y", "Coordinate (x), displacement (ux) or velocity (vx) of the probe.",
@@ -130,7 +130,7 @@ void add_time_integrator(List& list) {
   add(custom_scheme());
   list.set("Type", default_scheme(),
            "Name of the time integration scheme. The option list-schemes of ixos prints the properties of each.",
-           one_of(names));
+           choice_of(names));
   list.set("Predictor", "Automatic", "Initial guess of Newton's method. Automatic is the guess that suits the scheme.",
            one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",
                    "Extrapolation"}));

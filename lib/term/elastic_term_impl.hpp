@@ -201,7 +201,7 @@ class ElasticTerm final : public Elasticity {
   std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };
 
-/// Returns the term of Kernel<Element, law>.
+/// Returns the term of Kernel<Element, law> for a law that is compiled into the kernels.
 template <template <class, class> class Kernel, class Element>
 std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                              const std::shared_ptr<const ElasticLaw>& law, int points) {
@@ -209,15 +209,19 @@ std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalB
     return std::make_unique<ElasticTerm<Kernel<Element, NeoHooke>>>(mesh, block, pattern, own->law(), points);
   if (const auto* own = dynamic_cast<const ElasticLawOf<LinearElastic>*>(law.get()))
     return std::make_unique<ElasticTerm<Kernel<Element, LinearElastic>>>(mesh, block, pattern, own->law(), points);
-  return std::make_unique<ElasticTerm<Kernel<Element, AnyElasticLaw>>>(mesh, block, pattern, AnyElasticLaw(law),
-                                                                       points);
+  throw std::logic_error("the elastic law is not compiled into the kernels");
 }
 
-/// Makes the elastic term of one formulation each, so that they compile apart. An enhanced block is not enriched.
+/// Make elastic terms, each in a file of its own, so that they compile apart: those of one formulation for laws that
+/// are compiled into the kernels, and those of all formulations for any other law. An enhanced block is not enriched.
 std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points);
 std::unique_ptr<Elasticity> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                                const std::shared_ptr<const ElasticLaw>& law, int points);
+
+std::unique_ptr<Elasticity> make_any_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                          const std::shared_ptr<const ElasticLaw>& law, int points,
+                                          Formulation formulation);
 
 }  // namespace ixos

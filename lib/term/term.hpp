@@ -69,7 +69,8 @@ class Term {
   virtual void begin_step(const double* /*u*/, const double* /*v*/, double /*time*/, double /*dt*/) {}
   /// Accepts the step that ends at displacement u and velocity v (null without inertia).
   virtual void accept(const double* /*u*/, const double* /*v*/) {}
-  /// Writes or reads what the term keeps from step to step. Collective.
+  /// Returns whether the term keeps something from step to step, which transfer() writes or reads. Collective.
+  virtual bool has_state() const { return false; }
   virtual void transfer(Record&) {}
 
   /// Adds the rule's force to f (not its kept part, which is a force at u_from). Returns false if some time point is

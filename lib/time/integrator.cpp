@@ -30,7 +30,7 @@ void copy_owned(const std::vector<double>& local, Vector& owned) {
 
 }  // namespace
 
-Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
+Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
                        const NewtonOptions& newton)
     : model_(model),
       table_(std::move(table)),
@@ -67,6 +67,11 @@ Integrator::Integrator(const Model& model, Table table, std::shared_ptr<const Li
 
 Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& table, bool matrix_free)
     : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
+
+/// Returns the velocity as terms see it.
+const double* Integrator::velocity(const State& state) const {
+  return model_.mass() == nullptr ? nullptr : state.v.data();
+}
 
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
   time_ = time;
@@ -239,6 +244,7 @@ StepResult Integrator::attempt(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
+  model_.begin_step(states_.front().u.data(), velocity(states_.front()), time_, dt);
   if (needs_acceleration_ && !know_acceleration()) {
     result.reason = "the acceleration cannot be solved for";
     return result;
@@ -265,6 +271,7 @@ StepResult Integrator::advance(double dt) {
 void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
+  model_.accept(states_.back().u.data(), velocity(states_.back()));
   if (model_.damping() != nullptr) dissipated_ += work_of_damping(model_, table_, states_, dt);
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
   if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;

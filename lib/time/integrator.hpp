@@ -30,7 +30,7 @@ class Integrator {
  public:
   /// Throws std::invalid_argument if the table is inconsistent (see check), or if only one of table and model has
   /// inertia.
-  Integrator(const Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
+  Integrator(Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
              const NewtonOptions& newton);
   Integrator(const Integrator&) = delete;
   Integrator& operator=(const Integrator&) = delete;
@@ -84,6 +84,7 @@ class Integrator {
 
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
+  const double* velocity(const State& state) const;
   bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
@@ -95,7 +96,7 @@ class Integrator {
   void check_whole(const char* name, const std::vector<double>& field, Extent extent) const;
   void refuse_jump() const;
 
-  const Model& model_;
+  Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does

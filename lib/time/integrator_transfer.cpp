@@ -57,6 +57,7 @@ void Integrator::transfer_derived(Record& record) {
   record.field("acceleration", state.a, Extent::Local);
   record.field("load", state.load, Extent::Owned);
   record.field("reaction", state.reaction, Extent::Owned);
+  model_.transfer(record);
   record.field("previous displacement", previous_u_, Extent::Local);
   record.field("previous velocity", previous_.v, Extent::Local);
   record.number("previous step", previous_.dt);

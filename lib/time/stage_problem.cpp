@@ -36,12 +36,13 @@ StageProblem::StageProblem(const Model& model, const Table& table, bool matrix_f
 
 Segment StageProblem::segment(const Rule& rule) const {
   return {rule.uses_start() ? from_->data() : nullptr, rule.uses_velocity() ? path_velocity_.data() : nullptr,
-          u_.data()};
+          u_.data(), step_time_, stage_->end * dt_};
 }
 
 void StageProblem::arm(std::size_t stage, const std::vector<State>& known, double time, double dt) {
   stage_ = &table_.stages[stage];
   dt_ = dt;
+  step_time_ = time;
   stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
   tangent_at_.clear();

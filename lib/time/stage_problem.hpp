@@ -72,6 +72,7 @@ class StageProblem final : public NonlinearProblem {
   bool has_mass_;
   bool has_potential_ = false;  ///< the armed stage's rules are gradients for all terms
   double dt_ = 0;
+  double step_time_ = 0;  ///< the step's start
   double stage_time_ = 0;
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start
   std::vector<double> path_velocity_;          ///< h v at the step's start, if a rule uses it

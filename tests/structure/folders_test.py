@@ -31,8 +31,7 @@ def folder_of(file):
 
 def is_kernel(file):
     """Returns whether a file must do without Trilinos. The entries of the materials' catalogue read parameter lists."""
-    name = file.split("/")[-1]
-    entry = folder_of(file) == "material" and (name.endswith("_entry.cpp") or name.startswith("catalogue."))
+    entry = file.startswith(("material/laws/", "material/catalogue."))
     return folder_of(file) in ("element", "fem", "material") and not entry
 
 

@@ -24,7 +24,7 @@ std::vector<double> at_rest(const Model& model) {
   return std::vector<double>(static_cast<std::size_t>(model.space().local()), 0.0);
 }
 
-Integrator direct(const Model& model, const Table& table, double tolerance) {
+Integrator direct(Model& model, const Table& table, double tolerance) {
   Teuchos::ParameterList linear;
   linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
   return {model, table, std::make_shared<LinearSolverFactory>(linear), NewtonOptions{tolerance, 100, {}}};

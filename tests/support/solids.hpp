@@ -21,6 +21,6 @@ Material elastic(ElasticLawOfConstants law, double nu);
 std::vector<double> at_rest(const Model& model);
 
 /// With the direct solver; the tolerance is Newton's.
-Integrator direct(const Model& model, const Table& table, double tolerance = NewtonOptions().tolerance);
+Integrator direct(Model& model, const Table& table, double tolerance = NewtonOptions().tolerance);
 
 }  // namespace ixos::test

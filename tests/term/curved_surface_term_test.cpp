@@ -1,0 +1,204 @@
+// Surfaces before obstacles of any shape.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interaction/catalogue.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "parameters/validation.hpp"
+#include "support/solids.hpp"
+#include "term/surface_terms.hpp"
+
+namespace ixos {
+namespace {
+
+/// A box above y = 0 (2D) or z = 0 (3D); its bottom has the contact element.
+std::unique_ptr<Model> box_model(int dimension, ContactElement element) {
+  BoxShape shape;
+  shape.dimension = dimension;
+  shape.lengths = {2, 1, 1};
+  shape.divisions = {3, 2, 2};
+  shape.lower = {-1, dimension == 2 ? 0.3 : -0.5, 0.3};
+  Mesh mesh = box(shape);
+  enrich(mesh, "bottom", element);
+  return test::model_of(mesh, test::elastic(neo_hooke, 0.3), Inertia::None);
+}
+
+/// A smooth displacement, local array.
+std::vector<double> field(const Model& model, double size) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> u(mesh.coordinates.size());
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const std::size_t node = k / d;
+    const double x = mesh.coordinates[node * d], y = mesh.coordinates[node * d + 1];
+    u[k] = mesh.is_derivative(node) ? 0.1 * size * std::sin(double(k % d) + x)
+                                    : size * std::sin(1.3 * x + 0.7 * y + double(k % d));
+  }
+  return u;
+}
+
+const std::shared_ptr<const GapLaw>& law() {
+  static const std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25));
+  return law;
+}
+
+Interactions terms(const Model& model, const std::shared_ptr<const Obstacle>& obstacle, bool curved) {
+  const LocalMesh& mesh = model.mesh();
+  const auto& sides = mesh.side_sets[mesh.side_set("bottom")];
+  return curved ? make_curved_terms(mesh, sides, model.pattern(), law(), obstacle, {})
+                : make_surface_terms(mesh, sides, model.pattern(), law(), obstacle, {});
+}
+
+std::shared_ptr<const Obstacle> sphere(double radius, int dimension) {
+  Teuchos::ParameterList valid, user;
+  obstacles().declare(valid);
+  user.set("Obstacle", "Sphere");
+  user.sublist("Sphere").set("Radius", radius);
+  Teuchos::Array<double> center(dimension, 0.0);
+  center.back() = -radius;
+  user.sublist("Sphere").set("Center", center);
+  const Teuchos::ParameterList list = validated(user, valid);
+  return obstacles().make(SceneNode(list, ""), static_cast<std::size_t>(dimension));
+}
+
+std::vector<double> force(const Interactions& terms, const Segment& segment, const Rule& rule, std::size_t size) {
+  std::vector<double> f(size, 0.0);
+  for (const auto& term : terms) EXPECT_TRUE(term->add_force(segment, rule, f.data()));
+  return f;
+}
+
+double energy(const Interactions& terms, const double* u) {
+  double sum = 0;
+  for (const auto& term : terms) sum += term->energy(u);
+  return sum;
+}
+
+/// Returns K x of the assembled tangent, rows of owned nodes.
+std::vector<double> product(const Model& model, const Interactions& terms, const Segment& segment, const Rule& rule,
+                            Tangent kind, const std::vector<double>& x) {
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0);
+  for (const auto& term : terms) term->add_tangent(segment, rule, kind, values.data());
+  std::vector<double> y(static_cast<std::size_t>(model.space().owned()), 0.0);
+  const std::vector<int>& start = model.pattern().row_start();
+  const double* value = values.data();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row)
+    for (std::size_t i = 0; i < d; ++i)
+      for (int p = start[row]; p < start[row + 1]; ++p)
+        for (std::size_t j = 0; j < d; ++j)
+          y[row * d + i] +=
+              *value++ * x[static_cast<std::size_t>(model.pattern().columns()[static_cast<std::size_t>(p)]) * d + j];
+  return y;
+}
+
+const std::vector<std::pair<int, ContactElement>> bodies = {{2, ContactElement::Q1C1}, {2, ContactElement::Q1C3},
+                                                            {2, ContactElement::Q1CH}, {3, ContactElement::Q1C1},
+                                                            {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH}};
+
+/// A half-space is an obstacle like any other: both paths agree to rounding.
+TEST(CurvedSurfaceTermTest, BeforeAHalfSpaceItIsTheFlatTerm) {
+  for (const auto& [dimension, element] : bodies) {
+    const auto model = box_model(dimension, element);
+    HalfSpace wall;
+    wall.normal = dimension == 2 ? std::array<double, 3>{0.6, 0.8, 0} : std::array<double, 3>{0, 0.6, 0.8};
+    wall.point = {-1.2, -0.8, -0.4};
+    const auto flat = terms(*model, flat_wall(wall), false), curved = terms(*model, flat_wall(wall), true);
+    const std::vector<double> from = field(*model, 0.02), to = field(*model, -0.03), way = field(*model, -2);
+    const Segment segment{from.data(), nullptr, to.data()};
+    for (const Rule& rule : {end_rule(), gauss_rule(3), exact_rule()}) {
+      const auto f = force(flat, segment, rule, to.size()), g = force(curved, segment, rule, to.size());
+      for (std::size_t k = 0; k < f.size(); ++k) EXPECT_NEAR(f[k], g[k], 1e-14);
+      for (Tangent kind : {Tangent::Exact, Tangent::Convex}) {
+        const auto a = product(*model, flat, segment, rule, kind, way);
+        const auto b = product(*model, curved, segment, rule, kind, way);
+        for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-13);
+      }
+    }
+    EXPECT_NEAR(energy(flat, to.data()), energy(curved, to.data()), 1e-14);
+    InteractionReport a, b;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      flat[i]->report(to.data(), a);
+      curved[i]->report(to.data(), b);
+      EXPECT_NEAR(flat[i]->admissible_step(segment, end_rule(), way.data()),
+                  curved[i]->admissible_step(segment, end_rule(), way.data()), 1e-12);
+      EXPECT_NEAR(flat[i]->gap_ratio(from.data(), to.data()), curved[i]->gap_ratio(from.data(), to.data()), 1e-12);
+      EXPECT_NEAR(flat[i]->rounding(to.data()), curved[i]->rounding(to.data()), 1e-12 * flat[i]->rounding(to.data()));
+    }
+    EXPECT_NEAR(a.least_gap, b.least_gap, 1e-14);
+    EXPECT_NEAR(a.measure, b.measure, 1e-14);
+    for (std::size_t i = 0; i < a.force.size(); ++i) EXPECT_NEAR(a.force[i], b.force[i], 1e-14);
+  }
+}
+
+/// Force, tangent and the work of the exact mean before a sphere, whose surface touches y = 0 or z = 0 from below.
+TEST(CurvedSurfaceTermTest, ForceAndTangentAreDerivatives) {
+  for (const auto& [dimension, element] : bodies) {
+    const auto model = box_model(dimension, element);
+    const auto round = terms(*model, sphere(3, dimension), true);
+    const auto d = static_cast<std::size_t>(dimension);
+    std::vector<double> from = field(*model, 0.02), to = field(*model, -0.03);
+    const std::vector<double> way = field(*model, 1);
+    const auto owned = static_cast<std::size_t>(model->space().owned());
+    const auto moved = [&](double s) {
+      std::vector<double> u = to;
+      for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
+      return u;
+    };
+    const double h = 1e-5;
+    const std::vector<double> ahead = moved(h), behind = moved(-h);
+    double sums[2] = {energy(round, ahead.data()) - energy(round, behind.data()), 0};
+    const auto f = force(round, {nullptr, nullptr, to.data()}, end_rule(), to.size());
+    for (std::size_t k = 0; k < owned; ++k) sums[1] += f[k] * way[k];
+    model->space().sum(sums, 2);
+    EXPECT_NEAR(sums[0] / (2 * h), sums[1], 1e-8);
+    for (const Rule& rule : {end_rule(), gauss_rule(4), exact_rule()}) {
+      const auto f1 = force(round, {from.data(), nullptr, ahead.data()}, rule, to.size());
+      const auto f0 = force(round, {from.data(), nullptr, behind.data()}, rule, to.size());
+      const auto k_way = product(*model, round, {from.data(), nullptr, to.data()}, rule, Tangent::Exact, way);
+      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR((f1[k] - f0[k]) / (2 * h), k_way[k], 1e-6);
+      const auto action = round.front()->create_action();
+      if (round.size() > 1) continue;
+      action->linearize({from.data(), nullptr, to.data()}, rule, Tangent::Exact, {});
+      std::vector<double> y(to.size(), 0.0), diagonal(to.size(), 0.0);
+      action->add_product(way.data(), y.data());
+      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR(y[k], k_way[k], 1e-13);
+    }
+    // The exact mean does the work that the energy loses, and has no moment about the centre at the mean place.
+    const auto mean = force(round, {from.data(), nullptr, to.data()}, exact_rule(), to.size());
+    double work[2] = {0, energy(round, to.data()) - energy(round, from.data())};
+    for (std::size_t k = 0; k < owned; ++k) work[0] += mean[k] * (to[k] - from[k]);
+    model->space().sum(work, 2);
+    EXPECT_NEAR(work[0], work[1], 1e-13);
+    if (element != ContactElement::Q1C1) continue;  // derivative nodes have no place
+    double moment = 0;
+    const LocalMesh& mesh = model->mesh();
+    for (std::size_t node = 0; node < owned / d; ++node) {
+      double y[3] = {};
+      for (std::size_t i = 0; i < d; ++i)
+        y[i] = mesh.coordinates[node * d + i] + (from[node * d + i] + to[node * d + i]) / 2 + (i + 1 == d ? 3 : 0);
+      moment += y[d - 2] * mean[node * d + d - 1] - y[d - 1] * mean[node * d + d - 2];
+    }
+    model->space().sum(&moment, 1);
+    EXPECT_NEAR(moment, 0, 1e-13);
+  }
+}
+
+TEST(CurvedSurfaceTermTest, RowSumsBoundTheTangent) {
+  const auto model = box_model(2, ContactElement::Q1C1);
+  const auto round = terms(*model, sphere(3, 2), true);
+  const std::vector<double> u = field(*model, 0.02);
+  std::vector<double> sums(u.size(), 0.0);
+  for (const auto& term : round) EXPECT_TRUE(term->add_row_sums({nullptr, nullptr, u.data()}, sums.data()));
+  for (const double sign : {1.0, -1.0}) {
+    std::vector<double> x(u.size());
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = k % 2 == 0 ? 1.0 : sign;
+    const auto y = product(*model, round, {nullptr, nullptr, u.data()}, end_rule(), Tangent::Exact, x);
+    for (std::size_t k = 0; k < y.size(); ++k) EXPECT_LE(std::abs(y[k]), sums[k] + 1e-14);
+  }
+}
+
+}  // namespace
+}  // namespace ixos
