@@ -4,6 +4,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,6 +57,7 @@ class Options {
         [=](List& list) {
           for (const auto& [word, value] : words)
             if (value == S{}.*member) list.set(name, word, documentation, one_of(names));
+          if (!list.isParameter(name)) throw std::logic_error(std::string(name) + ": its default is none of the words");
         },
         [=](const SceneNode& node, S& target) {
           for (const auto& [word, value] : words)

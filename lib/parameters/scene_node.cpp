@@ -23,7 +23,8 @@ std::vector<SceneNode> SceneNode::sublists() const {
 }
 
 void SceneNode::refuse(const std::string& entry, const std::string& why) const {
-  throw InputError((entry.empty() ? path_ : path_of(entry)) + ": " + why);
+  const std::string place = entry.empty() ? path_ : path_of(entry);
+  throw InputError(place.empty() ? why : place + ": " + why);
 }
 
 }  // namespace ixos

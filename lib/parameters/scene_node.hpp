@@ -25,12 +25,15 @@ class SceneNode {
  public:
   using List = Teuchos::ParameterList;
 
-  SceneNode(const List& list, std::string path) : list_(&list), path_(std::move(path)) {}
+  /// `path`: the list's path; without `name` its last part is the list's name.
+  SceneNode(const List& list, const std::string& path) : SceneNode(list, path, path.substr(path.rfind('/') + 1)) {}
+  SceneNode(const List& list, std::string path, std::string name)
+      : list_(&list), path_(std::move(path)), name_(std::move(name)) {}
 
   const List& list() const { return *list_; }
   const std::string& path() const { return path_; }
-  /// Returns the last part of the path: the name that the user gave the list.
-  std::string name() const { return path_.substr(path_.rfind('/') + 1); }
+  /// Returns the name that the user gave the list. It may contain a slash.
+  const std::string& name() const { return name_; }
   /// Returns the path of an entry.
   std::string path_of(const std::string& entry) const { return path_.empty() ? entry : path_ + "/" + entry; }
 
@@ -48,16 +51,17 @@ class SceneNode {
   std::vector<double> numbers(const char* entry, std::size_t count, std::vector<double> fallback) const;
 
   /// Returns the sublist of that name.
-  SceneNode sublist(const std::string& entry) const { return {list_->sublist(entry), path_of(entry)}; }
+  SceneNode sublist(const std::string& entry) const { return {list_->sublist(entry), path_of(entry), entry}; }
   /// Returns all sublists, in order.
   std::vector<SceneNode> sublists() const;
 
-  /// Throws InputError "path/entry: why".
+  /// Throws InputError "path/entry: why"; without an entry "path: why", and at the root "why".
   [[noreturn]] void refuse(const std::string& entry, const std::string& why) const;
 
  private:
   const List* list_;
   std::string path_;
+  std::string name_;
 };
 
 }  // namespace ixos

@@ -62,7 +62,7 @@ std::vector<double> distribution(const SceneNode& node, const LocalMesh& mesh) {
     for (int place : mesh.node_sets[set])
       if (!mesh.is_added(static_cast<std::size_t>(place))) measure[static_cast<std::size_t>(place)] = 1;
   } else {
-    const auto name = node.text("Block");
+    const auto& name = node.text("Block");
     if (name.empty())
       for (const LocalBlock& block : mesh.blocks) add_block_measure(mesh, block, measure);
     else
@@ -76,7 +76,7 @@ void add_load(const SceneNode& node, const Histories& histories, Model& model) {
   const LocalMesh& mesh = model.mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const auto vector = node.numbers("Vector", d, {});
-  const auto name = node.text("History");
+  const auto& name = node.text("History");
   const auto history =
       name.empty() ? constant(1.0) : at(node.path_of("History"), [&] { return histories.get(name, HistoryUse::Load); });
   const std::vector<double> measure = distribution(node, mesh);

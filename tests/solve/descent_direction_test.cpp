@@ -1,0 +1,256 @@
+// The direction of Newton's method for problems whose tangents are multiples of the identity.
+#include "solve/descent_direction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <NOX.H>
+#include <NOX_GlobalData.H>
+#include <NOX_Thyra.H>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_oblackholestream.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "solve/newton.hpp"
+#include "solve/nox_vector.hpp"
+#include "solve/problem_evaluator.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::world;
+
+constexpr int unknowns = 7;
+
+/// Equations of one unknown each, spread over the ranks.
+class Diagonal : public NonlinearProblem {
+ public:
+  Teuchos::RCP<const Map> map() const override { return map_; }
+  Teuchos::RCP<Operator> create_operator() override {
+    const auto matrix = Teuchos::rcp(new CrsMatrix(map_, 1));
+    for (GlobalId id = 0; id < unknowns; ++id)
+      if (map_->isNodeGlobalElement(id))
+        matrix->insertGlobalValues(id, Teuchos::tuple<GlobalId>(id), Teuchos::tuple<double>(1.0));
+    matrix->fillComplete();
+    return matrix;
+  }
+  bool residual(const Vector& x, Vector& f) override {
+    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto to = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = force(from(i, 0));
+    return true;
+  }
+  void tangent(const Vector& x, Operator& w) override {
+    levels.push_back(level);
+    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto values = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost().values;
+    for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = slope(from(i, 0));
+  }
+  double admissible_step(const Vector&, const Vector&) override { return 1; }
+  double convergence_bound(double tolerance) const override { return tolerance; }
+  bool is_gradient() const override { return gradient; }
+  void relax_tangent(int wanted) override { level = wanted; }
+
+  bool gradient = true;
+  int level = 0;            ///< of the tangent's relaxation
+  std::vector<int> levels;  ///< at which tangents were evaluated
+
+ private:
+  virtual double force(double x) const = 0;
+  virtual double slope(double x) const = 0;  ///< at the present level
+
+  Teuchos::RCP<const Map> map_ = Teuchos::rcp(new Map(Tpetra::global_size_t{unknowns}, 0, world()));
+};
+
+/// f = x, and the given tangents by level; the last one serves for all higher levels. A positive tangent descends.
+class Bowl : public Diagonal {
+ public:
+  explicit Bowl(std::vector<double> tangents) : tangents_(std::move(tangents)) {}
+
+ private:
+  double force(double x) const override { return x; }
+  double slope(double) const override {
+    return tangents_[std::min(static_cast<std::size_t>(level), tangents_.size() - 1)];
+  }
+  std::vector<double> tangents_;
+};
+
+/// KLU says when a matrix is singular.
+Teuchos::ParameterList klu() {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  list.sublist("Linear Solver Types").sublist("Direct").set("Solver Type", "KLU");
+  return list;
+}
+
+/// NOX's own list; NOX prints nothing.
+Teuchos::RCP<Teuchos::ParameterList> silent() {
+  const auto list = Teuchos::parameterList();
+  const Teuchos::RCP<std::ostream> nowhere = Teuchos::rcp(new Teuchos::oblackholestream);
+  list->sublist("Printing").set("Output Information", 0).set("Output Stream", nowhere).set("Error Stream", nowhere);
+  return list;
+}
+
+constexpr double given_tolerance = 0.25;  ///< of linear solves
+
+class DescentDirectionTest : public testing::Test {
+ protected:
+  /// Computes the direction at x = 1 + id. Returns whether there is one.
+  bool compute(Diagonal& problem, double tolerance = 0) {
+    const LinearSolverFactory linear_solvers(klu());
+    const auto evaluator = Teuchos::rcp(new ProblemEvaluator(problem, linear_solvers.strategy()));
+    const auto start = Thyra::createMember(evaluator->get_x_space());
+    {
+      const auto view = Extract::getTpetraVector(start)->getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = 1 + id(problem, i);
+    }
+    const auto group = Teuchos::rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), evaluator));
+    const auto nox = silent();
+    const auto solver = NOX::Solver::buildSolver(group, Teuchos::rcp(new NOX::StatusTest::MaxIters(1)), nox);
+    Teuchos::ParameterList list("Direction");
+    list.sublist("Newton").set("Forcing Term Method", "Constant");
+    list.sublist("Newton").sublist("Linear Solver").set("Tolerance", given_tolerance);
+    DescentDirection direction(problem, tolerance, Teuchos::rcp(new NOX::GlobalData(nox)), list);
+    group->computeF();
+    result_ = group->getX().clone(NOX::ShapeCopy);
+    const bool found = direction.compute(*result_, *group, *solver);
+    linear_tolerance_ = list.sublist("Newton").sublist("Linear Solver").get<double>("Tolerance");
+    return found;
+  }
+  /// Expects the direction -x / tangent.
+  void expect_direction(const Diagonal& problem, double tangent, int first = 0) const {
+    const auto view = tpetra(*result_)->getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      if (id(problem, i) >= first) {
+        EXPECT_NEAR(view(i, 0), -(1 + id(problem, i)) / tangent, 1e-13) << id(problem, i);
+      }
+  }
+  static double id(const Diagonal& problem, std::size_t i) {
+    return static_cast<double>(problem.map()->getGlobalElement(static_cast<LocalId>(i)));
+  }
+
+  Teuchos::RCP<NOX::Abstract::Vector> result_;
+  double linear_tolerance_ = 0;
+};
+
+using Levels = std::vector<int>;
+
+TEST_F(DescentDirectionTest, NewtonsDirectionStaysIfItDescends) {
+  Bowl problem({4.0, 100.0});
+  EXPECT_TRUE(compute(problem));
+  expect_direction(problem, 4);
+  EXPECT_EQ(problem.levels, Levels{0});
+}
+
+TEST_F(DescentDirectionTest, TheTangentIsRelaxedUntilTheDirectionDescends) {
+  Bowl problem({-1.0, -0.5, 0.25, 100.0});
+  EXPECT_TRUE(compute(problem));
+  expect_direction(problem, 0.25);
+  EXPECT_EQ(problem.levels, (Levels{0, 1, 2}));
+  EXPECT_EQ(problem.level, 0) << "the next tangent is exact again";
+}
+
+TEST_F(DescentDirectionTest, ASingularTangentIsRelaxedToo) {
+  Bowl problem({0.0, 0.0, 2.0});
+  EXPECT_TRUE(compute(problem));
+  expect_direction(problem, 2);
+  EXPECT_EQ(problem.levels, (Levels{0, 1, 2}));
+}
+
+TEST_F(DescentDirectionTest, WithoutAPotentialThereIsNothingToDescend) {
+  Bowl problem({-1.0, 2.0});
+  problem.gradient = false;
+  EXPECT_TRUE(compute(problem));
+  expect_direction(problem, -1);
+  EXPECT_EQ(problem.levels, Levels{0});
+}
+
+TEST_F(DescentDirectionTest, TangentsThatAllAscendGiveNoDirection) {
+  Bowl problem({-1.0});
+  EXPECT_FALSE(compute(problem));
+  EXPECT_GT(problem.levels.size(), 2U);
+  EXPECT_EQ(problem.level, 0);
+}
+
+TEST_F(DescentDirectionTest, TangentsThatAreAllSingularAreAFailureOfTheSolver) {
+  Bowl problem({0.0});
+  EXPECT_THROW(compute(problem), std::exception);
+  EXPECT_GT(problem.levels.size(), 2U);
+  EXPECT_EQ(problem.level, 0);
+}
+
+/// Prescribes the value of unknown 0.
+class DrivenBowl final : public Bowl {
+ public:
+  DrivenBowl() : Bowl({3.0}) { gradient = false; }
+  static constexpr double target = 0.7;
+  void complete_direction(const Vector& x, Vector& direction) override {
+    if (!map()->isNodeGlobalElement(0)) return;
+    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    direction.getLocalViewHost(Tpetra::Access::ReadWrite)(0, 0) = target - from(0, 0);
+  }
+};
+
+TEST_F(DescentDirectionTest, PrescribedValuesGoTheWholeWay) {
+  DrivenBowl problem;
+  EXPECT_TRUE(compute(problem));
+  if (problem.map()->isNodeGlobalElement(0)) {
+    EXPECT_EQ(tpetra(*result_)->getLocalViewHost(Tpetra::Access::ReadOnly)(0, 0), DrivenBowl::target - 1);
+  }
+  expect_direction(problem, 3, 1);
+}
+
+TEST_F(DescentDirectionTest, AToleranceHandsTheAccuracyOfLinearSolvesToTheForcingTerm) {
+  Bowl problem({1.0});
+  EXPECT_TRUE(compute(problem, 0));
+  EXPECT_EQ(linear_tolerance_, given_tolerance);
+  EXPECT_TRUE(compute(problem, 1e-9));
+  EXPECT_EQ(linear_tolerance_, ForcingTerm()(0, 10.0, 1e-9)) << "that of a first iteration";
+  EXPECT_NE(linear_tolerance_, given_tolerance);
+}
+
+/// The potential x^4/4 - x^2/2 has a maximum at 0 and minima at 1 and -1.
+class TwoValleys final : public Diagonal {
+ public:
+  Potential potential(const Vector& x) override {
+    double mine[2] = {}, all[2] = {};
+    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < view.extent(0); ++i) {
+      const double square = view(i, 0) * view(i, 0);
+      mine[0] += square * square / 4 - square / 2;
+      mine[1] += square * square / 4 + square / 2;
+    }
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 2, mine, all);
+    return {all[0], all[1]};
+  }
+
+ private:
+  double force(double x) const override { return x * x * x - x; }
+  double slope(double x) const override { return 3 * x * x - 1 + level; }
+};
+
+// Newton's method for x^3 - x = 0 goes from 0.1 to 0, where the potential has its maximum.
+TEST_F(DescentDirectionTest, NewtonsMethodThenEndsInAMinimum) {
+  for (bool gradient : {false, true}) {
+    TwoValleys problem;
+    problem.gradient = gradient;
+    NewtonSolver newton(problem, LinearSolverFactory(klu()), {1e-10, 100, {}});
+    Vector x(problem.map());
+    {
+      const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = id(problem, i) > 3 ? -0.1 : 0.1;
+    }
+    const NewtonResult result = newton.solve(x);
+    EXPECT_TRUE(result.converged) << result.reason;
+    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      EXPECT_NEAR(view(i, 0), !gradient ? 0 : id(problem, i) > 3 ? -1 : 1, 1e-9) << id(problem, i);
+  }
+}
+
+}  // namespace
+}  // namespace ixos
