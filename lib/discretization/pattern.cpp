@@ -4,6 +4,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <algorithm>
+#include <stdexcept>
 
 namespace ixos {
 
@@ -31,7 +32,9 @@ int Pattern::pair(int row, int column) const {
   if (row >= rows()) return -1;
   const auto begin = columns_.begin() + row_start_[row_index(row)];
   const auto end = columns_.begin() + row_start_[row_index(row) + 1];
-  return static_cast<int>(std::lower_bound(begin, end, column) - columns_.begin());
+  const auto found = std::lower_bound(begin, end, column);
+  if (found == end || *found != column) throw std::logic_error("the nodes of a pair share no cell");
+  return static_cast<int>(found - columns_.begin());
 }
 
 int Pattern::offset(int row, int column) const {

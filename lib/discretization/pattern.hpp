@@ -20,12 +20,31 @@ class Pattern {
   const std::vector<int>& columns() const { return columns_; }      ///< local node numbers
   int pairs() const { return static_cast<int>(columns_.size()); }
 
-  /// Returns the index of the node pair, or -1 if `row` is not owned. Both nodes must share a cell.
+  /// Returns the index of the node pair, or -1 if `row` is not owned. Throws std::logic_error if the nodes share no
+  /// cell.
   int pair(int row, int column) const;
   /// Returns the index of the first matrix value of the node pair's block, or -1 if `row` is not owned.
   int offset(int row, int column) const;
   /// Returns the distance between the rows of the blocks of that owned node.
   int stride(int row) const { return dimension_ * (row_start_[row_index(row) + 1] - row_start_[row_index(row)]); }
+
+  /// Walks over the matrix values, row by row in the order of memory: calls visit(r, entries) for each owned degree of
+  /// freedom r, in which entries(f) calls f(c, value) for each entry of that row, c the local column.
+  template <class Value, class Visit>
+  void for_each_row(Value* values, const Visit& visit) const {
+    for (int row = 0; row < rows(); ++row) {
+      const int* const first = columns_.data() + row_start_[row_index(row)];
+      const int* const last = columns_.data() + row_start_[row_index(row) + 1];
+      for (int i = 0; i < dimension_; ++i) {
+        Value* value = values;
+        visit(row * dimension_ + i, [&](const auto& f) {
+          for (const int* column = first; column != last; ++column)
+            for (int j = 0; j < dimension_; ++j) f(*column * dimension_ + j, *value++);
+        });
+        values += (last - first) * dimension_;
+      }
+    }
+  }
 
   /// Returns a matrix of this sparsity, fill-complete, values zero.
   Teuchos::RCP<CrsMatrix> create_matrix(const DofSpace& space) const;

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::size_t largest_header = 1 << 24;  ///< far more than the names of fields take
 constexpr std::uint32_t double_type = 6;
+constexpr std::uint64_t most_numbers = std::uint64_t{1} << 40U;  ///< of a variable
+constexpr std::uint64_t largest_file = std::uint64_t{1} << 62U;  ///< bytes
 
 template <std::size_t Bytes>
 std::array<char, Bytes> high_byte_first(std::uint64_t value) {
@@ -34,7 +36,7 @@ class Header {
     skip_attributes();
     ClassicLayout layout;
     for (std::uint64_t count = list(11); count > 0; --count) read_variable(record_dimension, layout);
-    if (layout.variables.empty()) damaged();
+    if (layout.variables.empty() || layout.first_record < position_) damaged();
     for (ClassicLayout::Variable& variable : layout.variables) {
       variable.offset -= layout.first_record;
       if (variable.offset + 8 * variable.numbers > layout.record_bytes) damaged();
@@ -94,17 +96,19 @@ class Header {
     for (std::uint64_t i = 0; i < rank; ++i) {
       const std::uint64_t dimension = number<4>();
       if (dimension >= lengths_.size()) damaged();
-      if (static_cast<int>(dimension) == record_dimension)
+      if (static_cast<int>(dimension) == record_dimension) {
         grows = grows || i == 0;
-      else
-        variable.numbers *= lengths_[dimension];
+        continue;
+      }
+      if (lengths_[dimension] > most_numbers / std::max<std::uint64_t>(variable.numbers, 1)) damaged();
+      variable.numbers *= lengths_[dimension];
     }
     skip_attributes();
     const std::uint64_t type = number<4>();
     number<4>();  // its size again
     variable.offset = number<8>();
     if (!grows) return;
-    if (type != double_type || variable.numbers > (std::uint64_t{1} << 40U)) damaged();
+    if (type != double_type || variable.offset > largest_file) damaged();
     if (layout.variables.empty()) layout.first_record = variable.offset;
     if (variable.offset < layout.first_record) damaged();
     layout.record_bytes += 8 * variable.numbers;

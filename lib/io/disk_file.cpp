@@ -86,6 +86,7 @@ void DiskFile::write_at(std::uint64_t position, const void* data, std::size_t si
 }
 
 void DiskFile::reserve(std::uint64_t bytes) {
+  if (bytes == 0) return;
   const int status =
       persistent([&] { return fallocate(descriptor_, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)); });
   if (status != 0 && errno != EOPNOTSUPP && errno != ENOSYS) fail("cannot be written");

@@ -56,29 +56,19 @@ void Damping::add_mass_diagonal(double factor, double* d) const {
 }
 
 void Damping::multiply_add_matrix(double factor, const double* x, double* y) const {
-  const std::vector<int>& start = pattern_.row_start();
-  const double* value = matrix().data();
-  for (std::size_t row = 0; row + 1 < start.size(); ++row)
-    for (std::size_t i = 0; i < dimension_; ++i) {
-      double sum = 0;
-      for (int p = start[row]; p < start[row + 1]; ++p) {
-        const auto node = static_cast<std::size_t>(pattern_.columns()[static_cast<std::size_t>(p)]);
-        for (std::size_t j = 0; j < dimension_; ++j) sum += *value++ * x[node * dimension_ + j];
-      }
-      y[row * dimension_ + i] += factor * sum;
-    }
+  pattern_.for_each_row(matrix().data(), [&](int row, const auto& entries) {
+    double sum = 0;
+    entries([&](int column, double value) { sum += value * x[column]; });
+    y[row] += factor * sum;
+  });
 }
 
 void Damping::row_sums(double* sums) const {
   if (!keeps_matrix_) throw std::logic_error("the damping does without its matrix");
-  const std::vector<int>& start = pattern_.row_start();
-  const double* value = matrix().data();
-  for (std::size_t row = 0; row + 1 < start.size(); ++row)
-    for (std::size_t i = 0; i < dimension_; ++i) {
-      sums[row * dimension_ + i] = 0;
-      for (std::size_t k = 0; k < dimension_ * static_cast<std::size_t>(start[row + 1] - start[row]); ++k)
-        sums[row * dimension_ + i] += std::abs(*value++);
-    }
+  pattern_.for_each_row(matrix().data(), [&](int row, const auto& entries) {
+    sums[row] = 0;
+    entries([&](int /*column*/, double value) { sums[row] += std::abs(value); });
+  });
 }
 
 void Damping::add_to(double factor, double* values) const {

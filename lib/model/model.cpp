@@ -224,20 +224,13 @@ std::vector<double> Model::interaction_traction(const double* u) const {
 }
 
 void Model::multiply_constrained_columns(const double* values, const double* x, double* result) const {
-  const auto d = static_cast<std::size_t>(mesh_.dimension);
-  const std::vector<int>& start = pattern_.row_start();
-  const double* value = values;
-  for (int row = 0; row < pattern_.rows(); ++row)
-    for (std::size_t i = 0; i < d; ++i) {
-      double sum = 0;
-      for (int p = start[static_cast<std::size_t>(row)]; p < start[static_cast<std::size_t>(row) + 1]; ++p)
-        for (std::size_t j = 0; j < d; ++j, ++value) {
-          const std::size_t c = static_cast<std::size_t>(pattern_.columns()[static_cast<std::size_t>(p)]) * d + j;
-          if (constraints_.holds(static_cast<int>(c))) sum += *value * x[c];
-        }
-      const std::size_t r = static_cast<std::size_t>(row) * d + i;
-      result[r] = constraints_.holds(static_cast<int>(r)) ? 0.0 : sum;
-    }
+  pattern_.for_each_row(values, [&](int row, const auto& entries) {
+    double sum = 0;
+    entries([&](int column, double value) {
+      if (constraints_.holds(column)) sum += value * x[column];
+    });
+    result[row] = constraints_.holds(row) ? 0.0 : sum;
+  });
 }
 
 void Model::add_to_diagonal(double value, double* values) const {
@@ -247,17 +240,11 @@ void Model::add_to_diagonal(double value, double* values) const {
 
 void Model::constrain_matrix(double diagonal, double* values) const {
   if (constraints_.empty()) return;
-  const int d = mesh_.dimension;
-  const std::vector<int>& start = pattern_.row_start();
-  double* value = values;
-  for (int row = 0; row < pattern_.rows(); ++row)
-    for (int i = 0; i < d; ++i)
-      for (int p = start[static_cast<std::size_t>(row)]; p < start[static_cast<std::size_t>(row) + 1]; ++p)
-        for (int j = 0; j < d; ++j, ++value) {
-          const int r = row * d + i;
-          const int c = pattern_.columns()[static_cast<std::size_t>(p)] * d + j;
-          if (constraints_.holds(r) || constraints_.holds(c)) *value = r == c ? diagonal : 0.0;
-        }
+  pattern_.for_each_row(values, [&](int row, const auto& entries) {
+    entries([&](int column, double& value) {
+      if (constraints_.holds(row) || constraints_.holds(column)) value = row == column ? diagonal : 0.0;
+    });
+  });
 }
 
 }  // namespace ixos

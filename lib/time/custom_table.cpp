@@ -33,14 +33,19 @@ class StageReader {
     if (exact && path != Path::Linear) fail("Interaction Mean", "the exact mean needs the linear path");
     stage.interaction = exact ? exact_rule() : rule("Interaction Points", "Interaction Weights", path);
     stage.load = load(stage.end);
-    if (!(stage.inertia.unknown > 0) || stage.elastic.points.empty())
+    if (!(stage.inertia.unknown > 0))
       fail("Inertia", "the coefficient of the unknown must be greater than 0: only implicit stages are allowed");
+    if (stage.elastic.points.empty())
+      fail("Elastic Points", "one point must be greater than 0: only implicit stages are allowed");
     return stage;
   }
 
  private:
   [[noreturn]] void fail(const char* entry, const std::string& what) const {
-    throw std::invalid_argument(fmt::format("stage \"{}\", {}: {}", list_.name(), entry, what));
+    const std::string& path = list_.name();  // of Teuchos: "Scene->...->Stages->First"
+    const std::size_t arrow = path.rfind("->");
+    throw std::invalid_argument(
+        fmt::format("stage \"{}\", {}: {}", arrow == std::string::npos ? path : path.substr(arrow + 2), entry, what));
   }
   const Numbers& numbers(const char* name) const { return list_.get<Numbers>(name); }
   bool given(const char* name) const { return !numbers(name).empty(); }

@@ -96,6 +96,39 @@ TEST(PatternTest, OffsetsLeadToTheEntriesOfTheMatrix) {
   }
 }
 
+TEST(PatternTest, AWalkOverTheRowsSeesTheMatrixInTheOrderOfMemory) {
+  for (const Mesh& mesh : meshes()) {
+    const auto model = body(mesh);
+    const Pattern& pattern = model->pattern();
+    const auto matrix = pattern.create_matrix(model->space());
+    const auto rows = matrix->getLocalMatrixHost();
+    std::size_t entry = 0;
+    int next = 0;
+    pattern.for_each_row(rows.values.data(), [&](int row, const auto& entries) {
+      EXPECT_EQ(row, next++);
+      EXPECT_EQ(entry, static_cast<std::size_t>(rows.graph.row_map(row)));
+      entries([&](int column, double& value) {
+        EXPECT_EQ(&value, &rows.values(entry));
+        EXPECT_EQ(column, rows.graph.entries(entry++));
+      });
+    });
+    EXPECT_EQ(entry, static_cast<std::size_t>(rows.nnz()));
+    EXPECT_EQ(next, model->space().owned());
+  }
+}
+
+TEST(PatternTest, APairThatIsNotThereIsRefused) {
+  const auto model = body(grid(2, 9, 9, 0));
+  const Pattern& pattern = model->pattern();
+  if (pattern.rows() == 0) return;
+  // A node has 9 neighbours at most, and there are more nodes.
+  const std::set<int> neighbours(pattern.columns().begin(), pattern.columns().begin() + pattern.row_start()[1]);
+  int other = 0;
+  while (neighbours.count(other) > 0) ++other;
+  EXPECT_THROW(pattern.pair(0, other), std::logic_error);
+  EXPECT_THROW(pattern.offset(0, other), std::logic_error);
+}
+
 TEST(PatternTest, RowsOfOtherRanksAreNotThere) {
   const auto model = body(grid(2, 4, 3, 0));
   const Pattern& pattern = model->pattern();

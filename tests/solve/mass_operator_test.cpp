@@ -80,7 +80,7 @@ TEST(ScaledMassTest, IsTheMatrixScaledFromBothSides) {
     matrix->apply(scaled, product);
     expected.elementWiseMultiply(1.0, scale, product, 0.0);
     op.apply(x, found);
-    EXPECT_LT(distance(found, expected), 1e-14 * x.norm2());
+    EXPECT_LT(distance(found, expected), 1e-13 * x.norm2());
     // S is the root of the inverse diagonal; it is 1 where the matrix has a 1 in the place of a held degree of freedom.
     Vector diagonal(map);
     matrix->getLocalDiagCopy(diagonal);
@@ -111,7 +111,7 @@ TEST(ScaledMassTest, EigenvaluesAtBothEndsAreTheSameOnEveryMesh) {
       op.apply(x, y);
       const double size = x.norm2();
       x.scale(checkerboard ? least : largest);
-      EXPECT_LT(distance(y, x), 1e-14 * size) << checkerboard;
+      EXPECT_LT(distance(y, x), 1e-13 * size) << checkerboard;
     }
     x.randomize();
     op.apply(x, y);
@@ -126,7 +126,7 @@ TEST(ScaledMassTest, HeldDegreesOfFreedomAreLeftAlone) {
   body.hold();
   const Model& model = *body.model;
   const ScaledMass op(model);
-  Vector held(model.space().owned_map()), free(held), y(held);
+  Vector held(model.space().owned_map()), free(model.space().owned_map()), y(model.space().owned_map());
   held.randomize();
   free.randomize();
   for (int dof = 0; dof < model.space().owned(); ++dof)

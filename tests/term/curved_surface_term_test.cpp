@@ -83,14 +83,11 @@ std::vector<double> product(const Model& model, const Interactions& terms, const
   std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0);
   for (const auto& term : terms) term->add_tangent(segment, rule, kind, values.data());
   std::vector<double> y(static_cast<std::size_t>(model.space().owned()), 0.0);
-  const std::vector<int>& start = model.pattern().row_start();
-  const double* value = values.data();
-  for (std::size_t row = 0; row + 1 < start.size(); ++row)
-    for (std::size_t i = 0; i < d; ++i)
-      for (int p = start[row]; p < start[row + 1]; ++p)
-        for (std::size_t j = 0; j < d; ++j)
-          y[row * d + i] +=
-              *value++ * x[static_cast<std::size_t>(model.pattern().columns()[static_cast<std::size_t>(p)]) * d + j];
+  model.pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
+    entries([&](int column, double value) {
+      y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
+    });
+  });
   return y;
 }
 

@@ -110,9 +110,9 @@ TEST(AccelerationTest, PrescribedAccelerationsAndTheRestMakeOneField) {
     acceleration.record_forces(time, state);
     const auto owned = static_cast<std::size_t>(model->space().owned());
     ASSERT_EQ(state.load.size(), owned);
-    ASSERT_EQ(state.reaction.size(), owned);
-    for (std::size_t i = 0; i < owned; ++i) {
-      EXPECT_EQ(state.load[i], force[i]);
+    ASSERT_EQ(state.reaction.size(), model->constraints().empty() ? 0 : owned);
+    for (std::size_t i = 0; i < owned; ++i) EXPECT_EQ(state.load[i], force[i]);
+    for (std::size_t i = 0; i < state.reaction.size(); ++i) {
       if (model->constraints().holds(static_cast<int>(i)))
         EXPECT_NEAR(state.reaction[i], -push, 10 * way.accuracy);
       else
