@@ -1,4 +1,4 @@
-// What a program says on standard output, and whether anybody could read it.
+// Output on standard output and standard error, with its failures.
 #pragma once
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 namespace ixos::console {
 
-/// Prints to standard output. A failure is remembered, not thrown: a run goes on without its listener.
+/// Prints to standard output. Remembers a failure and does not throw, so that a run continues.
 void print(const std::string& text);
 
 template <class... Values>

@@ -13,6 +13,7 @@ import concurrent.futures
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -41,6 +42,11 @@ def key(source, command, files, version):
     return digest.hexdigest()
 
 
+def without_precompiled_header(command):
+    """Returns a compile command for clang-tidy, which cannot read the precompiled header of another compiler."""
+    return re.sub(r" -include \S*cmake_pch\.hxx| -Winvalid-pch| -fpch-preprocess", "", command)
+
+
 def tidy(source, build):
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
@@ -57,6 +63,12 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     with open(os.path.join(build, "compile_commands.json")) as file:
         commands = json.load(file)
+    for entry in commands:
+        entry["command"] = without_precompiled_header(entry["command"])
+    database = os.path.join(build, "tidy")
+    os.makedirs(database, exist_ok=True)
+    with open(os.path.join(database, "compile_commands.json"), "w") as file:
+        json.dump(commands, file)
     seen = dependencies(build)
     todo = []
     for entry in commands:
@@ -72,7 +84,7 @@ def main():
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
     clean = True
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for (source, stamp), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build), todo)):
+        for (source, stamp), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], database), todo)):
             if good:
                 open(stamp, "w").close()
             else:

@@ -126,7 +126,7 @@ void check_restart(const ixos::Simulation& simulation, const std::string& file, 
   for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));
 }
 
-/// The command that goes on from a checkpoint.
+/// Returns the command that resumes from a checkpoint.
 std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
   std::string command = "ixos " + ixos::shell_word(arguments.scene);
   for (const std::string& assignment : arguments.assignments) command += " --set " + ixos::shell_word(assignment);
@@ -134,7 +134,7 @@ std::string restart_command(const Arguments& arguments, const std::string& check
   return command + " --restart " + ixos::shell_word(checkpoint);
 }
 
-/// A scheme may run to its end and yet make or lose energy: that is said where it is much.
+/// Warns if the energy error exceeds 5 %: a scheme may run to its end and yet gain or lose energy.
 void report_energy(const ixos::RunResult& result) {
   const double share = result.max_energy_error / result.largest_energy;
   if (!(share > 0.05)) return;
@@ -145,7 +145,7 @@ void report_energy(const ixos::RunResult& result) {
       result.max_energy_error, 100 * share);
 }
 
-/// What the run came to, for a person.
+/// Tells the user how the run ended.
 void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
   const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
   if (done) {
@@ -235,14 +235,14 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     return end_all(3, ixos::out_of_memory(), comm);
   } catch (const std::exception& error) {
     const std::string what = error.what();
-    // Kokkos allocates by itself, and throws an error of its own.
+    // Kokkos throws an error of its own when it cannot allocate.
     if (ixos::memory_ran_out() || what.find("failed to allocate") != std::string::npos)
       return end_all(3, ixos::out_of_memory() + " (" + what + ")", comm);
     return end_all(1, std::string("internal error, please report it: ") + error.what(), comm);
   }
 }
 
-/// What can be said without a scene.
+/// Carries out the options that need no scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.check || arguments.explain || !arguments.mesh_file.empty() || !arguments.assignments.empty() ||
       !arguments.output.empty() || !arguments.restart.empty())

@@ -50,7 +50,7 @@ void say(int pipe, const char* message) {
   if (write(pipe, message, std::min(std::strlen(message), longest_message)) < 0) _exit(1);
 }
 
-/// What the function throws goes into the pipe.
+/// Calls the function in the child process. Writes the message of an exception to the pipe.
 [[noreturn]] void be_child(const std::function<void()>& function, std::uint64_t bytes, unsigned seconds, int pipe) {
   for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM}) std::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);

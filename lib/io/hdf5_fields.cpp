@@ -117,7 +117,7 @@ void Hdf5Fields::verify(const FieldLength& keep) const {
   });
 }
 
-/// A file of the first frames in the place of this one. What a frame left that was not finished is never touched again.
+/// Replaces this file by one of its first frames. Does not touch what an unfinished frame left behind.
 void Hdf5Fields::copy_first(int frames) const {
   const std::string copy = beside(path_);
   define(copy);

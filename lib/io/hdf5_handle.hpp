@@ -1,4 +1,4 @@
-/// What all users of the HDF5 library share. Included by lib/io only.
+/// Handles and error checks for all users of the HDF5 library. Included by lib/io only.
 #pragma once
 #include <hdf5.h>
 

@@ -12,16 +12,17 @@
 
 namespace ixos::hdf5 {
 
-/// What the HDF5 library writes to a file, as pieces in memory. The library reads and writes here, through a driver of
-/// ours (HDF5's virtual file layer), and never meets a disk: a disk that fails leaves no file open inside the library,
-/// whose exit would then crash. The owner brings the pieces to the disk and knows of each failure.
+/// The contents of a file, as pieces in memory. The HDF5 library reads and writes them through a driver of ours (HDF5's
+/// virtual file layer). The library never writes to a disk, because a disk that fails would leave a file open inside
+/// the library, and its exit would then crash. The owner writes the pieces to the disk and checks each write.
 ///
 /// Data sets that the owner writes himself have room in the file (early allocation) but no piece.
 class Image {
  public:
   using Pieces = std::map<std::uint64_t, std::vector<char>>;  ///< by position; they do not overlap
 
-  /// Of a new file; with `base`, of an existing one: what was not written is read there. `base` must outlive the image
+  /// Creates the image of a new file or, with `base`, of an existing one: bytes that were not written are read from
+  /// `base`, which must outlive the image
   /// and all identifiers of its file.
   explicit Image(const DiskFile* base = nullptr);
 

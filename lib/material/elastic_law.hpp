@@ -22,7 +22,8 @@ class ElasticLaw {
   virtual Lame lame() const = 0;
   /// Returns whether the law has a discrete gradient, for schemes that conserve energy by one.
   virtual bool has_discrete_gradient() const = 0;
-  /// Returns whether the law's tangent has the form of SpatialTangent, which matrix-free products need.
+  /// Returns whether the law's tangent has the form of SpatialTangent. Matrix-free products need it, and are offered
+  /// for laws that are compiled into the element kernels only.
   virtual bool has_spatial_tangent() const = 0;
 
   virtual Pack energy(const Small<Pack, 2>& h) const = 0;

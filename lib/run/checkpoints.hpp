@@ -49,7 +49,7 @@ class Checkpoints {
   std::vector<long> steps_;  ///< of those that are kept
 };
 
-/// What made the arithmetic: version of Ixos, width of vectors, compiler. Another one may round otherwise.
+/// Returns the version of Ixos, the width of vectors and the compiler. Another build may round differently.
 std::string build_name();
 
 /// The steps of the checkpoints in a folder, whatever their state, ascending.

@@ -13,16 +13,16 @@ namespace ixos {
 /// A checkpoint that was found whole and fits a simulation.
 class Restart {
  public:
-  /// `path` is a checkpoint's, or that of a folder, whose newest sound one counts. Throws InputError with the file's
-  /// name: where it is damaged or no checkpoint (then with the newest sound one before it, if there is one), of another
-  /// mesh, or of a scene whose changes a restart cannot make. Collective.
+  /// `path` names a checkpoint, or a folder, whose newest sound checkpoint is used. Throws InputError with the file's
+  /// name if the file is damaged or no checkpoint (the message then names the newest sound checkpoint before it), if it
+  /// belongs to another mesh, or if a restart cannot make the changes of the scene. Collective.
   Restart(const Simulation& simulation, const std::string& path);
 
   /// Loads the state: what does not fit throws InputError with the file's name. Collective.
   void load(const std::function<void(Record&)>& transfer);
   const std::string& path() const { return path_; }  ///< links resolved
   bool is_in(const std::string& folder) const;       ///< does the checkpoint stand in that folder?
-  /// What a person should know: what changed, and whether the run goes on bit for bit.
+  /// Returns notes for the user: the changes of the scene, and whether the run continues bit for bit.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:

@@ -132,7 +132,7 @@ void Run::go_on() {
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
 }
 
-/// What is there is gone on with; nothing is changed before all of it is found to fit.
+/// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.
 void Run::resume_files() {
   files_.verify();
   files_.open_folder(true);
@@ -267,7 +267,7 @@ std::string Run::with_position(const std::string& message) const {
 }
 
 void Run::checkpoint() {
-  // What a restart goes on with is on the disk before the checkpoint that counts on it.
+  // A restart continues these files, so they must be on the disk before the checkpoint.
   files_.sync();
   checkpoints_.write(result_.steps, [this](Record& record) { transfer(record); });
 }

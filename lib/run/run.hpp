@@ -48,9 +48,9 @@ struct RunResult {
 };
 
 /// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml,
-/// history.csv, summary.json, and fields.e and checkpoints where the scene wants them. All that RunResult counts,
-/// clocks too, goes on from a checkpoint; so do history.csv and fields.e where it stands in the same folder, without
-/// the rows and frames that came after it.
+/// history.csv, summary.json, and fields.e and checkpoints if the scene asks for them. A restart resumes all that
+/// RunResult counts, clocks included. If the checkpoint is in the same folder, the run also continues history.csv and
+/// fields.e, without the rows and frames that came after the checkpoint.
 ///
 /// A step that fails, and may not be cut, ends the run with RunStatus::Diverged; a signal with Interrupted. However it
 /// ends, the last good state is checkpointed and the rows up to there are on disk. Throws FileError where something

@@ -18,7 +18,7 @@ HistoryOptions history_options(const Simulation& simulation) {
   return {list.get<bool>("Energies"), list.get<bool>("Momenta"), list.get<bool>("Interaction")};
 }
 
-/// Of "History" or "Fields".
+/// Returns the recorded steps of `what`, "History" or "Fields".
 Recording recording(const Simulation& simulation, const std::string& what) {
   const Teuchos::ParameterList& list = output(simulation);
   return {list.get<int>(what + " Interval"), list.get<double>(what + " Time Interval"),

@@ -10,7 +10,7 @@
 
 namespace ixos {
 
-/// Which steps are recorded: every so many, or those that pass a multiple of a time interval.
+/// The steps that are recorded: every n-th, or those that pass a multiple of a time interval.
 class Recording {
  public:
   Recording(int steps, double interval, double start) : steps_(steps), interval_(interval), start_(start) {}

@@ -1,4 +1,4 @@
-/// What a scene asks of its mesh.
+/// Checks that a mesh has what its scene uses.
 #pragma once
 #include <string>
 #include <vector>

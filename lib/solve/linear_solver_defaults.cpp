@@ -49,7 +49,7 @@ bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
 void refuse_symmetric(const std::string& place, const std::string& solver, const std::string& instead) {
   throw InputError("Linear Solver/Linear Solver Types/" + place + "/Solver Type: \"" + solver +
-                   "\" needs a symmetric matrix, and this scheme's tangent is not symmetric; use " + instead);
+                   "\" needs a symmetric matrix, and this scene's tangent is not symmetric; use " + instead);
 }
 
 void complete_direct(ParameterList& list, const ProblemSize& size) {
@@ -124,13 +124,14 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   const bool can = size.symmetric && size.matrix_free && type == "Belos";
   if (op == "Matrix-Free" && !size.matrix_free)
     throw InputError(
-        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation; use "
+        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation or elastic law; "
+        "use "
         "\"Assembled\"");
   if (op == "Matrix-Free" && !can)
     throw InputError(std::string("Linear Solver/Operator: ") +
                      (size.symmetric ? "\"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +
                                            "\"; or use \"Assembled\""
-                                     : "\"Matrix-Free\" needs a symmetric tangent, and this scheme's tangent is not "
+                                     : "\"Matrix-Free\" needs a symmetric tangent, and this scene's tangent is not "
                                        "symmetric; use \"Assembled\""));
   list.set("Operator", op == "Matrix-Free" || (op == "Automatic" && can && large) ? "Matrix-Free" : "Assembled");
   if (type != "Belos" && preconditioner != "None")

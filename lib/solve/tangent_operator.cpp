@@ -17,7 +17,8 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
   for (const auto* actions : {&elastic_, &interactions_})
     if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))
       throw InputError(
-          "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation; use "
+          "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation or elastic law; "
+          "use "
           "\"Assembled\"");
   for (const auto& action : elastic_) mass_in_elastic_ = mass_in_elastic_ && action->applies_mass();
   for (std::vector<double>* array : {&x_, &result_, &part_})

@@ -137,6 +137,7 @@ class CurvedSurfaceTerm final : public Interaction {
   }
 
   double gap_ratio(const double* from, const double* to) const override {
+    if (!needs_positive_gaps()) return 1;
     const double near = 10 * law_.equilibrium_gap();
     double largest = 1;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
@@ -270,7 +271,7 @@ class CurvedSurfaceTerm final : public Interaction {
     for (const RulePoint& point : rule.points) {
       const Sight sight = obstacle_->at(ends.at(q, point));
       const double weight = point.weight * point.to;
-      const Pack along = weight * kept(law_.stiffness(sight.gap)), across = weight * bent(sight, kept);
+      const Pack along = weight * kept(law_.stiffness(sight.gap)), across = weight * bending_factor(sight, convex);
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j)
           k[i][j] += along * (sight.normal[i] * sight.normal[j]) + across * sight.bend[i][j];
@@ -291,13 +292,13 @@ class CurvedSurfaceTerm final : public Interaction {
     return k;
   }
 
-  /// Returns -T, the factor of H. H of a convex obstacle is positive semidefinite, that of a cavity negative.
-  template <class Kept>
-  Pack bent(const Sight& sight, const Kept& kept) const {
+  /// Returns -T, the factor of H. The convex kind leaves it out where -T H has a negative trace: before convex
+  /// obstacles in repulsion, in cavities in attraction.
+  Pack bending_factor(const Sight& sight, bool convex) const {
     Pack trace = 0.0;
     for (std::size_t i = 0; i < D; ++i) trace += sight.bend[i][i];
     const Pack factor = -law_.traction(sight.gap);
-    return select(kept(Pack(factor * trace)) == factor * trace, factor, Pack(0.0));
+    return convex ? select(factor * trace > 0.0, factor, Pack(0.0)) : factor;
   }
 
   /// Returns the sum of visit(sight, weight) over the points of sides that count on this rank; `weight` is the measure.

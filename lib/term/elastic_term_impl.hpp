@@ -212,8 +212,9 @@ std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalB
   throw std::logic_error("the elastic law is not compiled into the kernels");
 }
 
-/// Make elastic terms, each in a file of its own, so that they compile apart: those of one formulation for laws that
-/// are compiled into the kernels, and those of all formulations for any other law. An enhanced block is not enriched.
+/// These functions make elastic terms, each in a file of its own, so that they compile apart: one formulation for laws
+/// that are compiled into the kernels, and those of all formulations for any other law. An enhanced block is not
+/// enriched.
 std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points);

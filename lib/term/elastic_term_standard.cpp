@@ -15,7 +15,7 @@ bool is_compiled_in(const ElasticLaw& law) {
 }  // namespace
 
 bool has_action(const ElasticLaw& law, Formulation formulation) {
-  return formulation == Formulation::Standard && law.has_spatial_tangent();
+  return formulation == Formulation::Standard && is_compiled_in(law);
 }
 
 std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,

@@ -111,6 +111,7 @@ class FlatSurfaceTerm final : public Interaction {
   }
 
   double gap_ratio(const double* from, const double* to) const override {
+    if (!needs_positive_gaps()) return 1;
     const double near = 10 * law_.equilibrium_gap();
     double largest = 1;
     for (std::size_t b = 0; b < sides_.size(); ++b) {

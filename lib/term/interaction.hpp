@@ -1,4 +1,4 @@
-/// What an interaction says beyond the contract of all terms.
+/// The contract of an interaction, beyond that of all terms.
 #pragma once
 #include <limits>
 #include <vector>
@@ -26,11 +26,12 @@ class Interaction : public Term {
   /// Returns the largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
   virtual double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const = 0;
 
-  /// Returns this rank's share of the potential whose derivative in u_to is the force of the exact rule.
+  /// Returns this rank's share of the potential whose derivative in u_to is the force of the exact rule. Called only if
+  /// is_gradient() holds for that rule.
   virtual double mean_potential(const Segment& segment) const = 0;
 
   /// Returns the largest ratio of the gaps at a quadrature point in a step. Only points whose lesser gap is below ten
-  /// times the equilibrium gap count.
+  /// times the equilibrium gap count. Returns 1 if the law is defined at every gap.
   virtual double gap_ratio(const double* from, const double* to) const = 0;
 
   /// Returns the sum of squares of the forces at quadrature points that cancel in add_force, and of the effect of

@@ -55,7 +55,7 @@ class TangentAction {
 ///
 /// A term lives through steps. begin_step() tells it the accepted state, from which all attempts of the step start;
 /// evaluations follow; accept() makes the state at the step's end the accepted one. A step that is rejected ends with
-/// the next begin_step(). What a term keeps from step to step it changes in accept() alone, and names in transfer().
+/// the next begin_step(). A term changes its kept state in accept() only, and names it in transfer().
 class Term {
  public:
   virtual ~Term() = default;

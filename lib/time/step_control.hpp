@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// What an adaptive run asks of a step; 0: not asked.
+/// The limits of an adaptive step; 0: no limit.
 struct AdaptiveOptions {
   bool on = false;
   double tolerance = 0;      ///< largest local error of a displacement [L0]
@@ -30,7 +30,7 @@ struct StepControlOptions {
   std::vector<double> output_intervals{};  ///< steps end at the multiples of each, counted from the initial time
 };
 
-/// What a step that converged did.
+/// The measures of a converged step.
 struct StepJudgement {
   double error = 0;      ///< see local_error()
   double gap_ratio = 1;  ///< see Model::gap_ratio()

@@ -2,6 +2,7 @@
 
 #include "material/catalogue.hpp"
 #include "material/strain.hpp"
+#include "parameters/range_validator.hpp"
 
 namespace ixos {
 namespace {
@@ -48,17 +49,19 @@ struct SoftRubber {
   Pack out_of_plane_stress(const Small<Pack, 2>& /*h*/) const { return 0.0; }  // sigma_33 in plane strain, for output
 };
 
+struct Parameters {
+  double shear = 0.5;
+};
+
 }  // namespace
 
 ElasticEntry soft_rubber_entry() {
-  return {"Soft Rubber",
-          "A neo-Hookean law without lateral contraction at small strains.",
-          "",
-          isotropic_options().list(),
-          [](const SceneNode& node) {
-            return elastic_law(SoftRubber{{isotropic_options().read(node).young / 2, 0}});
-          },
-          true};  // its parameters stand in the material's own list
+  Options<Parameters> options;
+  options.add("Shear Modulus", &Parameters::shear, "Shear modulus mu [E0].", greater_than(0));
+  return {"Soft Rubber", "A neo-Hookean law without lateral contraction at small strains.", "", options.list(),
+          [options](const SceneNode& node) {
+            return elastic_law(SoftRubber{{options.read(node).shear, 0}});
+          }};
 }
 
 }  // namespace ixos

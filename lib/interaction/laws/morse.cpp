@@ -114,7 +114,12 @@ LawEntry morse_law() {
       "pass through the obstacle if it is pressed hard enough.",
       "Morse 1929", options.list(), [options](const SceneNode& node) {
         const Parameters p = options.read(node);
-        return gap_law(Morse(p.work, 2 * p.strength / p.work, p.gap));
+        const double decay = 2 * p.strength / p.work;
+        if (!std::isfinite(decay) || !(decay > 0))
+          node.refuse("",
+                      "Strength and Work of Adhesion are too extreme: the decay constant 2 s0/W must be positive "
+                      "and finite");
+        return gap_law(Morse(p.work, decay, p.gap));
       }};
 }
 

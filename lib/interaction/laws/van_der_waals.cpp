@@ -12,10 +12,10 @@ LawEntry van_der_waals_law() {
   };
   Options<Parameters> options;
   options
-      .add("Gamma L", &Parameters::gamma_length, "Ratio L0/r0, where r0 is the length scale of the law [-].",
-           greater_than(0))
-      .add("Gamma W", &Parameters::gamma_energy, "Ratio E0/W0, where W0 is the energy density scale of the law [-].",
-           greater_than(0));
+      .add("Gamma L", &Parameters::gamma_length,
+           "Van der Waals: ratio L0/r0, where r0 is the length scale of the law [-].", greater_than(0))
+      .add("Gamma W", &Parameters::gamma_energy,
+           "Van der Waals: ratio E0/W0, where W0 is the energy density scale of the law [-].", greater_than(0));
   return {"Van der Waals",
           "Van der Waals integrates the Lennard-Jones potential over the half-space: at a gap r the traction is T(r) = "
           "c1/r^9 - c2/r^3.",

@@ -63,10 +63,10 @@ std::shared_ptr<const Obstacle> flat_wall(const HalfSpace& wall) { return std::m
 ObstacleEntry half_space_obstacle() {
   Options<Parameters> options;
   options
-      .add("Point", &Parameters::point, "A point on the surface of the wall [L0]. If empty, it is the origin.",
-           any_number())
+      .add("Point", &Parameters::point,
+           "Half-Space: a point on the surface of the wall [L0]. If empty, it is the origin.", any_number())
       .add("Normal", &Parameters::normal,
-           "Vector that points out of the wall. If empty, it points along the last axis.", any_number());
+           "Half-Space: vector that points out of the wall. If empty, it points along the last axis.", any_number());
   return {"Half-Space", "Half-Space is a rigid flat wall.", "", options.list(), make, true};
 }
 
