@@ -50,6 +50,9 @@ class Record {
   virtual void field(const char* name, std::vector<double>& values, Extent extent) = 0;
   /// Transfers an array of any length that belongs to the rank.
   virtual void share(const char* name, std::vector<double>& values) = 0;
+  /// Reads the arrays of all ranks that wrote with share(), one after the other. Loading only, on any partition. Throws
+  /// InputError if a value is not finite.
+  virtual void all_shares(const char* name, std::vector<double>& values) = 0;
 
   /// A guard: names used during its life belong to its group.
   class Section {

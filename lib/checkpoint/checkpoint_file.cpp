@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 
 #include "base/agreement.hpp"
 #include "checkpoint/seal.hpp"
@@ -49,6 +50,10 @@ std::vector<long long> owned_nodes(const LocalMesh& mesh) {
 
 }  // namespace
 
+void CheckpointSize::all_shares(const char*, std::vector<double>&) {
+  throw std::logic_error("all_shares() is for loading");
+}
+
 CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes)
     : path_(path), space_(space) {
   double all = bytes + 8.0 * mesh.owned_nodes;
@@ -78,6 +83,10 @@ void CheckpointWriter::share(const char* name, std::vector<double>& values) {
   const auto rank = static_cast<unsigned long long>(comm->getRank());
   file_->put(lengths_name(name).c_str(), &lengths[rank], Slab{rank, 1, lengths.size()});
   file_->put(name, values.data(), share_slab(lengths, comm->getRank()));
+}
+
+void CheckpointWriter::all_shares(const char*, std::vector<double>&) {
+  throw std::logic_error("all_shares() is for loading");
 }
 
 void CheckpointWriter::publish() {
@@ -161,6 +170,14 @@ void CheckpointReader::share(const char* name, std::vector<double>& values) {
     for (long long length : lengths)
       if (length < 0) throw InputError(std::string("\"") + name + "\" has a share of negative length");
     values = file_->numbers(name, share_slab(lengths, space_.comm()->getRank()));
+  });
+}
+
+void CheckpointReader::all_shares(const char* name, std::vector<double>& values) {
+  together<InputError>(space_.comm(), [&] {
+    values = file_->numbers(name, {0, file_->length(name), 0});
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+      throw InputError(std::string("\"") + name + "\" has a value that is not finite");
   });
 }
 

@@ -21,6 +21,7 @@ class CheckpointSize final : public Record {
   void text(const char*, std::string& value) override { add(value.size()); }
   void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
   void share(const char*, std::vector<double>& values) override { add(8 * values.size()); }
+  void all_shares(const char*, std::vector<double>&) override;
 
   /// Returns an upper bound of the size of this rank's data and of HDF5's additions.
   double bytes() const { return bytes_; }
@@ -48,6 +49,7 @@ class CheckpointWriter final : public Record {
   void text(const char* name, std::string& value) override { file_->put(name, value); }
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
+  void all_shares(const char* name, std::vector<double>& values) override;
 
   /// Throws FileError, on all ranks, if anything since the beginning could not be written.
   void publish();
@@ -76,6 +78,7 @@ class CheckpointReader final : public Record {
   void text(const char* name, std::string& value) override;
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
+  void all_shares(const char* name, std::vector<double>& values) override;
 
   int ranks() const { return ranks_; }  ///< number of ranks that wrote it
   void set_same(bool scene, bool solution) {

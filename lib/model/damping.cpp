@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "base/dot.hpp"
+
 namespace ixos {
 namespace {
 
@@ -21,7 +23,9 @@ Damping::Damping(const Pattern& pattern, int dimension, int local)
 
 void Damping::add_mass(double alpha_1, std::unique_ptr<Mass> mass) { masses_.push_back({alpha_1, std::move(mass)}); }
 
-void Damping::add_stiffness(double alpha_2, const Term& term) { stiffnesses_.push_back({alpha_2, &term, nullptr}); }
+void Damping::add_stiffness(double alpha_2, const ForceTerm& term) {
+  stiffnesses_.push_back({alpha_2, &term, nullptr});
+}
 
 void Damping::do_without_matrix() {
   keeps_matrix_ = false;
@@ -31,6 +35,70 @@ void Damping::do_without_matrix() {
     if (!part.action) throw std::logic_error("a term of the damping cannot be applied without a matrix");
     part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, {});
   }
+}
+
+void Damping::begin_stage(const StageStart& start) {
+  damping_ = start.damping;
+  dt_ = start.dt;
+  from_ = start.known.front().u;
+  driven_ = start.driven;
+  driven_velocity_ = start.driven_velocity;
+  known_.resize(rest_.size());
+  row_.resize(rest_.size());
+  evaluate_known(*start.damping, start.known, start.dt, known_);
+}
+
+void Damping::evaluate_row(const double* u) const {
+  evaluate(*damping_, u, from_, known_, row_);
+  if (driven_ == nullptr) return;
+  for (int dof : *driven_) row_[static_cast<std::size_t>(dof)] = dt_ * driven_velocity_[dof];
+}
+
+void Damping::add_force(const double* u, double* f) const {
+  evaluate_row(u);
+  multiply_add(1 / dt_, row_.data(), f);
+}
+
+void Damping::add_tangent(const double*, double* values) const { add_to(damping_->unknown / dt_, values); }
+
+double Damping::potential(const double* u) const {
+  evaluate_row(u);
+  std::vector<double> force(static_cast<std::size_t>(pattern_.rows()) * dimension_, 0.0);
+  multiply_add(1 / dt_, row_.data(), force.data());
+  return dot(row_, force, force.size()) / (2 * damping_->unknown);
+}
+
+void Damping::add_force_at(double factor, const double*, const double* v, double* f) const {
+  multiply_add(factor, v, f);
+}
+
+void Damping::add_tangent_at(double by_velocity, double, const double*, const double*, double* values) const {
+  add_to(by_velocity, values);
+}
+
+double Damping::work(const std::vector<double>& x, const double* y) const {
+  std::vector<double> force(static_cast<std::size_t>(pattern_.rows()) * dimension_, 0.0);
+  multiply_add(1.0, y, force.data());
+  return dot(x, force, force.size());
+}
+
+double Damping::accept(const AcceptedStep& step) {
+  const KnownState& start = step.states.front();
+  const KnownState& end = step.states.back();
+  const std::vector<double>& weights = step.work->weights;
+  double sum = 0;
+  if (step.work->form == WorkSum::Form::Stages) {
+    for (std::size_t i = 0; i < step.states.size(); ++i) {
+      const double* v = step.states[i].v;
+      sum += step.dt * weights[i] * work({v, v + rest_.size()}, v);
+    }
+    return sum;
+  }
+  std::vector<double> du(end.u, end.u + rest_.size());
+  for (std::size_t i = 0; i < du.size(); ++i) du[i] -= start.u[i];
+  if (step.work->form == WorkSum::Form::EndMean) return (work(du, start.v) + work(du, end.v)) / 2;
+  evaluate(*damping_, end.u, start.u, known_, row_);
+  return work(du, row_.data()) / dt_;
 }
 
 void Damping::multiply_add(double factor, const double* x, double* y) const {
@@ -63,11 +131,12 @@ void Damping::multiply_add_matrix(double factor, const double* x, double* y) con
   });
 }
 
-void Damping::row_sums(double* sums) const {
+void Damping::add_row_sums(const double*, double* sums) const {
   if (!keeps_matrix_) throw std::logic_error("the damping does without its matrix");
   pattern_.for_each_row(matrix().data(), [&](int row, const auto& entries) {
-    sums[row] = 0;
-    entries([&](int /*column*/, double value) { sums[row] += std::abs(value); });
+    double sum = 0;
+    entries([&](int /*column*/, double value) { sum += std::abs(value); });
+    sums[row] += sum;
   });
 }
 

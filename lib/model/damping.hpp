@@ -5,24 +5,37 @@
 
 #include "discretization/pattern.hpp"
 #include "model/mass.hpp"
-#include "term/term.hpp"
+#include "term/force_term.hpp"
+#include "term/rate_term.hpp"
 
 namespace ixos {
 
 /// The constant matrix C = sum over blocks of alpha_1 M + alpha_2 K_el(0), rows of owned nodes. alpha_1 in 1/T0,
 /// alpha_2 in T0. It exists only if a material asks for damping. The stiffness part is not objective: it damps
-/// finite rigid rotations.
-class Damping {
+/// finite rigid rotations. Its force in a stage is C times the stage's damping row.
+class Damping final : public RateTerm {
  public:
   /// `local`: local degrees of freedom.
   Damping(const Pattern& pattern, int dimension, int local);
 
   void add_mass(double alpha_1, std::unique_ptr<Mass> mass);
   /// The term must outlive the damping.
-  void add_stiffness(double alpha_2, const Term& term);
+  void add_stiffness(double alpha_2, const ForceTerm& term);
   /// Applies C from the terms' actions, and assembles it anew at each add_to(): for models whose tangent is applied
   /// without a matrix too. Without this call the matrix is made at the first use, and cached.
   void do_without_matrix();
+
+  bool is_gradient(RateForm) const override { return true; }
+  void begin_stage(const StageStart& start) override;
+  void add_force(const double* u, double* f) const override;
+  void add_tangent(const double* u, double* values) const override;
+  double potential(const double* u) const override;
+  void add_force_at(double factor, const double* u, const double* v, double* f) const override;
+  void add_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
+                      double* values) const override;
+  /// Needs the matrix.
+  void add_row_sums(const double* u, double* sums) const override;
+  double accept(const AcceptedStep& step) override;
 
   /// Adds factor C x to y: x local, y the rows of owned nodes.
   void multiply_add(double factor, const double* x, double* y) const;
@@ -30,8 +43,6 @@ class Damping {
   void multiply_add_mass(double factor, const double* x, double* y) const;
   /// Adds to d factor times the diagonal of that part, rows of owned nodes.
   void add_mass_diagonal(double factor, double* d) const;
-  /// Sets sums_r = sum over columns of |C_rc|, rows of owned nodes. Needs the matrix.
-  void row_sums(double* sums) const;
   /// Adds factor C to values, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
 
@@ -42,9 +53,13 @@ class Damping {
   };
   struct StiffnessPart {
     double alpha;
-    const Term* term;
+    const ForceTerm* term;
     std::unique_ptr<TangentAction> action;  ///< null if the matrix is kept
   };
+  /// Returns the owned rows' part of x . C y.
+  double work(const std::vector<double>& x, const double* y) const;
+  /// Sets row_ to dt times the velocity at u that C multiplies.
+  void evaluate_row(const double* u) const;
   void multiply_add_matrix(double factor, const double* x, double* y) const;
   void assemble(double factor, double* values) const;
   const std::vector<double>& matrix() const;
@@ -57,6 +72,15 @@ class Damping {
   bool keeps_matrix_ = true;
   mutable std::vector<double> matrix_;   ///< values, empty before the first use
   mutable std::vector<double> product_;  ///< scratch
+
+  // Of the stage that began last:
+  const Row* damping_ = nullptr;
+  double dt_ = 0;
+  const double* from_ = nullptr;  ///< u at the step's start
+  const std::vector<int>* driven_ = nullptr;
+  const double* driven_velocity_ = nullptr;
+  std::vector<double> known_;        ///< the row without its unknown part, local
+  mutable std::vector<double> row_;  ///< scratch, local
 };
 
 }  // namespace ixos

@@ -24,37 +24,71 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
 void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
   auto term = make_elastic_term(mesh_, block, pattern_, material.law, material.points, material.formulation);
-  bodies_.push_back({term.get(), number, material});
+  bodies_.push_back({term.get(), nullptr, number, material});
+  parts_[static_cast<std::size_t>(Part::Elastic)].push_back(term.get());
   terms_.push_back({block.name, std::move(term)});
+  if (material.viscosity != 0) {
+    const Lame lame = material.law->lame();
+    const KelvinVoigt law{{material.viscosity * lame.mu, material.viscosity * lame.lambda}};
+    auto viscosity = make_viscous_term(mesh_, block, pattern_, law, material.points);
+    bodies_.back().viscosity = viscosity.get();
+    add_rate_term(std::move(viscosity), "viscosity of " + block.name);
+  }
   if (!mass_) return;
   mass_->add_block(block, material.density);
+  add_damping(block, material, *bodies_.back().term);
+}
+
+void Model::add_damping(const LocalBlock& block, const Material& material, const Elasticity& term) {
   if (material.mass_damping == 0 && material.stiffness_damping == 0) return;
-  if (!damping_) damping_ = std::make_unique<Damping>(pattern_, mesh_.dimension, space_.local());
+  if (damping_ == nullptr) {
+    auto damping = std::make_unique<Damping>(pattern_, mesh_.dimension, space_.local());
+    damping_ = damping.get();
+    add_rate_term(std::move(damping), "damping");
+  }
   if (material.mass_damping != 0) {
     auto block_mass = std::make_unique<Mass>(mesh_, pattern_, mass_->is_lumped());
     block_mass->add_block(block, material.density);
     damping_->add_mass(material.mass_damping, std::move(block_mass));
   }
-  if (material.stiffness_damping != 0) damping_->add_stiffness(material.stiffness_damping, *bodies_.back().term);
+  if (material.stiffness_damping != 0) damping_->add_stiffness(material.stiffness_damping, term);
+}
+
+void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name) {
+  rates_.push_back(term.get());
+  if (std::find(dissipation_names_.begin(), dissipation_names_.end(), name) == dissipation_names_.end())
+    dissipation_names_.push_back(name);
+  terms_.push_back({name, std::move(term)});
 }
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
   interactions_.push_back(term.get());
+  parts_[static_cast<std::size_t>(Part::Interaction)].push_back(term.get());
   terms_.push_back({name, std::move(term)});
 }
 
-template <class Visit>
-void Model::for_each(Part part, const Visit& visit) const {
-  for (const NamedTerm& named : terms_)
-    if (named.term->part() == part) visit(*named.term);
+void Model::initialize() {
+  for (const NamedTerm& named : terms_) named.term->initialize();
 }
 
-void Model::begin_step(const double* u, const double* v, double time, double dt) {
-  for (const NamedTerm& named : terms_) named.term->begin_step(u, v, time, dt);
+void Model::begin_step(const KnownState& start, double time, double dt) {
+  for (const NamedTerm& named : terms_) named.term->begin_step(start, time, dt);
 }
 
-void Model::accept(const double* u, const double* v) {
-  for (const NamedTerm& named : terms_) named.term->accept(u, v);
+void Model::begin_stage(const StageStart& start) {
+  for (const NamedTerm& named : terms_) named.term->begin_stage(start);
+}
+
+std::vector<double> Model::accept(const AcceptedStep& step) {
+  std::vector<double> work(dissipation_names_.size(), 0.0);
+  for (const NamedTerm& named : terms_) {
+    const double dissipated = named.term->accept(step);
+    const auto name = std::find(dissipation_names_.begin(), dissipation_names_.end(), named.name);
+    if (name != dissipation_names_.end())
+      work[static_cast<std::size_t>(name - dissipation_names_.begin())] += dissipated;
+  }
+  if (!work.empty()) space_.sum(work.data(), static_cast<int>(work.size()));
+  return work;
 }
 
 void Model::transfer(Record& record) {
@@ -66,37 +100,78 @@ void Model::transfer(Record& record) {
 }
 
 bool Model::is_gradient(Part part, const Rule& rule) const {
-  bool result = true;
-  for_each(part, [&](const Term& term) { result = result && term.is_gradient(rule); });
-  return result;
+  const auto& all = terms(part);
+  return std::all_of(all.begin(), all.end(), [&](const ForceTerm* term) { return term->is_gradient(rule); });
 }
 
 bool Model::force(Part part, const Segment& segment, const Rule& rule, double* f) const {
   std::fill_n(f, space_.local(), 0.0);
   bool admissible = true;
-  for_each(part, [&](const Term& term) { admissible = term.add_force(segment, rule, f) && admissible; });
+  for (const ForceTerm* term : terms(part)) admissible = term->add_force(segment, rule, f) && admissible;
   return admissible;
 }
 
 void Model::add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const {
-  for_each(part, [&](const Term& term) { term.add_tangent(segment, rule, kind, values); });
+  for (const ForceTerm* term : terms(part)) term->add_tangent(segment, rule, kind, values);
+}
+
+bool Model::rates_are_gradients(RateForm form) const {
+  return std::all_of(rates_.begin(), rates_.end(), [&](const RateTerm* term) { return term->is_gradient(form); });
+}
+
+void Model::add_rate_force(const double* u, double* f) const {
+  for (const RateTerm* term : rates_) term->add_force(u, f);
+}
+
+void Model::add_rate_tangent(const double* u, double* values) const {
+  for (const RateTerm* term : rates_) term->add_tangent(u, values);
+}
+
+double Model::local_rate_potential(const double* u) const {
+  double sum = 0;
+  for (const RateTerm* term : rates_) sum += term->potential(u);
+  return sum;
+}
+
+void Model::add_rate_force_at(double factor, const double* u, const double* v, double* f) const {
+  for (const RateTerm* term : rates_) term->add_force_at(factor, u, v, f);
+}
+
+void Model::add_rate_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
+                                double* values) const {
+  for (const RateTerm* term : rates_) term->add_tangent_at(by_velocity, by_displacement, u, v, values);
+}
+
+void Model::add_rate_row_sums(const double* u, double* sums) const {
+  for (const RateTerm* term : rates_) term->add_row_sums(u, sums);
+}
+
+bool Model::has_viscosity() const {
+  return std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.viscosity != nullptr; });
+}
+
+double Model::rate_time() const {
+  double largest = 0;
+  for (const Body& body : bodies_)
+    largest = std::max(largest, body.material.stiffness_damping + body.material.viscosity);
+  return largest;
 }
 
 std::vector<std::unique_ptr<TangentAction>> Model::actions(Part part) const {
   std::vector<std::unique_ptr<TangentAction>> result;
-  for_each(part, [&](const Term& term) { result.push_back(term.create_action()); });
+  for (const ForceTerm* term : terms(part)) result.push_back(term->create_action());
   return result;
 }
 
 bool Model::add_row_sums(Part part, const Segment& segment, double* sums) const {
   bool admissible = true;
-  for_each(part, [&](const Term& term) { admissible = term.add_row_sums(segment, sums) && admissible; });
+  for (const ForceTerm* term : terms(part)) admissible = term->add_row_sums(segment, sums) && admissible;
   return admissible;
 }
 
 double Model::local_energy(Part part, const double* u) const {
   double sum = 0;
-  for_each(part, [&](const Term& term) { sum += term.energy(u); });
+  for (const ForceTerm* term : terms(part)) sum += term->energy(u);
   return sum;
 }
 
@@ -207,7 +282,10 @@ Momenta Model::momenta(const double* u, const double* v) const {
 
 std::vector<CellFields> Model::cell_fields(const double* u) const {
   std::vector<CellFields> fields(mesh_.blocks.size());
-  for (const Body& body : bodies_) body.term->cell_fields(u, fields[body.block]);
+  for (const Body& body : bodies_) {
+    body.term->cell_fields(u, fields[body.block]);
+    if (body.viscosity != nullptr) body.viscosity->cell_dissipation(fields[body.block].dissipated);
+  }
   return fields;
 }
 

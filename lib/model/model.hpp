@@ -1,5 +1,6 @@
-/// The semi-discrete model: M a + C v + f_el(u) + f_c(u) = f_ext(t) with constrained degrees of freedom.
+/// The semi-discrete model: M a + C v + f_v(u, v) + f_el(u) + f_c(u) = f_ext(t) with constrained degrees of freedom.
 #pragma once
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "model/mass.hpp"
 #include "term/elastic_term.hpp"
 #include "term/interaction.hpp"
+#include "term/viscous_term.hpp"
 
 namespace ixos {
 
@@ -21,11 +23,12 @@ struct Material {
   double density = 0;            ///< [E0 T0^2/L0^2]
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
+  double viscosity = 0;          ///< over Lame's constants, see KelvinVoigt [T0]
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
 };
 
-/// A term and its name: that of its block, or of its interaction's list in the scene.
+/// A term and its name, which several terms may share.
 struct NamedTerm {
   std::string name;
   std::unique_ptr<Term> term;
@@ -38,7 +41,7 @@ struct Momenta {
   std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D
 };
 
-/// The loop over the terms that a scene asked for. Absent terms allocate nothing. Local arrays hold owned nodes, then
+/// The list of the terms that a scene asked for. Absent terms allocate nothing. Local arrays hold owned nodes, then
 /// ghosts; owned arrays hold the owned nodes only.
 class Model {
  public:
@@ -56,8 +59,8 @@ class Model {
   const LocalMesh& mesh() const { return mesh_; }
   const DofSpace& space() const { return space_; }
   const Pattern& pattern() const { return pattern_; }
-  const Mass* mass() const { return mass_.get(); }  ///< null if static
-  const Damping* damping() const { return damping_.get(); }
+  const Mass* mass() const { return mass_.get(); }     ///< null if static
+  const Damping* damping() const { return damping_; }  ///< null without Rayleigh damping
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
   bool has_interactions() const { return !interactions_.empty(); }
@@ -67,18 +70,37 @@ class Model {
   /// Returns the largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
   double stiffest() const { return stiffest_; }
 
-  /// Returns all terms: those of the elastic part first, each part in the order in which its terms were added.
-  const std::vector<NamedTerm>& terms() const { return terms_; }
   /// Tell all terms of the steps, see Term.
-  void begin_step(const double* u, const double* v, double time, double dt);
-  void accept(const double* u, const double* v);
+  void initialize();
+  void begin_step(const KnownState& start, double time, double dt);
+  void begin_stage(const StageStart& start);
+  /// Returns the work that the step dissipated, parallel to dissipation_names() [E0 L0^D]. Collective if there are any.
+  std::vector<double> accept(const AcceptedStep& step);
+  /// Collective.
   void transfer(Record& record);
+  /// Returns the names of what dissipates, equal on all ranks.
+  const std::vector<std::string>& dissipation_names() const { return dissipation_names_; }
   /// Returns whether the forces of all terms of that part are gradients for the rule, so that its tangent is symmetric.
   bool is_gradient(Part part, const Rule& rule) const;
 
   /// Sets f to the rule's force of that part's terms; f is local and overwritten. Returns false if the state is
   /// inadmissible on this rank.
   bool force(Part part, const Segment& segment, const Rule& rule, double* f) const;
+  /// Call the RateTerm functions of these names for all rate terms. Without rate terms they do nothing.
+  bool has_rates() const { return !rates_.empty(); }
+  bool rates_are_gradients(RateForm form) const;
+  void add_rate_force(const double* u, double* f) const;
+  void add_rate_tangent(const double* u, double* values) const;
+  double local_rate_potential(const double* u) const;
+  void add_rate_force_at(double factor, const double* u, const double* v, double* f) const;
+  void add_rate_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
+                           double* values) const;
+  void add_rate_row_sums(const double* u, double* sums) const;
+  /// Returns whether some block has a viscosity.
+  bool has_viscosity() const;
+  /// Returns the largest factor of the elastic stiffness in a block's damping and viscosity [T0].
+  double rate_time() const;
+
   /// Adds the part's tangent. `kind` concerns interactions only.
   void add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
   /// Returns an action of each term of the part; null if a term offers none.
@@ -120,23 +142,28 @@ class Model {
 
  private:
   void add_block(std::size_t number, const Material& material);
+  void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
+  void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
   void find_scales();
-  template <class Visit>
-  void for_each(Part part, const Visit& visit) const;
+  const std::vector<const ForceTerm*>& terms(Part part) const { return parts_[static_cast<std::size_t>(part)]; }
 
   LocalMesh mesh_;
   DofSpace space_;
   Pattern pattern_;
   std::unique_ptr<Mass> mass_;
-  std::unique_ptr<Damping> damping_;
   std::vector<NamedTerm> terms_;
   struct Body {
     const Elasticity* term;
+    const Viscosity* viscosity;  ///< may be null
     std::size_t block;
     Material material;
   };
-  std::vector<Body> bodies_;                      ///< the elastic terms
-  std::vector<const Interaction*> interactions_;  ///< the interactions among the terms
+  std::vector<Body> bodies_;                            ///< blocks and their terms
+  std::array<std::vector<const ForceTerm*>, 2> parts_;  ///< by Part
+  std::vector<const Interaction*> interactions_;        ///< the interactions among the terms
+  std::vector<const RateTerm*> rates_;                  ///< the rate terms among them
+  Damping* damping_ = nullptr;                          ///< one of the rate terms
+  std::vector<std::string> dissipation_names_;
   Constraints constraints_;
   Loads loads_;
   double elastic_scale_ = 0;

@@ -9,8 +9,9 @@ namespace ixos {
 namespace {
 
 bool damped(const std::vector<Material>& materials) {
-  return std::any_of(materials.begin(), materials.end(),
-                     [](const Material& m) { return m.mass_damping != 0 || m.stiffness_damping != 0; });
+  return std::any_of(materials.begin(), materials.end(), [](const Material& m) {
+    return m.mass_damping != 0 || m.stiffness_damping != 0 || m.viscosity != 0;
+  });
 }
 
 }  // namespace

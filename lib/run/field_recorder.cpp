@@ -15,6 +15,7 @@ FieldNames field_names(const Model& model) {
   for (const std::string& vector : vectors)
     for (int i = 0; i < model.mesh().dimension; ++i) names.nodal.push_back(vector + "_" + "xyz"[i]);
   names.cell = {"first_stress_invariant", "jacobian", "energy_density"};
+  if (model.has_viscosity()) names.cell.emplace_back("dissipated_energy_density");
   names.global = {"kinetic_energy", "elastic_energy",    "contact_energy",
                   "external_work",  "dissipated_energy", "total_energy"};
   return names;
@@ -83,10 +84,14 @@ void FieldRecorder::record() {
     model.space().update_ghosts(traction.data());
     add(traction);
   }
-  std::vector<std::vector<std::vector<double>>> cell(3);
+  std::vector<std::vector<std::vector<double>>> cell(model.has_viscosity() ? 4 : 3);
   for (CellFields& fields : model.cell_fields(state.u.data())) {
     cell[0].push_back(std::move(fields.stress_invariant));
     cell[1].push_back(std::move(fields.jacobian));
+    if (cell.size() > 3) {
+      fields.dissipated.resize(fields.energy_density.size());
+      cell[3].push_back(std::move(fields.dissipated));
+    }
     cell[2].push_back(std::move(fields.energy_density));
   }
   const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;

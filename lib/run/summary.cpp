@@ -62,6 +62,10 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["largest_energy"] = result.largest_energy;
   json["max_force"] = nlohmann::ordered_json::object();
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
+  json["dissipated"] = nlohmann::ordered_json::object();
+  const std::vector<double>& dissipations = simulation.integrator().dissipations();
+  for (std::size_t i = 0; i < dissipations.size(); ++i)
+    json["dissipated"][model.dissipation_names()[i]] = dissipations[i];
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   on_first_rank(

@@ -49,6 +49,10 @@ void check_materials(const SceneNode& lists, const std::vector<Material>& materi
     if (discrete && materials[i].formulation != Formulation::Standard)
       no_discrete_gradient("Element Formulation", "Standard");
     if (discrete && !materials[i].law->has_discrete_gradient()) no_discrete_gradient("Model", "Neo-Hooke");
+    if (materials[i].viscosity != 0 && materials[i].formulation != Formulation::Standard)
+      node.refuse("Viscosity", fmt::format("{} with \"{}\" elements: their viscous stress would lock; use 0, "
+                                           "Stiffness Damping, or the Element Formulation \"Standard\"",
+                                           materials[i].viscosity, node.text("Element Formulation")));
     if (materials[i].formulation == Formulation::Enhanced && materials[i].points < 2)
       node.refuse("Quadrature Points",
                   "1 is too few for \"Enhanced\" elements, whose modes vanish at the centre; use at least 2");

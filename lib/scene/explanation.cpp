@@ -26,13 +26,15 @@ std::string bodies(const Simulation& simulation) {
   const List& materials = simulation.parameters().sublist("Materials");
   for (const auto& [name, entry] : entries(materials)) {
     const List& list = materials.sublist(name);
+    const double viscosity = list.get<double>("Viscosity");
     text += fmt::format(
-        "Material {}: block \"{}\", {}, {} elements, E = {} E0, nu = {}, density {}{}\n", name,
+        "Material {}: block \"{}\", {}, {} elements, E = {} E0, nu = {}, density {}{}{}\n", name,
         list.get<std::string>("Block"), list.get<std::string>("Model"), list.get<std::string>("Element Formulation"),
         list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"), list.get<double>("Density"),
         simulation.model().damping() == nullptr ? ""
                                                 : fmt::format(", damping {} M + {} K", list.get<double>("Mass Damping"),
-                                                              list.get<double>("Stiffness Damping")));
+                                                              list.get<double>("Stiffness Damping")),
+        viscosity == 0 ? "" : fmt::format(", viscosity {} T0 times the moduli", viscosity));
   }
   return text;
 }
@@ -115,6 +117,7 @@ std::string left_out(const Simulation& simulation) {
   if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
   if (simulation.model().mass() == nullptr) absent.emplace_back("inertia");
   if (simulation.model().damping() == nullptr) absent.emplace_back("damping");
+  if (!simulation.model().has_viscosity()) absent.emplace_back("viscosity");
   bool prescribed = false;
   const List& conditions = scene.sublist("Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions))

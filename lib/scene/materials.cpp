@@ -28,6 +28,10 @@ const Options<Defaults>& options() {
                "Rayleigh damping: the coefficient alpha_2 of the stiffness matrix [T0]. It also damps finite rigid "
                "rotations.",
                at_least(0))
+          .add("Viscosity", &Defaults::viscosity,
+               "Kelvin-Voigt viscosity, as a time over the elastic moduli [T0]: the viscous stress is that of the rate "
+               "of Green's strain. Rigid rotations are not damped. Standard elements only.",
+               at_least(0))
           .add("Quadrature Points", &Defaults::points,
                "Number of Gauss points per direction in elements that are not enriched.", between(1, 10))
           .choose(

@@ -33,14 +33,8 @@ namespace {
 using List = Teuchos::ParameterList;
 
 bool all_have_actions(const std::vector<Material>& materials) {
-  return std::all_of(materials.begin(), materials.end(),
-                     [](const Material& material) { return has_action(*material.law, material.formulation); });
-}
-
-/// Returns whether the tangents of all stages are symmetric.
-bool is_symmetric(const Table& table, const Model& model) {
-  return std::all_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
-    return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
+  return std::all_of(materials.begin(), materials.end(), [](const Material& material) {
+    return material.viscosity == 0 && has_action(*material.law, material.formulation);
   });
 }
 
@@ -186,7 +180,8 @@ double Simulation::stiffness(const Table& table) const {
   const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
   if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
   double damping = 0, largest = 0;
-  for (const Material& material : materials_) damping = std::max(damping, material.stiffness_damping);
+  for (const Material& material : materials_)
+    damping = std::max(damping, material.stiffness_damping + material.viscosity);
   for (const Stage& stage : table.stages) {
     const double stiffness = stage.elastic.end_weight() * dt * dt + damping * stage.damping.unknown * dt;
     largest = std::max(largest, stiffness * model_->stiffest() / stage.inertia.unknown);
@@ -202,7 +197,7 @@ void Simulation::build_integrator(Table table) {
   const ProblemSize size{model_->mesh().dimension,
                          model_->space().global(),
                          model_->space().comm()->getSize(),
-                         is_symmetric(table, *model_),
+                         is_symmetric(*model_, table),
                          all_have_actions(materials_),
                          level_width_,
                          stiffness(table)};

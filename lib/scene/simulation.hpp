@@ -29,6 +29,7 @@ class Simulation {
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<SceneInteraction>& interactions() const { return interactions_; }
   const Model& model() const { return *model_; }
+  Model& model() { return *model_; }
   Integrator& integrator() { return *integrator_; }
   const Integrator& integrator() const { return *integrator_; }
   StepControlOptions step_control() const;

@@ -124,9 +124,8 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   const bool can = size.symmetric && size.matrix_free && type == "Belos";
   if (op == "Matrix-Free" && !size.matrix_free)
     throw InputError(
-        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation or elastic law; "
-        "use "
-        "\"Assembled\"");
+        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation, elastic law or "
+        "viscosity; use \"Assembled\"");
   if (op == "Matrix-Free" && !can)
     throw InputError(std::string("Linear Solver/Operator: ") +
                      (size.symmetric ? "\"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +

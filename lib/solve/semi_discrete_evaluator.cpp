@@ -59,10 +59,7 @@ bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vecto
     model_.mass()->multiply(rate_.data(), part_.data());
     for (std::size_t i = 0; i < owned; ++i) sum_[i] += part_[i];
   }
-  if (nonnull(in.get_x_dot()) && model_.damping() != nullptr) {
-    model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot()), rate_.data());
-    model_.damping()->multiply_add(1.0, rate_.data(), sum_.data());
-  }
+  if (import_rate(in)) model_.add_rate_force_at(1.0, u_.data(), rate_.data(), sum_.data());
   model_.loads().add_force(in.get_t(), -1.0, sum_.data());
   model_.constraints().set(in.get_t(), part_.data(), nullptr, nullptr);
   for (int dof : model_.constraints().dofs()) {
@@ -72,6 +69,13 @@ bool SemiDiscreteEvaluator::evaluate_force(const Base::InArgs<double>& in, Vecto
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   std::copy_n(sum_.data(), owned, view.data());
   return model_.space().minimum(admissible ? 1 : 0) > 0;
+}
+
+/// Sets rate_ to x_dot. Returns false if there is none, or no term that depends on it.
+bool SemiDiscreteEvaluator::import_rate(const Base::InArgs<double>& in) const {
+  if (in.get_x_dot().is_null() || !model_.has_rates()) return false;
+  model_.space().import(*Extract::getConstTpetraVector(in.get_x_dot()), rate_.data());
+  return true;
 }
 
 void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, CrsMatrix& w) const {
@@ -84,7 +88,8 @@ void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, Crs
   model_.add_tangent(Part::Elastic, here, scaled, Tangent::Exact, values);
   model_.add_tangent(Part::Interaction, here, scaled, Tangent::Exact, values);
   if (model_.mass() != nullptr) model_.mass()->add_to(in.get_W_x_dot_dot_coeff(), values);
-  if (model_.damping() != nullptr) model_.damping()->add_to(in.get_alpha(), values);
+  if (!import_rate(in)) std::fill(rate_.begin(), rate_.end(), 0.0);
+  model_.add_rate_tangent_at(in.get_alpha(), in.get_beta(), u_.data(), rate_.data(), values);
   const double diagonal = in.get_beta() != 0 ? in.get_beta() : in.get_W_x_dot_dot_coeff();
   model_.constrain_matrix(diagonal, values);
 }

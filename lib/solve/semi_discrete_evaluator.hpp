@@ -34,6 +34,7 @@ class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<do
   void evalModelImpl(const Thyra::ModelEvaluatorBase::InArgs<double>& in,
                      const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
   bool evaluate_force(const Thyra::ModelEvaluatorBase::InArgs<double>& in, Vector& f) const;
+  bool import_rate(const Thyra::ModelEvaluatorBase::InArgs<double>& in) const;
   void evaluate_tangent(const Thyra::ModelEvaluatorBase::InArgs<double>& in, CrsMatrix& w) const;
 
   const Model& model_;

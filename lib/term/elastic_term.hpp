@@ -6,7 +6,7 @@
 #include "discretization/pattern.hpp"
 #include "material/elastic_law.hpp"
 #include "mesh/local_mesh.hpp"
-#include "term/term.hpp"
+#include "term/force_term.hpp"
 
 namespace ixos {
 
@@ -22,10 +22,11 @@ struct CellFields {
   std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus
   std::vector<double> jacobian;          ///< J [-]
   std::vector<double> energy_density;    ///< W per reference volume [E0]
+  std::vector<double> dissipated;        ///< by viscosity since the start [E0]; empty without viscosity
 };
 
 /// The elasticity of a block.
-class Elasticity : public Term {
+class Elasticity : public ForceTerm {
  public:
   Part part() const final { return Part::Elastic; }
   /// Adds the diagonal of the tangent at segment.to to a local array.

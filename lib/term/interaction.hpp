@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "term/term.hpp"
+#include "term/force_term.hpp"
 
 namespace ixos {
 
@@ -16,7 +16,7 @@ struct InteractionReport {
 };
 
 /// An interaction of a surface with its surroundings.
-class Interaction : public Term {
+class Interaction : public ForceTerm {
  public:
   Part part() const final { return Part::Interaction; }
 

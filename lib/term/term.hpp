@@ -1,94 +1,60 @@
-/// The contract of a physics term.
+/// The contract of a physics term: its life through stages and steps.
 #pragma once
-#include <memory>
+#include <vector>
 
 #include "base/record.hpp"
-#include "fem/rule.hpp"
+#include "fem/rate_form.hpp"
+#include "fem/row_on_states.hpp"
+#include "fem/work_sum.hpp"
 
 namespace ixos {
 
-/// The part of a stage's rules that a term follows.
-enum class Part { Elastic, Interaction };
-
-/// Local arrays (owned nodes, then ghosts) at the ends of a stage's segment, and its times. `from` and `velocity` (h
-/// v_from, a length) may be null if the rule does not use them.
-struct Segment {
-  const double* from = nullptr;
-  const double* velocity = nullptr;
-  const double* to = nullptr;
-  double start = 0;   ///< time at `from` [T0]
-  double length = 0;  ///< time from `from` to `to` [T0]; 0 if `to` stands for a state, not for a step
-
-  /// Returns the time of a rule's point [T0].
-  double time(const RulePoint& point) const { return start + point.time * length; }
+/// The beginning of a stage. Its arrays and rows must stay until the stage's solve is over.
+struct StageStart {
+  std::vector<KnownState> known;  ///< the step's start, then the ends of the stages before this one
+  const Row* velocity = nullptr;  ///< dt u'_s at the stage's end
+  const Row* damping = nullptr;   ///< dt times the rate that constant coefficients multiply
+  RateForm rate_form = RateForm::End;
+  /// End only: the force at the step's start has this weight, the one at the stage's end the rest.
+  double start_weight = 0;
+  double time = 0;    ///< of the step's start [T0]
+  double length = 0;  ///< from the step's start to the stage's end [T0]
+  double dt = 0;      ///< the whole step, to which rows refer [T0]
+  /// Degrees of freedom whose velocity at the stage's end is prescribed, whatever the rows say, and a local array of
+  /// those velocities [L0/T0]. Null if there are none.
+  const std::vector<int>* driven = nullptr;
+  const double* driven_velocity = nullptr;
 };
 
-/// The kind of tangent: the exact derivative of the force, or the one without the interactions' negative stiffness,
-/// which gives a descent direction when the exact tangent is not positive definite.
-enum class Tangent { Exact, Convex };
-
-/// The parts that an elastic action applies beside the tangent.
-struct LinearPart {
-  double rest = 0;     ///< factor of the undeformed body's tangent: stiffness damping
-  double inertia = 0;  ///< factor times density of the mass: inertia and mass damping
+/// A step that is being accepted.
+struct AcceptedStep {
+  std::vector<KnownState> states;  ///< the step's start, then the ends of all stages
+  const WorkSum* work = nullptr;
+  double dt = 0;
 };
 
-/// A term's tangent applied without a matrix, from what linearize() keeps at the quadrature points. Arrays are local;
-/// entries of ghost rows are scratch. The term must outlive it. None of the functions communicates.
-class TangentAction {
- public:
-  virtual ~TangentAction() = default;
-  /// Takes the tangent that Term::add_tangent would add, plus the linear part, which interactions do not have. Accepts
-  /// only rules for which the term is a gradient. An elastic action keeps single precision, see ElasticAction.
-  virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
-  /// Returns whether it applies a mass. If not, the linear part's `inertia` has to be 0.
-  virtual bool applies_mass() const { return false; }
-  /// Adds K x to y.
-  virtual void add_product(const double* x, double* y) const = 0;
-  /// Adds the diagonal of K to d, without that of a mass.
-  virtual void add_diagonal(double* d) const = 0;
-};
-
-/// One contribution to the model: elasticity of a block, interaction of a surface. A term evaluates a rule on a
-/// segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are scratch.
-/// None of the functions communicates, unless it says so.
+/// One contribution to the model: a ForceTerm or a RateTerm.
 ///
-/// A term lives through steps. begin_step() tells it the accepted state, from which all attempts of the step start;
-/// evaluations follow; accept() makes the state at the step's end the accepted one. A step that is rejected ends with
-/// the next begin_step(). A term changes its kept state in accept() only, and names it in transfer().
+/// A term lives through steps. initialize() begins its history. begin_step() tells it the accepted state, from which
+/// all attempts of the step start, and begin_stage() what a stage's equation refers to; evaluations follow; accept()
+/// makes the state at the step's end the accepted one. A step that is rejected ends with the next begin_step(). A term
+/// changes its kept state in accept() only, and names it in transfer(). Hence a rejected step leaves no trace. Arrays
+/// are local. None of the functions communicates, unless it says so.
 class Term {
  public:
   virtual ~Term() = default;
 
-  virtual Part part() const = 0;
-
-  /// Returns whether the rule's force is a gradient in u_to, and hence its tangent symmetric.
-  virtual bool is_gradient(const Rule& rule) const { return rule.is_gradient(); }
-
-  /// Begins a step of length dt at the accepted displacement and velocity (null without inertia).
-  virtual void begin_step(const double* /*u*/, const double* /*v*/, double /*time*/, double /*dt*/) {}
-  /// Accepts the step that ends at displacement u and velocity v (null without inertia).
-  virtual void accept(const double* /*u*/, const double* /*v*/) {}
-  /// Returns whether the term keeps something from step to step, which transfer() writes or reads. Collective.
+  /// Discards what earlier steps left.
+  virtual void initialize() {}
+  virtual void begin_step(const KnownState& /*start*/, double /*time*/, double /*dt*/) {}
+  virtual void begin_stage(const StageStart& /*start*/) {}
+  /// Accepts the step, whose last stage was the last one that began. Returns this rank's share of the work that the
+  /// term dissipated in it [E0 L0^D].
+  virtual double accept(const AcceptedStep& /*step*/) { return 0; }
+  /// Returns whether the term keeps something from step to step, which transfer() writes or reads. Equal on all ranks.
   virtual bool has_state() const { return false; }
+  /// Collective.
   virtual void transfer(Record&) {}
-
-  /// Adds the rule's force to f (not its kept part, which is a force at u_from). Returns false if some time point is
-  /// inadmissible (a gap <= 0, an inverted element): f is then unusable. Does not look for a NaN in u: it shows in f.
-  virtual bool add_force(const Segment& segment, const Rule& rule, double* f) const = 0;
-
-  /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
-  virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
-
-  /// Returns the tangent as an operator; null if the term offers none.
-  virtual std::unique_ptr<TangentAction> create_action() const { return nullptr; }
-
-  /// Adds to a local array, for each degree of freedom, the sum of |k_rc| over its rows of the cells' tangents at
-  /// segment.to: at least the row sum of the assembled one. Returns false if segment.to is inadmissible.
-  virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
-
-  /// Returns this rank's share of the potential energy [E0 L0^D].
-  virtual double energy(const double* u) const = 0;
 };
 
 }  // namespace ixos

@@ -25,7 +25,7 @@ bool Acceleration::balance(double time, const std::vector<double>& u, const std:
     admissible = model_.force(Part::Interaction, here, end_rule(), force_.data()) && admissible;
     for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
   }
-  if (model_.damping() != nullptr) model_.damping()->multiply_add(-1.0, v.data(), balance_.data());
+  model_.add_rate_force_at(-1.0, u.data(), v.data(), balance_.data());
   return model_.space().minimum(admissible ? 1 : 0) > 0;
 }
 

@@ -9,6 +9,7 @@ Table gautam_sauer_composite(double beta, double gamma, int interaction_points, 
   stage.acceleration = kinematics.stages[0].acceleration;
   stage.inertia = stage.velocity - velocity(0);              // M (v - v_n)/dt
   stage.damping = unknown_displacement() - displacement(0);  // C (u - u_n)/dt
+  stage.rate_form = RateForm::Middle;
   stage.elastic = point_rule({0.0, 1.0}, {0.5, 0.5});
   stage.interaction = mean_rule(interaction_points, path);
   stage.load = gauss_times(interaction_points);

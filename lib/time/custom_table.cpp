@@ -33,6 +33,7 @@ class StageReader {
     if (exact && path != Path::Linear) fail("Interaction Mean", "the exact mean needs the linear path");
     stage.interaction = exact ? exact_rule() : rule("Interaction Points", "Interaction Weights", path);
     stage.load = load(stage.end);
+    set_rates(stage);
     if (!(stage.inertia.unknown > 0))
       fail("Inertia", "the coefficient of the unknown must be greater than 0: only implicit stages are allowed");
     if (stage.elastic.points.empty())
@@ -41,6 +42,15 @@ class StageReader {
   }
 
  private:
+  /// Chooses the momentum form if the damping row is du, and otherwise the force at the ends.
+  static void set_rates(Stage& stage) {
+    const Row& row = stage.damping;
+    const bool first = !row.known.empty() && row.known[0].u == -1 && row.known[0].v == 0 && row.known[0].a == 0;
+    if (stage.end == 1 && row.unknown == 1 && first && row.known.size() == 1)
+      stage.rate_form = RateForm::Middle;
+    else
+      stage.rate_start = stage.elastic.kept_weight;
+  }
   [[noreturn]] void fail(const char* entry, const std::string& what) const {
     const std::string& path = list_.name();  // of Teuchos: "Scene->...->Stages->First"
     const std::size_t arrow = path.rfind("->");

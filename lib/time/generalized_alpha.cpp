@@ -9,6 +9,7 @@ Table weighted(const char* name, double a_m, double a_f, double beta, double gam
   Stage stage = newmark(beta, gamma).stages[0];
   stage.inertia = (1 - a_m) * stage.acceleration + a_m * acceleration(0);
   stage.damping = (1 - a_f) * stage.velocity + a_f * velocity(0);
+  stage.rate_start = a_f;
   stage.elastic = point_rule({0.0, 1.0}, {a_f, 1 - a_f});
   stage.interaction = stage.elastic;
   stage.load = {{0.0, a_f}, {1.0, 1 - a_f}};

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "time/row_on_states.hpp"
+#include "fem/row_on_states.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -68,11 +68,6 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
 Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& table, bool matrix_free)
     : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
 
-/// Returns the velocity as terms see it.
-const double* Integrator::velocity(const State& state) const {
-  return model_.mass() == nullptr ? nullptr : state.v.data();
-}
-
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
   time_ = time;
   time_carry_ = 0;
@@ -81,6 +76,8 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   previous_ = {};
   attempted_dt_ = 0;
   acceleration_known_ = false;
+  dissipations_.assign(model_.dissipation_names().size(), 0.0);
+  model_.initialize();
   State& start = states_.front();
   start = {std::move(u), std::move(v), {}, {}, {}};
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
@@ -171,11 +168,12 @@ NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::ve
 void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&& u) {
   const Stage& row = table_.stages[stage];
   State& end = states_[stage + 1];
+  const std::vector<KnownState> known = known_states(states_, stage + 1);
   const auto derive = [&](const Row& form, double scale, std::vector<double>& result) {
     known_.resize(u.size());
     result.resize(u.size());
-    evaluate_known(form, states_, dt, known_);
-    evaluate(form, u, states_.front().u, known_, result);
+    evaluate_known(form, known, dt, known_);
+    evaluate(form, u.data(), known[0].u, known_, result);
     for (double& value : result) value /= scale;
   };
   derive(row.velocity, dt, end.v);
@@ -206,10 +204,11 @@ bool Integrator::take_explicit_step(double dt, std::string& reason) {
   State& end = states_.back();
   const std::size_t size = start.u.size();
   for (std::vector<double>* array : {&known_, &end.u, &end.v}) array->resize(size);
-  evaluate_known(row.inertia, states_, dt, known_);
+  const std::vector<KnownState> known = known_states(states_, 1);
+  evaluate_known(row.inertia, known, dt, known_);
   for (std::size_t i = 0; i < size; ++i)
     end.u[i] = start.u[i] + (dt * dt * start.a[i] - known_[i]) / row.inertia.unknown;
-  evaluate_known(row.velocity, states_, dt, known_);
+  evaluate_known(row.velocity, known, dt, known_);
   for (std::size_t i = 0; i < size; ++i) end.v[i] = known_[i] / dt;
   const double time = time_ + dt;
   model_.constraints().set(time, end.u.data(), end.v.data(), nullptr);
@@ -244,7 +243,7 @@ StepResult Integrator::attempt(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
-  model_.begin_step(states_.front().u.data(), velocity(states_.front()), time_, dt);
+  model_.begin_step(known_states(states_, 1).front(), time_, dt);
   if (needs_acceleration_ && !know_acceleration()) {
     result.reason = "the acceleration cannot be solved for";
     return result;
@@ -271,8 +270,11 @@ StepResult Integrator::advance(double dt) {
 void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
-  model_.accept(states_.back().u.data(), velocity(states_.back()));
-  if (model_.damping() != nullptr) dissipated_ += work_of_damping(model_, table_, states_, dt);
+  const std::vector<double> dissipated = model_.accept({known_states(states_, states_.size()), &table_.work, dt});
+  for (std::size_t i = 0; i < dissipated.size(); ++i) {
+    dissipated_ += dissipated[i];
+    dissipations_[i] += dissipated[i];
+  }
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
   if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
   if (judged_) {

@@ -67,6 +67,8 @@ class Integrator {
   /// Returns the work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
   double dissipated_energy() const { return dissipated_; }
   double external_work() const { return external_work_; }
+  /// Returns the dissipated energy by source, parallel to Model::dissipation_names(), since initialize().
+  const std::vector<double>& dissipations() const { return dissipations_; }
 
   /// Writes or reads, for checkpoints between steps, everything that later steps depend on, to the last bit. Loading
   /// onto another partition leaves out the state of the linear solvers. Loading into another scene resumes from
@@ -84,7 +86,6 @@ class Integrator {
 
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
-  const double* velocity(const State& state) const;
   bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
@@ -112,6 +113,7 @@ class Integrator {
   double time_ = 0;
   double time_carry_ = 0;
   double dissipated_ = 0;
+  std::vector<double> dissipations_;  ///< by source
   double external_work_ = 0;
   std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
   PreviousVelocity previous_;       ///< v only if steps are judged

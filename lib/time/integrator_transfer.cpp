@@ -57,6 +57,8 @@ void Integrator::transfer_derived(Record& record) {
   record.field("acceleration", state.a, Extent::Local);
   record.field("load", state.load, Extent::Owned);
   record.field("reaction", state.reaction, Extent::Owned);
+  for (std::size_t i = 0; i < dissipations_.size(); ++i)
+    record.number(("dissipated: " + model_.dissipation_names()[i]).c_str(), dissipations_[i]);
   model_.transfer(record);
   record.field("previous displacement", previous_u_, Extent::Local);
   record.field("previous velocity", previous_.v, Extent::Local);

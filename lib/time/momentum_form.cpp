@@ -9,6 +9,7 @@ Stage momentum_form_stage() {
   stage.acceleration = 4 * du - 4 * velocity(0) - acceleration(0);
   stage.inertia = stage.velocity - velocity(0);
   stage.damping = du;
+  stage.rate_form = RateForm::Middle;
   return stage;
 }
 

@@ -18,10 +18,16 @@ StableStep::StableStep(const Model& model, double safety) : model_(model), safet
   elastic_.resize(local);
   sums_.resize(local);
   ahead_.resize(local);
-  if (model.damping() == nullptr) return;
-  std::vector<double> rows(static_cast<std::size_t>(model.space().owned()));
-  model.damping()->row_sums(rows.data());
-  damping_ = model.space().maximum(model.mass()->largest_quotient(rows.data()));
+}
+
+/// Computes what changes slowly: the elastic row sums, and the largest quotient of rate terms and mass.
+void StableStep::look_at(const std::vector<double>& u) {
+  std::fill(elastic_.begin(), elastic_.end(), 0.0);
+  model_.add_row_sums(Part::Elastic, {nullptr, nullptr, u.data()}, elastic_.data());
+  if (!model_.has_rates()) return;
+  std::fill(sums_.begin(), sums_.end(), 0.0);
+  model_.add_rate_row_sums(u.data(), sums_.data());
+  damping_ = model_.space().maximum(model_.mass()->largest_quotient(sums_.data()));
 }
 
 /// Returns the longest stable step [T0]; 0 if a gap is not positive.
@@ -36,15 +42,14 @@ double StableStep::limit(const std::vector<double>& u) const {
 void StableStep::transfer(Record& record) {
   record.number("age", age_);
   record.field("elastic row sums", elastic_, Extent::Local);
+  record.number("damping quotient", damping_);
+  if (!(damping_ >= 0)) throw InputError("\"damping quotient\" is less than 0");
   if (age_ < 0 || elastic_.size() != sums_.size())
     throw InputError("\"elastic row sums\" is empty, or its age is negative");
 }
 
 double StableStep::operator()(const State& state, double wanted) {
-  if (age_ == 0) {
-    std::fill(elastic_.begin(), elastic_.end(), 0.0);
-    model_.add_row_sums(Part::Elastic, {nullptr, nullptr, state.u.data()}, elastic_.data());
-  }
+  if (age_ == 0) look_at(state.u);
   age_ = (age_ + 1) % elastic_interval;
   double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u)));
   if (!model_.has_interactions()) return step;

@@ -10,9 +10,9 @@ namespace ixos {
 
 /// The central difference scheme is stable for dt <= 2/(sqrt(w^2 + c^2) + c), w the highest frequency and c = 2 zeta w
 /// its damping, if C acts on the extrapolated velocity (c = 0: 2/w). w^2 is bounded by the largest row sum of |M^-1 K|
-/// (Gershgorin), cell by cell, so that nothing is assembled. The row sums of the elastic stiffness are renewed every
-/// tenth step, those of the interactions at both ends of each step, because their stiffness grows tenfold within one.
-/// The model must outlive it and have a lumped mass. Collective.
+/// (Gershgorin), cell by cell, so that nothing is assembled. The row sums of the elastic stiffness and c are renewed
+/// every tenth step, those of the interactions at both ends of each step, because their stiffness grows tenfold within
+/// one. The model must outlive it and have a lumped mass. Collective.
 class StableStep {
  public:
   /// `safety`, at most 1, is the share of the bound that is used.
@@ -25,6 +25,7 @@ class StableStep {
   void transfer(Record& record);
 
  private:
+  void look_at(const std::vector<double>& u);
   double limit(const std::vector<double>& u) const;
 
   const Model& model_;

@@ -48,12 +48,7 @@ Potential StageProblem::potential(const Vector& x) {
     model_.mass()->multiply(bracket.data(), product.data());
     add(dot(bracket, product, owned) / (2 * stage_->inertia.unknown * dt_ * dt_));
   }
-  if (model_.damping() != nullptr) {
-    damping_bracket(u, bracket);
-    std::fill(product.begin(), product.end(), 0.0);
-    model_.damping()->multiply_add(1 / dt_, bracket.data(), product.data());
-    add(dot(bracket, product, owned) / (2 * stage_->damping.unknown));
-  }
+  if (model_.has_rates()) add(model_.local_rate_potential(u.data()));
   for (std::size_t i = 0; i < owned; ++i) bracket[i] = u[i] - (*from_)[i];
   add(dot(kept_, bracket, owned));
   double sums[2] = {sum.value, sum.magnitude};

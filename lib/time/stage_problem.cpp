@@ -9,16 +9,24 @@
 
 #include "base/dot.hpp"
 #include "base/phase_timer.hpp"
-#include "time/row_on_states.hpp"
+#include "fem/row_on_states.hpp"
 
 namespace ixos {
 
-StageProblem::StageProblem(const Model& model, const Table& table, bool matrix_free)
+bool is_symmetric(const Model& model, const Stage& stage) {
+  return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
+}
+
+bool is_symmetric(const Model& model, const Table& table) {
+  return std::all_of(table.stages.begin(), table.stages.end(),
+                     [&](const Stage& stage) { return is_symmetric(model, stage); });
+}
+
+StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
     : model_(model), table_(table), exact_rates_(has_exact_rates(table)), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());
   for (std::vector<double>* array : {&u_, &bracket_, &inertia_, &elastic_, &direction_, &kept_}) array->resize(local);
   if (has_mass_) known_inertia_.resize(local);
-  if (model.damping() != nullptr) known_damping_.resize(local);
   if (model.has_interactions()) interaction_.resize(local);
   if (!model.loads().empty()) load_.resize(local);
   if (matrix_free)
@@ -46,16 +54,15 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
   tangent_at_.clear();
-  has_potential_ =
-      model_.is_gradient(Part::Elastic, stage_->elastic) && model_.is_gradient(Part::Interaction, stage_->interaction);
-  if (has_mass_) evaluate_known(stage_->inertia, known, dt, known_inertia_);
-  if (model_.damping() != nullptr) evaluate_known(stage_->damping, known, dt, known_damping_);
+  has_potential_ = is_symmetric(model_, *stage_) && model_.rates_are_gradients(stage_->rate_form);
+  if (has_mass_) evaluate_known(stage_->inertia, known_states(known, stage + 1), dt, known_inertia_);
   const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
   path_velocity_.resize(path_velocity ? u_.size() : 0);
   for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_->end * dt * known[0].v[i];
   if (!model_.constraints().empty())
     model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
+  begin_stage(stage, known);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
@@ -85,8 +92,26 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   }
 
   const double coefficient = stage_->inertia.unknown / (dt * dt);
+  stiffness_ = model_.elastic_scale() * (1 + model_.rate_time() * stage_->damping.unknown / dt);
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
+}
+
+void StageProblem::begin_stage(std::size_t stage, const std::vector<State>& known) {
+  StageStart start;
+  start.known = known_states(known, stage + 1);
+  start.velocity = &stage_->velocity;
+  start.damping = &stage_->damping;
+  start.rate_form = stage_->rate_form;
+  start.start_weight = stage_->rate_start;
+  start.time = step_time_;
+  start.length = stage_->end * dt_;
+  start.dt = dt_;
+  if (exact_rates_ && !model_.constraints().empty()) {
+    start.driven = &model_.constraints().dofs();
+    start.driven_velocity = prescribed_velocity_.data();
+  }
+  model_.begin_stage(start);
 }
 
 double StageProblem::rounding_force(const State& start, double coefficient) {
@@ -101,8 +126,8 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
   return 2 * std::numeric_limits<double>::epsilon() *
-         (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) +
-          model_.elastic_scale() * std::sqrt(squares[2]) + std::sqrt(squares[3]));
+         (coefficient * (std::sqrt(squares[0]) + 2 * dt_ * std::sqrt(squares[1])) + stiffness_ * std::sqrt(squares[2]) +
+          std::sqrt(squares[3]));
 }
 
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
@@ -115,20 +140,11 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
 }
 
 void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_->inertia, u, *from_, known_inertia_, bracket);
+  evaluate(stage_->inertia, u.data(), from_->data(), known_inertia_, bracket);
   if (!exact_rates_) return;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     bracket[i] = dt_ * dt_ * prescribed_acceleration_[i];
-  }
-}
-
-void StageProblem::damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_->damping, u, *from_, known_damping_, bracket);
-  if (!exact_rates_) return;
-  for (int dof : model_.constraints().dofs()) {
-    const auto i = static_cast<std::size_t>(dof);
-    bracket[i] = dt_ * prescribed_velocity_[i];
   }
 }
 
@@ -164,7 +180,8 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   moving_ = sums[4] > 0;
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
   // After a long step the rounding errors are larger than at its start.
-  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * diagonal_ * std::sqrt(sums[5]);
+  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * (diagonal_ + stiffness_ - model_.elastic_scale()) *
+                   std::sqrt(sums[5]);
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -174,9 +191,10 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
     for (std::size_t i = 0; i < owned; ++i) out[i] += inertia_[i];
   if (model_.has_interactions())
     for (std::size_t i = 0; i < owned; ++i) out[i] += interaction_[i];
-  if (model_.damping() != nullptr) {
-    damping_bracket(u_, bracket_);
-    model_.damping()->multiply_add(inverse, bracket_.data(), out);
+  if (model_.has_rates()) {
+    std::copy_n(out, owned, bracket_.data());  // terms add to local arrays
+    model_.add_rate_force(u_.data(), bracket_.data());
+    std::copy_n(bracket_.data(), owned, out);
   }
   constrain_residual(out);
   return true;
@@ -195,7 +213,7 @@ void StageProblem::record_forces(State& state) const {
 
 void StageProblem::assemble(double* values) const {
   if (has_mass_) model_.mass()->add_to(stage_->inertia.unknown / (dt_ * dt_), values);
-  if (model_.damping() != nullptr) model_.damping()->add_to(stage_->damping.unknown / dt_, values);
+  model_.add_rate_tangent(u_.data(), values);
   model_.add_tangent(Part::Elastic, segment(stage_->elastic), stage_->elastic, Tangent::Exact, values);
   model_.add_tangent(Part::Interaction, segment(stage_->interaction), stage_->interaction, tangent_kind(), values);
   if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);

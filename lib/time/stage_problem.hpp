@@ -10,8 +10,14 @@
 
 namespace ixos {
 
-/// f(u_s) = (1/dt^2) M inertia + (1/dt) C damping + elastic rule + interaction rule - mean load. arm() sets it up for a
-/// stage of a step; until the next arm() it is constant. Model and table must outlive it.
+/// Returns whether the stage's rules are gradients for all terms of the model, so that its tangent is symmetric. Rate
+/// terms have symmetric tangents in any case.
+bool is_symmetric(const Model& model, const Stage& stage);
+/// Returns whether the tangents of all stages are symmetric.
+bool is_symmetric(const Model& model, const Table& table);
+
+/// f(u_s) = (1/dt^2) M inertia + rate terms + elastic rule + interaction rule - mean load. arm() sets it up for a stage
+/// of a step; until the next arm() of a problem of that model it is constant. Model and table must outlive it.
 ///
 /// A constrained degree of freedom has the row kappa (u - u_bar), and nothing couples it to the others, so that the
 /// matrix stays symmetric. Until u reaches u_bar, the other rows are those at u, moved along the tangent to u_bar: f_f
@@ -20,8 +26,8 @@ namespace ixos {
 class StageProblem final : public NonlinearProblem {
  public:
   /// `matrix_free`: the tangent is a TangentOperator, otherwise a matrix.
-  StageProblem(const Model& model, const Table& table, bool matrix_free = false);
-  StageProblem(const Model&, Table&&, bool = false) = delete;
+  StageProblem(Model& model, const Table& table, bool matrix_free = false);
+  StageProblem(Model&, Table&&, bool = false) = delete;
 
   /// Sets the stage to solve. `known` are the step's start and the ends of the stages before this one; they must stay
   /// until the solve is over. `time` is the step's start. Throws std::logic_error if the start of the segment is
@@ -54,8 +60,8 @@ class StageProblem final : public NonlinearProblem {
 
  private:
   Segment segment(const Rule& rule) const;
+  void begin_stage(std::size_t stage, const std::vector<State>& known);
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
-  void damping_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   void assemble(double* values) const;
   void linearize();
   Tangent tangent_kind() const;
@@ -65,7 +71,7 @@ class StageProblem final : public NonlinearProblem {
   double rounding_force(const State& start, double coefficient);
   Potential rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const;
 
-  const Model& model_;
+  Model& model_;
   const Table& table_;
   const Stage* stage_ = nullptr;  ///< the one that it is armed for
   bool exact_rates_;  ///< driven degrees of freedom have the velocity and acceleration of their motion, not the rows'
@@ -77,13 +83,13 @@ class StageProblem final : public NonlinearProblem {
   const std::vector<double>* from_ = nullptr;  ///< u at the step's start
   std::vector<double> path_velocity_;          ///< h v at the step's start, if a rule uses it
   std::vector<double> known_inertia_;          ///< inertia row without s (u_s - u_0), local
-  std::vector<double> known_damping_;
-  std::vector<double> kept_;  ///< kept parts of the rules less the mean load, local
-  std::vector<double> load_;  ///< mean load, local
+  std::vector<double> kept_;                   ///< kept parts of the rules less the mean load, local
+  std::vector<double> load_;                   ///< mean load, local
   std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
   double rounding_ = 0;       ///< force by which the last digits of u change the balance
   double rounding_here_ = 0;  ///< that force for u at the last residual
   double diagonal_ = 0;       ///< kappa
+  double stiffness_ = 0;      ///< elastic scale, with that of damping and viscosity
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual

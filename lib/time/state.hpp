@@ -2,6 +2,8 @@
 #pragma once
 #include <vector>
 
+#include "fem/row_on_states.hpp"
+
 namespace ixos {
 
 /// u, v, a are local arrays, owned nodes first, then ghosts. Loads and reactions are owned arrays, empty if the model
@@ -13,5 +15,13 @@ struct State {
   std::vector<double> load{};      ///< external forces [E0 L0^(D-1)]
   std::vector<double> reaction{};  ///< of constrained degrees of freedom, inertia and damping included; zero elsewhere
 };
+
+/// Returns the first `count` states as rows and terms see them.
+inline std::vector<KnownState> known_states(const std::vector<State>& states, std::size_t count) {
+  std::vector<KnownState> known(count);
+  for (std::size_t i = 0; i < count; ++i)
+    known[i] = {states[i].u.data(), states[i].v.data(), states[i].a.empty() ? nullptr : states[i].a.data()};
+  return known;
+}
 
 }  // namespace ixos

@@ -60,11 +60,6 @@ bool have_like_tangents(const Stage& a, const Stage& b) {
          like(a.interaction.end_weight(), b.interaction.end_weight());
 }
 
-bool is_symmetric(const Table& table) {
-  return std::all_of(table.stages.begin(), table.stages.end(),
-                     [](const Stage& stage) { return stage.elastic.is_gradient() && stage.interaction.is_gradient(); });
-}
-
 void check(const Table& table) {
   if (table.work.form == WorkSum::Form::Stages && table.work.weights.size() != table.stages.size() + 1)
     throw std::invalid_argument(
@@ -94,6 +89,11 @@ void check(const Table& table) {
     if (stage.elastic.mean == Mean::Exact)
       throw std::invalid_argument(
           fmt::format("scheme \"{}\", stage {}: elasticity has no exact mean", table.name, s + 1));
+    if (stage.rate_form != RateForm::End && (stage.end != 1 || stage.damping.unknown != 1 || stage.rate_start != 0))
+      throw std::invalid_argument(
+          fmt::format("scheme \"{}\", stage {}: rates in momentum form need a damping row du and a stage that is the "
+                      "whole step",
+                      table.name, s + 1));
     double load_weight = 0;
     for (const TimePoint& point : stage.load) load_weight += point.weight;
     if (std::abs(load_weight - 1) > 1e-12)

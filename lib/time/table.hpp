@@ -3,18 +3,21 @@
 #include <string>
 #include <vector>
 
+#include "fem/rate_form.hpp"
+#include "fem/row.hpp"
 #include "fem/rule.hpp"
+#include "fem/work_sum.hpp"
 #include "model/loads.hpp"
 #include "model/mass.hpp"
-#include "time/row.hpp"
 
 namespace ixos {
 
 /// One stage solves for one displacement u_s:
-///   (1/dt^2) M inertia(u_s) + (1/dt) C damping(u_s) + elastic rule + interaction rule = sum_i w_i f_ext(t_i),
+///   (1/dt^2) M inertia(u_s) + (1/dt) C damping(u_s) + rates + elastic rule + interaction rule = sum_i w_i f_ext(t_i),
 /// the rules on the segment from the step's start to u_s. Then dt v_s = velocity(u_s), dt^2 a_s = acceleration(u_s).
-/// The left side is the gradient of an incremental potential, sum_i (w_i/to_i) Pi(u(xi_i)) and quadratic forms in the
-/// inertia and damping rows, unless a rule is a discrete gradient.
+/// `rates` are forces that depend on rates of strain, see RateForm. The left side is the gradient of an incremental
+/// potential, sum_i (w_i/to_i) Pi(u(xi_i)) and quadratic forms in the inertia and damping rows, unless a rule is a
+/// discrete gradient or the rates have the form Middle.
 struct Stage {
   double end = 1;  ///< time of u_s in steps from the step's start
   Row velocity;
@@ -23,7 +26,9 @@ struct Stage {
   Row damping;  ///< dt times what C multiplies
   Rule elastic;
   Rule interaction;
-  std::vector<TimePoint> load;  ///< times t_i in steps from the step's start, and weights w_i
+  RateForm rate_form = RateForm::End;  ///< of terms that depend on rates of strain
+  double rate_start = 0;               ///< End: weight of their force at the step's start
+  std::vector<TimePoint> load;         ///< times t_i in steps from the step's start, and weights w_i
   /// If the rules have no potential: rules for elasticity and interaction that have one, with a solution nearby. If
   /// Newton's iteration fails, it restarts from that solution.
   std::vector<Rule> nearby{};
@@ -37,17 +42,6 @@ enum class Closing {
               ///< whose recursion rings; driven degrees of freedom take the scheme's own velocity
   Explicit    ///< the same with the velocity row for v, whereupon v = v_n + dt (a_n + a)/2; driven degrees of freedom
               ///< take the exact velocity and acceleration of their motion
-};
-
-/// How the work of external forces g (loads and reactions) and of damping forces C v is summed over a step.
-struct WorkSum {
-  enum class Form {
-    Increment,  ///< du . g of the step mean; du . C v, v the damping row over dt
-    EndMean,    ///< du . (g_n + g)/2; du . C (v_n + v)/2
-    Stages      ///< dt sum_i weights_i v_i . g_i over the known states and the end; dt sum_i weights_i v_i . C v_i
-  };
-  Form form = Form::Increment;
-  std::vector<double> weights;
 };
 
 /// The start of Newton's iteration: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
@@ -107,9 +101,6 @@ bool has_exact_rates(const Table& table);
 /// Returns whether the tangents of two stages weigh mass, damping and forces alike, to a factor of 2. The inverse of
 /// one is then a preconditioner of the other with a condition number of at most 4 (1.8 for Bathe's two halves).
 bool have_like_tangents(const Stage& a, const Stage& b);
-
-/// Returns whether the tangents of all stages are symmetric.
-bool is_symmetric(const Table& table);
 
 /// Throws std::invalid_argument, with the stage and the row, unless rule weights sum to 1 and the velocity,
 /// acceleration, inertia and damping rows reproduce u = 1, t and t^2 (inertia and damping rows: the mean of u'' and u'

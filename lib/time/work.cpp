@@ -1,10 +1,8 @@
 #include "time/work.hpp"
 
-#include <algorithm>
 #include <cstddef>
 
 #include "base/dot.hpp"
-#include "time/row_on_states.hpp"
 
 namespace ixos {
 namespace {
@@ -52,33 +50,6 @@ double work_of_external_forces(const Model& model, const Table& table, const std
   } else {
     for (std::size_t i = 0; i < states.size(); ++i)
       sum += dt * table.work.weights[i] * with_external(states[i].v, states[i]);
-  }
-  model.space().sum(&sum, 1);
-  return sum;
-}
-
-double work_of_damping(const Model& model, const Table& table, const std::vector<State>& states, double dt) {
-  const auto owned = static_cast<std::size_t>(model.space().owned());
-  Array force(owned);
-  const auto work = [&](const Array& x, const Array& y) {
-    std::fill(force.begin(), force.end(), 0.0);
-    model.damping()->multiply_add(1.0, y.data(), force.data());
-    return dot(x, force, owned);
-  };
-  const State& start = states.front();
-  const State& end = states.back();
-  const Array du = difference(end.u, start.u);
-  double sum = 0;
-  if (table.work.form == WorkSum::Form::Increment) {
-    const Row& row = table.stages.back().damping;
-    Array known(du.size()), bracket(du.size());
-    evaluate_known(row, states, dt, known);
-    evaluate(row, end.u, start.u, known, bracket);
-    sum = work(du, bracket) / dt;
-  } else if (table.work.form == WorkSum::Form::EndMean) {
-    sum = (work(du, start.v) + work(du, end.v)) / 2;
-  } else {
-    for (std::size_t i = 0; i < states.size(); ++i) sum += dt * table.work.weights[i] * work(states[i].v, states[i].v);
   }
   model.space().sum(&sum, 1);
   return sum;

@@ -1,4 +1,4 @@
-/// Work over a step: of loads and reactions, and of the damping.
+/// Work over a step, of loads and reactions.
 #pragma once
 #include <vector>
 
@@ -13,8 +13,5 @@ namespace ixos {
 /// freedom have the exact rates of their motion instead of the rows', d = (v_n + v)/2 - du/dt and e = dv - dt (a_n +
 /// a)/2 do not vanish there, and EndMean adds d . M dv + du . M e/dt. Collective.
 double work_of_external_forces(const Model& model, const Table& table, const std::vector<State>& states, double dt);
-
-/// Returns the work that the model's damping dissipates, at least 0 for Increment and Stages. Collective.
-double work_of_damping(const Model& model, const Table& table, const std::vector<State>& states, double dt);
 
 }  // namespace ixos

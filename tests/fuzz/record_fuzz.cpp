@@ -37,6 +37,12 @@ class HostileRecord final : public Record {
     for (double& value : values) value = number_in();
   }
 
+  void all_shares(const char*, std::vector<double>& values) override {
+    values.resize(byte());
+    for (double& value : values)
+      if (const double next = number_in(); std::isfinite(next)) value = next;
+  }
+
  private:
   void scalar(const char*, double& value) override {
     if (byte() % 4 != 0) value = number_in();

@@ -81,7 +81,7 @@ TEST(DampingTest, TheMatrixIsThatOfItsParts) {
   const auto found = c->getLocalMatrixHost(), wanted = expected->getLocalMatrixHost();
   std::vector<double> sums(static_cast<std::size_t>(model->space().owned())), diagonal(sums.size(), 1.0),
       mass_diagonal(sums.size(), 0.0);
-  damping.row_sums(sums.data());
+  damping.add_row_sums(nullptr, sums.data());
   damping.add_mass_diagonal(2.0, diagonal.data());
   model->mass()->add_diagonal(1.0, mass_diagonal.data());
   for (std::size_t row = 0; row < sums.size(); ++row) {
@@ -103,10 +103,38 @@ TEST(DampingTest, WithoutAMatrixItIsTheSame) {
   for (double force : expected) largest = std::max(largest, std::abs(force));
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-6 * largest);  // single
   std::vector<double> sums(expected.size()), mass(expected.size(), 0.0), product(expected.size());
-  EXPECT_THROW(free->damping()->row_sums(sums.data()), std::logic_error);
+  EXPECT_THROW(free->damping()->add_row_sums(nullptr, sums.data()), std::logic_error);
   free->damping()->multiply_add_mass(1.0, v.data(), mass.data());
   free->mass()->multiply(v.data(), product.data());
   for (std::size_t i = 0; i < mass.size(); ++i) EXPECT_NEAR(mass[i], alpha_1 * product[i], 1e-15);
+}
+
+// C = alpha_1 M for a body that moves as one: alpha_1 m times its velocity.
+TEST(DampingTest, WorkOnARigidBodyIsSummedAsTheSchemeSays) {
+  const auto model = block();
+  const double c = alpha_1 * density * 6, u_n = 0.1, v_n = 0.3, u = 0.5, v = -0.2, dt = 0.1, du = u - u_n;
+  const auto along_x = [&](double value) {
+    std::vector<double> field = test::at_rest(*model);
+    for (std::size_t i = 0; i < field.size(); i += 2) field[i] = value;
+    return field;
+  };
+  const std::vector<double> fields[] = {along_x(u_n), along_x(v_n), along_x(9), along_x(0.6), along_x(u), along_x(v)};
+  const auto state = [&](std::size_t i) { return KnownState{fields[2 * i].data(), fields[2 * i + 1].data(), nullptr}; };
+  const auto work = [&](const Row& damping, const WorkSum& sum) {
+    StageStart start;
+    start.known = {state(0)};
+    start.velocity = start.damping = &damping;
+    start.dt = start.length = dt;
+    model->begin_stage(start);
+    return model->accept({{state(0), state(1), state(2)}, &sum, dt})[0];
+  };
+  const Row change = unknown_displacement() - displacement(0);
+  // Momentum form: dt C v is C (u - u_n), and the work a square. The trapezoid: v = 2 (u - u_n)/dt - v_n.
+  EXPECT_NEAR(work(change, {}), c * du * du / dt, 1e-12);
+  EXPECT_NEAR(work(2 * change - ixos::velocity(0), {}), c * du * (2 * du / dt - v_n), 1e-12);
+  EXPECT_NEAR(work(change, {WorkSum::Form::EndMean, {}}), c * du * (v_n + v) / 2, 1e-12);
+  EXPECT_NEAR(work(change, {WorkSum::Form::Stages, {0.2, 0.5, 0.3}}),
+              dt * c * (0.2 * v_n * v_n + 0.5 * 0.6 * 0.6 + 0.3 * v * v), 1e-12);
 }
 
 }  // namespace

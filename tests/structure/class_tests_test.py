@@ -91,7 +91,7 @@ elsewhere = {
     "term/surface_terms.hpp": ("model/enriched_hexahedra_test.cpp", "forces are gradients of energies"),
     "term/term.hpp": ("scene/costs_test.cpp", "an interface; counts its calls"),
     "time/catalogue.hpp": ("time/schemes_test.cpp", "tests every scheme of the catalogue"),
-    "time/row_on_states.hpp": ("time/row_test.cpp", "evaluation on states"),
+    "fem/row_on_states.hpp": ("fem/row_test.cpp", "evaluation on states"),
     "time/stage_problem.hpp": ("time/stage_potential_test.cpp", "residual, potential and relaxed tangent"),
     "time/table.hpp": ("time/schemes_test.cpp", "consistent and inconsistent tables"),
 }

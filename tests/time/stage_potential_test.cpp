@@ -44,7 +44,7 @@ std::vector<double> wave(const LocalMesh& mesh, double phase) {
 
 TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
   Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
-  const Model& model = s.model();
+  Model& model = s.model();
   for (const Table& table :
        {newmark(0.3, 0.6), bathe_composite(0.3, 0.45), gautam_sauer_composite(0.25, 0.5, 5, Path::Linear),
         gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8), average_vector_field(4, 0),
@@ -81,7 +81,7 @@ TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
 TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
   // d . K d grows from the exact tangent to the one without negative interaction stiffness, and with each shift.
   Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
-  const Model& model = s.model();
+  Model& model = s.model();
   const Table table = newmark(0.25, 0.5);
   StageProblem problem(model, table);
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);

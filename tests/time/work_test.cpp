@@ -13,17 +13,16 @@ namespace {
 
 using Form = WorkSum::Form;
 
-constexpr double alpha = 0.4, mass = 0.7 * 6;
+constexpr double mass = 0.7 * 6;
 constexpr double dt = 0.1;
 
-/// A block of 3 by 2 with mass-proportional damping.
+/// A block of 3 by 2.
 std::unique_ptr<Model> block() {
   BoxShape shape;
   shape.lengths = {3, 2, 0};
   shape.divisions = {4, 3, 0};
   Material material = test::elastic(linear_elastic, 0.2);
   material.density = 0.7;
-  material.mass_damping = alpha;
   return test::model_of(box(shape), material, Inertia::Consistent);
 }
 
@@ -121,24 +120,6 @@ TEST(WorkTest, DrivingARigidBodyChangesItsKineticEnergy) {
   const auto motion = sine(0, 1, 1, 0);
   for (int node = 0; node < model->mesh().nodes(); ++node) model->constraints().add(2 * node, 1.0, motion);
   EXPECT_NEAR(work_of_external_forces(*model, table, states, dt), mass * (v * v - v_n * v_n) / 2, 1e-12);
-}
-
-// C = alpha M. The damping of a body that moves as one is alpha m times its velocity.
-TEST(WorkTest, DampingOfARigidBody) {
-  const auto model = block();
-  const std::vector<State> states{rigid(*model, u_n, v_n, a_n), rigid(*model, 9, 0.6, 0), rigid(*model, u, v, a)};
-  const double du = u - u_n;
-  // As the schemes in momentum form: dt C v is C (u - u_n), and the work a square.
-  Table table = summing(Form::Increment);
-  table.stages.resize(1);
-  table.stages[0].damping = unknown_displacement() - displacement(0);
-  EXPECT_NEAR(work_of_damping(*model, table, states, dt), alpha * mass * du * du / dt, 1e-12);
-  // As the trapezoid: v = 2 (u - u_n)/dt - v_n.
-  table.stages[0].damping = 2 * (unknown_displacement() - displacement(0)) - velocity(0);
-  EXPECT_NEAR(work_of_damping(*model, table, states, dt), alpha * mass * du * (2 * du / dt - v_n), 1e-12);
-  EXPECT_NEAR(work_of_damping(*model, summing(Form::EndMean), states, dt), alpha * mass * du * (v_n + v) / 2, 1e-12);
-  EXPECT_NEAR(work_of_damping(*model, summing(Form::Stages, {0.2, 0.5, 0.3}), states, dt),
-              dt * alpha * mass * (0.2 * v_n * v_n + 0.5 * 0.6 * 0.6 + 0.3 * v * v), 1e-12);
 }
 
 }  // namespace

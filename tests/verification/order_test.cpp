@@ -32,6 +32,11 @@ std::string damped_block() {
   return body;
 }
 
+std::string viscous_block() {
+  std::string body = test::block_2d(1.0);
+  return body.insert(body.find(test::number("Density", 1)), test::number("Viscosity", 0.02));
+}
+
 /// Returns the state at time 1 by another scheme with short steps, so that a common limit is tested too. Computes it
 /// once for each body and scheme.
 const Solution& reference_of(const std::string& body, const std::string& scheme) {
@@ -57,7 +62,7 @@ void expect_order(const std::string& body, const std::string& scheme, const std:
 }
 
 TEST(OrderTest, SchemesAreOfSecondOrder) {
-  for (const std::string& body : {test::block_2d(1.0), damped_block()}) {
+  for (const std::string& body : {test::block_2d(1.0), damped_block(), viscous_block()}) {
     expect_order(body, "Newmark", "", 2);
     expect_order(body, "Bathe Composite", "", 2);
     expect_order(body, "Bathe Composite", test::number("Spectral Radius", 0.5) + test::number("Split", 0), 2);

@@ -1,4 +1,4 @@
-#include "time/row.hpp"
+#include "fem/row.hpp"
 
 #include <algorithm>
 #include <cmath>

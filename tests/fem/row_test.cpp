@@ -1,8 +1,8 @@
-#include "time/row.hpp"
+#include "fem/row.hpp"
 
 #include <gtest/gtest.h>
 
-#include "time/row_on_states.hpp"
+#include "fem/row_on_states.hpp"
 
 namespace ixos {
 namespace {
@@ -25,23 +25,25 @@ TEST(RowSerialTest, MonomialsAreSampledAtTheStates) {
 }
 
 TEST(RowSerialTest, EvaluationOnStatesIsTheLinearForm) {
-  std::vector<State> states{{{1.0}, {2.0}, {3.0}}, {{4.0}, {5.0}, {6.0}}};
+  const double first[] = {1, 2, 3}, second[] = {4, 5, 6}, u = 7;
+  const std::vector<KnownState> states{{first, first + 1, first + 2}, {second, second + 1, second + 2}};
   const double dt = 0.1;
   const Row row = 3.0 * unknown_displacement() - displacement(0) - 2.0 * displacement(1) + velocity(0) -
                   0.5 * velocity(1) + acceleration(1);
   std::vector<double> known(1), result(1);
   evaluate_known(row, states, dt, known);
-  evaluate(row, {7.0}, states[0].u, known, result);
+  evaluate(row, &u, states[0].u, known, result);
   EXPECT_NEAR(result[0], 3 * 7.0 - 1 - 2 * 4 + dt * 2 - 0.5 * dt * 5 + dt * dt * 6, 1e-14);
 }
 
 TEST(RowSerialTest, SmallIncrementsKeepTheirDigits) {
   // u differs from u_0 in the last digits only; the difference must not be lost against u.
-  std::vector<State> states{{{1e6}, {0.0}, {0.0}}};
+  const double start = 1e6, zero = 0, u = 1e6 + 0x1p-30;
+  const std::vector<KnownState> states{{&start, &zero, &zero}};
   const Row row = 4.0 * (unknown_displacement() - displacement(0));
   std::vector<double> known(1), result(1);
   evaluate_known(row, states, 1e-3, known);
-  evaluate(row, {1e6 + 0x1p-30}, states[0].u, known, result);
+  evaluate(row, &u, states[0].u, known, result);
   EXPECT_EQ(result[0], 4 * 0x1p-30);
 }
 

@@ -1,0 +1,80 @@
+/// The contract of a term whose force is evaluated by a rule on a segment.
+#pragma once
+#include <memory>
+
+#include "fem/rule.hpp"
+#include "term/term.hpp"
+
+namespace ixos {
+
+/// The part of a stage's rules that a term follows.
+enum class Part { Elastic, Interaction };
+
+/// Local arrays (owned nodes, then ghosts) at the ends of a stage's segment, and its times. `from` and `velocity` (h
+/// v_from, a length) may be null if the rule does not use them.
+struct Segment {
+  const double* from = nullptr;
+  const double* velocity = nullptr;
+  const double* to = nullptr;
+  double start = 0;   ///< time at `from` [T0]
+  double length = 0;  ///< time from `from` to `to` [T0]; 0 if `to` stands for a state, not for a step
+
+  /// Returns the time of a rule's point [T0].
+  double time(const RulePoint& point) const { return start + point.time * length; }
+};
+
+/// The kind of tangent: the exact derivative of the force, or the one without the interactions' negative stiffness,
+/// which gives a descent direction when the exact tangent is not positive definite.
+enum class Tangent { Exact, Convex };
+
+/// The parts that an elastic action applies beside the tangent.
+struct LinearPart {
+  double rest = 0;     ///< factor of the undeformed body's tangent: stiffness damping
+  double inertia = 0;  ///< factor times density of the mass: inertia and mass damping
+};
+
+/// A term's tangent applied without a matrix, from what linearize() keeps at the quadrature points. Arrays are local;
+/// entries of ghost rows are scratch. The term must outlive it. None of the functions communicates.
+class TangentAction {
+ public:
+  virtual ~TangentAction() = default;
+  /// Takes the tangent that Term::add_tangent would add, plus the linear part, which interactions do not have. Accepts
+  /// only rules for which the term is a gradient. An elastic action keeps single precision, see ElasticAction.
+  virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
+  /// Returns whether it applies a mass. If not, the linear part's `inertia` has to be 0.
+  virtual bool applies_mass() const { return false; }
+  /// Adds K x to y.
+  virtual void add_product(const double* x, double* y) const = 0;
+  /// Adds the diagonal of K to d, without that of a mass.
+  virtual void add_diagonal(double* d) const = 0;
+};
+
+/// A term whose force follows from displacements: elasticity of a block, interaction of a surface. It evaluates a rule
+/// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
+/// scratch. None of the functions communicates.
+class ForceTerm : public Term {
+ public:
+  virtual Part part() const = 0;
+
+  /// Returns whether the rule's force is a gradient in u_to, and hence its tangent symmetric.
+  virtual bool is_gradient(const Rule& rule) const { return rule.is_gradient(); }
+
+  /// Adds the rule's force to f (not its kept part, which is a force at u_from). Returns false if some time point is
+  /// inadmissible (a gap <= 0, an inverted element): f is then unusable. Does not look for a NaN in u: it shows in f.
+  virtual bool add_force(const Segment& segment, const Rule& rule, double* f) const = 0;
+
+  /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
+  virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
+
+  /// Returns the tangent as an operator; null if the term offers none.
+  virtual std::unique_ptr<TangentAction> create_action() const { return nullptr; }
+
+  /// Adds to a local array, for each degree of freedom, the sum of |k_rc| over its rows of the cells' tangents at
+  /// segment.to: at least the row sum of the assembled one. Returns false if segment.to is inadmissible.
+  virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
+
+  /// Returns this rank's share of the potential energy [E0 L0^D].
+  virtual double energy(const double* u) const = 0;
+};
+
+}  // namespace ixos

@@ -1,0 +1,140 @@
+// Kelvin-Voigt viscosity in motion: a closed form, what schemes conserve, and a life with rejected steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+#include "scene/simulation.hpp"
+#include "support/bodies.hpp"
+#include "support/comparison.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+using test::world;
+
+std::string with_viscosity(std::string body, double viscosity) {
+  return body.insert(body.find(number("Density", 1)), number("Viscosity", viscosity));
+}
+
+/// A linear body clamped below on rollers, one cell: E U''/3 ... an oscillator of circular frequency w = sqrt(3), whose
+/// viscosity alpha damps it by zeta = alpha w/2 at small strains: U = U'(0) exp(-zeta w t) sin(w' t)/w'.
+TEST(ViscosityTest, ASmallVibrationDecaysAsItsClosedFormSays) {
+  const double alpha = 0.05, w = test::oscillator_frequency(), zeta = alpha * w / 2, speed = 1e-4, dt = 0.005, end = 5;
+  const double damped = w * std::sqrt(1 - zeta * zeta);
+  for (const std::string& scheme : test::moving_schemes()) {
+    std::string body = with_viscosity(test::oscillator(), alpha);
+    const std::string gradient = numbers("Velocity Gradient", {0, 0, 0, 1});
+    body.replace(body.find(gradient), gradient.size(), numbers("Velocity Gradient", {0, 0, 0, speed}));
+    const bool lumped = scheme == "Central Difference";  // half the mass at the top: w^2 = 2
+    const double w1 = lumped ? std::sqrt(2.0) : w, z1 = alpha * w1 / 2, d1 = w1 * std::sqrt(1 - z1 * z1);
+    Simulation s(test::scene(body + test::time_integrator(scheme, dt, end)), world());
+    double worst = 0;
+    for (int step = 1; step <= std::lround(end / dt); ++step) {
+      ASSERT_TRUE(s.integrator().step(dt).converged) << scheme;
+      const double t = step * dt;
+      const double expected = speed * std::exp(-(lumped ? z1 * w1 : zeta * w) * t) *
+                              std::sin((lumped ? d1 : damped) * t) / (lumped ? d1 : damped);
+      const std::vector<double> u = test::gathered(s.model(), s.integrator().state().u);
+      worst = std::max(worst, std::abs(u.back() - expected));
+    }
+    EXPECT_LT(worst, 3e-4 * speed) << scheme;  // strains of 1e-4, and dt^2
+    EXPECT_GT(s.integrator().dissipated_energy(), 0.3 * speed * speed / 6) << scheme;
+  }
+}
+
+TEST(ViscosityTest, WhatIsDissipatedClosesTheBalance) {
+  for (const char* scheme : {"Average Vector Field", "Energy-Momentum"}) {
+    Simulation s(test::scene(with_viscosity(test::block_2d(1.5), 0.05) + test::time_integrator(scheme, 0.05, 5)),
+                 world());
+    const double before = test::total_energy(s);
+    for (int step = 0; step < 100; ++step) ASSERT_TRUE(s.integrator().step(0.05).converged) << scheme;
+    const double dissipated = s.integrator().dissipated_energy();
+    EXPECT_NEAR(test::total_energy(s) + dissipated, before, 1e-9 * before) << scheme;
+    EXPECT_GT(dissipated, 1e-3 * before);
+    ASSERT_EQ(s.integrator().dissipations().size(), 1U);
+    EXPECT_EQ(s.integrator().dissipations()[0], dissipated);
+    EXPECT_EQ(s.model().dissipation_names()[0], "viscosity of body");
+  }
+}
+
+TEST(ViscosityTest, EachSourceIsBookedUnderItsName) {
+  std::string body = with_viscosity(test::block_2d(1.5), 0.05);
+  body.insert(body.find(number("Density", 1)), number("Mass Damping", 0.1));
+  Simulation s(test::scene(body + test::time_integrator("Average Vector Field", 0.05, 1)), world());
+  const double before = test::total_energy(s);
+  for (int step = 0; step < 20; ++step) ASSERT_TRUE(s.integrator().step(0.05).converged);
+  const std::vector<double>& by_name = s.integrator().dissipations();
+  ASSERT_EQ(s.model().dissipation_names(), (std::vector<std::string>{"viscosity of body", "damping"}));
+  EXPECT_GT(by_name[0], 1e-3);
+  EXPECT_GT(by_name[1], 1e-3);
+  EXPECT_NEAR(test::total_energy(s) + by_name[0] + by_name[1], before, 1e-9 * before);
+}
+
+/// Returns the angular momentum after `steps` steps over that at first.
+double spin_kept(const std::string& scheme, const std::string& damping) {
+  std::string body = test::block_2d(1.5);
+  body.insert(body.find(number("Density", 1)), damping);
+  Simulation s(test::scene(body + test::time_integrator(scheme, 0.05, 5)), world());
+  const auto spin = [&] {
+    return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data()).angular[0];
+  };
+  const double before = spin();
+  for (int step = 0; step < 100; ++step) EXPECT_TRUE(s.integrator().step(0.05).converged) << scheme;
+  return spin() / before;
+}
+
+TEST(ViscosityTest, AngularMomentumStaysWhereTheSchemeKeepsIt) {
+  EXPECT_NEAR(spin_kept("Midpoint", number("Viscosity", 0.05)), 1, 1e-10);
+  EXPECT_NEAR(spin_kept("Energy-Momentum", number("Viscosity", 0.05)), 1, 1e-10);
+  EXPECT_NEAR(spin_kept("Central Difference", number("Viscosity", 0.01)), 1, 1e-10);
+  for (const char* scheme : {"Newmark", "Average Vector Field", "Generalized-Alpha"})
+    EXPECT_NEAR(spin_kept(scheme, number("Viscosity", 0.05)), 1, 0.02) << scheme;
+  EXPECT_LT(spin_kept("Midpoint", number("Stiffness Damping", 0.05)), 0.9) << "it damps the rotation too";
+}
+
+TEST(ViscosityTest, ARejectedStepLeavesNoTrace) {
+  for (const std::string& scheme : test::moving_schemes()) {
+    const auto scene = test::scene(with_viscosity(test::block_2d(1.0), 0.05) + test::time_integrator(scheme, 0.05, 5));
+    Simulation straight(scene, world()), with_rejections(scene, world());
+    for (int step = 0; step < 5; ++step) {
+      ASSERT_TRUE(straight.integrator().step(0.02).converged);
+      with_rejections.integrator().attempt(0.05);  // judged too long: the next attempt begins at the accepted state
+      ASSERT_TRUE(with_rejections.integrator().step(0.02).converged);
+    }
+    const auto dissipated = [](const Simulation& s) {
+      return s.model().cell_fields(s.integrator().state().u.data())[0].dissipated;
+    };
+    const double largest = test::distance(straight.integrator().state().u, with_rejections.integrator().state().u);
+    EXPECT_LT(straight.model().space().maximum(largest), 1e-9) << scheme;
+    EXPECT_NEAR(straight.integrator().dissipated_energy(), with_rejections.integrator().dissipated_energy(), 1e-10)
+        << scheme;
+    EXPECT_LT(straight.model().space().maximum(test::distance(dissipated(straight), dissipated(with_rejections))),
+              1e-10);
+  }
+}
+
+TEST(ViscosityTest, CreepUnderALoadIsExponential) {
+  // One cell on rollers under a traction s, without inertia: E e + alpha E e' = s, e = s/E (1 - exp(-t/alpha)).
+  const double alpha = 0.5, load = 1e-5, dt = 0.005;
+  std::string body = with_viscosity(test::oscillator(), alpha);
+  const std::string conditions = "<ParameterList name=\"Boundary Conditions\">";
+  body.insert(body.find(conditions) + conditions.size(),
+              list("Pull", word("Type", "Traction") + word("Side Set", "top") + numbers("Vector", {0, load})));
+  const std::string motion = list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 1}));
+  body.replace(body.find(motion), motion.size(), "");
+  Simulation s(test::scene(body + test::time_integrator("Static", dt, 2)), world());
+  for (int step = 1; step <= 200; ++step) {
+    ASSERT_TRUE(s.integrator().step(dt).converged);
+    const std::vector<double> u = test::gathered(s.model(), s.integrator().state().u);
+    EXPECT_NEAR(u.back(), load * (1 - std::pow(1 + dt / alpha, -step)), 1e-4 * load) << "backward Euler's closed form";
+  }
+}
+
+}  // namespace
+}  // namespace ixos
