@@ -49,7 +49,7 @@ void make_file(const std::string& path) {
   H5Pclose(access);
 }
 
-/// What the HDF5 library reads of a data set, by its own driver.
+/// A data set as the HDF5 library reads it with its ordinary driver.
 struct Found {
   std::vector<hsize_t> size;
   std::vector<double> values;

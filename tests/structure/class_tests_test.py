@@ -133,7 +133,7 @@ def check_entry(table, header):
     if has_test(header):
         return f"lib/{header} has its test, tests/{name_test(header)}: delete its entry in {table}"
     if not needs_test(header):
-        return f"lib/{header} needs no test of its own: delete its entry in {table}"
+        return f"lib/{header} needs no test: delete its entry in {table}"
     return ""
 
 
