@@ -98,10 +98,6 @@ elsewhere = {
 
 # Headers that are only used in tests, or in none: each still needs its own.
 missing = [
-    "io/exodus_definition.hpp",
-    "io/exodus_handle.hpp",
-    "io/exodus_variables.hpp",
-    "io/hdf5_handle.hpp",
     "solve/factorization_list.hpp",
     "solve/tpetra_preconditioner.hpp",
 ]
