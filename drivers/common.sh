@@ -1,6 +1,6 @@
-# What run.sh and the tests' run.sh share: packages, configuration, build. Sourced, not run.
-# Installs by apt what is missing of its own list, of $extra_packages and of $IXOS_EXTRA_PACKAGES, configures the preset
-# IXOS_PRESET (release) and builds $targets (everything).
+# The steps that drivers/run.sh and tests/run.sh share: packages, configuration, build. Sourced, not run.
+# Installs the missing packages of $packages, $extra_packages and $IXOS_EXTRA_PACKAGES with apt. Configures the preset
+# IXOS_PRESET (default release). Builds $targets (default everything).
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 preset=${IXOS_PRESET:-release}

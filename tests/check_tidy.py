@@ -10,12 +10,16 @@ build folder must have been built with Ninja. The exit status is 1 if clang-tidy
 """
 import argparse
 import concurrent.futures
-import hashlib
 import json
 import os
+import pathlib
 import re
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "structure"))
+from content_hash import PassedChecks, hash_contents  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
@@ -33,13 +37,10 @@ def dependencies(build):
 
 
 def key(source, command, files, version):
-    digest = hashlib.sha256((version + command.replace(ROOT, "")).encode())
+    """Returns the hash of what a clean run depends on: the same in every clone."""
     own = {source, os.path.join(ROOT, ".clang-tidy")} | {f for f in files if f.startswith(ROOT + "/lib/") or
                                                         f.startswith(ROOT + "/drivers/")}
-    for path in sorted(own):
-        with open(path, "rb") as file:
-            digest.update(os.path.relpath(path, ROOT).encode() + b"\0" + file.read() + b"\0")
-    return digest.hexdigest()
+    return hash_contents(ROOT, [os.path.relpath(path, ROOT) for path in own], version, command.replace(ROOT, ""))
 
 
 def without_precompiled_header(command):
@@ -58,8 +59,6 @@ def main():
     parser.add_argument("--all", action="store_true", help="check unchanged sources too")
     options = parser.parse_args()
     build = os.path.abspath(options.build)
-    cache = os.path.join(os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache"), "ixos-tidy")
-    os.makedirs(cache, exist_ok=True)
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     with open(os.path.join(build, "compile_commands.json")) as file:
         commands = json.load(file)
@@ -70,6 +69,7 @@ def main():
     with open(os.path.join(database, "compile_commands.json"), "w") as file:
         json.dump(commands, file)
     seen = dependencies(build)
+    passed = PassedChecks("ixos-tidy")
     todo = []
     for entry in commands:
         source = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
@@ -78,15 +78,15 @@ def main():
         # The object's path is what the compile command writes.
         words = entry["command"].split()
         files = seen.get(words[words.index("-o") + 1], [])
-        stamp = os.path.join(cache, key(source, entry["command"], files, version))
-        if options.all or not files or not os.path.exists(stamp):
-            todo.append((source, stamp))
+        state = key(source, entry["command"], files, version)
+        if options.all or not files or state not in passed:
+            todo.append((source, state))
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
     clean = True
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for (source, stamp), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], database), todo)):
+        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], database), todo)):
             if good:
-                open(stamp, "w").close()
+                passed.add(state)
             else:
                 clean = False
                 print(output, flush=True)

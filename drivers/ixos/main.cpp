@@ -235,7 +235,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     return end_all(3, ixos::out_of_memory(), comm);
   } catch (const std::exception& error) {
     const std::string what = error.what();
-    // Kokkos throws an error of its own when it cannot allocate.
+    // When Kokkos cannot allocate, it throws an exception that is no std::bad_alloc.
     if (ixos::memory_ran_out() || what.find("failed to allocate") != std::string::npos)
       return end_all(3, ixos::out_of_memory() + " (" + what + ")", comm);
     return end_all(1, std::string("internal error, please report it: ") + error.what(), comm);

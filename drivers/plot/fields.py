@@ -30,7 +30,7 @@ def chosen_frames(fields, times, count):
 def draw_body(axes, polygons, values, colors, limits, wall):
     """A deformed mesh coloured by a value a cell, above its wall. Returns the collection."""
     colormap, norm = colors
-    # Of a fine mesh the lines would hide the colours.
+    # The lines of a fine mesh would hide the colours.
     lines = {"edgecolors": style.INK, "linewidths": 0.35} if len(polygons) < 2000 else {"edgecolors": "face",
                                                                                        "linewidths": 0.2}
     body = PolyCollection(polygons, array=values, cmap=colormap, norm=norm, **lines)

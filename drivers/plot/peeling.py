@@ -28,7 +28,7 @@ DASHES = ["-", (0, (5, 3)), (0, (1.5, 2)), (0, (7, 2, 1.5, 2))]
 
 
 class Curve:
-    """What is drawn of a run: x over y, and their names."""
+    """The curve of a run: x, y and their labels."""
 
     def __init__(self, run, arguments):
         self.run = run

@@ -74,7 +74,7 @@ def body(fields, frame, values, colors):
     if len(fields.cells) < 5000:
         look.EdgeVisibilityOn()
         return [actor]
-    # Of a fine mesh the lines would hide the colours.
+    # The lines of a fine mesh would hide the colours.
     edges = vtkFeatureEdges()
     edges.SetInputConnection(surface.GetOutputPort())
     edges.SetFeatureAngle(50)

@@ -14,7 +14,7 @@ STEP_MEAN_SCHEMES = {"Gautam-Sauer Composite", "Average Vector Field", "Energy-M
 
 
 class ResultsError(Exception):
-    """What the user asked for is not there; one line."""
+    """Requested data are missing or damaged. The message has one line."""
 
 
 class Run:
@@ -141,7 +141,7 @@ class Run:
         return rate * ramp_integral(np.asarray(times) - start, length, self.setting(f"{path}/Shape") or "Cosine")
 
     def traits(self):
-        """What tells runs apart, as words: scheme, contact element, time step, damping."""
+        """The traits that tell runs apart, as words: scheme, contact element, time step, damping."""
         return self.scheme, self.element, self.time_step and f"Δt = {self.time_step:g} T₀", self.damping
 
 
@@ -154,7 +154,7 @@ def ramp_integral(times, length, shape):
 
 
 def within(times, interval):
-    """Which times lie in the interval, up to round-off."""
+    """Tells for each time whether it lies in the interval, up to round-off."""
     slack = 1e-9 * (interval[1] - interval[0])
     return (times >= interval[0] - slack) & (times <= interval[1] + slack)
 
@@ -186,7 +186,8 @@ def read_history(path):
 
 
 def labels(runs):
-    """A label for each run: the traits in which they differ; its folder's name where that is none or not enough."""
+    """A label for each run: the traits in which the runs differ. Falls back to the folder's name if there are none, or
+    if two runs would have the same label."""
     table = [run.traits() for run in runs]
     differ = [len(runs) == 1 and trait == 0 or len(set(values)) > 1 for trait, values in enumerate(zip(*table))]
     names = [", ".join(word for word, counts in zip(words, differ) if word and counts) for words in table]
@@ -220,7 +221,7 @@ def find(node, path):
 
 
 def wall_height(folder):
-    """Height of the scene's flat wall by effective.xml: 0 where that is not known, None where there is no such wall."""
+    """Height of the scene's flat wall by effective.xml. 0 if it is unknown, None if there is no such wall."""
     scene = read_scene(folder)
     if scene is None:
         return 0.0

@@ -1,4 +1,4 @@
-"""What a study found: study.csv and study.json, read and checked."""
+"""Reads and checks the results of a study: study.csv and study.json."""
 import csv
 import io
 import itertools
@@ -97,7 +97,7 @@ class Study:
         return [run for run in self.lines[line].values() if run["status"] in FAILED]
 
     def cost(self, run):
-        """What a run cost; 0 where that is not known."""
+        """The cost of a run; 0 if it is unknown."""
         cost = run[self.data["cost"]]
         return cost if 0 <= cost < math.inf else 0.0
 

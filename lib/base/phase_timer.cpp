@@ -23,13 +23,13 @@ const char* current = nullptr;  ///< see current_phase()
 
 const char* current_phase() noexcept { return current; }
 
-TimedScope::TimedScope(Phase phase) : timer_(phase_timer(phase)), outer_(current) {
+TimedScope::TimedScope(Phase phase) : timer_(phase_timer(phase)), outermost_(!timer_.isRunning()), outer_(current) {
   current = phase_names[static_cast<std::size_t>(phase)];
-  timer_.start();
+  if (outermost_) timer_.start();
 }
 
 TimedScope::~TimedScope() {
-  timer_.stop();
+  if (outermost_) timer_.stop();
   current = outer_;
 }
 

@@ -17,7 +17,7 @@ Teuchos::Time& phase_timer(Phase phase);
 /// Returns the name of the innermost phase that is being timed; null outside all phases.
 const char* current_phase() noexcept;
 
-/// A guard that times a scope.
+/// A guard that times a scope. Inside another scope of the same phase it times nothing: the outer one counts this time.
 class TimedScope {
  public:
   explicit TimedScope(Phase phase);
@@ -27,6 +27,7 @@ class TimedScope {
 
  private:
   Teuchos::Time& timer_;
+  bool outermost_;  ///< of its phase
   const char* outer_;
 };
 

@@ -82,17 +82,6 @@ void seal(const std::string& path, std::vector<FilePiece> pieces) {
   file.close();
 }
 
-void seal(const std::string& path) {
-  std::uint64_t length = 0;
-  Checksum checksum{};
-  {
-    const DiskFile file(path, DiskFile::Mode::Read);
-    length = file.length() - std::min<std::uint64_t>(file.length(), seal_bytes);
-    checksum = checksum_on_disk(file, seal_bytes, length);
-  }
-  seal(path, {{seal_bytes, length, checksum}});
-}
-
 std::string seal_problem(const std::string& path) {
   try {
     const DiskFile file(path, DiskFile::Mode::Read);

@@ -18,9 +18,6 @@ inline constexpr int seal_bytes = 512;
 /// FileError.
 void seal(const std::string& path, std::vector<FilePiece> pieces);
 
-/// Seals a file as it stands on the disk, in one piece.
-void seal(const std::string& path);
-
 /// Returns why the file is not a sound checkpoint, in words that follow its name; empty for a sound one. Finds any
 /// changed, missing or added byte before another library reads the file. Not collective.
 std::string seal_problem(const std::string& path);

@@ -13,17 +13,10 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "io/persistent.hpp"
 
 namespace ixos {
 namespace {
-
-/// Calls again what a signal interrupted.
-template <class Call>
-auto persistent(const Call& call) {
-  auto result = call();
-  while (result < 0 && errno == EINTR) result = call();
-  return result;
-}
 
 [[noreturn]] void fail_at(const std::string& path, const char* what) {
   throw FileError(path + ": " + what + ": " + std::strerror(errno));

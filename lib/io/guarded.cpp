@@ -16,6 +16,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "io/persistent.hpp"
 
 namespace ixos {
 namespace {
@@ -28,14 +29,6 @@ std::uint64_t taken() {
   std::uint64_t pages = 0;
   file >> pages;
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-}
-
-/// Calls again what a signal interrupted.
-template <class Call>
-auto persistent(const Call& call) {
-  auto result = call();
-  while (result < 0 && errno == EINTR) result = call();
-  return result;
 }
 
 void limit(int what, std::uint64_t value) {

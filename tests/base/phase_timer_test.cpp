@@ -68,6 +68,27 @@ TEST(PhaseTimerTest, APhaseInsideAnotherCountsForBoth) {
   EXPECT_GE(spent(before, Phase::LinearSolve) - spent(before, Phase::Residual), outside - slack);
 }
 
+TEST(PhaseTimerTest, APhaseInsideItselfCountsOnce) {
+  const PhaseSeconds before = phase_seconds();
+  const auto start = Clock::now();
+  double asleep = 0;
+  {
+    const TimedScope outer(Phase::Tangent);
+    asleep += sleep();
+    {
+      const TimedScope inner(Phase::Tangent);
+      const TimedScope innermost(Phase::Tangent);
+      asleep += sleep();
+    }
+    EXPECT_TRUE(phase_timer(Phase::Tangent).isRunning());
+    EXPECT_STREQ(current_phase(), "tangent");
+    asleep += sleep();
+  }
+  EXPECT_FALSE(phase_timer(Phase::Tangent).isRunning());
+  EXPECT_GE(spent(before, Phase::Tangent), asleep - slack);
+  EXPECT_LE(spent(before, Phase::Tangent), seconds_since(start) + slack);
+}
+
 TEST(PhaseTimerTest, TheCurrentPhaseIsTheInnermost) {
   EXPECT_EQ(current_phase(), nullptr);
   {

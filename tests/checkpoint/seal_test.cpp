@@ -18,7 +18,8 @@ class SealTest : public testing::Test {
     std::string contents(seal_bytes, '\0');
     for (int i = 0; i < 5000; ++i) contents += static_cast<char>(i * i);
     write(contents);
-    seal(path_);
+    const std::size_t bytes = contents.size() - seal_bytes;
+    seal(path_, {{seal_bytes, bytes, checksum(contents.data() + seal_bytes, bytes)}});
     sealed_ = test::contents(path_);
     ASSERT_GT(sealed_.size(), contents.size());  // and the table
   }
@@ -87,7 +88,7 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   write(later);
   EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 4, and this version reads format 3");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
-  EXPECT_THROW(seal("/nowhere/checkpoint.h5"), FileError);
+  EXPECT_THROW(seal("/nowhere/checkpoint.h5", {}), FileError);
 }
 
 }  // namespace

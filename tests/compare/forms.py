@@ -31,7 +31,7 @@ class Form(typing.NamedTuple):
 
 
 class ShortStudy(typing.NamedTuple):
-    """What makes a study short: values of axes, and changes of the lists Common, Reference/Settings and Errors."""
+    """The changes that make a study short: values of axes, and of the lists Common, Reference/Settings and Errors."""
     common: dict
     axes: dict
     reference: dict

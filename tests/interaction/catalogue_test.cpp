@@ -2,18 +2,12 @@
 
 #include "fem/quadrature.hpp"
 #include "support/catalogue_walk.hpp"
+#include "support/derivative.hpp"
 
 namespace ixos {
 namespace {
 
-/// Returns the derivative of f at 0 by Richardson's extrapolation of central differences.
-template <class Function>
-double derivative(const Function& f, double step) {
-  const auto central = [&](double h) { return (f(h) - f(-h)) / (2 * h); };
-  const double a = central(4 * step), b = central(2 * step), c = central(step);
-  const double ab = (4 * b - a) / 3, bc = (4 * c - b) / 3;
-  return (16 * bc - ab) / 15;
-}
+using test::derivative;
 
 template <class Catalogue>
 Teuchos::ParameterList complete(const Catalogue& catalogue, const std::string& name) {

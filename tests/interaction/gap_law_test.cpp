@@ -9,7 +9,7 @@
 namespace ixos {
 namespace {
 
-/// psi = k r^2/2: each function has a value of its own.
+/// psi = k r^2/2. No two functions return the same value, so a test can tell which one was called.
 struct Spring {
   static constexpr bool has_range = true;
   static constexpr GapDomain domain = GapDomain::All;

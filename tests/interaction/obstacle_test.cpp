@@ -190,8 +190,8 @@ TEST(ObstacleStepTest, BeforeAPlaneIsAGeometricSeries) {
   }
 }
 
-// The gap to a ball is convex along a line. So a round goes at least as far as before the plane that touches where the
-// line arrives, and never beyond.
+// The gap to a ball is convex along a line. Therefore no round passes the bound. Each round advances at least as far as
+// before the plane that is tangent where the line arrives.
 TEST(ObstacleStepTest, BeforeABallNearlyReachesTheBound) {
   const double radius = 1, least = 0.2, distance = 3, length = 5;
   const Ball ball(radius);

@@ -1,16 +1,15 @@
 #include "io/disk_file.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "support/file_limit.hpp"
 #include "support/files.hpp"
 
 namespace ixos {
@@ -171,32 +170,12 @@ TEST_F(DiskFileTest, WholeFilesReplaceTheOldOne) {
   EXPECT_EQ(names_in(folder_).size(), 3U) << "nothing unfinished is left";
 }
 
-/// No file of this process may be longer while this object lives.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
-
 TEST_F(DiskFileTest, AFailureLeavesTheOldFileAndNothingUnfinished) {
   const std::string name = file_with("whole", "old");
   std::string message;
   {
     // The first four bytes can be written, the others cannot.
-    const FileLimit limit(4);
+    const test::FileLimit limit(4);
     message = failure([&] { write_whole_file(name, "a longer text"); });
   }
   EXPECT_EQ(message, beside(name) + ": cannot be written: " + std::strerror(EFBIG));

@@ -2,16 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <hdf5_hl.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 
 #include "io/hdf5_fields_fixture.hpp"
+#include "support/file_limit.hpp"
 #include "support/files.hpp"
 
 namespace ixos::test {
@@ -48,23 +47,6 @@ TEST_F(Hdf5FieldsTest, ItIsGoneOnWithAndLaterFramesAreDropped) {
     world()->barrier();
   }
 }
-
-/// No file of this process may be longer, while it lasts.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    std::signal(SIGXFSZ, SIG_IGN);
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileLimit() { setrlimit(RLIMIT_FSIZE, &before_); }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 TEST_F(Hdf5FieldsTest, AFrameWithoutRoomFailsOnAllRanksAndTheFramesBeforeAreGoneOnWith) {
   const Mesh mesh = two_blocks(2, false);

@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 #include <hdf5_hl.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "base/agreement.hpp"
+#include "support/file_limit.hpp"
 #include "support/files.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -50,7 +49,7 @@ void make_file(const std::string& path) {
   H5Pclose(access);
 }
 
-/// What the HDF5 library reads of a data set, by its own driver.
+/// A data set as the HDF5 library reads it with its ordinary driver.
 struct Found {
   std::vector<hsize_t> size;
   std::vector<double> values;
@@ -225,26 +224,6 @@ TEST_F(Hdf5SeriesTest, FilesWithoutTheseSetsAreRefusedOnAllRanks) {
   EXPECT_THROW(Hdf5Series(text + ".none", world(), sets, Mode::Write), FileError);
 }
 
-/// No file of this process may be longer while this object lives.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
-
 long long open_in_hdf5() {
   return static_cast<long long>(H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL));
 }
@@ -259,7 +238,7 @@ TEST_F(Hdf5SeriesTest, ADiskWithoutRoomHarmsNeitherTheFramesNorTheLibrary) {
   std::string message;
   {
     Hdf5Series series(path_, world(), sets, Mode::Write);
-    const FileLimit limit(static_cast<rlim_t>(bytes));
+    const test::FileLimit limit(static_cast<rlim_t>(bytes));
     try {
       for (; frames < 100; ++frames) append(series, frames, frames + 1);
     } catch (const FileError& error) {

@@ -3,9 +3,12 @@
 #include <array>
 
 #include "support/catalogue_walk.hpp"
+#include "support/derivative.hpp"
 
 namespace ixos {
 namespace {
+
+using test::derivative;
 
 template <std::size_t D>
 using Matrix = Small<Pack, D>;
@@ -17,15 +20,6 @@ Matrix<D> gradient(double size) {
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) h[i][j] = size * std::sin(1.0 + 3.0 * double(i) + 1.7 * double(j));
   return h;
-}
-
-/// Returns the derivative of f at 0 by Richardson's extrapolation of central differences, to about 1e-10.
-template <class Function>
-double derivative(const Function& f) {
-  const auto central = [&](double step) { return (f(step) - f(-step)) / (2 * step); };
-  const double a = central(2e-3), b = central(1e-3), c = central(5e-4);
-  const double ab = (4 * b - a) / 3, bc = (4 * c - b) / 3;
-  return (16 * bc - ab) / 15;
 }
 
 template <std::size_t D>

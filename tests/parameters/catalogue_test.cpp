@@ -30,7 +30,7 @@ Catalogue<Entry> shapes() {
   Entry strip = entry("Strip", "Euler 1744, p. 3", "Length");
   strip.in_place = true;
   return {"Shape",
-          "What it looks like.",
+          "Shape of the product.",
           {entry("Sheet", "", nullptr), entry("Ring", "Gauss 1827", "Radius"), strip, entry("Tube", "", "Width")}};
 }
 
@@ -60,7 +60,7 @@ TEST(CatalogueTest, OnlyItsEntriesCanBeChosen) {
 TEST(CatalogueTest, EachEntryIsDescribedWithItsSource) {
   const ParameterList list = declared();
   EXPECT_EQ(list.getEntry("Shape").docString(),
-            "What it looks like. Sheet of paper. Strip of paper (Euler 1744, p. 3).");
+            "Shape of the product. Sheet of paper. Strip of paper (Euler 1744, p. 3).");
   EXPECT_EQ(list.getEntry("Ring").docString(), "Ring of paper (Gauss 1827).");
   EXPECT_EQ(list.getEntry("Tube").docString(), "Tube of paper.");
 }

@@ -8,8 +8,6 @@
 #include <NOX_Thyra.H>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_oblackholestream.hpp>
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
@@ -17,63 +15,36 @@
 #include "solve/newton.hpp"
 #include "solve/nox_vector.hpp"
 #include "solve/problem_evaluator.hpp"
-#include "support/scene_text.hpp"
+#include "support/diagonal_problem.hpp"
 
 namespace ixos {
 namespace {
 
 using test::world;
 
-constexpr int unknowns = 7;
-
-/// Equations of one unknown each, spread over the ranks.
-class Diagonal : public NonlinearProblem {
+/// Equations whose tangents can be relaxed.
+class Relaxable : public test::DiagonalProblem {
  public:
-  Teuchos::RCP<const Map> map() const override { return map_; }
-  Teuchos::RCP<Operator> create_operator() override {
-    const auto matrix = Teuchos::rcp(new CrsMatrix(map_, 1));
-    for (GlobalId id = 0; id < unknowns; ++id)
-      if (map_->isNodeGlobalElement(id))
-        matrix->insertGlobalValues(id, Teuchos::tuple<GlobalId>(id), Teuchos::tuple<double>(1.0));
-    matrix->fillComplete();
-    return matrix;
-  }
-  bool residual(const Vector& x, Vector& f) override {
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto to = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t i = 0; i < to.extent(0); ++i) to(i, 0) = force(from(i, 0));
-    return true;
-  }
   void tangent(const Vector& x, Operator& w) override {
     levels.push_back(level);
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto values = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost().values;
-    for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = slope(from(i, 0));
+    DiagonalProblem::tangent(x, w);
   }
-  double admissible_step(const Vector&, const Vector&) override { return 1; }
-  double convergence_bound(double tolerance) const override { return tolerance; }
   bool is_gradient() const override { return gradient; }
   void relax_tangent(int wanted) override { level = wanted; }
 
   bool gradient = true;
   int level = 0;            ///< of the tangent's relaxation
   std::vector<int> levels;  ///< at which tangents were evaluated
-
- private:
-  virtual double force(double x) const = 0;
-  virtual double slope(double x) const = 0;  ///< at the present level
-
-  Teuchos::RCP<const Map> map_ = Teuchos::rcp(new Map(Tpetra::global_size_t{unknowns}, 0, world()));
 };
 
 /// f = x, and the given tangents by level; the last one serves for all higher levels. A positive tangent descends.
-class Bowl : public Diagonal {
+class Bowl : public Relaxable {
  public:
   explicit Bowl(std::vector<double> tangents) : tangents_(std::move(tangents)) {}
 
  private:
-  double force(double x) const override { return x; }
-  double slope(double) const override {
+  double value(double /*id*/, double x) const override { return x; }
+  double slope(double /*id*/, double /*x*/) const override {
     return tangents_[std::min(static_cast<std::size_t>(level), tangents_.size() - 1)];
   }
   std::vector<double> tangents_;
@@ -100,13 +71,13 @@ constexpr double given_tolerance = 0.25;  ///< of linear solves
 class DescentDirectionTest : public testing::Test {
  protected:
   /// Computes the direction at x = 1 + id. Returns whether there is one.
-  bool compute(Diagonal& problem, double tolerance = 0) {
+  bool compute(Relaxable& problem, double tolerance = 0) {
     const LinearSolverFactory linear_solvers(klu());
     const auto evaluator = Teuchos::rcp(new ProblemEvaluator(problem, linear_solvers.strategy()));
     const auto start = Thyra::createMember(evaluator->get_x_space());
     {
       const auto view = Extract::getTpetraVector(start)->getLocalViewHost(Tpetra::Access::OverwriteAll);
-      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = 1 + id(problem, i);
+      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = 1 + problem.id(i);
     }
     const auto group = Teuchos::rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(start), evaluator));
     const auto nox = silent();
@@ -122,15 +93,12 @@ class DescentDirectionTest : public testing::Test {
     return found;
   }
   /// Expects the direction -x / tangent.
-  void expect_direction(const Diagonal& problem, double tangent, int first = 0) const {
+  void expect_direction(const Relaxable& problem, double tangent, int first = 0) const {
     const auto view = tpetra(*result_)->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < view.extent(0); ++i)
-      if (id(problem, i) >= first) {
-        EXPECT_NEAR(view(i, 0), -(1 + id(problem, i)) / tangent, 1e-13) << id(problem, i);
+      if (problem.id(i) >= first) {
+        EXPECT_NEAR(view(i, 0), -(1 + problem.id(i)) / tangent, 1e-13) << problem.id(i);
       }
-  }
-  static double id(const Diagonal& problem, std::size_t i) {
-    return static_cast<double>(problem.map()->getGlobalElement(static_cast<LocalId>(i)));
   }
 
   Teuchos::RCP<NOX::Abstract::Vector> result_;
@@ -214,7 +182,7 @@ TEST_F(DescentDirectionTest, AToleranceHandsTheAccuracyOfLinearSolvesToTheForcin
 }
 
 /// The potential x^4/4 - x^2/2 has a maximum at 0 and minima at 1 and -1.
-class TwoValleys final : public Diagonal {
+class TwoValleys final : public Relaxable {
  public:
   Potential potential(const Vector& x) override {
     double mine[2] = {}, all[2] = {};
@@ -229,8 +197,8 @@ class TwoValleys final : public Diagonal {
   }
 
  private:
-  double force(double x) const override { return x * x * x - x; }
-  double slope(double x) const override { return 3 * x * x - 1 + level; }
+  double value(double /*id*/, double x) const override { return x * x * x - x; }
+  double slope(double /*id*/, double x) const override { return 3 * x * x - 1 + level; }
 };
 
 // Newton's method for x^3 - x = 0 goes from 0.1 to 0, where the potential has its maximum.
@@ -242,13 +210,13 @@ TEST_F(DescentDirectionTest, NewtonsMethodThenEndsInAMinimum) {
     Vector x(problem.map());
     {
       const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
-      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = id(problem, i) > 3 ? -0.1 : 0.1;
+      for (std::size_t i = 0; i < view.extent(0); ++i) view(i, 0) = problem.id(i) > 3 ? -0.1 : 0.1;
     }
     const NewtonResult result = newton.solve(x);
     EXPECT_TRUE(result.converged) << result.reason;
     const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < view.extent(0); ++i)
-      EXPECT_NEAR(view(i, 0), !gradient ? 0 : id(problem, i) > 3 ? -1 : 1, 1e-9) << id(problem, i);
+      EXPECT_NEAR(view(i, 0), !gradient ? 0 : problem.id(i) > 3 ? -1 : 1, 1e-9) << problem.id(i);
   }
 }
 

@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 
 #include "base/error.hpp"
@@ -9,27 +7,13 @@
 #include "solve/klu2_repair.hpp"
 #include "solve/linear_solver.hpp"
 #include "support/scene_text.hpp"
+#include "support/tridiagonal.hpp"
 
 namespace ixos {
 namespace {
 
+using test::tridiagonal;
 using test::world;
-
-/// Tridiagonal, unsymmetric where `skew` is not 0, on all ranks.
-Teuchos::RCP<CrsMatrix> tridiagonal(int n, double diagonal, double skew, const Comm& comm) {
-  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(n), 0, comm));
-  const auto matrix = Teuchos::rcp(new CrsMatrix(map, 3));
-  for (GlobalId row = 0; row < n; ++row) {
-    if (!map->isNodeGlobalElement(row)) continue;
-    for (const auto& [column, value] :
-         {std::pair{row - 1, -1 - skew}, std::pair{row, diagonal + 0.01 * static_cast<double>(row)},
-          std::pair{row + 1, -1 + skew}})
-      if (column >= 0 && column < n)
-        matrix->insertGlobalValues(row, Teuchos::tuple<GlobalId>(column), Teuchos::tuple<double>(value));
-  }
-  matrix->fillComplete();
-  return matrix;
-}
 
 double relative_residual(const CrsMatrix& a, const std::string& type) {
   Teuchos::ParameterList list;

@@ -3,14 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 #include <cmath>
 #include <functional>
 
+#include "support/diagonal_problem.hpp"
 #include "support/refusal.hpp"
-#include "support/scene_text.hpp"
 
 namespace ixos {
 namespace {
@@ -20,48 +18,19 @@ using test::world;
 /// Value and derivative of the equation of unknown `id` at x; NaN where x is inadmissible.
 using Equation = std::function<std::pair<double, double>(double id, double x)>;
 
-/// The same equation for each of seven unknowns, spread over the ranks; |f| must come below the tolerance itself.
-class Diagonal final : public NonlinearProblem {
+/// The same equation for each unknown.
+class Equations final : public test::DiagonalProblem {
  public:
-  explicit Diagonal(Equation equation)
-      : equation_(std::move(equation)), map_(Teuchos::rcp(new Map(Tpetra::global_size_t{7}, 0, world()))) {}
-
-  Teuchos::RCP<const Map> map() const override { return map_; }
-  Teuchos::RCP<Operator> create_operator() override {
-    const auto matrix = Teuchos::rcp(new CrsMatrix(map_, 1));
-    for (LocalId i = 0; i < size(); ++i) {
-      const GlobalId id = map_->getGlobalElement(i);
-      matrix->insertGlobalValues(id, Teuchos::tuple<GlobalId>(id), Teuchos::tuple<double>(1.0));
-    }
-    matrix->fillComplete();
-    return matrix;
-  }
-  bool residual(const Vector& x, Vector& f) override {
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto to = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    int inadmissible = 0, anywhere = 0;
-    for (LocalId i = 0; i < size(); ++i) {
-      to(i, 0) = equation_(id(i), from(i, 0)).first;
-      if (std::isnan(to(i, 0))) inadmissible = 1;
-    }
-    Teuchos::reduceAll(*map_->getComm(), Teuchos::REDUCE_MAX, 1, &inadmissible, &anywhere);
-    return anywhere == 0;
-  }
-  void tangent(const Vector& x, Operator& w) override {
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto values = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost().values;
-    for (LocalId i = 0; i < size(); ++i) values(static_cast<std::size_t>(i)) = equation_(id(i), from(i, 0)).second;
-  }
-  double admissible_step(const Vector&, const Vector&) override { return 1; }
-  double convergence_bound(double tolerance) const override { return tolerance; }
+  explicit Equations(Equation equation) : equation_(std::move(equation)) {}
 
  private:
-  LocalId size() const { return static_cast<LocalId>(Vector(map_).getLocalLength()); }
-  double id(LocalId i) const { return static_cast<double>(map_->getGlobalElement(i)); }
+  double value(double id, double x) const override { return equation_(id, x).first; }
+  double slope(double id, double x) const override { return equation_(id, x).second; }
 
   Equation equation_;
-  Teuchos::RCP<const Map> map_;
 };
+
+constexpr int unknowns = Equations::unknowns;
 
 struct Ending {
   NewtonResult result;
@@ -72,16 +41,15 @@ struct Ending {
 Ending solve(const Equation& equation, double start, const NewtonOptions& options) {
   Teuchos::ParameterList list;
   list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Diagonal problem(equation);
+  Equations problem(equation);
   NewtonSolver newton(problem, LinearSolverFactory(list), options);
   Vector x(problem.map());
   x.putScalar(start);
-  Ending ending{newton.solve(x), std::vector<double>(7, 0.0)};
-  std::vector<double> mine(7, 0.0);
+  Ending ending{newton.solve(x), std::vector<double>(unknowns, 0.0)};
+  std::vector<double> mine(unknowns, 0.0);
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (std::size_t i = 0; i < view.extent(0); ++i)
-    mine[static_cast<std::size_t>(problem.map()->getGlobalElement(static_cast<LocalId>(i)))] = view(i, 0);
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 7, mine.data(), ending.x.data());
+  for (std::size_t i = 0; i < view.extent(0); ++i) mine[static_cast<std::size_t>(problem.id(i))] = view(i, 0);
+  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, unknowns, mine.data(), ending.x.data());
   return ending;
 }
 
@@ -89,17 +57,17 @@ TEST(NewtonTest, SquareRootsFollowHeronsSequence) {
   const NewtonOptions options{1e-10, 100, {}};
   const Ending ending = solve([](double id, double x) { return std::pair{x * x - 2 - id, 2 * x}; }, 1.5, options);
   EXPECT_TRUE(ending.result.converged) << ending.result.reason;
-  std::vector<double> heron(7, 1.5);
+  std::vector<double> heron(unknowns, 1.5);
   const auto norm = [&heron] {
     double sum = 0;
-    for (std::size_t i = 0; i < 7; ++i) sum += std::pow(heron[i] * heron[i] - 2 - static_cast<double>(i), 2);
+    for (std::size_t i = 0; i < unknowns; ++i) sum += std::pow(heron[i] * heron[i] - 2 - static_cast<double>(i), 2);
     return std::sqrt(sum);
   };
   int iterations = 0;
   for (; norm() > 1e-10; ++iterations)
-    for (std::size_t i = 0; i < 7; ++i) heron[i] = (heron[i] + (2 + static_cast<double>(i)) / heron[i]) / 2;
+    for (std::size_t i = 0; i < unknowns; ++i) heron[i] = (heron[i] + (2 + static_cast<double>(i)) / heron[i]) / 2;
   EXPECT_EQ(ending.result.iterations, iterations);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(ending.x[i], heron[i], 1e-14) << i;
+  for (std::size_t i = 0; i < unknowns; ++i) EXPECT_NEAR(ending.x[i], heron[i], 1e-14) << i;
 }
 
 TEST(NewtonTest, ALinearProblemTakesOneIterationAndASolvedOneNone) {
@@ -107,7 +75,7 @@ TEST(NewtonTest, ALinearProblemTakesOneIterationAndASolvedOneNone) {
   const Ending ending = solve(linear, 100, {1e-12, 100, {}});
   EXPECT_TRUE(ending.result.converged) << ending.result.reason;
   EXPECT_EQ(ending.result.iterations, 1);
-  for (std::size_t i = 0; i < 7; ++i) EXPECT_NEAR(ending.x[i], static_cast<double>(i) / 4, 1e-13);
+  for (std::size_t i = 0; i < unknowns; ++i) EXPECT_NEAR(ending.x[i], static_cast<double>(i) / 4, 1e-13);
   const Ending solved = solve([](double, double x) { return std::pair{x - 3, 1.0}; }, 3, {1e-12, 100, {}});
   EXPECT_TRUE(solved.result.converged);
   EXPECT_EQ(solved.result.iterations, 0);
@@ -134,7 +102,7 @@ TEST(NewtonTest, AStepIntoTheInadmissibleIsHalved) {
   EXPECT_TRUE(ending.result.converged) << ending.result.reason;
   double x = 1.3125;
   int iterations = 1;
-  for (; std::sqrt(7.0) * std::abs(1 - 1 / x) > 1e-12; ++iterations) x = 2 * x - x * x;
+  for (; std::sqrt(double{unknowns}) * std::abs(1 - 1 / x) > 1e-12; ++iterations) x = 2 * x - x * x;
   EXPECT_EQ(ending.result.iterations, iterations);
   for (double found : ending.x) EXPECT_NEAR(found, 1, 1e-12);
 }

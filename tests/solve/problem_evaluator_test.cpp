@@ -3,70 +3,39 @@
 
 #include <gtest/gtest.h>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>
 #include <Thyra_VectorStdOps.hpp>
-#include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
-#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "solve/linear_solver.hpp"
-#include "support/scene_text.hpp"
+#include "support/diagonal_problem.hpp"
 
 namespace ixos {
 namespace {
 
-using test::world;
 using ThyraVector = Teuchos::RCP<Thyra::VectorBase<double>>;
 using Value = std::function<double(double id)>;
 
-constexpr int unknowns = 7;
-
-/// x^2 = id for each unknown, spread over the ranks; inadmissible if any x is negative.
-class Squares final : public NonlinearProblem {
+/// x^2 = id for each unknown; inadmissible if any x is negative.
+class Squares final : public test::DiagonalProblem {
  public:
-  Teuchos::RCP<const Map> map() const override { return map_; }
-  Teuchos::RCP<Operator> create_operator() override {
-    const auto matrix = Teuchos::rcp(new CrsMatrix(map_, 1));
-    for (GlobalId id = 0; id < unknowns; ++id)
-      if (map_->isNodeGlobalElement(id))
-        matrix->insertGlobalValues(id, Teuchos::tuple<GlobalId>(id), Teuchos::tuple<double>(1.0));
-    matrix->fillComplete();
-    return matrix;
-  }
   bool residual(const Vector& x, Vector& f) override {
     ++residuals;
-    if (lowest(x) < 0) return false;
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto to = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t i = 0; i < to.extent(0); ++i)
-      to(i, 0) = from(i, 0) * from(i, 0) - static_cast<double>(map_->getGlobalElement(static_cast<LocalId>(i)));
-    return true;
+    return DiagonalProblem::residual(x, f);
   }
   void tangent(const Vector& x, Operator& w) override {
     ++tangents;
-    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    const auto values = dynamic_cast<CrsMatrix&>(w).getLocalMatrixHost().values;
-    for (std::size_t i = 0; i < values.extent(0); ++i) values(i) = 2 * from(i, 0);
+    DiagonalProblem::tangent(x, w);
   }
-  double admissible_step(const Vector&, const Vector&) override { return 1; }
-  double convergence_bound(double tolerance) const override { return tolerance; }
 
   int residuals = 0, tangents = 0;  ///< evaluations
 
  private:
-  static double lowest(const Vector& x) {
-    double mine = 0, lowest = 0;
-    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; i < view.extent(0); ++i) mine = std::min(mine, view(i, 0));
-    Teuchos::reduceAll(*world(), Teuchos::REDUCE_MIN, 1, &mine, &lowest);
-    return lowest;
-  }
-  Teuchos::RCP<const Map> map_ = Teuchos::rcp(new Map(Tpetra::global_size_t{unknowns}, 0, world()));
+  double value(double id, double x) const override { return x < 0 ? NAN : x * x - id; }
+  double slope(double /*id*/, double x) const override { return 2 * x; }
 };
 
 Teuchos::ParameterList direct() {
@@ -87,9 +56,7 @@ class ProblemEvaluatorTest : public testing::Test {
     const auto view = Extract::getTpetraVector(found)->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < view.extent(0); ++i) EXPECT_NEAR(view(i, 0), value(id(i)), 1e-14) << id(i);
   }
-  double id(std::size_t i) const {
-    return static_cast<double>(problem_.map()->getGlobalElement(static_cast<LocalId>(i)));
-  }
+  double id(std::size_t i) const { return problem_.id(i); }
   /// Returns the arguments of an evaluation at x = 1 + id.
   Thyra::ModelEvaluatorBase::InArgs<double> at_one_plus_id() const {
     auto in = evaluator_->createInArgs();
@@ -104,7 +71,7 @@ class ProblemEvaluatorTest : public testing::Test {
 };
 
 TEST_F(ProblemEvaluatorTest, SpacesAndSolverAreThoseOfTheProblem) {
-  EXPECT_EQ(evaluator_->get_x_space()->dim(), unknowns);
+  EXPECT_EQ(evaluator_->get_x_space()->dim(), Squares::unknowns);
   EXPECT_TRUE(evaluator_->get_x_space()->isCompatible(*evaluator_->get_f_space()));
   EXPECT_EQ(evaluator_->get_W_factory(), linear_solver_);
   EXPECT_TRUE(evaluator_->getNominalValues().get_x().is_null());

@@ -32,7 +32,7 @@ def read_command(build):
         entries = [e for e in json.load(file) if LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
     if not entries:
         sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
-    # The shortest is that of a source without flags of its own.
+    # The shortest command belongs to a source without additional flags.
     entry = min(entries, key=lambda e: len(shlex.split(e["command"])))
     words = shlex.split(entry["command"])
     for option in ("-o", "-c"):

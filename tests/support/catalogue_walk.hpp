@@ -1,4 +1,4 @@
-/// What every entry of every catalogue keeps.
+/// Checks that every entry of every catalogue must pass.
 #pragma once
 #include <gtest/gtest.h>
 

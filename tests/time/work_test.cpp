@@ -109,8 +109,8 @@ State rigid(const Model& model, double u, double v, double a) {
 
 constexpr double u_n = 0.1, v_n = 0.3, a_n = 1.5, u = 0.5, v = -0.2, a = 0.7;
 
-// A driven body has the exact rates of its motion, here any numbers. What its reactions M a do is the change of its
-// kinetic energy all the same.
+// The motions of a driven body give its rates exactly; here the rates are arbitrary. The work of the reactions M a
+// equals the change of the kinetic energy all the same.
 TEST(WorkTest, DrivingARigidBodyChangesItsKineticEnergy) {
   const auto model = block();
   const std::vector<State> states{rigid(*model, u_n, v_n, a_n), rigid(*model, u, v, a)};

@@ -108,19 +108,17 @@ LawEntry morse_law() {
       .add("Strength", &Parameters::strength, "Largest attraction s0 [E0]. The decay constant is 2 s0/W.",
            greater_than(0))
       .add("Equilibrium Gap", &Parameters::gap, "Gap at which no traction acts [L0].", greater_than(0));
-  return {
-      "Morse",
-      "psi(r) = W (y^2 - 2 y) with y = exp(-k (r - r_e)) and k = 2 s0/W. It is finite at every gap, so a surface can "
-      "pass through the obstacle if it is pressed hard enough.",
-      "Morse 1929", options.list(), [options](const SceneNode& node) {
-        const Parameters p = options.read(node);
-        const double decay = 2 * p.strength / p.work;
-        if (!std::isfinite(decay) || !(decay > 0))
-          node.refuse("",
-                      "Strength and Work of Adhesion are too extreme: the decay constant 2 s0/W must be positive "
-                      "and finite");
-        return gap_law(Morse(p.work, decay, p.gap));
-      }};
+  return {"Morse",
+          "psi(r) = W (y^2 - 2 y), y = exp(-k (r - r_e)), k = 2 s0/W. Its finite repulsion allows penetration.",
+          "Morse 1929", options.list(), [options](const SceneNode& node) {
+            const Parameters p = options.read(node);
+            const double decay = 2 * p.strength / p.work;
+            if (!std::isfinite(decay) || !(decay > 0))
+              node.refuse("",
+                          "Strength and Work of Adhesion are too extreme: the decay constant 2 s0/W must be positive "
+                          "and finite");
+            return gap_law(Morse(p.work, decay, p.gap));
+          }};
 }
 
 }  // namespace ixos
