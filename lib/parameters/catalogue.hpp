@@ -65,7 +65,7 @@ class Catalogue {
 
   /// Returns the entry that a list of a validated scene chooses.
   const Entry& chosen(const SceneNode& node) const {
-    const std::string& name = node.text(choice_.c_str());
+    const std::string& name = node.text(choice_);
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
     if (found == entries_.end()) throw std::logic_error("the validation let \"" + name + "\" pass");
     return *found;

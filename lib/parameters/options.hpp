@@ -3,7 +3,6 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "parameters/one_of.hpp"
 #include "parameters/scene_node.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 
@@ -37,15 +37,11 @@ class Options {
         [=](const SceneNode& node, S& target) { target.*member = loaded(node, name, target.*member); });
   }
 
-  /// A number that the user must give: its default is NaN, which is in no range.
+  /// A number that the user must give.
   template <class B>
   Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
-    return entry(
-        [=](List& list) {
-          list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
-          list.getEntry(name).setValidator(validator);
-        },
-        [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
+    return entry([=](List& list) { set_required(list, name, documentation, validator); },
+                 [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
   }
 
   /// A choice among words that stand for the values of an enumeration.

@@ -6,7 +6,8 @@
 
 namespace ixos {
 
-std::vector<double> SceneNode::numbers(const char* entry, std::size_t count, std::vector<double> fallback) const {
+std::vector<double> SceneNode::numbers(const std::string& entry, std::size_t count,
+                                       std::vector<double> fallback) const {
   const auto& values = get<Teuchos::Array<double>>(entry);
   if (values.empty()) return fallback;
   if (static_cast<std::size_t>(values.size()) != count)

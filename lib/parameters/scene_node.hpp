@@ -39,16 +39,15 @@ class SceneNode {
 
   /// Returns the value of an entry, which the validation has put there.
   template <class T>
-  const T& get(const char* entry) const {
+  const T& get(const std::string& entry) const {
     return list_->get<T>(entry);
   }
-  double number(const char* entry) const { return get<double>(entry); }
-  int count(const char* entry) const { return get<int>(entry); }
-  bool flag(const char* entry) const { return get<bool>(entry); }
-  const std::string& text(const char* entry) const { return get<std::string>(entry); }
-  std::vector<double> numbers(const char* entry) const { return get<Teuchos::Array<double>>(entry).toVector(); }
+  double number(const std::string& entry) const { return get<double>(entry); }
+  int count(const std::string& entry) const { return get<int>(entry); }
+  const std::string& text(const std::string& entry) const { return get<std::string>(entry); }
+  std::vector<double> numbers(const std::string& entry) const { return get<Teuchos::Array<double>>(entry).toVector(); }
   /// Returns an array of `count` numbers, or `fallback` if the user gave none. Throws InputError.
-  std::vector<double> numbers(const char* entry, std::size_t count, std::vector<double> fallback) const;
+  std::vector<double> numbers(const std::string& entry, std::size_t count, std::vector<double> fallback) const;
 
   /// Returns the sublist of that name.
   SceneNode sublist(const std::string& entry) const { return {list_->sublist(entry), path_of(entry), entry}; }

@@ -3,6 +3,7 @@
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/closest_name.hpp"
@@ -116,6 +117,12 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
 }
 
 }  // namespace
+
+void set_required(List& valid, const std::string& name, const std::string& documentation,
+                  const Teuchos::RCP<const Teuchos::ParameterEntryValidator>& validator) {
+  valid.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
+  valid.getEntry(name).setValidator(validator);
+}
 
 bool is_required(const Entry& entry) {
   if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry) == required;

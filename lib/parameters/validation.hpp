@@ -15,6 +15,9 @@ namespace ixos {
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);
 bool is_free_form(const Teuchos::ParameterList& valid);
+/// Adds a number that must be given to a valid list. Its default is NaN, which is in no range.
+void set_required(Teuchos::ParameterList& valid, const std::string& name, const std::string& documentation,
+                  const Teuchos::RCP<const Teuchos::ParameterEntryValidator>& validator);
 /// Returns whether this entry of a valid list must be given.
 bool is_required(const Teuchos::ParameterEntry& entry);
 

@@ -53,7 +53,7 @@ TEST(SceneNodeTest, ReadsValuesOfEveryType) {
   EXPECT_EQ(wall.text("Side Set"), "bottom");
   EXPECT_EQ(wall.number("Cutoff"), 1.5);
   EXPECT_EQ(wall.count("Points"), 7);
-  EXPECT_TRUE(wall.flag("Exact"));
+  EXPECT_TRUE(wall.get<bool>("Exact"));
   EXPECT_EQ(wall.numbers("Normal"), (std::vector<double>{0.6, 0.8}));
   EXPECT_EQ(wall.numbers("Point"), std::vector<double>());
 }
