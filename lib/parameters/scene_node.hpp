@@ -9,13 +9,17 @@
 
 namespace ixos {
 
-/// Calls a function, and puts the list path before the message of an InputError that it throws.
+/// Returns the message with the list path before it, or the message itself if it begins with that path.
+std::string placed(const std::string& path, const std::string& message);
+
+/// Calls a function, and puts the list path before the message of an InputError that it throws, unless the message
+/// begins with it already.
 template <class Function>
 auto at(const std::string& path, const Function& function) {
   try {
     return function();
   } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
+    throw InputError(placed(path, error.what()));
   }
 }
 

@@ -88,6 +88,18 @@ TEST(AtTest, PutsThePathBeforeTheMessageOfAnInputError) {
             "Mesh: Box: too small");
 }
 
+TEST(AtTest, LeavesAMessageThatBeginsWithThePathAsItIs) {
+  const auto refusal = [](const std::string& message) {
+    return test::refusal([&] { at("Mesh/Box", [&] { throw InputError(message); }); });
+  };
+  EXPECT_EQ(refusal("Mesh/Box: too small"), "Mesh/Box: too small");
+  EXPECT_EQ(refusal("Mesh/Box/Lengths has 1 elements"), "Mesh/Box/Lengths has 1 elements");
+  EXPECT_EQ(refusal("Mesh/Box is empty"), "Mesh/Box is empty");
+  EXPECT_EQ(refusal("Mesh/Boxes: too small"), "Mesh/Box: Mesh/Boxes: too small");
+  EXPECT_EQ(refusal("Mesh: too small"), "Mesh/Box: Mesh: too small");
+  EXPECT_EQ(placed("", "too small"), "too small");
+}
+
 TEST(AtTest, LetsEverythingElseThrough) {
   EXPECT_EQ(at("Mesh", [] { return 42; }), 42);
   try {
