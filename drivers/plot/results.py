@@ -228,6 +228,8 @@ def wall_height(folder):
     interactions = find(scene, "Interactions")
     for interaction in [] if interactions is None else interactions.findall("ParameterList"):
         value = {entry.get("name"): entry.get("value") for entry in interaction.findall("Parameter")}
+        if value.get("Obstacle", "Half-Space") != "Half-Space":
+            continue
         try:
             normal, point = ([float(word) for word in value.get(name, "{}").strip("{} ").split(",") if word]
                              for name in ("Normal", "Point"))

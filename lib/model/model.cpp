@@ -25,7 +25,7 @@ void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
   auto term = make_elastic_term(mesh_, block, pattern_, material.law, material.points, material.formulation);
   bodies_.push_back({term.get(), nullptr, number, material});
-  parts_[static_cast<std::size_t>(Part::Elastic)].push_back(term.get());
+  force_terms_.push_back({block.name, term.get()});
   terms_.push_back({block.name, std::move(term)});
   if (material.viscosity != 0) {
     const Lame lame = material.law->lame();
@@ -63,7 +63,7 @@ void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& nam
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
   interactions_.push_back(term.get());
-  parts_[static_cast<std::size_t>(Part::Interaction)].push_back(term.get());
+  force_terms_.push_back({name, term.get()});
   terms_.push_back({name, std::move(term)});
 }
 
@@ -99,20 +99,27 @@ void Model::transfer(Record& record) {
   }
 }
 
+template <class Visit>
+void Model::for_each(Part part, const Visit& visit) const {
+  for (const NamedForceTerm& named : force_terms_)
+    if (named.term->part() == part) visit(*named.term);
+}
+
 bool Model::is_gradient(Part part, const Rule& rule) const {
-  const auto& all = terms(part);
-  return std::all_of(all.begin(), all.end(), [&](const ForceTerm* term) { return term->is_gradient(rule); });
+  bool result = true;
+  for_each(part, [&](const ForceTerm& term) { result = result && term.is_gradient(rule); });
+  return result;
 }
 
 bool Model::force(Part part, const Segment& segment, const Rule& rule, double* f) const {
   std::fill_n(f, space_.local(), 0.0);
   bool admissible = true;
-  for (const ForceTerm* term : terms(part)) admissible = term->add_force(segment, rule, f) && admissible;
+  for_each(part, [&](const ForceTerm& term) { admissible = term.add_force(segment, rule, f) && admissible; });
   return admissible;
 }
 
 void Model::add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const {
-  for (const ForceTerm* term : terms(part)) term->add_tangent(segment, rule, kind, values);
+  for_each(part, [&](const ForceTerm& term) { term.add_tangent(segment, rule, kind, values); });
 }
 
 bool Model::rates_are_gradients(RateForm form) const {
@@ -159,19 +166,19 @@ double Model::rate_time() const {
 
 std::vector<std::unique_ptr<TangentAction>> Model::actions(Part part) const {
   std::vector<std::unique_ptr<TangentAction>> result;
-  for (const ForceTerm* term : terms(part)) result.push_back(term->create_action());
+  for_each(part, [&](const ForceTerm& term) { result.push_back(term.create_action()); });
   return result;
 }
 
 bool Model::add_row_sums(Part part, const Segment& segment, double* sums) const {
   bool admissible = true;
-  for (const ForceTerm* term : terms(part)) admissible = term->add_row_sums(segment, sums) && admissible;
+  for_each(part, [&](const ForceTerm& term) { admissible = term.add_row_sums(segment, sums) && admissible; });
   return admissible;
 }
 
 double Model::local_energy(Part part, const double* u) const {
   double sum = 0;
-  for (const ForceTerm* term : terms(part)) sum += term->energy(u);
+  for_each(part, [&](const ForceTerm& term) { sum += term.energy(u); });
   return sum;
 }
 

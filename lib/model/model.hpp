@@ -1,6 +1,5 @@
 /// The semi-discrete model: M a + C v + f_v(u, v) + f_el(u) + f_c(u) = f_ext(t) with constrained degrees of freedom.
 #pragma once
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +31,11 @@ struct Material {
 struct NamedTerm {
   std::string name;
   std::unique_ptr<Term> term;
+};
+
+struct NamedForceTerm {
+  std::string name;
+  const ForceTerm* term;
 };
 
 /// Quantities that the model stores and moves, summed over all ranks.
@@ -70,6 +74,8 @@ class Model {
   /// Returns the largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
   double stiffest() const { return stiffest_; }
 
+  /// Returns the elastic terms, named after their blocks, and the interactions.
+  const std::vector<NamedForceTerm>& force_terms() const { return force_terms_; }
   /// Tell all terms of the steps, see Term.
   void initialize();
   void begin_step(const KnownState& start, double time, double dt);
@@ -145,7 +151,8 @@ class Model {
   void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
   void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
   void find_scales();
-  const std::vector<const ForceTerm*>& terms(Part part) const { return parts_[static_cast<std::size_t>(part)]; }
+  template <class Visit>
+  void for_each(Part part, const Visit& visit) const;
 
   LocalMesh mesh_;
   DofSpace space_;
@@ -158,11 +165,11 @@ class Model {
     std::size_t block;
     Material material;
   };
-  std::vector<Body> bodies_;                            ///< blocks and their terms
-  std::array<std::vector<const ForceTerm*>, 2> parts_;  ///< by Part
-  std::vector<const Interaction*> interactions_;        ///< the interactions among the terms
-  std::vector<const RateTerm*> rates_;                  ///< the rate terms among them
-  Damping* damping_ = nullptr;                          ///< one of the rate terms
+  std::vector<Body> bodies_;                      ///< blocks and their terms
+  std::vector<NamedForceTerm> force_terms_;       ///< the force terms among them
+  std::vector<const Interaction*> interactions_;  ///< the interactions among the terms
+  std::vector<const RateTerm*> rates_;            ///< the rate terms among them
+  Damping* damping_ = nullptr;                    ///< one of the rate terms
   std::vector<std::string> dissipation_names_;
   Constraints constraints_;
   Loads loads_;

@@ -23,67 +23,78 @@ struct CatalogueEntry {
   std::string sentence;  ///< what it is, for documentation; ends with a full stop
   std::string source;    ///< of its formulas: author, year, equation; empty if it has none
   Teuchos::ParameterList parameters;
-  /// Makes the thing from its parameters. Throws InputError.
+  /// Makes the thing from its parameters. Throws InputError. Its message need not begin with the path of the list:
+  /// Catalogue::make() puts the path there.
   std::function<Product(const SceneNode&, Context...)> make;
   /// Whether its parameters stand in the list that chooses it. Those of other entries stand in a sublist of the entry's
   /// name.
   bool in_place = false;
 };
 
+/// What a catalogue declares of an entry.
+struct DeclaredEntry {
+  std::string name;
+  std::string documentation;
+  const Teuchos::ParameterList* parameters;
+  bool in_place;
+
+  bool has_sublist() const { return !in_place && parameters->numParams() > 0; }
+};
+
+/// Throws std::logic_error if two entries have one name, if two entries declare one parameter in place with another
+/// type, default, range or documentation, or if such a parameter has the name of the choice or of a sublist.
+void check_declared(const std::string& choice, const std::vector<DeclaredEntry>& entries);
+
+/// Adds the choice and the parameters of all entries to a valid list. Throws std::logic_error if the list has an entry
+/// of one of these names.
+void declare_choice(Teuchos::ParameterList& list, const std::string& choice, const std::string& documentation,
+                    const std::vector<DeclaredEntry>& entries);
+
 /// The entries of one kind. `choice` is the name of the parameter that chooses, "Law" or "Type".
 template <class Entry>
 class Catalogue {
  public:
   /// `documentation`: of the choice; the sentences of entries without a sublist follow it. The first entry is the
-  /// default.
+  /// default. Throws std::logic_error, see check_declared().
   Catalogue(std::string choice, std::string documentation, std::vector<Entry> entries)
-      : choice_(std::move(choice)), documentation_(std::move(documentation)), entries_(std::move(entries)) {}
+      : choice_(std::move(choice)), documentation_(std::move(documentation)), entries_(std::move(entries)) {
+    check_declared(choice_, declared());
+  }
 
   const std::string& choice() const { return choice_; }
   const std::vector<Entry>& entries() const { return entries_; }
 
-  /// Adds the choice and the parameters of all entries to a valid list.
-  void declare(Teuchos::ParameterList& list) const {
-    std::vector<std::string> names;
-    std::string text = documentation_;
-    for (const Entry& entry : entries_) {
-      names.push_back(entry.name);
-      if (!has_sublist(entry)) text += " " + described(entry);
-    }
-    list.set(choice_, names.front(), text, choice_of(names));
-    for (const Entry& entry : entries_) {
-      if (entry.in_place) {
-        for (auto it = entry.parameters.begin(); it != entry.parameters.end(); ++it)
-          list.setEntry(entry.parameters.name(it), it->second);
-        continue;
-      }
-      if (!has_sublist(entry)) continue;
-      list.sublist(entry.name, false, described(entry)) = entry.parameters;
-      list.sublist(entry.name).setName(entry.name);
-    }
-  }
+  /// Adds the choice and the parameters of all entries to a valid list. Throws std::logic_error, see declare_choice().
+  void declare(Teuchos::ParameterList& list) const { declare_choice(list, choice_, documentation_, declared()); }
 
   /// Returns the entry that a list of a validated scene chooses.
   const Entry& chosen(const SceneNode& node) const {
-    const std::string& name = node.text(choice_.c_str());
+    const std::string& name = node.text(choice_);
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
     if (found == entries_.end()) throw std::logic_error("the validation let \"" + name + "\" pass");
     return *found;
   }
 
-  /// Makes the chosen thing.
+  /// Makes the chosen thing. Throws InputError whose message begins with the path of the list that has the entry's
+  /// parameters.
   template <class... Context>
   auto make(const SceneNode& node, Context&&... context) const {
     const Entry& entry = chosen(node);
-    return entry.make(has_sublist(entry) ? node.sublist(entry.name) : node, std::forward<Context>(context)...);
+    const SceneNode own = declared(entry).has_sublist() ? node.sublist(entry.name) : node;
+    return at(own.path(), [&] { return entry.make(own, std::forward<Context>(context)...); });
   }
 
  private:
-  static std::string described(const Entry& entry) {
-    if (entry.source.empty()) return entry.sentence;
-    return entry.sentence.substr(0, entry.sentence.size() - 1) + " (" + entry.source + ").";
+  static DeclaredEntry declared(const Entry& entry) {
+    std::string text = entry.sentence;
+    if (!entry.source.empty()) text = text.substr(0, text.size() - 1) + " (" + entry.source + ").";
+    return {entry.name, text, &entry.parameters, entry.in_place};
   }
-  static bool has_sublist(const Entry& entry) { return !entry.in_place && entry.parameters.numParams() > 0; }
+  std::vector<DeclaredEntry> declared() const {
+    std::vector<DeclaredEntry> result;
+    for (const Entry& entry : entries_) result.push_back(declared(entry));
+    return result;
+  }
 
   std::string choice_;
   std::string documentation_;

@@ -3,7 +3,6 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "parameters/one_of.hpp"
 #include "parameters/scene_node.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 
@@ -30,6 +30,7 @@ class Options {
   Options& add(const char* name, V B::*member, const std::string& documentation,
                const Validator& validator = Teuchos::null) {
     return entry(
+        name,
         [=](List& list) {
           list.set(name, stored(S{}.*member), documentation);
           if (nonnull(validator)) list.getEntry(name).setValidator(validator);
@@ -37,14 +38,11 @@ class Options {
         [=](const SceneNode& node, S& target) { target.*member = loaded(node, name, target.*member); });
   }
 
-  /// A number that the user must give: its default is NaN, which is in no range.
+  /// A number that the user must give.
   template <class B>
   Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
     return entry(
-        [=](List& list) {
-          list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
-          list.getEntry(name).setValidator(validator);
-        },
+        name, [=](List& list) { set_required(list, name, documentation, validator); },
         [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
   }
 
@@ -54,6 +52,7 @@ class Options {
     std::vector<std::string> names;
     for (const auto& word : words) names.push_back(word.first);
     return entry(
+        name,
         [=](List& list) {
           for (const auto& [word, value] : words)
             if (value == S{}.*member) list.set(name, word, documentation, one_of(names));
@@ -65,9 +64,12 @@ class Options {
         });
   }
 
-  /// Adds the entries to a valid list.
+  /// Adds the entries to a valid list. Throws std::logic_error if the list has an entry of that name.
   void declare(List& list) const {
-    for (const Entry& e : entries_) e.declare(list);
+    for (const Entry& e : entries_) {
+      if (list.isParameter(e.name)) throw std::logic_error("\"" + e.name + "\" is declared twice");
+      e.declare(list);
+    }
   }
   List list() const {
     List result;
@@ -82,12 +84,13 @@ class Options {
 
  private:
   struct Entry {
+    std::string name;
     std::function<void(List&)> declare;
     std::function<void(const SceneNode&, S&)> read;
   };
 
-  Options& entry(std::function<void(List&)> declare, std::function<void(const SceneNode&, S&)> read) {
-    entries_.push_back({std::move(declare), std::move(read)});
+  Options& entry(const char* name, std::function<void(List&)> declare, std::function<void(const SceneNode&, S&)> read) {
+    entries_.push_back({name, std::move(declare), std::move(read)});
     return *this;
   }
 

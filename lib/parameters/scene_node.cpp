@@ -6,7 +6,14 @@
 
 namespace ixos {
 
-std::vector<double> SceneNode::numbers(const char* entry, std::size_t count, std::vector<double> fallback) const {
+std::string placed(const std::string& path, const std::string& message) {
+  const bool begins = message.rfind(path, 0) == 0;
+  const bool ends_there = begins && message.find_first_of("/: ", path.size()) == path.size();
+  return path.empty() || ends_there ? message : path + ": " + message;
+}
+
+std::vector<double> SceneNode::numbers(const std::string& entry, std::size_t count,
+                                       std::vector<double> fallback) const {
   const auto& values = get<Teuchos::Array<double>>(entry);
   if (values.empty()) return fallback;
   if (static_cast<std::size_t>(values.size()) != count)

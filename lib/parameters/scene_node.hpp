@@ -9,13 +9,17 @@
 
 namespace ixos {
 
-/// Calls a function, and puts the list path before the message of an InputError that it throws.
+/// Returns the message with the list path before it, or the message itself if it begins with that path.
+std::string placed(const std::string& path, const std::string& message);
+
+/// Calls a function, and puts the list path before the message of an InputError that it throws, unless the message
+/// begins with it already.
 template <class Function>
 auto at(const std::string& path, const Function& function) {
   try {
     return function();
   } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
+    throw InputError(placed(path, error.what()));
   }
 }
 
@@ -39,16 +43,15 @@ class SceneNode {
 
   /// Returns the value of an entry, which the validation has put there.
   template <class T>
-  const T& get(const char* entry) const {
+  const T& get(const std::string& entry) const {
     return list_->get<T>(entry);
   }
-  double number(const char* entry) const { return get<double>(entry); }
-  int count(const char* entry) const { return get<int>(entry); }
-  bool flag(const char* entry) const { return get<bool>(entry); }
-  const std::string& text(const char* entry) const { return get<std::string>(entry); }
-  std::vector<double> numbers(const char* entry) const { return get<Teuchos::Array<double>>(entry).toVector(); }
+  double number(const std::string& entry) const { return get<double>(entry); }
+  int count(const std::string& entry) const { return get<int>(entry); }
+  const std::string& text(const std::string& entry) const { return get<std::string>(entry); }
+  std::vector<double> numbers(const std::string& entry) const { return get<Teuchos::Array<double>>(entry).toVector(); }
   /// Returns an array of `count` numbers, or `fallback` if the user gave none. Throws InputError.
-  std::vector<double> numbers(const char* entry, std::size_t count, std::vector<double> fallback) const;
+  std::vector<double> numbers(const std::string& entry, std::size_t count, std::vector<double> fallback) const;
 
   /// Returns the sublist of that name.
   SceneNode sublist(const std::string& entry) const { return {list_->sublist(entry), path_of(entry), entry}; }

@@ -3,6 +3,8 @@
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <vector>
 
 #include "base/closest_name.hpp"
@@ -64,20 +66,35 @@ void check_entry(const std::string& name, const Entry& value, const Entry& valid
   }
 }
 
-/// Returns the names of the sublists that a choice offers and has not chosen, see choice_of().
-std::vector<std::string> unchosen_sublists(const List& valid, const List& complete) {
-  std::vector<std::string> offered, chosen;
+/// The choice that leaves out a name, and the word that the user chose.
+struct LeftOut {
+  std::string name;
+  const Choice* choice;
+  std::string word;
+};
+
+/// Returns the choices of a list by the names that they leave out.
+std::map<std::string, LeftOut> left_out(const List& user, const List& valid, const std::string& path) {
+  std::map<std::string, LeftOut> result;
+  std::vector<std::string> kept;
   for (const auto& [name, entry] : entries(valid)) {
-    if (entry.isList() || !is_choice(entry.validator())) continue;
-    for (const std::string& value : *entry.validator()->validStringValues()) offered.push_back(value);
-    chosen.push_back(complete.get<std::string>(name));
+    const Choice* choice = choice_behind(entry.validator());
+    if (choice == nullptr) continue;
+    List checked;
+    check_entry(name, user.isParameter(name) ? user.getEntry(name) : entry, entry, join(path, name), checked);
+    const auto& word = checked.get<std::string>(name);
+    for (const std::string& other : choice->left_out(word)) result.insert({other, {name, choice, word}});
+    for (const std::string& own : choice->belongings(word)) kept.push_back(own);
   }
-  offered.erase(std::remove_if(offered.begin(), offered.end(),
-                               [&](const std::string& value) {
-                                 return std::find(chosen.begin(), chosen.end(), value) != chosen.end();
-                               }),
-                offered.end());
-  return offered;
+  for (const std::string& name : kept) result.erase(name);
+  return result;
+}
+
+[[noreturn]] void refuse_left_out(const std::string& name, const LeftOut& why, const std::string& path) {
+  std::string owners;
+  for (const std::string& word : why.choice->owners(name)) owners += (owners.empty() ? "\"" : " or \"") + word + "\"";
+  throw InputError((path.empty() ? "" : path + ": ") + "\"" + name + "\" belongs to " + why.name + " " + owners +
+                   ", but " + why.name + " is \"" + why.word + "\"; remove it, or set " + why.name + " to " + owners);
 }
 
 /// Fills in the complete list in the order of the valid one.
@@ -93,8 +110,11 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
     else
       valid_entry(valid, name, here);
   }
+  const std::map<std::string, LeftOut> absent = left_out(user, valid, path);
+  for (const auto& [name, why] : absent)
+    if (why.choice->exclusive && user.isParameter(name)) refuse_left_out(name, why, path);
   for (const auto& [name, entry] : entries(valid)) {
-    if (entry.isList()) continue;
+    if (entry.isList() || absent.count(name) > 0) continue;
     if (user.isParameter(name))
       check_entry(name, user.getEntry(name), entry, join(path, name), complete);
     else if (is_required(entry))
@@ -102,11 +122,8 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
     else
       complete.setEntry(name, Entry(entry.getAny(false)));
   }
-  const std::vector<std::string> unchosen = unchosen_sublists(valid, complete);
   for (const auto& [name, entry] : entries(valid)) {
-    if (!entry.isList() || name == any_name ||
-        (!user.isSublist(name) && std::find(unchosen.begin(), unchosen.end(), name) != unchosen.end()))
-      continue;
+    if (!entry.isList() || name == any_name || (!user.isSublist(name) && absent.count(name) > 0)) continue;
     fill(user.isSublist(name) ? user.sublist(name) : List(), valid.sublist(name), join(path, name),
          complete.sublist(name));
   }
@@ -117,6 +134,12 @@ void fill(const List& user, const List& valid, const std::string& path, List& co
 
 }  // namespace
 
+void set_required(List& valid, const std::string& name, const std::string& documentation,
+                  const Teuchos::RCP<const Teuchos::ParameterEntryValidator>& validator) {
+  valid.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
+  valid.getEntry(name).setValidator(validator);
+}
+
 bool is_required(const Entry& entry) {
   if (entry.isType<std::string>()) return Teuchos::getValue<std::string>(entry) == required;
   return entry.isType<double>() && std::isnan(Teuchos::getValue<double>(entry));
@@ -125,6 +148,12 @@ bool is_required(const Entry& entry) {
 void mark_free_form(List& list) { list.set(free_form, true); }
 
 bool is_free_form(const List& valid) { return valid.isParameter(free_form); }
+
+void discard_left_out(List& user, const List& valid, const std::string& choice) {
+  const Choice* behind = choice_behind(valid.getEntry(choice).validator());
+  if (behind == nullptr || !behind->exclusive) return;
+  for (const std::string& name : behind->left_out(user.get<std::string>(choice))) user.remove(name, false);
+}
 
 const List* valid_sublist(const List& valid, const std::string& name, const std::string& path) {
   if (is_free_form(valid)) return nullptr;

@@ -10,7 +10,17 @@
 namespace ixos {
 namespace {
 
-void check_adaptive(bool interacts, const AdaptiveOptions& asked, const Table& table) {
+/// Returns why no interaction has a ratio of gaps; empty if one has.
+std::string why_no_gap_ratio(const std::vector<SceneInteraction>& interactions) {
+  for (const SceneInteraction& interaction : interactions)
+    if (interaction.law->domain() == GapDomain::Positive) return "";
+  if (interactions.empty()) return "the scene has no interaction";
+  const SceneNode& node = interactions.front().node;
+  return node.path_of("Law") + " \"" + node.text("Law") + "\" is defined at every gap, so it needs no such limit";
+}
+
+void check_adaptive(const std::vector<SceneInteraction>& interactions, const AdaptiveOptions& asked,
+                    const Table& table) {
   const std::string path = "Time Integrator/Time Step Control/Adaptive";
   if (!asked.on) return;
   if (asked.tolerance == 0 && asked.gap_ratio == 0)
@@ -19,21 +29,15 @@ void check_adaptive(bool interacts, const AdaptiveOptions& asked, const Table& t
     throw InputError(fmt::format("{}/Maximum Gap Ratio: {} must be greater than 1, or 0", path, asked.gap_ratio));
   if (asked.tolerance > 0 && table.error_constant == 0)
     throw InputError(path + "/Tolerance: the scheme \"" + table.name + "\" has no estimate of its local error; use 0");
-  if (asked.gap_ratio > 0 && !interacts)
-    throw InputError(path + "/Maximum Gap Ratio: the scene has no interaction; use 0");
+  const std::string why = why_no_gap_ratio(interactions);
+  if (asked.gap_ratio > 0 && !why.empty())
+    throw InputError(
+        fmt::format("{}/Maximum Gap Ratio: {} has no effect: {}; use 0, and Tolerance", path, asked.gap_ratio, why));
+  if (asked.time_points && !why.empty())
+    throw InputError(path + "/Choose Time Points: true has no effect: " + why + "; use false");
   if (asked.time_points && table.interaction_points == 0)
     throw InputError(path + "/Choose Time Points: with these settings the scheme \"" + table.name +
                      "\" has no Gauss points in time for the interaction; use false");
-}
-
-void check_interactions(const std::vector<SceneInteraction>& interactions, const Table& table) {
-  const bool exact = std::any_of(table.stages.begin(), table.stages.end(),
-                                 [](const Stage& stage) { return stage.interaction.mean == Mean::Exact; });
-  for (const SceneInteraction& interaction : interactions)
-    if (exact && interaction.cutoff > 0)
-      interaction.node.refuse("Cutoff", "with these settings the scheme \"" + table.name +
-                                            "\" takes the exact mean of the interaction, which allows no cutoff; use "
-                                            "0, or Interaction Points of at least 1");
 }
 
 void check_materials(const SceneNode& lists, const std::vector<Material>& materials, const Table& table) {
@@ -64,9 +68,27 @@ void check_materials(const SceneNode& lists, const std::vector<Material>& materi
 void check_compatibility(const SceneNode& scene, const std::vector<Material>& materials,
                          const std::vector<SceneInteraction>& interactions, const AdaptiveOptions& adaptive,
                          const Table& table) {
-  check_adaptive(!interactions.empty(), adaptive, table);
-  check_interactions(interactions, table);
+  check_adaptive(interactions, adaptive, table);
   check_materials(scene.sublist("Materials"), materials, table);
+}
+
+void check_cutoffs(const std::vector<SceneInteraction>& interactions, const Model& model, const Table& table) {
+  // Before a curved obstacle the exact mean is no gradient, so nobody asks for its potential.
+  const auto has_potential = [&](const NamedForceTerm& named) {
+    return std::any_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
+      return stage.interaction.mean == Mean::Exact && named.term->is_gradient(stage.interaction);
+    });
+  };
+  for (const SceneInteraction& interaction : interactions)
+    for (const NamedForceTerm& named : model.force_terms())
+      if (interaction.cutoff > 0 && named.term->part() == Part::Interaction && named.name == interaction.node.name() &&
+          has_potential(named))
+        interaction.node.refuse(
+            "Cutoff",
+            fmt::format("{} is not allowed: with these settings the scheme \"{}\" takes the exact mean of the "
+                        "interaction, which allows no cutoff before a flat wall; use 0, or Interaction Points "
+                        "of at least 1",
+                        interaction.cutoff, table.name));
 }
 
 }  // namespace ixos

@@ -24,17 +24,18 @@ std::string bodies(const Simulation& simulation) {
                   mesh.dimension == 2 ? " (plane strain)" : "", mesh.global_nodes, mesh.global_cells,
                   simulation.model().space().global(), simulation.model().space().comm()->getSize());
   const List& materials = simulation.parameters().sublist("Materials");
-  for (const auto& [name, entry] : entries(materials)) {
-    const List& list = materials.sublist(name);
-    const double viscosity = list.get<double>("Viscosity");
+  std::size_t number = 0;
+  for (const SceneNode& node : SceneNode(materials, "Materials").sublists()) {
+    const Material& material = simulation.materials()[number++];
+    const Lame lame = material.law->lame();
     text += fmt::format(
-        "Material {}: block \"{}\", {}, {} elements, E = {} E0, nu = {}, density {}{}{}\n", name,
-        list.get<std::string>("Block"), list.get<std::string>("Model"), list.get<std::string>("Element Formulation"),
-        list.get<double>("Young's Modulus"), list.get<double>("Poisson's Ratio"), list.get<double>("Density"),
-        simulation.model().damping() == nullptr ? ""
-                                                : fmt::format(", damping {} M + {} K", list.get<double>("Mass Damping"),
-                                                              list.get<double>("Stiffness Damping")),
-        viscosity == 0 ? "" : fmt::format(", viscosity {} T0 times the moduli", viscosity));
+        "Material {}: block \"{}\", {}, {} elements, E = {:.6g} E0, nu = {:.6g}, density {}{}{}\n", node.name(),
+        material.block, node.text("Model"), node.text("Element Formulation"), youngs_modulus(lame),
+        lame.lambda / (2 * (lame.lambda + lame.mu)), material.density,
+        simulation.model().damping() == nullptr
+            ? ""
+            : fmt::format(", damping {} M + {} K", material.mass_damping, material.stiffness_damping),
+        material.viscosity == 0 ? "" : fmt::format(", viscosity {} T0 times the moduli", material.viscosity));
   }
   return text;
 }

@@ -9,8 +9,7 @@
 namespace ixos {
 Histories::Histories(const SceneNode& list, double initial_time, double final_time)
     : list_(list), initial_time_(initial_time), final_time_(final_time) {
-  for (const SceneNode& node : list.sublists())
-    functions_[node.name()] = at(node.path_of(node.text("Type")), [&node] { return histories().make(node); });
+  for (const SceneNode& node : list.sublists()) functions_[node.name()] = histories().make(node);
 }
 
 const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& name, HistoryUse use) const {

@@ -1,7 +1,6 @@
 #include "scene/parameters.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <limits>
 
 #include "histories/catalogue.hpp"
 #include "parameters/one_of.hpp"
@@ -18,13 +17,6 @@ namespace {
 using List = Teuchos::ParameterList;
 using Numbers = Teuchos::Array<double>;
 using Counts = Teuchos::Array<int>;
-
-/// A number without a default. The validator comes after the value: NaN marks it as missing and is not in its range.
-void require(List& list, const char* name, const std::string& documentation,
-             const Teuchos::RCP<const RangeValidator>& range) {
-  list.set(name, std::numeric_limits<double>::quiet_NaN(), documentation);
-  list.getEntry(name).setValidator(range);
-}
 
 void add_units(List& list) {
   list.set("Length", "1 nm", "Name of the unit of length, L0. It is a label only: nothing is converted.");
@@ -78,11 +70,13 @@ void add_time_step_control(List& list) {
               "How the step size is chosen. Fixed keeps it; Adaptive checks each step and adapts the size.",
               choice_of({"Fixed", "Adaptive"}));
   control.set("Initial Time", 0.0, "Time at which the run starts [T0].", any_number());
-  require(control, "Final Time", "Time at which the run ends [T0]. It must be later than Initial Time.", any_number());
-  require(control, "Time Step",
-          "Step size [T0]; with Adaptive, the size of the first step. Steps are shortened where needed, so that one "
-          "ends at Final Time and at each multiple of the time intervals of Output.",
-          greater_than(0));
+  set_required(control, "Final Time", "Time at which the run ends [T0]. It must be later than Initial Time.",
+               any_number());
+  set_required(
+      control, "Time Step",
+      "Step size [T0]; with Adaptive, the size of the first step. Steps are shortened where needed, so that one "
+      "ends at Final Time and at each multiple of the time intervals of Output.",
+      greater_than(0));
   control.set("Maximum Cuts", 0,
               "How many times Time Step may be halved after failed steps. With 0, a failed step ends the run. Adaptive "
               "runs ignore it.",
@@ -116,7 +110,7 @@ void add_stop(List& list) {
   probe.set("Quantity", "y", "Coordinate (x), displacement (ux) or velocity (vx) of the probe.",
             one_of({"x", "y", "z", "ux", "uy", "uz", "vx", "vy", "vz"}));
   probe.set("Side", "Above", "Side of the limit on which the run ends.", one_of({"Above", "Below"}));
-  require(probe, "Limit", "Limit of the quantity, in its unit [L0 or L0/T0].", any_number());
+  set_required(probe, "Limit", "Limit of the quantity, in its unit [L0 or L0/T0].", any_number());
 }
 
 void add_time_integrator(List& list) {

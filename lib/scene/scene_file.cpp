@@ -70,6 +70,7 @@ void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& 
   try {
     if (known == nullptr || is_free_form(*known)) return set_as_it_looks(*list, name, text);
     set_from_text(*list, name, type_name(valid_entry(*known, name, path)), text);
+    discard_left_out(*list, *known, name);
   } catch (const InputError& error) {
     throw InputError("--set " + path + ": " + error.what());
   }

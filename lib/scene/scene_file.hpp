@@ -13,7 +13,8 @@ Teuchos::ParameterList read_scene_file(const std::string& path);
 Teuchos::ParameterList read_scene_text(const std::string& xml, const std::string& origin);
 
 /// Carries out "List/Sublist/Name=value". The value is read in the type that `valid` has for that entry; in free-form
-/// lists, as the first of int, double, bool and string that fits. Throws InputError.
+/// lists, as the first of int, double, bool and string that fits. If the entry chooses a law, an obstacle, a mesh or
+/// the like, this removes the parameters of the ones not chosen: the new one takes their place. Throws InputError.
 void set_parameter(Teuchos::ParameterList& scene, const Teuchos::ParameterList& valid, const std::string& assignment);
 
 /// Returns a list as XML that read_scene_text() reads back to the last digit.

@@ -24,6 +24,7 @@
 #include "scene/mesh_inspection.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
+#include "scene/symmetry.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -76,6 +77,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
   build_model(comm, folder, table.mass);
+  check_cutoffs(interactions_, *model_, table);
   build_integrator(std::move(table));
   set_initial_state();
   setup_seconds_ = timer.stop();
@@ -194,12 +196,11 @@ void Simulation::build_integrator(Table table) {
   const List& newton = parameters_.sublist("Nonlinear Solver");
   const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
                               newton.sublist("NOX"), newton.get<double>("Linear Tolerance")};
-  const ProblemSize size{model_->mesh().dimension,
-                         model_->space().global(),
-                         model_->space().comm()->getSize(),
-                         is_symmetric(*model_, table),
-                         all_have_actions(materials_),
-                         level_width_,
+  const SceneNode scene(parameters_, "");
+  const std::string unsymmetric = asymmetry(scene, materials_, *model_, table);
+  check_linear_solver(scene, materials_, unsymmetric);
+  const ProblemSize size{model_->mesh().dimension, model_->space().global(),     model_->space().comm()->getSize(),
+                         unsymmetric.empty(),      all_have_actions(materials_), level_width_,
                          stiffness(table)};
   const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
   List& linear = parameters_.sublist("Linear Solver");

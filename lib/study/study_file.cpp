@@ -102,8 +102,8 @@ std::vector<StudyRun> combinations(const Study& study) {
 }
 
 Question read_question(const SceneNode& list, const std::vector<Axis>& axes) {
-  Question question{list.get<std::string>("Connect"), list.get<std::string>("Cost"), list.get<std::string>("Measure"),
-                    list.get<double>("Tolerance"), list.get<double>("Budget")};
+  Question question{list.text("Connect"), list.text("Cost"), list.text("Measure"), list.number("Tolerance"),
+                    list.number("Budget")};
   if (question.tolerance == 0 && question.budget == 0)
     throw InputError("Question: Tolerance and Budget are both 0; at least one must be greater than 0");
   if (question.connect.empty()) question.connect = axes.back().name;
@@ -141,9 +141,9 @@ Study read(const std::string& path) {
   const SceneNode list(complete, "");
   Study study;
   study.name = complete.name().empty() || complete.name() == "ANONYMOUS" ? "Study" : complete.name();
-  study.scene = beside(path, list.get<std::string>("Scene"));
-  study.jobs = list.get<int>("Jobs");
-  study.time_limit = list.get<double>("Time Limit");
+  study.scene = beside(path, list.text("Scene"));
+  study.jobs = list.count("Jobs");
+  study.time_limit = list.number("Time Limit");
   study.common = assignments(list.sublist("Common"));
   const std::set<std::string> taken{"run",
                                     "status",
@@ -168,7 +168,7 @@ Study read(const std::string& path) {
   if (study.axes.empty()) throw InputError("Axes is empty; a study needs at least one axis");
   const SceneNode reference = list.sublist("Reference");
   study.reference = assignments(reference.sublist("Settings"));
-  study.reference_folder = reference.get<std::string>("Folder");
+  study.reference_folder = reference.text("Folder");
   if (study.reference.empty() == study.reference_folder.empty())
     throw InputError("Reference: give either Folder or Settings");
   if (!study.reference_folder.empty()) {

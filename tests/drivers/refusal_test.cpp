@@ -73,6 +73,8 @@ TEST_F(DriverRefusalTest, BadStepControlAndCutoffsAreRefused) {
   refused({adaptive, list + "Tolerance=1e-3", "Time Integrator/Type=Static"}, "has no estimate of its local error");
   refused({adaptive, list + "Tolerance=1e-3", list + "Choose Time Points=true", "Time Integrator/Type=Newmark"},
           "has no Gauss points in time for the interaction");
+  refused({adaptive, list + "Maximum Gap Ratio=2", "Interactions/Wall/Law=Morse"},
+          "Maximum Gap Ratio: 2 has no effect: Interactions/Wall/Law \"Morse\" is defined at every gap");
   refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts off the attraction");
   refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Gautam-Sauer Composite/Interaction Points=0"},
           "takes the exact mean of the interaction");
@@ -150,6 +152,14 @@ TEST_F(DriverRefusalTest, UnknownNamesAreRefusedWithTheNearest) {
   expect_refused_setting("Matrials/Ball/Density=1", "did you mean \"Materials\"?");
   expect_refused(2, {write("<ParameterList><ParameterList name=\"Interaction\"/></ParameterList>"), "--output", "out"},
                  "scene.xml: Interaction: there is no list \"Interaction\" here; did you mean \"Interactions\"?");
+}
+
+TEST_F(DriverRefusalTest, ParametersOfWhatIsNotChosenAreRefused) {
+  expect_refused_setting("Interactions/Wall/Morse/Strength=0.1",
+                         "ball.xml: Interactions/Wall: \"Morse\" belongs to Law \"Morse\", but Law is \"Van der "
+                         "Waals\"; remove it, or set Law to \"Morse\"");
+  expect_refused_settings(ball, {"Mesh/Type=Box", "Mesh/Disk/Diameter=5"},
+                          "Mesh: \"Disk\" belongs to Type \"Disk\", but Type is \"Box\"");
 }
 
 TEST_F(DriverRefusalTest, NamesThatCannotHeadAColumnAreRefused) {

@@ -95,6 +95,13 @@ TEST(OptionsTest, DeclarationsAddToAList) {
   EXPECT_EQ(list.numParams(), options().list().numParams() + 1);
 }
 
+TEST(OptionsTest, NamesThatAreTakenAreADefect) {
+  ParameterList list;
+  list.set("Layers", 1);
+  EXPECT_THROW(options().declare(list), std::logic_error);
+  EXPECT_THROW(options().add("Layers", &Paint::layers, "Once more.").list(), std::logic_error);
+}
+
 TEST(OptionsTest, DefaultsComeBackAsTheStruct) {
   const Paint paint = read(least()), fresh;
   EXPECT_EQ(paint.thickness, fresh.thickness);

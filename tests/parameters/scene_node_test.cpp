@@ -53,7 +53,7 @@ TEST(SceneNodeTest, ReadsValuesOfEveryType) {
   EXPECT_EQ(wall.text("Side Set"), "bottom");
   EXPECT_EQ(wall.number("Cutoff"), 1.5);
   EXPECT_EQ(wall.count("Points"), 7);
-  EXPECT_TRUE(wall.flag("Exact"));
+  EXPECT_TRUE(wall.get<bool>("Exact"));
   EXPECT_EQ(wall.numbers("Normal"), (std::vector<double>{0.6, 0.8}));
   EXPECT_EQ(wall.numbers("Point"), std::vector<double>());
 }
@@ -86,6 +86,18 @@ TEST(SceneNodeTest, RefusalsNameThePlace) {
 TEST(AtTest, PutsThePathBeforeTheMessageOfAnInputError) {
   EXPECT_EQ(test::refusal([] { at("Mesh", [] { at("Box", [] { throw InputError("too small"); }); }); }),
             "Mesh: Box: too small");
+}
+
+TEST(AtTest, LeavesAMessageThatBeginsWithThePathAsItIs) {
+  const auto refusal = [](const std::string& message) {
+    return test::refusal([&] { at("Mesh/Box", [&] { throw InputError(message); }); });
+  };
+  EXPECT_EQ(refusal("Mesh/Box: too small"), "Mesh/Box: too small");
+  EXPECT_EQ(refusal("Mesh/Box/Lengths has 1 elements"), "Mesh/Box/Lengths has 1 elements");
+  EXPECT_EQ(refusal("Mesh/Box is empty"), "Mesh/Box is empty");
+  EXPECT_EQ(refusal("Mesh/Boxes: too small"), "Mesh/Box: Mesh/Boxes: too small");
+  EXPECT_EQ(refusal("Mesh: too small"), "Mesh/Box: Mesh: too small");
+  EXPECT_EQ(placed("", "too small"), "too small");
 }
 
 TEST(AtTest, LetsEverythingElseThrough) {

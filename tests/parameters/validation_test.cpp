@@ -91,6 +91,56 @@ TEST(ValidationTest, VariantsThatAreNotChosenAreCheckedAllTheSame) {
       std::string::npos);
 }
 
+/// A wall with these entries.
+std::string wall(const std::string& entries) {
+  return integrator + test::list("Interactions", test::list("Wall", test::word("Side Set", "surface") + entries));
+}
+
+TEST(ValidationTest, ParametersOfWhatIsNotChosenAreRefused) {
+  const std::string sphere = test::list("Sphere", test::number("Radius", 2));
+  const struct {
+    std::string lists, message;
+  } cases[] = {
+      {wall(test::word("Law", "Morse") + test::number("Gamma L", 2.5)),
+       "Interactions/Wall: \"Gamma L\" belongs to Law \"Van der Waals\", but Law is \"Morse\"; remove it, or set Law "
+       "to "
+       "\"Van der Waals\""},
+      {wall(test::list("Morse", test::number("Strength", 1))),
+       "Interactions/Wall: \"Morse\" belongs to Law \"Morse\", but Law is \"Van der Waals\"; remove it, or set Law to "
+       "\"Morse\""},
+      {wall(sphere), "Interactions/Wall: \"Sphere\" belongs to Obstacle \"Sphere\", but Obstacle is \"Half-Space\""},
+      {wall(test::word("Obstacle", "Sphere") + sphere + test::numbers("Point", {0, 1})),
+       "Interactions/Wall: \"Point\" belongs to Obstacle \"Half-Space\", but Obstacle is \"Sphere\""},
+      {integrator + test::list("Mesh", test::word("Type", "Disk") + test::list("Box", "")),
+       "Mesh: \"Box\" belongs to Type \"Box\", but Type is \"Disk\""},
+      {integrator +
+           test::list("Histories", test::list("Pull", test::word("Type", "Constant") + test::list("Sine", ""))),
+       "Histories/Pull: \"Sine\" belongs to Type \"Sine\", but Type is \"Constant\""},
+  };
+  for (const auto& c : cases) {
+    const std::string message = refusal(c.lists);
+    EXPECT_EQ(message.substr(0, c.message.size()), c.message);
+  }
+}
+
+TEST(ValidationTest, ParametersThatLawsShareAreAcceptedWithEachOfThem) {
+  for (const char* law : {"Neo-Hooke", "Linear Elastic", "Saint Venant-Kirchhoff"})
+    EXPECT_EQ(refusal(integrator + test::list("Materials", test::list("A", test::word("Model", law) +
+                                                                               test::number("Young's Modulus", 3)))),
+              "accepted");
+}
+
+TEST(ValidationTest, ACompleteSceneIsValidWhateverItChooses) {
+  const ParameterList complete =
+      validated(test::scene(wall(test::word("Law", "Morse") + test::word("Obstacle", "Sphere") +
+                                 test::list("Sphere", test::number("Radius", 2)))),
+                scene_parameters());
+  const ParameterList& list = complete.sublist("Interactions").sublist("Wall");
+  EXPECT_TRUE(list.isSublist("Morse"));
+  for (const char* name : {"Gamma L", "Gamma W", "Point", "Normal"}) EXPECT_FALSE(list.isParameter(name)) << name;
+  EXPECT_TRUE(validated(read_scene_text(scene_text(complete), "text"), scene_parameters()) == complete);
+}
+
 TEST(SceneFileTest, ValuesAreReadStrictly) {
   for (const auto& [type, value] :
        {std::pair{"double", "abc"}, std::pair{"double", "1.5x"}, std::pair{"int", "1e-3"}, std::pair{"int", "1.5"},
@@ -138,6 +188,32 @@ TEST(SceneFileTest, AssignmentsFollowTheTypesOfTheScene) {
   for (const char* wrong :
        {"Time Integrator/Newmark/Bta=0.3", "Mesh=1", "NoSuchList/x=1", "Mesh/Type", "=1", "Materials/A/Density=heavy"})
     EXPECT_THROW(set_parameter(scene, scene_parameters(), wrong), InputError) << wrong;
+}
+
+TEST(SceneFileTest, AnAssignedChoiceTakesThePlaceOfAnother) {
+  ParameterList scene =
+      test::scene(wall(test::number("Gamma L", 2.5) + test::number("Cutoff", 2) + test::numbers("Point", {0, 1})) +
+                  test::list("Mesh", test::word("Type", "Disk") + test::list("Disk", test::count("Rings", 3)) +
+                                         test::list("Sets", test::list("Bottom", test::word("From", "surface")))));
+  const auto assign = [&scene](const char* assignment) { set_parameter(scene, scene_parameters(), assignment); };
+  assign("Interactions/Wall/Morse/Strength=0.1");
+  assign("Interactions/Wall/Law=Morse");
+  assign("Mesh/Type=Box");
+  const ParameterList& wall = scene.sublist("Interactions").sublist("Wall");
+  EXPECT_FALSE(wall.isParameter("Gamma L"));
+  EXPECT_TRUE(wall.isParameter("Point")) << "another choice";
+  EXPECT_TRUE(wall.isParameter("Cutoff")) << "belongs to no law";
+  EXPECT_EQ(wall.sublist("Morse").get<double>("Strength"), 0.1);
+  EXPECT_FALSE(scene.sublist("Mesh").isSublist("Disk"));
+  EXPECT_TRUE(scene.sublist("Mesh").isSublist("Sets"));
+  EXPECT_NO_THROW(validated(scene, scene_parameters()));
+  // An assignment after the choice adds what the choice leaves out.
+  assign("Interactions/Wall/Gamma W=20");
+  EXPECT_THROW(validated(scene, scene_parameters()), InputError);
+  // Lists of schemes wait for the scheme to be chosen.
+  assign("Time Integrator/Newmark/Beta=0.3");
+  assign("Time Integrator/Type=Bathe Composite");
+  EXPECT_TRUE(scene.sublist("Time Integrator").isSublist("Newmark"));
 }
 
 }  // namespace

@@ -21,6 +21,17 @@ TEST_F(RestartTest, EverySchemeGoesOnToTheLastBit) {
   }
 }
 
+TEST_F(RestartTest, EveryLawObstacleAndMaterialGoesOnToTheLastBit) {
+  // The exact mean before a sphere has an unsymmetric tangent.
+  const std::string exact = list("Average Vector Field", count("Interaction Points", 0));
+  for (const Adhesion& adhesion : adhesions()) {
+    SCOPED_TRACE(adhesion.law + ", " + adhesion.obstacle + ", " + adhesion.model);
+    expect_goes_on(adhesive_block(2, adhesion) + list("Output", count("Fields Interval", 10) + checkpoints(35, 100)) +
+                       list("Time Integrator", word("Type", "Average Vector Field") + exact + steps(0.02, 1)),
+                   {35});
+  }
+}
+
 TEST_F(RestartTest, FieldsInOneHdf5FileGoOn) {
   expect_goes_on(drawn(word("Type", "Newmark") + steps(0.02, 1),
                        word("Fields Format", "HDF5") + count("Fields Interval", 3) + checkpoints(10, 100)),

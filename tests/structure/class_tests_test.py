@@ -55,7 +55,6 @@ elsewhere = {
     "run/history.hpp": ("run/run_test.cpp", "columns and rows of history.csv"),
     "run/run_files.hpp": ("run/restart_refusal_test.cpp", "what a refused restart leaves in the folder"),
     "run/summary.hpp": ("drivers/ixos_test.cpp", "the keys of summary.json"),
-    "scene/compatibility.hpp": ("verification/locking_test.cpp", "formulations that a scheme refuses"),
     "scene/conditions.hpp": ("verification/driven_test.cpp", "motions and loads of scenes"),
     "scene/documentation.hpp": ("drivers/ixos_test.cpp", "ixos --parameters and --template"),
     "scene/explanation.hpp": ("drivers/ixos_test.cpp", "ixos --explain"),

@@ -92,7 +92,25 @@ TEST_F(StudyTest, EveryCombinationIsARun) {
   EXPECT_NE(scene, scene_text(read, read.runs[1].settings));
 }
 
+TEST_F(StudyTest, AnAxisMayChooseALaw) {
+  const std::string steps = R"x(value="Time Integrator/Time Step Control/Time Step"/>
+      <Parameter name="Values" type="Array(string)" value="{0.01, 0.001}"/>)x";
+  const std::string laws = R"x(value="Interactions/Wall/Law"/>
+      <Parameter name="Values" type="Array(string)" value="{Van der Waals, Morse}"/>)x";
+  const Study read = read_study(study(steps, laws));
+  ASSERT_EQ(read.runs.size(), 4U);
+  // The scene has parameters of the Van der Waals law.
+  EXPECT_NE(scene_text(read, read.runs[0].settings).find("Gamma L"), std::string::npos);
+  const std::string morse = scene_text(read, read.runs[1].settings);
+  EXPECT_NE(morse.find("\"Morse\""), std::string::npos) << morse;
+  EXPECT_EQ(morse.find("Gamma L"), std::string::npos) << morse;
+}
+
 TEST_F(StudyTest, BadStudiesAreRefused) {
+  expect_refused("<ParameterList name=\"Common\">",
+                 "<ParameterList name=\"Common\">"
+                 "<Parameter name=\"Interactions/Wall/Morse/Strength\" type=\"double\" value=\"0.1\"/>",
+                 "run reference: Interactions/Wall: \"Morse\" belongs to Law \"Morse\", but Law is \"Van der Waals\"");
   expect_refused("ball.xml", "bal.xml", "bal.xml: the scene file cannot be read");
   expect_refused("value=\"Newmark\"", "value=\"Newmrak\"",
                  "run N_0.01: Time Integrator/Type: \"Newmrak\" does not exist");

@@ -33,6 +33,30 @@ std::string block_3d(double spin) {
                                         numbers("Origin", {1.0, 0.5, 0.5}));
 }
 
+std::string adhesive_block(int dimension, const Adhesion& adhesion, const std::string& wall) {
+  const bool plane = dimension == 2, sphere = adhesion.obstacle == "Sphere";
+  const std::string box = plane
+                              ? numbers("Lengths", {2, 1}) + counts("Divisions", {6, 3})
+                              : count("Dimension", 3) + numbers("Lengths", {2, 1, 1}) + counts("Divisions", {3, 2, 2});
+  const std::string below = plane ? numbers("Point", {0, -0.5}) : numbers("Point", {0, 0, -0.5});
+  const std::string center = plane ? numbers("Center", {0.8, -3.5}) : numbers("Center", {0.8, 0.4, -3.5});
+  return list("Mesh", word("Type", "Box") + list("Box", box)) +
+         list("Materials", list("Rubber", number("Density", 1) + word("Model", adhesion.model))) +
+         list(
+             "Interactions",
+             list("Wall", word("Side Set", "bottom") + word("Law", adhesion.law) + word("Obstacle", adhesion.obstacle) +
+                              (sphere ? list("Sphere", number("Radius", 3) + center) : below) + wall)) +
+         list("Initial Conditions", plane ? numbers("Velocity", {0.05, -0.5}) : numbers("Velocity", {0.05, 0, -0.5}));
+}
+
+std::vector<Adhesion> adhesions() {
+  std::vector<Adhesion> result;
+  for (const char* law : {"Van der Waals", "Morse"})
+    for (const char* obstacle : {"Half-Space", "Sphere"})
+      for (const char* model : {"Neo-Hooke", "Saint Venant-Kirchhoff"}) result.push_back({law, obstacle, model});
+  return result;
+}
+
 std::string oscillator() {
   return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {1, 1}) + counts("Divisions", {1, 1}))) +
          rubber("Linear Elastic", 0) +

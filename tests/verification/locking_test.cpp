@@ -225,7 +225,7 @@ TEST(LockingVerification, WhatTheCuresDoNotOfferIsRefused) {
   const std::string matrix_free =
       test::list("Linear Solver", test::word("Linear Solver Type", "Belos") + test::word("Operator", "Matrix-Free"));
   EXPECT_NE(message(block("Enhanced", 3) + matrix_free + test::time_integrator("Newmark", 0.1, 1))
-                .find("is not offered for this scene's element formulation or elastic law"),
+                .find("is not offered for Materials/Rubber/Element Formulation \"Enhanced\"; use \"Assembled\""),
             std::string::npos);
 }
 

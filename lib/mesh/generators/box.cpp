@@ -114,7 +114,7 @@ MeshEntry box_mesh() {
             copy_values(node, "Lower", p.lower, p.dimension, shape.lower);
             copy_values(node, "Lengths", p.lengths, p.dimension, shape.lengths);
             copy_values(node, "Divisions", p.divisions, p.dimension, shape.divisions);
-            return at(node.path(), [&] { return box(shape); });
+            return box(shape);
           }};
 }
 

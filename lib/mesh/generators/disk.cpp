@@ -112,7 +112,7 @@ MeshEntry disk_mesh() {
           "", options.list(), [options](const SceneNode& node) {
             Parameters shape = options.read(node);
             copy_values(node, "Center", shape.place, 2, shape.center);
-            return at(node.path(), [&] { return disk(shape); });
+            return disk(shape);
           }};
 }
 

@@ -61,10 +61,7 @@ MeshEntry spatula_mesh() {
   return {"Spatula",
           "A gecko's spatula of hexahedra. It has the block \"body\", the side and node sets \"pad\" (its underside), "
           "\"shaft end\" and \"surface\", and the node set \"tip\".",
-          "", options.list(), [options](const SceneNode& node) {
-            const SpatulaShape shape = options.read(node);
-            return at(node.path(), [&] { return spatula(shape); });
-          }};
+          "", options.list(), [options](const SceneNode& node) { return spatula(options.read(node)); }};
 }
 
 }  // namespace ixos
