@@ -143,9 +143,13 @@ class CurvedSurfaceTerm final : public Interaction {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Ends ends(sides_, b, {from, nullptr, to});
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const Pack r0 = obstacle_->at(ends.from(q)).gap, r1 = obstacle_->at(ends.to(q)).gap;
-        const Pack lesser = smaller(r0, r1);
-        const Pack ratio = select(lesser < near, Pack((r0 + r1 - lesser) / lesser), Pack(1.0));
+        const PackPoint start = ends.from(q), end = ends.to(q);
+        const Pack r0 = obstacle_->at(start).gap, r1 = obstacle_->at(end).gap, lesser = smaller(r0, r1);
+        // The straight path can pass nearer than its ends. If it leads through the obstacle, its ratio is large but
+        // finite, because its logarithm sets the next step.
+        const Pack nearest = smaller(lesser, obstacle_->least_gap(start, end));
+        const Pack divisor = select(nearest > 0.0, nearest, Pack(1e-6 * lesser));
+        const Pack ratio = select(nearest < near, Pack((r0 + r1 - lesser) / divisor), Pack(1.0));
         largest = std::max(largest, -least(Pack(-ratio)));
       }
     }
