@@ -73,7 +73,6 @@ elsewhere = {
     "solve/chebyshev_preconditioner.hpp": ("solve/chebyshev_test.cpp", "the polynomial"),
     "solve/direct_preconditioner.hpp": ("solve/multigrid_test.cpp", "a kept factorisation"),
     "solve/factorization.hpp": ("solve/direct_solver_test.cpp", "each factorisation solves"),
-    "solve/incremental_potential.hpp": ("time/integrator_test.cpp", "NOX's line searches descend the potential"),
     "solve/kept_state.hpp": ("solve/multigrid_test.cpp", "families of matrices"),
     "solve/klu2_repair.hpp": ("solve/direct_solver_test.cpp", "the repaired solver is the one in use"),
     "solve/lagged_solver.hpp": ("solve/multigrid_test.cpp", "LaggedSolverTest"),
