@@ -104,6 +104,13 @@ struct Hdf5Series::Implementation {
 
   bool first() const { return comm->getRank() == 0; }
 
+  /// Throws `Error` unless HDF5 succeeded. If the disk or the memory was to blame, throws what the image knows of that.
+  template <class Error>
+  void require(bool good, const std::string& problem) const {
+    image->check();
+    if (!good) throw Error(path + ": " + problem);
+  }
+
   void open() {
     const bool writes = mode == Mode::Write;
     disk = std::make_unique<DiskFile>(path, writes ? DiskFile::Mode::Change : DiskFile::Mode::Read);
@@ -115,28 +122,30 @@ struct Hdf5Series::Implementation {
     H5Pset_meta_block_size(access, 0);
     H5Pset_small_data_block_size(access, 0);
     file = std::make_unique<Handle>(H5Fopen(path.c_str(), writes ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access), H5Fclose);
-    if (*file < 0) throw InputError(path + ": HDF5 cannot open it");
+    require<InputError>(*file >= 0, "HDF5 cannot open it");
     end = disk->length();
     for (const Set& set : descriptions) {
       sets.push_back(open_set(*file, set.name));
       hsize_t rows = 0;
       // A frame whose writing failed may have rows in some sets only; nothing is added to such a file.
-      if (!has_rows(sets.back(), set, rows) || (writes && &set != &descriptions.front() && rows != frames))
-        throw InputError(path + ": has no \"" + set.name + "\" of this mesh");
+      const bool fits =
+          has_rows(sets.back(), set, rows) && (!writes || &set == &descriptions.front() || rows == frames);
+      require<InputError>(fits, "has no \"" + set.name + "\" of this mesh");
       frames = rows;
-      chunks.push_back(writes && rows % chunk_of(set)[0] != 0 ? place_of_row(sets.back(), rows - 1) : 0);
+      chunks.push_back(writes && rows % chunk_of(set)[0] != 0 ? place_of_row<InputError>(sets.back(), rows - 1) : 0);
     }
-    image->check();
     image->new_raw_data();
   }
 
+  /// Returns where the chunk of a row begins. Throws `Error` if the row is not stored.
+  template <class Error>
   std::uint64_t place_of_row(hid_t set, hsize_t row) const {
     const Extent place{row, 0};
     unsigned filters = 0;
     haddr_t address = 0;
     hsize_t bytes = 0;
-    if (H5Dget_chunk_info_by_coord(set, place.data(), &filters, &address, &bytes) < 0 || address == HADDR_UNDEF)
-      throw InputError(path + ": a frame's place cannot be found");
+    const bool found = H5Dget_chunk_info_by_coord(set, place.data(), &filters, &address, &bytes) >= 0;
+    require<Error>(found && address != HADDR_UNDEF, "a frame's place cannot be found");
     return address;
   }
 
@@ -147,16 +156,15 @@ struct Hdf5Series::Implementation {
       const Set& set = descriptions[s];
       const Extent size{frames + 1, set.width}, chunk = chunk_of(set);
       const hsize_t bytes = 8 * chunk[0] * (rank_of(set) == 1 ? 1 : chunk[1]), row = frames % chunk[0];
-      if (H5Dset_extent(sets[s], size.data()) < 0) throw FileError(path + ": " + set.name + " cannot grow");
+      require<FileError>(H5Dset_extent(sets[s], size.data()) >= 0, set.name + " cannot grow");
       if (row == 0) {
         const auto made = image->new_raw_data();
-        chunks[s] = made.size() == 1 && made[0].second == bytes ? made[0].first : place_of_row(sets[s], frames);
+        chunks[s] =
+            made.size() == 1 && made[0].second == bytes ? made[0].first : place_of_row<FileError>(sets[s], frames);
       }
       places.push_back(chunks[s] + 8 * row);
     }
-    const bool flushed = H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0;
-    image->check();
-    if (!flushed) throw FileError(path + ": the structure of a frame cannot be made");
+    require<FileError>(H5Fflush(*file, H5F_SCOPE_GLOBAL) >= 0, "the structure of a frame cannot be made");
     disk->lengthen(std::max(image->end(), end));
     return places;
   }
@@ -167,9 +175,8 @@ void Hdf5Series::add(const std::string& path, const std::string& frames, const s
   DiskFile disk(path, DiskFile::Mode::Change);
   hdf5::Image image(&disk);
   const Handle access = image.access();
-  hdf5::require(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST) >= 0,
-                "properties");  // for the
-                                // extensible arrays
+  // The extensible arrays need it.
+  hdf5::require(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST) >= 0, "properties");
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose);
   bool good = file >= 0;
   if (good) {
@@ -236,8 +243,7 @@ std::vector<double> Hdf5Series::read(std::size_t set, unsigned long long frame, 
     const Handle memory(H5Screate_simple(1, &count[1], nullptr), H5Sclose);
     const bool good = H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) >= 0 &&
                       H5Dread(self.sets[set], H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()) >= 0;
-    self.image->check();
-    if (!good) throw InputError(self.path + ": an earlier frame cannot be read");
+    self.require<InputError>(good, "an earlier frame cannot be read");
   });
   return values;
 }
@@ -250,11 +256,13 @@ void Hdf5Series::close() {
   Implementation& self = *implementation_;
   if (self.comm.is_null()) return;
   together(self.comm, [&] {
-    for (Handle& set : self.sets)
-      if (set.release() < 0) throw FileError(self.path + ": HDF5 cannot close a data set");
-    if (self.file && self.file->release() < 0) throw FileError(self.path + ": HDF5 cannot close the file");
-    if (self.image) self.image->check();
-    if (self.image && self.mode == Mode::Write) self.image->commit(*self.disk, self.end);
+    if (self.image) {
+      bool closed = true;
+      for (Handle& set : self.sets) closed = set.release() >= 0 && closed;
+      closed = self.file->release() >= 0 && closed;
+      self.require<FileError>(closed, "HDF5 cannot close it");
+      if (self.mode == Mode::Write) self.image->commit(*self.disk, self.end);
+    }
     self.disk->close();
   });
   self.comm = Teuchos::null;
