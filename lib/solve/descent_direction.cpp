@@ -58,7 +58,7 @@ bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::
   for (int level = 0; level <= highest_level; ++level) {
     const Relaxed relaxed(problem_, level);
     if (level > 0) group.setX(group.getX());  // forgets the matrix
-    // NOX would evaluate these inside compute(). What the problem throws is no failure of the linear solver.
+    // NOX would evaluate these inside compute(). An exception of the problem is no failure of the linear solver.
     group.computeF();
     group.computeJacobian();
     try {
