@@ -40,7 +40,7 @@ elsewhere = {
     "fem/with_element.hpp": ("mesh/enrichment/enrich_hexahedra_test.cpp", "chooses the elements that conform"),
     "io/exodus_mesh.hpp": ("io/exodus_test.cpp", "meshes that are written, read and refused"),
     "io/field_file.hpp": ("io/hdf5_fields_test.cpp", "an interface; frames in both formats"),
-    "io/hdf5_rows.hpp": ("io/hdf5_series_test.cpp", "sets as the ordinary HDF5 driver finds them; sets that cannot grow"),
+    "io/hdf5_rows.hpp": ("io/hdf5_series_test.cpp", "sets that the ordinary HDF5 driver finds"),
     "io/hdf5_file.hpp": ("checkpoint/checkpoint_file_test.cpp", "checkpoints are their only files"),
     "material/discrete_neo_hooke.hpp": ("material/neo_hooke_test.cpp", "the tests of the discrete gradient"),
     "mesh/enrichment/contact_nodes.hpp": ("mesh/enrichment/enrich_test.cpp", "the steps of enrich()"),
