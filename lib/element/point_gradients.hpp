@@ -59,7 +59,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   template <bool WithValues, class T>
   static void evaluate(const ShapeTable<Hex8>& table, const Small<T, N, D>& u, Small<T, D>* gradients,
                        std::array<T, D>* values) {
-    if (table.size() != 8) return Tabulated::evaluate<WithValues>(table, u, gradients, values);
+    if (!table.two_points) return Tabulated::evaluate<WithValues>(table, u, gradients, values);
     for (std::size_t i = 0; i < D; ++i) {
       const Coefficients<T> c = coefficients(u, i);
       spread<0>(c.x, c.xy, c.xz, c.xyz, i, gradients);
@@ -72,7 +72,7 @@ struct PointGradients<Hex8> : TabulatedGradients<Hex8> {
   template <bool WithValues, class T>
   static void integrate(const ShapeTable<Hex8>& table, const Small<T, D>* stresses, const std::array<T, D>* values,
                         Small<T, N, D>& f) {
-    if (table.size() != 8) return Tabulated::integrate<WithValues>(table, stresses, values, f);
+    if (!table.two_points) return Tabulated::integrate<WithValues>(table, stresses, values, f);
     for (std::size_t i = 0; i < D; ++i) {
       Coefficients<T> c{};
       if constexpr (WithValues) collect_values(values, i, c);

@@ -1,5 +1,6 @@
 /// Shape functions at quadrature points.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -17,7 +18,8 @@ struct ShapeTable {
   static constexpr std::size_t N = Element::nodes;
 
   /// `counts`: points along each reference direction, 1 to 64. `tied`: edges kept straight, see evaluate_tied().
-  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points, unsigned tied = 0) {
+  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points, unsigned tied = 0)
+      : two_points(std::all_of(counts.begin(), counts.end(), [](int count) { return count == 2; })) {
     std::array<Quadrature, D> rules;
     std::size_t size = 1;
     for (std::size_t d = 0; d < D; ++d) {
@@ -43,6 +45,7 @@ struct ShapeTable {
 
   std::size_t size() const { return weight.size(); }
 
+  bool two_points;                                             ///< whether there are two along each direction
   std::vector<double> weight;                                  ///< quadrature weights
   std::vector<std::array<double, D>> point;                    ///< xi_q
   std::vector<std::array<double, N>> value;                    ///< N_a(xi_q)

@@ -64,6 +64,7 @@ class CutOff {
     return select(r < range_, law_.magnitude(r), T(0.0));
   }
 
+  /// Returns the law's own gap. The shift moves the root of the traction farther out, by about |T(rc)/T'|.
   double equilibrium_gap() const { return law_.equilibrium_gap(); }
   double adhesion_gap() const { return law_.adhesion_gap(); }
 

@@ -29,9 +29,12 @@ class GapLaw {
   virtual Pack magnitude(const Pack& r) const = 0;
 
   virtual GapDomain domain() const = 0;
-  virtual double equilibrium_gap() const = 0;  ///< T = 0; Newton steps keep r >= kappa min(r, this)
-  virtual double adhesion_gap() const = 0;     ///< largest attraction; contact_measure counts gaps below
-  virtual double range() const = 0;            ///< gap beyond which nothing acts; infinity if there is none
+  /// Returns the gap at which repulsion turns into attraction, T = 0 [L0]. It is also the scale of small gaps: Newton
+  /// steps keep r >= kappa min(r, this), and gap ratios count below ten times this. A law that only repels or only
+  /// attracts returns the gap below which its traction changes by a multiple while the gap halves. Positive.
+  virtual double equilibrium_gap() const = 0;
+  virtual double adhesion_gap() const = 0;  ///< largest attraction; contact_measure counts gaps below
+  virtual double range() const = 0;         ///< gap beyond which nothing acts; infinity if there is none
   /// Returns this law with a range, see CutOff. range > 0.
   virtual std::shared_ptr<const GapLaw> cut_off(double range) const = 0;
 };

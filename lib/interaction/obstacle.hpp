@@ -38,12 +38,20 @@ class Obstacle {
   virtual Sight at(const PackPoint& x) const = 0;
 
   /// Returns a direction n with n . (x1 - x0) = gap(x1) - gap(x0): with it, the force -T n with the mean traction T
-  /// of the gaps does the work that the interaction's energy loses. By default it is the mean normal on the straight
-  /// path by 3 Gauss points, for which the equation holds up to the error of the quadrature.
+  /// of the gaps does the work that the interaction's energy loses. By default n is the mean normal on the straight
+  /// path by 3 Gauss points. If the normals vary so much that this mean is not exact to rounding, n is corrected along
+  /// the path.
   virtual MeanSight mean(const PackPoint& x0, const PackPoint& x1) const;
 
+  /// Returns the least gap on the straight path from x0 to x1, or less. By default the gap falls and rises along the
+  /// tangents at both ends and in the middle. That is a lower bound before convex obstacles, where the gap is a convex
+  /// function on the path. Before other obstacles it is an estimate.
+  virtual Pack least_gap(const PackPoint& x0, const PackPoint& x1) const;
+
   /// Returns the largest s <= 1 for which the gap along x + s d stays at least `least`, or less. The gap at x exceeds
-  /// `least`. By default sphere tracing: the distance is Lipschitz continuous with constant 1.
+  /// `least`. By default sphere tracing: the distance is Lipschitz continuous with constant 1, so each round advances
+  /// by the gap that exceeds `least`. It ends when a thousandth of that gap is left, or after 64 rounds: along a wall,
+  /// a step ends after 64 times the gap that exceeds `least` at x.
   virtual Pack admissible_step(const PackPoint& x, const PackPoint& d, const Pack& least) const;
 };
 

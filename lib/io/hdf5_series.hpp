@@ -33,17 +33,17 @@ class Hdf5Series {
   /// numbers as they are, without filters, so that nothing of these rows is decoded. Not collective.
   static void check(const std::string& path, const std::vector<Set>& sets, unsigned long long frames);
 
-  /// Opens the file. Throws InputError if it has no such sets, or rows of other widths. Collective, as all that
-  /// follows.
+  /// Opens the file. Throws InputError if it has no such sets, or rows of other widths; FileError if the disk cannot
+  /// read it. Collective, as all that follows.
   Hdf5Series(const std::string& path, const Comm& comm, const std::vector<Set>& sets, Mode mode);
   ~Hdf5Series();
   Hdf5Series(const Hdf5Series&) = delete;
   Hdf5Series& operator=(const Hdf5Series&) = delete;
 
   /// Appends a row to each set; `values[s]` and `slabs[s]` are this rank's part of the row of set s, which may be
-  /// empty. Throws FileError on all ranks if any rank could not write.
+  /// empty. Throws FileError on all ranks if any rank could not write, or the file cannot grow.
   void append(const std::vector<std::vector<double>>& values, const std::vector<Slab>& slabs);
-  /// Reads a rank's part of a row. Throws InputError on all ranks alike.
+  /// Reads a rank's part of a row. Throws InputError, or FileError if a disk cannot read it, on all ranks alike.
   std::vector<double> read(std::size_t set, unsigned long long frame, const Slab& slab) const;
   /// Has the disk keep the frames. Throws FileError on all ranks alike.
   void sync();

@@ -3,8 +3,10 @@
 #include <NOX_Abstract_Group.H>
 #include <NOX_Solver_Generic.H>
 
+#include <exception>
 #include <new>
 
+#include "base/error.hpp"
 #include "solve/nox_vector.hpp"
 
 namespace ixos {
@@ -24,6 +26,26 @@ class Relaxed {
   NonlinearProblem& problem_;
 };
 
+/// Returns whether the exception in flight says that a linear system could not be solved. A checkpoint that does not
+/// fit, a file that cannot be read and a lack of memory are no such failures, nor is an exception of unknown type.
+bool is_failed_solve() {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return false;
+  } catch (const InputError&) {
+    return false;
+  } catch (const FileError&) {
+    return false;
+  } catch (const std::exception&) {
+    return true;
+  } catch (const char*) {  // NOX throws its own errors as plain text
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 }  // namespace
 
 bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::Group& group,
@@ -36,12 +58,13 @@ bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::
   for (int level = 0; level <= highest_level; ++level) {
     const Relaxed relaxed(problem_, level);
     if (level > 0) group.setX(group.getX());  // forgets the matrix
+    // NOX would evaluate these inside compute(). An exception of the problem is no failure of the linear solver.
+    group.computeF();
+    group.computeJacobian();
     try {
       if (!newton_.compute(direction, group, solver)) continue;
-    } catch (const std::bad_alloc&) {
-      throw;
     } catch (...) {
-      if (level == highest_level) throw;
+      if (level == highest_level || !is_failed_solve()) throw;
       continue;
     }
     problem_.complete_direction(*tpetra(group.getX()), *tpetra(direction));

@@ -12,7 +12,9 @@ namespace ixos {
 /// NOX's Newton direction. If `tolerance`, that of |f|, is not 0, a ForcingTerm sets the accuracy of its linear solves.
 /// Prescribed values go the whole way, exactly. If the residual f is a gradient and f . d >= 0, or the linear solver
 /// breaks down, the tangent is not positive definite: the direction is computed again with the tangent relaxed step by
-/// step (see NonlinearProblem::relax_tangent). Fails if the last step gives no descent either.
+/// step (see NonlinearProblem::relax_tangent). Fails if the last step gives no descent either. Exceptions of the
+/// problem pass through, and so do those of the linear solver that a relaxed tangent does not cure: InputError,
+/// FileError and std::bad_alloc.
 class DescentDirection final : public NOX::Direction::Generic {
  public:
   DescentDirection(NonlinearProblem& problem, double tolerance, const Teuchos::RCP<NOX::GlobalData>& data,

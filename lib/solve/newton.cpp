@@ -201,6 +201,8 @@ NewtonResult NewtonSolver::solve(Vector& x) {
     throw;
   } catch (const InputError&) {  // a checkpoint that does not fit
     throw;
+  } catch (const FileError&) {
+    throw;
   } catch (const std::exception& error) {
     result = self.broken(error.what());
   } catch (const char* error) {  // NOX throws its own errors as plain text

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "term/surface_sides.hpp"
+#include "term/curved_sides.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -13,7 +13,8 @@ namespace {
 /// reference area is -T n and its tangent psi'' n n^T - T H.
 template <class SideElement>
 class CurvedSurfaceTerm final : public Interaction {
-  using Sides = SurfaceSides<SideElement>;
+  using Sides = CurvedSides<SideElement>;
+  using Ends = typename Sides::Ends;
   static constexpr std::size_t D = Sides::D;
   static constexpr std::size_t N = Sides::N;
   using Vectors = typename Sides::Vectors;
@@ -36,7 +37,7 @@ class CurvedSurfaceTerm final : public Interaction {
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     Pack least_gap = 1.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, segment);
+      const Ends ends(sides_, b, segment);
       Vectors force{};
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
         std::array<Pack, D> traction{};
@@ -66,7 +67,7 @@ class CurvedSurfaceTerm final : public Interaction {
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, segment);
+      const Ends ends(sides_, b, segment);
       Small<Pack, N * D> tangent{};
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
         const auto& shape = sides_.quadrature().value[q];
@@ -85,7 +86,7 @@ class CurvedSurfaceTerm final : public Interaction {
   bool add_row_sums(const Segment& segment, double* sums) const override {
     Pack least_gap = 1.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, {nullptr, nullptr, segment.to});
+      const Ends ends(sides_, b, {nullptr, nullptr, segment.to});
       Vectors rows{};
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
         const auto& shape = sides_.quadrature().value[q];
@@ -112,11 +113,10 @@ class CurvedSurfaceTerm final : public Interaction {
     if (!needs_positive_gaps()) return 1;
     Pack step = 1.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, segment);
-      Vectors change;
-      sides_.batches().gather(b, direction, change);
+      const Ends ends(sides_, b, segment);
+      const Vectors change = sides_.change_of(b, direction);
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint d = interpolate(sides_.quadrature().value[q], change);
+        const PackPoint d = sides_.interpolate(q, change);
         const auto restrict_to = [&](const PackPoint& x, double share) {
           PackPoint way;
           for (std::size_t i = 0; i < 3; ++i) way[i] = share * d[i];
@@ -141,11 +141,15 @@ class CurvedSurfaceTerm final : public Interaction {
     const double near = 10 * law_.equilibrium_gap();
     double largest = 1;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, {from, nullptr, to});
+      const Ends ends(sides_, b, {from, nullptr, to});
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const Pack r0 = obstacle_->at(ends.from(q)).gap, r1 = obstacle_->at(ends.to(q)).gap;
-        const Pack lesser = smaller(r0, r1);
-        const Pack ratio = select(lesser < near, Pack((r0 + r1 - lesser) / lesser), Pack(1.0));
+        const PackPoint start = ends.from(q), end = ends.to(q);
+        const Pack r0 = obstacle_->at(start).gap, r1 = obstacle_->at(end).gap, lesser = smaller(r0, r1);
+        // The straight path can pass nearer than its ends. If it leads through the obstacle, its ratio is large but
+        // finite, because its logarithm sets the next step.
+        const Pack nearest = smaller(lesser, obstacle_->least_gap(start, end));
+        const Pack divisor = select(nearest > 0.0, nearest, Pack(1e-6 * lesser));
+        const Pack ratio = select(nearest < near, Pack((r0 + r1 - lesser) / divisor), Pack(1.0));
         largest = std::max(largest, -least(Pack(-ratio)));
       }
     }
@@ -180,18 +184,18 @@ class CurvedSurfaceTerm final : public Interaction {
 
     void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
       for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
-        const Ends ends(term_, b, segment);
+        const Ends ends(term_.sides_, b, segment);
         for (std::size_t q = 0; q < points_; ++q) stiffness_[b * points_ + q] = term_.stiffness(ends, b, q, rule, kind);
       }
     }
 
     void add_product(const double* x, double* y) const override {
       for (std::size_t b = 0; b < term_.sides_.size(); ++b) {
-        Vectors u, f{};
-        term_.sides_.batches().gather(b, x, u);
+        const Vectors u = term_.sides_.change_of(b, x);
+        Vectors f{};
         for (std::size_t q = 0; q < points_; ++q) {
           const auto& shape = term_.sides_.quadrature().value[q];
-          const PackPoint at = term_.interpolate(shape, u);
+          const PackPoint at = term_.sides_.interpolate(q, u);
           for (std::size_t i = 0; i < D; ++i) {
             Pack force = 0.0;
             for (std::size_t j = 0; j < D; ++j) force += stiffness_[b * points_ + q][i][j] * at[j];
@@ -220,47 +224,6 @@ class CurvedSurfaceTerm final : public Interaction {
     std::size_t points_;
     std::vector<Matrix> stiffness_;  ///< batches x quadrature points
   };
-
-  /// Places of one batch at the ends of the segment.
-  class Ends {
-   public:
-    Ends(const CurvedSurfaceTerm& term, std::size_t b, const Segment& segment)
-        : term_(term), has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
-      const auto place = [&](const double* u, Vectors& x) {
-        term.sides_.batches().gather(b, u, x);
-        for (std::size_t a = 0; a < N; ++a)
-          for (std::size_t i = 0; i < D; ++i) x[a][i] += term.sides_.reference(b)[a][i];
-      };
-      place(segment.to, to_);
-      if (has_from_) place(segment.from, from_);
-      if (has_velocity_) term.sides_.batches().gather(b, segment.velocity, velocity_);
-    }
-    PackPoint to(std::size_t q) const { return term_.interpolate(shape(q), to_); }
-    PackPoint from(std::size_t q) const { return term_.interpolate(shape(q), from_); }
-    PackPoint at(std::size_t q, const RulePoint& point) const {
-      PackPoint x = to(q);
-      for (Pack& component : x) component *= point.to;
-      const auto add = [&](double factor, const PackPoint& part) {
-        for (std::size_t i = 0; i < 3; ++i) x[i] += factor * part[i];
-      };
-      if (has_from_) add(point.from, from(q));
-      if (has_velocity_) add(point.velocity, term_.interpolate(shape(q), velocity_));
-      return x;
-    }
-
-   private:
-    const auto& shape(std::size_t q) const { return term_.sides_.quadrature().value[q]; }
-    const CurvedSurfaceTerm& term_;
-    bool has_from_, has_velocity_;
-    Vectors to_, from_, velocity_;
-  };
-
-  PackPoint interpolate(const std::array<double, N>& shape, const Vectors& nodal) const {
-    PackPoint sum{};
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i) sum[i] += shape[a] * nodal[a][i];
-    return sum;
-  }
 
   /// Returns the derivative of the force at a quadrature point by its displacement at the end of the segment, times the
   /// measure. The convex kind leaves out each part that is negative.
@@ -306,7 +269,7 @@ class CurvedSurfaceTerm final : public Interaction {
   double sum_over_points(const double* u, const Visit& visit) const {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(*this, b, {nullptr, nullptr, u});
+      const Ends ends(sides_, b, {nullptr, nullptr, u});
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
         sum += visit(obstacle_->at(ends.to(q)), Pack(sides_.owned(b) * sides_.measure(b)[q]));
     }

@@ -18,12 +18,21 @@ struct Body : test::ElementNodes<Shape> {
   using Gradients = PointGradients<Shape>;
   using Nodal = Small<double, N, D>;
 
-  /// Tables of 1, 2 and 3 points along each direction.
+  /// Tables of 1, 2 and 3 points along each direction, and of other numbers that have as many points as 2 along each.
   static std::vector<ShapeTable<Shape>> tables() {
     std::vector<ShapeTable<Shape>> all;
     for (int count : {1, 2, 3}) {
       std::array<int, D> counts;
       counts.fill(count);
+      all.emplace_back(counts);
+    }
+    for (std::size_t along = 0; along < D; ++along) {
+      std::array<int, D> counts;
+      counts.fill(1);
+      counts[along] = 1 << D;
+      all.emplace_back(counts);
+      counts[along] = 1 << (D - 1);
+      counts[(along + 1) % D] = 2;
       all.emplace_back(counts);
     }
     return all;

@@ -69,6 +69,7 @@ TEST_P(LawTest, MeansAreMeans) {
 
 TEST_P(LawTest, NamedGapsAreWhereTheyShouldBe) {
   const double equilibrium = law_->equilibrium_gap(), adhesion = law_->adhesion_gap();
+  EXPECT_GT(equilibrium, 0) << "it is a scale of small gaps";
   EXPECT_NEAR(law_->traction(equilibrium)[0], 0, 1e-14 * law_->magnitude(equilibrium)[0] + 1e-17);
   EXPECT_LT(law_->traction(adhesion)[0], 0);
   EXPECT_NEAR(law_->stiffness(adhesion)[0], 0, 1e-13 * law_->magnitude(adhesion)[0] / adhesion + 1e-15);
@@ -129,15 +130,36 @@ TEST_P(ObstacleTest, NormalAndBendAreDerivativesOfTheGap) {
 }
 
 TEST_P(ObstacleTest, TheMeanNormalMeasuresTheChangeOfTheGap) {
-  const PackPoint x0 = point(1.3, 2.4, 1.9), x1 = point(1.5, 2.3, 1.8);
-  const MeanSight mean = obstacle_->mean(x0, x1);
-  double change = 0;
-  for (std::size_t i = 0; i < dimension_; ++i) change += mean.normal[i][0] * (x1[i][0] - x0[i][0]);
-  EXPECT_NEAR(change, obstacle_->at(x1).gap[0] - obstacle_->at(x0).gap[0], 1e-9);
-  for (std::size_t i = 0; i < dimension_; ++i)
-    for (std::size_t j = 0; j < dimension_; ++j)
-      EXPECT_NEAR(derivative([&](double s) { return double(obstacle_->mean(x0, moved(x1, j, s)).normal[i][0]); }, 1e-3),
-                  mean.slope[i][j][0], 1e-10);
+  const PackPoint x0 = point(1.3, 2.4, 1.9);
+  for (const PackPoint& x1 : {point(1.3, 2.4001, 1.9), point(1.5, 2.3, 1.8), point(-1.0, 3.5, 1.2)}) {
+    const MeanSight mean = obstacle_->mean(x0, x1);
+    double change = 0;
+    for (std::size_t i = 0; i < dimension_; ++i) change += mean.normal[i][0] * (x1[i][0] - x0[i][0]);
+    EXPECT_NEAR(change, obstacle_->at(x1).gap[0] - obstacle_->at(x0).gap[0], 1e-14);
+    for (std::size_t i = 0; i < dimension_; ++i)
+      for (std::size_t j = 0; j < dimension_; ++j)
+        EXPECT_NEAR(
+            derivative([&](double s) { return double(obstacle_->mean(x0, moved(x1, j, s)).normal[i][0]); }, 1e-3),
+            mean.slope[i][j][0], 1e-10);
+  }
+}
+
+TEST_P(ObstacleTest, TheLeastGapIsThatOfThePath) {
+  const PackPoint x0 = point(-1.5, 2.2, 0.4);
+  for (const PackPoint& x1 : {point(1.5, 2.4, 0.2), point(1.8, 2.3, 1.8), point(-1.0, 4.5, 0.2), x0}) {
+    double length = 0, sampled = obstacle_->at(x0).gap[0];
+    for (std::size_t i = 0; i < 3; ++i) length += std::pow(x1[i][0] - x0[i][0], 2);
+    length = std::sqrt(length);
+    for (int k = 1; k <= 1000; ++k) {
+      PackPoint x;
+      for (std::size_t i = 0; i < 3; ++i) x[i] = x0[i] + (k / 1000.0) * (x1[i] - x0[i]);
+      sampled = std::min(sampled, double(obstacle_->at(x).gap[0]));
+    }
+    const double found = obstacle_->least_gap(x0, x1)[0];
+    EXPECT_LE(found, std::min(obstacle_->at(x0).gap[0], obstacle_->at(x1).gap[0]) + 1e-14);
+    EXPECT_GE(found, (obstacle_->at(x0).gap[0] + obstacle_->at(x1).gap[0] - length) / 2 - 1e-14) << "Lipschitz";
+    EXPECT_NEAR(found, sampled, 0.1 * length + 1e-14);
+  }
 }
 
 TEST_P(ObstacleTest, AnAdmissibleStepKeepsTheGap) {

@@ -228,6 +228,75 @@ long long open_in_hdf5() {
   return static_cast<long long>(H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL));
 }
 
+/// Returns the message of the FileError that `action` throws; empty if it throws none.
+template <class Action>
+std::string failure(const Action& action) {
+  try {
+    action();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The disk's words, and not that HDF5 cannot open the file. A folder opens, but cannot be read.
+TEST_F(Hdf5SeriesTest, ADiskThatCannotReadIsNoDamagedFile) {
+  EXPECT_EQ(failure([&] { Hdf5Series(testing::TempDir(), world(), sets, Mode::Read); }),
+            testing::TempDir() + ": cannot be read: Is a directory");
+}
+
+/// Puts another data set without rows into the place of "time": in chunks that have no room before they are written,
+/// or in one piece that cannot grow.
+void replace_times(const std::string& path, bool chunked) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), creation = H5Pcreate(H5P_DATASET_CREATE);
+  const hsize_t none = 0, most = chunked ? H5S_UNLIMITED : 0, chunk = 512;
+  if (chunked) {
+    H5Pset_chunk(creation, 1, &chunk);
+    H5Pset_alloc_time(creation, H5D_ALLOC_TIME_INCR);
+  }
+  const hid_t space = H5Screate_simple(1, &none, &most);
+  EXPECT_GE(H5Ldelete(file, "time", H5P_DEFAULT), 0);
+  const hid_t set = H5Dcreate2(file, "time", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  EXPECT_GE(set, 0);
+  H5Dclose(set);
+  H5Sclose(space);
+  H5Pclose(creation);
+  EXPECT_GE(H5Fclose(file), 0);
+}
+
+// Only the first rank sees it; all of them throw.
+TEST_F(Hdf5SeriesTest, SetsThatCannotGrowAreAFailureOfTheFile) {
+  const long long before = open_in_hdf5();
+  const auto append_to = [&](bool chunked) {
+    on_first_rank(world(), [&] { replace_times(path_, chunked); });
+    Hdf5Series series(path_, world(), sets, Mode::Write);
+    return failure([&] { append(series, 0, 1); });
+  };
+  EXPECT_EQ(append_to(false), path_ + ": time cannot grow");
+  EXPECT_EQ(append_to(true), path_ + ": a frame's place cannot be found");
+  EXPECT_EQ(open_in_hdf5(), before);
+}
+
+/// No file of this process may be longer while this object lives.
+class FileLimit {
+ public:
+  explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limited{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limited);
+  }
+  ~FileLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
 // A file that the library could not close would be open to the end of the process, whose exit would then crash.
 TEST_F(Hdf5SeriesTest, ADiskWithoutRoomHarmsNeitherTheFramesNorTheLibrary) {
   const long long before = open_in_hdf5();

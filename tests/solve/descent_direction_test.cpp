@@ -8,10 +8,16 @@
 #include <NOX_Thyra.H>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_oblackholestream.hpp>
+#include <Thyra_LinearOpWithSolveBase.hpp>
+#include <Thyra_LinearOpWithSolveFactoryBase.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "base/error.hpp"
 #include "solve/newton.hpp"
 #include "solve/nox_vector.hpp"
 #include "solve/problem_evaluator.hpp"
@@ -73,7 +79,10 @@ class DescentDirectionTest : public testing::Test {
   /// Computes the direction at x = 1 + id. Returns whether there is one.
   bool compute(Relaxable& problem, double tolerance = 0) {
     const LinearSolverFactory linear_solvers(klu());
-    const auto evaluator = Teuchos::rcp(new ProblemEvaluator(problem, linear_solvers.strategy()));
+    return compute_with(problem, linear_solvers.strategy(), tolerance);
+  }
+  bool compute_with(Diagonal& problem, const ProblemEvaluator::Factory& linear_solver, double tolerance) {
+    const auto evaluator = Teuchos::rcp(new ProblemEvaluator(problem, linear_solver));
     const auto start = Thyra::createMember(evaluator->get_x_space());
     {
       const auto view = Extract::getTpetraVector(start)->getLocalViewHost(Tpetra::Access::OverwriteAll);
@@ -149,6 +158,83 @@ TEST_F(DescentDirectionTest, TangentsThatAreAllSingularAreAFailureOfTheSolver) {
   EXPECT_THROW(compute(problem), std::exception);
   EXPECT_GT(problem.levels.size(), 2U);
   EXPECT_EQ(problem.level, 0);
+}
+
+/// Throws at the first tangent.
+template <class Error>
+class Broken final : public Bowl {
+ public:
+  Broken() : Bowl({1.0}) {}
+  void tangent(const Vector& x, Operator& w) override {
+    Bowl::tangent(x, w);
+    throw Error("the tangent");
+  }
+};
+
+// A relaxed tangent would not cure what the problem throws.
+TEST_F(DescentDirectionTest, ExceptionsOfTheProblemPass) {
+  Broken<std::runtime_error> broken;
+  EXPECT_THROW(compute(broken), std::runtime_error);
+  EXPECT_EQ(broken.levels, Levels{0});
+  EXPECT_EQ(broken.level, 0);
+  Broken<InputError> refused;
+  EXPECT_THROW(compute(refused), InputError);
+  EXPECT_EQ(refused.levels, Levels{0});
+}
+
+/// A linear solver of which every solve throws.
+template <class Error>
+class BrokenSolve final : public Thyra::LinearOpWithSolveBase<double> {
+ public:
+  VectorSpace range() const override { return op->range(); }
+  VectorSpace domain() const override { return op->domain(); }
+  Teuchos::RCP<const Thyra::LinearOpBase<double>> op;
+
+ private:
+  bool opSupportedImpl(Thyra::EOpTransp) const override { return false; }
+  void applyImpl(Thyra::EOpTransp, const Thyra::MultiVectorBase<double>&,
+                 const Teuchos::Ptr<Thyra::MultiVectorBase<double>>&, double, double) const override {}
+  bool solveSupportsImpl(Thyra::EOpTransp) const override { return true; }
+  bool solveSupportsSolveMeasureTypeImpl(Thyra::EOpTransp, const Thyra::SolveMeasureType&) const override {
+    return true;
+  }
+  Thyra::SolveStatus<double> solveImpl(Thyra::EOpTransp, const Thyra::MultiVectorBase<double>&,
+                                       const Teuchos::Ptr<Thyra::MultiVectorBase<double>>&,
+                                       const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const override {
+    throw Error("the solve");
+  }
+};
+
+template <class Error>
+class BrokenSolver final : public Thyra::LinearOpWithSolveFactoryBase<double> {
+  using Op = Thyra::LinearOpWithSolveBase<double>;
+  using Source = Thyra::LinearOpSourceBase<double>;
+  using List = Teuchos::RCP<Teuchos::ParameterList>;
+
+ public:
+  bool isCompatible(const Source&) const override { return true; }
+  Teuchos::RCP<Op> createOp() const override { return Teuchos::rcp(new BrokenSolve<Error>); }
+  void initializeOp(const Teuchos::RCP<const Source>& source, Op* op, Thyra::ESupportSolveUse) const override {
+    dynamic_cast<BrokenSolve<Error>&>(*op).op = source->getOp();
+  }
+  void uninitializeOp(Op*, Teuchos::RCP<const Source>*, Teuchos::RCP<const Thyra::PreconditionerBase<double>>*,
+                      Teuchos::RCP<const Source>*, Thyra::ESupportSolveUse*) const override {}
+  void setParameterList(const List&) override {}
+  List getNonconstParameterList() override { return Teuchos::null; }
+  List unsetParameterList() override { return Teuchos::null; }
+};
+
+TEST_F(DescentDirectionTest, RefusalsOfTheLinearSolverPass) {
+  Bowl refused({1.0});
+  EXPECT_THROW(compute_with(refused, Teuchos::rcp(new BrokenSolver<InputError>), 0), InputError);
+  EXPECT_EQ(refused.levels, Levels{0});
+  EXPECT_EQ(refused.level, 0);
+  Bowl unread({1.0});
+  EXPECT_THROW(compute_with(unread, Teuchos::rcp(new BrokenSolver<FileError>), 0), FileError);
+  EXPECT_EQ(unread.levels, Levels{0});
+  Bowl broken({1.0});
+  EXPECT_THROW(compute_with(broken, Teuchos::rcp(new BrokenSolver<std::runtime_error>), 0), std::runtime_error);
+  EXPECT_GT(broken.levels.size(), 2U) << "relaxed tangents are tried";
 }
 
 /// Prescribes the value of unknown 0.

@@ -107,6 +107,18 @@ TEST(NewtonTest, AStepIntoTheInadmissibleIsHalved) {
   for (double found : ending.x) EXPECT_NEAR(found, 1, 1e-12);
 }
 
+// Full steps for arctan x = 0 diverge from 3 on: the first one leads to 3 - 10 arctan 3 = -9.49. NOX's line searches
+// shorten it until |f| falls. The problem has no potential.
+TEST(NewtonTest, NoxOwnLineSearchesDescendTheResidualWithoutAPotential) {
+  for (const char* method : {"Backtrack", "Polynomial"}) {
+    NewtonOptions options{1e-12, 100, {}};
+    options.nox.sublist("Line Search").set("Method", method);
+    const Ending ending = solve([](double, double x) { return std::pair{std::atan(x), 1 / (1 + x * x)}; }, 3, options);
+    EXPECT_TRUE(ending.result.converged) << method << ": " << ending.result.reason;
+    for (double found : ending.x) EXPECT_NEAR(found, 0, 1e-12) << method;
+  }
+}
+
 TEST(NewtonTest, ListsThatNoxDoesNotKnowAreRefused) {
   const auto refusal = [](const std::function<void(Teuchos::ParameterList&)>& change) {
     NewtonOptions options;

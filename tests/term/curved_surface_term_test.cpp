@@ -1,6 +1,7 @@
 // Surfaces before obstacles of any shape.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
@@ -180,6 +181,38 @@ TEST(CurvedSurfaceTermTest, ForceAndTangentAreDerivatives) {
     }
     model->space().sum(&moment, 1);
     EXPECT_NEAR(moment, 0, 1e-13);
+  }
+}
+
+/// Returns the gap ratio of a rigid motion from x = -2 to 2 at this height above the start, over all ranks.
+double ratio_past_a_sphere(const Model& model, double height) {
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  std::vector<double> from(model.mesh().coordinates.size(), 0.0), to = from;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(model.mesh().nodes()); ++node) {
+    if (model.mesh().is_derivative(node)) continue;
+    from[node * d] = -2;
+    to[node * d] = 2;
+    from[node * d + d - 1] = to[node * d + d - 1] = height;
+  }
+  double largest = 1;
+  for (const auto& term : terms(model, sphere(3, model.mesh().dimension), true))
+    largest = std::max(largest, term->gap_ratio(from.data(), to.data()));
+  return model.space().maximum(largest);
+}
+
+// The bottom passes the apex of the sphere at a gap of 0.3. Points near the bottom's end at x = 1 come nearest to that
+// and end farthest from the sphere.
+TEST(CurvedSurfaceTermTest, TheGapRatioSeesWhatThePathPasses) {
+  const auto gap_after = [](double x) { return std::hypot(2 + x, 3.3) - 3; };
+  for (const auto& [dimension, element] : bodies) {
+    const auto model = box_model(dimension, element);
+    const double ratio = ratio_past_a_sphere(*model, 0);
+    EXPECT_GT(ratio, gap_after(0.95) / 0.3);
+    EXPECT_LT(ratio, gap_after(1) / 0.3 + 1e-12);
+    // 0.4 lower, the path cuts the sphere between two ends outside.
+    const double through = ratio_past_a_sphere(*model, -0.4);
+    EXPECT_GT(through, 1e5);
+    EXPECT_TRUE(std::isfinite(std::log(through)));
   }
 }
 

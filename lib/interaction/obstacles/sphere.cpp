@@ -37,6 +37,22 @@ class Sphere final : public Obstacle {
     return result;
   }
 
+  /// Exact: the gap at the point of the path that is nearest to the centre.
+  Pack least_gap(const PackPoint& x0, const PackPoint& x1) const override {
+    const PackPoint y0 = from_center(x0);
+    Pack square = 0.0, approach = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Pack d = x1[i] - x0[i];
+      square += d * d;
+      approach -= y0[i] * d;
+    }
+    const Pack way = smaller(std::experimental::max(approach, Pack(0.0)), square);
+    const Pack share = way / select(square > 0.0, square, Pack(1.0));
+    PackPoint nearest;
+    for (std::size_t i = 0; i < 3; ++i) nearest[i] = y0[i] + share * (x1[i] - x0[i]);
+    return length(nearest) - radius_;
+  }
+
   /// The first s with |y + s d| = R + least.
   Pack admissible_step(const PackPoint& x, const PackPoint& d, const Pack& least) const override {
     const PackPoint y = from_center(x);

@@ -1,0 +1,244 @@
+// Reading meshes from Exodus files.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <climits>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "io/disk_file.hpp"
+#include "io/exodus_handle.hpp"
+#include "io/exodus_mesh.hpp"
+#include "io/guarded.hpp"
+#include "io/hdf5_handle.hpp"
+
+namespace ixos {
+namespace {
+
+template <class... Values>
+[[noreturn]] void refuse(const std::string& path, fmt::format_string<Values...> text, Values&&... values) {
+  throw InputError(path + ": " + fmt::format(text, std::forward<Values>(values)...));
+}
+
+/// NetCDF's three formats begin with CDF or with HDF5's signature; other files do not reach the library.
+void check_start(const std::string& path) {
+  if (!is_file(path)) refuse(path, "the mesh file cannot be read");
+  std::ifstream file(path, std::ios::binary);
+  char start[4] = {};
+  if (!file) refuse(path, "the mesh file cannot be read");
+  file.read(start, 4);
+  const std::string magic(start, 4);
+  if (magic.rfind("CDF", 0) != 0 && magic != "\x89HDF") refuse(path, "is not an Exodus file");
+}
+
+int open_checked(const std::string& path) {
+  check_start(path);
+  hdf5::prepare();
+  int word = 8, stored = 0;
+  float version = 0;
+  const int id = ex_open(path.c_str(), EX_READ, &word, &stored, &version);
+  if (id < 0) refuse(path, "is not an Exodus file, or it is damaged");
+  return id;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : file_(open_checked(path), path) {
+    ex_set_max_name_length(file_, name_length);
+    require(ex_get_init_ext(file_, &header_), "the header");
+    // Compression gains a factor of a few hundred at most; sizes beyond that are nonsense, not a reason to allocate.
+    most_ = 10 * static_cast<int64_t>(std::filesystem::file_size(path));
+  }
+
+  Mesh read() {
+    if (header_.num_dim != 2 && header_.num_dim != 3)
+      refuse(path(), "has {} dimensions; 2 and 3 are allowed", header_.num_dim);
+    if (header_.num_nodes < 1 || header_.num_elem < 1) refuse(path(), "has no nodes or no elements");
+    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > most_ ||
+        header_.num_elem > most_)
+      refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
+    mesh_.dimension = static_cast<int>(header_.num_dim);
+    read_coordinates();
+    read_blocks();
+    read_node_sets();
+    read_side_sets();
+    check_id_map(EX_NODE_MAP, header_.num_nodes, "node");
+    check_id_map(EX_ELEM_MAP, header_.num_elem, "element");
+    return std::move(mesh_);
+  }
+
+ private:
+  static constexpr int name_length = 255;
+  const std::string& path() const { return file_.path(); }
+
+  void require(int status, const char* what) const {
+    if (status < 0) refuse(path(), "{} cannot be read: the file is damaged", what);
+  }
+
+  void read_coordinates() {
+    const auto n = static_cast<std::size_t>(header_.num_nodes);
+    const auto d = static_cast<std::size_t>(mesh_.dimension);
+    std::array<std::vector<double>, 3> axes{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
+    require(ex_get_coord(file_, axes[0].data(), axes[1].data(), axes[2].data()), "the coordinates");
+    for (std::size_t node = 0; node < n; ++node)
+      for (std::size_t i = 0; i < d; ++i) {
+        if (!std::isfinite(axes[i][node])) refuse(path(), "node {} has a coordinate that is not finite", node + 1);
+        mesh_.coordinates.push_back(axes[i][node]);
+      }
+  }
+
+  /// Returns the ids of all objects of a kind, each given once.
+  std::vector<int> ids(ex_entity_type type, int64_t count, const char* what) const {
+    if (count > most_) refuse(path(), "is damaged: it claims {} {}s", count, what);
+    std::vector<int> result(static_cast<std::size_t>(std::max<int64_t>(count, 0)));
+    if (result.empty()) return result;
+    require(ex_get_ids(file_, type, result.data()), what);
+    const std::set<int> distinct(result.begin(), result.end());
+    if (distinct.size() != result.size()) refuse(path(), "two {}s have the same id", what);
+    return result;
+  }
+
+  /// Returns the object's name, or prefix_id; each name given once.
+  std::string name(ex_entity_type type, int id, const char* prefix, std::set<std::string>& taken) const {
+    std::vector<char> text(name_length + 1, '\0');
+    ex_get_name(file_, type, id, text.data());
+    std::string result(text.data());
+    if (result.empty()) result = fmt::format("{}_{}", prefix, id);
+    if (!taken.insert(result).second) refuse(path(), "the name \"{}\" is given twice", result);
+    return result;
+  }
+
+  CellType cell_type(const ex_block& block, const std::string& block_name) const {
+    std::string word(block.topology);
+    std::transform(word.begin(), word.end(), word.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    const bool quad = word.rfind("QUAD", 0) == 0 && block.num_nodes_per_entry == 4;
+    const bool hex = word.rfind("HEX", 0) == 0 && block.num_nodes_per_entry == 8;
+    if (mesh_.dimension == 2 && quad) return CellType::Quad4;
+    if (mesh_.dimension == 3 && hex) return CellType::Hex8;
+    refuse(path(),
+           "block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 in 2 and HEX8 in 3 are allowed",
+           block_name, word, block.num_nodes_per_entry, mesh_.dimension);
+  }
+
+  void read_blocks() {
+    std::set<std::string> taken;
+    std::vector<char> used(static_cast<std::size_t>(header_.num_nodes), 0);
+    int64_t cells = 0;
+    for (int id : ids(EX_ELEM_BLOCK, header_.num_elem_blk, "block")) {
+      ex_block block{};
+      block.id = id;
+      block.type = EX_ELEM_BLOCK;
+      require(ex_get_block_param(file_, &block), "a block");
+      ElementBlock here{name(EX_ELEM_BLOCK, id, "block", taken), CellType::Quad4, {}};
+      first_cell_.push_back(cells);
+      cells += block.num_entry;
+      if (block.num_entry < 0 || cells > header_.num_elem) refuse(path(), "its blocks hold more elements than it has");
+      here.type = mesh_.dimension == 2 ? CellType::Quad4 : CellType::Hex8;
+      if (block.num_entry > 0) {
+        here.type = cell_type(block, here.name);
+        here.nodes.resize(static_cast<std::size_t>(block.num_entry * block.num_nodes_per_entry));
+        require(ex_get_conn(file_, EX_ELEM_BLOCK, id, here.nodes.data(), nullptr, nullptr), "connectivity");
+      }
+      for (int& node : here.nodes) {
+        if (node == 0) refuse(path(), "block \"{}\" refers to node 0: the file seems to be truncated", here.name);
+        if (node < 1 || node > header_.num_nodes)
+          refuse(path(), "block \"{}\" refers to node {}, but there are {}", here.name, node, header_.num_nodes);
+        used[static_cast<std::size_t>(--node)] = 1;
+      }
+      mesh_.blocks.push_back(std::move(here));
+    }
+    if (cells != header_.num_elem) refuse(path(), "its blocks hold {} elements, not {}", cells, header_.num_elem);
+    const auto lonely = std::find(used.begin(), used.end(), 0);
+    if (lonely != used.end()) refuse(path(), "node {} belongs to no element", lonely - used.begin() + 1);
+  }
+
+  /// Returns the entries of a set, and for side sets the side numbers.
+  std::vector<int> read_set(ex_entity_type type, int id, int64_t largest, const std::string& set_name,
+                            std::vector<int>* extra) {
+    ex_set set{};
+    set.id = id;
+    set.type = type;
+    require(ex_get_sets(file_, 1, &set), "a set");
+    const int64_t count = set.num_entry;
+    if (count < 0 || count > most_ - set_entries_)
+      refuse(path(), "is damaged: its sets up to \"{}\" claim {} entries", set_name, set_entries_ + count);
+    set_entries_ += count;
+    std::vector<int> entries(static_cast<std::size_t>(count));
+    if (extra != nullptr) extra->resize(entries.size());
+    if (!entries.empty())
+      require(ex_get_set(file_, type, id, entries.data(), extra == nullptr ? nullptr : extra->data()), "a set");
+    for (int entry : entries)
+      if (entry < 1 || entry > largest)
+        refuse(path(), "set \"{}\" refers to number {}, but there are {}", set_name, entry, largest);
+    return entries;
+  }
+
+  void read_node_sets() {
+    std::set<std::string> taken;
+    for (int id : ids(EX_NODE_SET, header_.num_node_sets, "node set")) {
+      NodeSet set{name(EX_NODE_SET, id, "nodelist", taken), {}};
+      set.nodes = read_set(EX_NODE_SET, id, header_.num_nodes, set.name, nullptr);
+      for (int& node : set.nodes) --node;
+      std::sort(set.nodes.begin(), set.nodes.end());
+      set.nodes.erase(std::unique(set.nodes.begin(), set.nodes.end()), set.nodes.end());
+      mesh_.node_sets.push_back(std::move(set));
+    }
+  }
+
+  void read_side_sets() {
+    std::set<std::string> taken;
+    for (int id : ids(EX_SIDE_SET, header_.num_side_sets, "side set")) {
+      SideSet set{name(EX_SIDE_SET, id, "surface", taken), {}};
+      std::vector<int> sides;
+      const std::vector<int> cells = read_set(EX_SIDE_SET, id, header_.num_elem, set.name, &sides);
+      std::set<std::pair<int, int>> distinct;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const int cell = cells[i] - 1;
+        const auto after = std::upper_bound(first_cell_.begin(), first_cell_.end(), cell);
+        const auto block = static_cast<int>(after - first_cell_.begin()) - 1;
+        const CellType type = mesh_.blocks[static_cast<std::size_t>(block)].type;
+        if (sides[i] < 1 || sides[i] > sides_per_cell(type))
+          refuse(path(), "side set \"{}\" refers to side {} of element {}", set.name, sides[i], cell + 1);
+        if (!distinct.insert({cell, sides[i]}).second)
+          refuse(path(), "side set \"{}\" holds side {} of element {} twice", set.name, sides[i], cell + 1);
+        set.sides.push_back(
+            {block, static_cast<int>(cell - first_cell_[static_cast<std::size_t>(block)]), sides[i] - 1});
+      }
+      mesh_.side_sets.push_back(std::move(set));
+    }
+  }
+
+  void check_id_map(ex_entity_type type, int64_t count, const char* what) const {
+    std::vector<int> numbers(static_cast<std::size_t>(count));
+    if (ex_get_id_map(file_, type, numbers.data()) < 0) return;
+    std::sort(numbers.begin(), numbers.end());
+    const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
+    if (twice != numbers.end()) refuse(path(), "{} number {} is given twice", what, *twice);
+  }
+
+  ExodusHandle file_;
+  ex_init_params header_{};
+  int64_t most_ = 0;         ///< entries of any kind that a file of this length may have
+  int64_t set_entries_ = 0;  ///< of the sets read so far, together
+  Mesh mesh_;
+  std::vector<int64_t> first_cell_;  ///< number of each block's first cell
+};
+
+}  // namespace
+
+Mesh read_exodus_mesh(const std::string& path) {
+  check_start(path);
+  try_reading(path, [&] { read_tried_exodus_mesh(path); });
+  return read_tried_exodus_mesh(path);
+}
+
+Mesh read_tried_exodus_mesh(const std::string& path) { return Reader(path).read(); }
+
+}  // namespace ixos

@@ -1,0 +1,79 @@
+/// Sides before an obstacle of any shape: from displacements to the places of quadrature points.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "interaction/obstacle.hpp"
+#include "term/surface_sides.hpp"
+#include "term/term.hpp"
+
+namespace ixos {
+
+/// Nodal arrays of a batch of sides are vectors.
+template <class SideElement>
+class CurvedSides : public SurfaceSides<SideElement> {
+  using Base = SurfaceSides<SideElement>;
+
+ public:
+  using Base::Base;
+  using Base::batches;
+  using Base::D;
+  using Base::N;
+  using Base::quadrature;
+  using typename Base::Vectors;
+
+  /// Returns nodal places at displacement u, and the change of the places under a change of u. Those of a Hermite
+  /// side's derivative nodes are derivatives.
+  Vectors places_of(std::size_t b, const double* u) const {
+    Vectors x = change_of(b, u);
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i) x[a][i] += this->reference(b)[a][i];
+    return x;
+  }
+  Vectors change_of(std::size_t b, const double* local) const {
+    Vectors values;
+    batches().gather(b, local, values);
+    return values;
+  }
+
+  /// Returns a nodal array's vector at quadrature point q.
+  PackPoint interpolate(std::size_t q, const Vectors& nodal) const {
+    const auto& shape = quadrature().value[q];
+    PackPoint sum{};
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t i = 0; i < D; ++i) sum[i] += shape[a] * nodal[a][i];
+    return sum;
+  }
+
+  /// Places of one batch's quadrature points along a segment. The sides must outlive it.
+  class Ends {
+   public:
+    Ends(const CurvedSides& sides, std::size_t b, const Segment& segment)
+        : sides_(sides), has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+      to_ = sides.places_of(b, segment.to);
+      if (has_from_) from_ = sides.places_of(b, segment.from);
+      if (has_velocity_) velocity_ = sides.change_of(b, segment.velocity);
+    }
+    PackPoint to(std::size_t q) const { return sides_.interpolate(q, to_); }
+    /// Returns the place at the start. The segment must have one.
+    PackPoint from(std::size_t q) const { return sides_.interpolate(q, from_); }
+    /// Returns the place at a time point.
+    PackPoint at(std::size_t q, const RulePoint& point) const {
+      PackPoint x = to(q);
+      for (Pack& component : x) component *= point.to;
+      const auto add = [&](double factor, const PackPoint& part) {
+        for (std::size_t i = 0; i < 3; ++i) x[i] += factor * part[i];
+      };
+      if (has_from_) add(point.from, from(q));
+      if (has_velocity_) add(point.velocity, sides_.interpolate(q, velocity_));
+      return x;
+    }
+
+   private:
+    const CurvedSides& sides_;
+    bool has_from_, has_velocity_;
+    Vectors to_, from_, velocity_;
+  };
+};
+
+}  // namespace ixos
