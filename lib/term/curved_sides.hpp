@@ -5,7 +5,7 @@
 
 #include "interaction/obstacle.hpp"
 #include "term/surface_sides.hpp"
-#include "term/term.hpp"
+#include "term/force_term.hpp"
 
 namespace ixos {
 

@@ -17,11 +17,6 @@ bool is_symmetric(const Model& model, const Stage& stage) {
   return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
 }
 
-bool is_symmetric(const Model& model, const Table& table) {
-  return std::all_of(table.stages.begin(), table.stages.end(),
-                     [&](const Stage& stage) { return is_symmetric(model, stage); });
-}
-
 StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
     : model_(model), table_(table), exact_rates_(has_exact_rates(table)), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());

@@ -13,8 +13,6 @@ namespace ixos {
 /// Returns whether the stage's rules are gradients for all terms of the model, so that its tangent is symmetric. Rate
 /// terms have symmetric tangents in any case.
 bool is_symmetric(const Model& model, const Stage& stage);
-/// Returns whether the tangents of all stages are symmetric.
-bool is_symmetric(const Model& model, const Table& table);
 
 /// f(u_s) = (1/dt^2) M inertia + rate terms + elastic rule + interaction rule - mean load. arm() sets it up for a stage
 /// of a step; until the next arm() of a problem of that model it is constant. Model and table must outlive it.

@@ -277,26 +277,6 @@ TEST_F(Hdf5SeriesTest, SetsThatCannotGrowAreAFailureOfTheFile) {
   EXPECT_EQ(open_in_hdf5(), before);
 }
 
-/// No file of this process may be longer while this object lives.
-class FileLimit {
- public:
-  explicit FileLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limited{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileLimit(const FileLimit&) = delete;
-  FileLimit& operator=(const FileLimit&) = delete;
-
- private:
-  void (*handler_)(int);
-  rlimit before_{};
-};
-
 // A file that the library could not close would be open to the end of the process, whose exit would then crash.
 TEST_F(Hdf5SeriesTest, ADiskWithoutRoomHarmsNeitherTheFramesNorTheLibrary) {
   const long long before = open_in_hdf5();

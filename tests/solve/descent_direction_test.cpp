@@ -81,7 +81,7 @@ class DescentDirectionTest : public testing::Test {
     const LinearSolverFactory linear_solvers(klu());
     return compute_with(problem, linear_solvers.strategy(), tolerance);
   }
-  bool compute_with(Diagonal& problem, const ProblemEvaluator::Factory& linear_solver, double tolerance) {
+  bool compute_with(test::DiagonalProblem& problem, const ProblemEvaluator::Factory& linear_solver, double tolerance) {
     const auto evaluator = Teuchos::rcp(new ProblemEvaluator(problem, linear_solver));
     const auto start = Thyra::createMember(evaluator->get_x_space());
     {

@@ -23,6 +23,8 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 elsewhere = {
     "io/hdf5_image.hpp": ("io/hdf5_series_test.cpp", "frames that the ordinary HDF5 driver reads; full disks"),
     "material/elastic_law.hpp": ("material/catalogue_test.cpp", "every law behind the interface"),
+    "term/force_term.hpp": ("model/model_test.cpp", "an interface; forces, tangents and actions of all terms"),
+    "term/rate_term.hpp": ("term/viscous_term_test.cpp", "an interface; viscosity behind it"),
     "term/elastic_term.hpp": ("model/model_test.cpp", "forces and tangents of blocks"),
     "base/digest.hpp": ("checkpoint/seal_test.cpp", "seals hold checksums"),
     "base/error.hpp": ("parameters/validation_test.cpp", "most tests of refusals catch an InputError"),
