@@ -88,6 +88,22 @@ inline void interleave(const Pack& x, const Pack& y, const Pack& z, double* rows
 #endif
 }
 
+/// The same with two packs: rows[2 lane + j].
+inline void interleave(const Pack& x, const Pack& y, double* rows) {
+#if defined(__AVX512F__) && defined(__GNUC__) && !defined(__clang__)
+  using V = double __attribute__((vector_size(64)));
+  const V a = static_cast<__m512d>(x), b = static_cast<__m512d>(y);
+  const V out[2] = {__builtin_shufflevector(a, b, 0, 8, 1, 9, 2, 10, 3, 11),
+                    __builtin_shufflevector(a, b, 4, 12, 5, 13, 6, 14, 7, 15)};
+  std::memcpy(rows, out, sizeof out);
+#else
+  for (std::size_t lane = 0; lane < Pack::size(); ++lane) {
+    rows[2 * lane] = x[lane];
+    rows[2 * lane + 1] = y[lane];
+  }
+#endif
+}
+
 /// Returns lane `i` of a scalar or a pack.
 inline double lane(double x, std::size_t) { return x; }
 inline double lane(const Pack& x, std::size_t i) { return x[i]; }

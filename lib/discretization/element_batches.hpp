@@ -114,18 +114,16 @@ class ElementBatches {
    public:
     Rows() = default;
     explicit Rows(const std::array<Pack, D>& vector) {
-      if constexpr (by_lane)
+      if constexpr (D == 3)
         interleave(vector[0], vector[1], vector[2], values_.data());
       else
-        for (std::size_t d = 0; d < D; ++d) vector[d].copy_to(&values_[d * width], std::experimental::element_aligned);
+        interleave(vector[0], vector[1], values_.data());
     }
-    double operator()(std::size_t lane, std::size_t d) const {
-      return values_[by_lane ? 4 * lane + d : d * width + lane];
-    }
+    double operator()(std::size_t lane, std::size_t d) const { return values_[stride * lane + d]; }
 
    private:
-    static constexpr bool by_lane = D == 3;
-    alignas(64) std::array<double, 4 * width> values_;
+    static constexpr std::size_t stride = D == 3 ? 4 : 2;
+    alignas(64) std::array<double, stride * width> values_;
   };
 
   void scale(std::size_t batch, Small<Pack, N, D>& values) const {

@@ -15,6 +15,7 @@ class Pattern {
  public:
   explicit Pattern(const LocalMesh& mesh);
 
+  int dimension() const { return dimension_; }
   int rows() const { return static_cast<int>(row_start_.size()) - 1; }
   const std::vector<int>& row_start() const { return row_start_; }  ///< per owned node, in node pairs
   const std::vector<int>& columns() const { return columns_; }      ///< local node numbers
@@ -44,6 +45,15 @@ class Pattern {
         values += (last - first) * dimension_;
       }
     }
+  }
+
+  /// Calls visit(r, c) for each entry of the matrix, in the order of memory.
+  template <class Visit>
+  void for_each_place(const Visit& visit) const {
+    for (int row = 0; row < rows(); ++row)
+      for (int i = 0; i < dimension_; ++i)
+        for (int p = row_start_[row_index(row)]; p < row_start_[row_index(row) + 1]; ++p)
+          for (int j = 0; j < dimension_; ++j) visit(row * dimension_ + i, columns_[row_index(p)] * dimension_ + j);
   }
 
   /// Returns a matrix of this sparsity, fill-complete, values zero.

@@ -28,6 +28,8 @@ struct ElasticKernel {
   using Table = ShapeTable<Element>;
   /// Whether the kernel knows Mean::DiscreteGradient.
   static constexpr bool has_discrete_gradient = true;
+  /// Whether add_force() can keep what add_kept_tangent() needs.
+  static constexpr bool keeps_points = Material::keeps_state;
 
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -89,26 +91,18 @@ struct ElasticKernel {
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
-    T least_jacobian(1e300);
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Nodal<T> dn = shape_gradients(geometry, q);
-      const Ends<T> ends(segment, dn);
-      Small<T, D> mean{};
-      for (const RulePoint& point : rule.points) {
-        Small<T, D> p;
-        least_jacobian = smaller(least_jacobian, material.stress(ends.at(point), p));
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
-      }
-      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
-      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
-    }
-    return least_jacobian;
+    return add_force_with(material, geometry, segment, rule, f,
+                          [&](std::size_t, const Small<T, D>& h, Small<T, D>& p) { return material.stress(h, p); });
+  }
+
+  /// Does the same, and keeps what the tangent at that place needs: kept[point x rule.points.size() + time point]. Only
+  /// if keeps_points.
+  template <class T, class Kept>
+  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                     Nodal<T>& f, Kept* kept) {
+    return add_force_with(
+        material, geometry, segment, rule, f,
+        [&](std::size_t k, const Small<T, D>& h, Small<T, D>& p) { return material.stress(h, p, kept[k]); });
   }
 
   /// Adds the rule's tangent dF/du_s to k.
@@ -119,7 +113,10 @@ struct ElasticKernel {
     // contraction of their mean moduli.
     if constexpr (D == 3 && Material::has_spatial_tangent)
       if (rule.points.size() == 1 && rule.mean == Mean::Points)
-        return add_spatial_tangent(material, geometry, segment, rule.points[0], k);
+        return add_spatial_tangent(geometry, rule.points[0], k,
+                                   [&](std::size_t, const Nodal<T>& dn, Small<T, D>& inverse) {
+                                     return material.spatial_tangent(Ends<T>(segment, dn).at(rule.points[0]), inverse);
+                                   });
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Nodal<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
@@ -139,6 +136,28 @@ struct ElasticKernel {
         add_contraction<true>(dn, dn, mean, k);
       else
         add_contraction<false>(dn, dn, mean, k);
+    }
+  }
+
+  /// Adds the tangent at the place of the add_force() that kept `kept`. Only if keeps_points; not for discrete
+  /// gradients.
+  template <class T, class Kept>
+  static void add_kept_tangent(const Material& material, const Geometry<T>& geometry, const Rule& rule,
+                               const Kept* kept, Tangent<T>& k) {
+    if constexpr (D == 3 && Material::has_spatial_tangent)
+      if (rule.points.size() == 1)
+        return add_spatial_tangent(geometry, rule.points[0], k,
+                                   [&](std::size_t q, const Nodal<T>&, Small<T, D>& inverse) {
+                                     inverse = kept[q].g;
+                                     return material.spatial_tangent(kept[q]);
+                                   });
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      Small<T, D * D> mean{};
+      for (std::size_t i = 0; i < rule.points.size(); ++i)
+        material.add_moduli(kept[q * rule.points.size() + i],
+                            T(geometry.points[q].weight * (rule.points[i].weight * rule.points[i].to)), mean);
+      const Nodal<T> dn = shape_gradients(geometry, q);
+      add_contraction<true>(dn, dn, mean, k);
     }
   }
 
@@ -232,31 +251,55 @@ struct ElasticKernel {
   }
 
  private:
-  template <class T>
-  static void add_spatial_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
-                                  const RulePoint& point, Tangent<T>& k) {
+  /// `stress`(index of the point and time point, H, P) computes P and returns J.
+  template <class T, class Stress>
+  [[gnu::always_inline]] static T add_force_with(const Material& material, const Geometry<T>& geometry,
+                                                 const Segment<T>& segment, const Rule& rule, Nodal<T>& f,
+                                                 const Stress& stress) {
+    T least_jacobian(1e300);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Ends<T> ends(segment, dn);
+      Small<T, D> mean{};
+      for (std::size_t k = 0; k < rule.points.size(); ++k) {
+        const RulePoint& point = rule.points[k];
+        Small<T, D> p;
+        least_jacobian = smaller(least_jacobian, stress(q * rule.points.size() + k, ends.at(point), p));
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
+      }
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
+      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
+    }
+    return least_jacobian;
+  }
+
+  /// `linearize`(point, dN/dX, F^-1) sets F^-1 and returns the moduli in the deformed body.
+  template <class T, class Linearize>
+  [[gnu::always_inline]] static void add_spatial_tangent(const Geometry<T>& geometry, const RulePoint& point,
+                                                         Tangent<T>& k, const Linearize& linearize) {
     for (std::size_t q = 0; q < geometry.points.size(); q += points_at_once) {
       const std::size_t count = std::min(points_at_once, geometry.points.size() - q);
       std::array<SpatialPoint<T, N, D>, points_at_once> linearized;
-      for (std::size_t i = 0; i < count; ++i) linearize(material, geometry, segment, point, q + i, linearized[i]);
+      for (std::size_t i = 0; i < count; ++i) {
+        SpatialPoint<T, N, D>& result = linearized[i];
+        result.reference = shape_gradients(geometry, q + i);
+        Small<T, D> inverse;
+        result.moduli = linearize(q + i, result.reference, inverse);
+        result.moduli.scale(geometry.points[q + i].weight * (point.weight * point.to));
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t c = 0; c < D; ++c) {
+            result.current[a][c] = result.reference[a][0] * inverse[0][c];
+            for (std::size_t j = 1; j < D; ++j) result.current[a][c] += result.reference[a][j] * inverse[j][c];
+          }
+      }
       add_products(linearized, count, k);
     }
-  }
-
-  template <class T>
-  [[gnu::always_inline]] static void linearize(const Material& material, const Geometry<T>& geometry,
-                                               const Segment<T>& segment, const RulePoint& point, std::size_t q,
-                                               SpatialPoint<T, N, D>& result) {
-    result.reference = shape_gradients(geometry, q);
-    const Ends<T> ends(segment, result.reference);
-    Small<T, D> inverse_deformation;
-    result.moduli = material.spatial_tangent(ends.at(point), inverse_deformation);
-    result.moduli.scale(geometry.points[q].weight * (point.weight * point.to));
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i) {
-        result.current[a][i] = result.reference[a][0] * inverse_deformation[0][i];
-        for (std::size_t j = 1; j < D; ++j) result.current[a][i] += result.reference[a][j] * inverse_deformation[j][i];
-      }
   }
 };
 

@@ -32,6 +32,7 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
   static constexpr std::size_t N = Base::N;
   static_assert(N == std::size_t{1} << D, "multilinear elements only");
   static constexpr bool has_discrete_gradient = false;
+  static constexpr bool keeps_points = false;
   /// Newton iterations for alpha; it takes 2 to 5 at moderate pressures.
   static constexpr int maximum_iterations = 20;
 

@@ -24,6 +24,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   static constexpr std::size_t D = Base::D;
   static constexpr std::size_t N = Base::N;
   static constexpr bool has_discrete_gradient = false;
+  static constexpr bool keeps_points = false;
 
   template <class T>
   using Nodal = typename Base::template Nodal<T>;

@@ -22,9 +22,6 @@ class ElasticLaw {
   virtual Lame lame() const = 0;
   /// Returns whether the law has a discrete gradient, for schemes that conserve energy by one.
   virtual bool has_discrete_gradient() const = 0;
-  /// Returns whether the law's tangent has the form of SpatialTangent. Matrix-free products need it, and are offered
-  /// for laws that are compiled into the element kernels only.
-  virtual bool has_spatial_tangent() const = 0;
 
   virtual Pack energy(const Small<Pack, 2>& h) const = 0;
   virtual Pack energy(const Small<Pack, 3>& h) const = 0;
@@ -42,7 +39,7 @@ class ElasticLaw {
                                         Small<Pack, 9>& moduli) const = 0;
 };
 
-/// A struct of member templates as an ElasticLaw. It says `has_discrete_gradient` and `has_spatial_tangent`.
+/// A struct of member templates as an ElasticLaw. It says `has_discrete_gradient`.
 template <class Law>
 class ElasticLawOf final : public ElasticLaw {
  public:
@@ -51,7 +48,6 @@ class ElasticLawOf final : public ElasticLaw {
 
   Lame lame() const override { return law_.lame; }
   bool has_discrete_gradient() const override { return Law::has_discrete_gradient; }
-  bool has_spatial_tangent() const override { return Law::has_spatial_tangent; }
 
   Pack energy(const Small<Pack, 2>& h) const override { return law_.energy(h); }
   Pack energy(const Small<Pack, 3>& h) const override { return law_.energy(h); }
@@ -108,6 +104,7 @@ class AnyElasticLaw {
  public:
   static constexpr bool can_invert = true;
   static constexpr bool has_spatial_tangent = false;
+  static constexpr bool keeps_state = false;
 
   explicit AnyElasticLaw(std::shared_ptr<const ElasticLaw> law) : lame(law->lame()), law_(std::move(law)) {}
 

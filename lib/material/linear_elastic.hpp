@@ -11,6 +11,7 @@ struct LinearElastic {
   static constexpr bool can_invert = false;
   static constexpr bool has_discrete_gradient = true;
   static constexpr bool has_spatial_tangent = true;
+  static constexpr bool keeps_state = false;
   Lame lame;
 
   /// Returns the energy per volume [E0].

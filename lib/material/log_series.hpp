@@ -13,8 +13,9 @@ T log_one_plus(const T& x) {
   using std::log1p;
   return log1p(x);
 }
-inline Pack log_one_plus(const Pack& x) {
-  if (!all_of(std::experimental::abs(x) < 0.3)) return std::experimental::log1p(x);
+[[gnu::noinline]] inline Pack log_one_plus_by_lanes(const Pack& x) { return std::experimental::log1p(x); }
+[[gnu::always_inline]] inline Pack log_one_plus(const Pack& x) {
+  if (!all_of(std::experimental::abs(x) < 0.3)) return log_one_plus_by_lanes(x);
   const Pack s = x / (2.0 + x), square = s * s;
   Pack sum = 1.0 / 21;
   for (int k = 19; k >= 1; k -= 2) sum = sum * square + 1.0 / k;
@@ -47,6 +48,14 @@ T log_determinant(const T& trace, const T& j, const T& jacobian) {
   const auto near = near_undeformed(trace, j);
   const T close = log_one_plus(T(select(near, j, T(0.0))));
   return everywhere(near) ? close : select(near, close, T(log(T(jacobian * jacobian))));
+}
+[[gnu::noinline]] inline Pack log_determinant_by_lanes(const Pack& trace, const Pack& j, const Pack& jacobian) {
+  return log_determinant<Pack>(trace, j, jacobian);
+}
+/// Inline while all lanes are near the undeformed state, as they mostly are.
+[[gnu::always_inline]] inline Pack log_determinant(const Pack& trace, const Pack& j, const Pack& jacobian) {
+  if (!everywhere(near_undeformed(trace, j))) return log_determinant_by_lanes(trace, j, jacobian);
+  return log_one_plus(j);
 }
 
 /// Returns (x - log1p(x))/x^2 by its series, sum_{k>=2} (-1)^k x^(k-2)/k: for |x| < 0.02, where ten terms leave 2e-18.

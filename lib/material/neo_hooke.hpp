@@ -20,7 +20,15 @@ struct NeoHooke {
   static constexpr bool can_invert = true;
   static constexpr bool has_discrete_gradient = true;
   static constexpr bool has_spatial_tangent = true;
+  static constexpr bool keeps_state = true;
   Lame lame;
+
+  /// What moduli need of a state, so that the stress and the tangent at one place compute it once: F^-1, L.
+  template <std::size_t D, class T>
+  struct Kept {
+    Small<T, D> g;
+    T l;
+  };
 
   /// Returns the energy per reference volume [E0] for the displacement gradient H [-]; defined for J > 0.
   template <std::size_t D, class T>
@@ -39,6 +47,15 @@ struct NeoHooke {
   T stress(const Small<T, D>& h, Small<T, D>& p) const {
     State<D, T> s(h);
     stress_from(s, p);
+    return s.jacobian;
+  }
+
+  /// Does the same, and keeps what moduli() needs.
+  template <std::size_t D, class T>
+  T stress(const Small<T, D>& h, Small<T, D>& p, Kept<D, T>& kept) const {
+    State<D, T> s(h);
+    stress_from(s, p);
+    kept = {s.g, s.l};
     return s.jacobian;
   }
 
@@ -65,16 +82,22 @@ struct NeoHooke {
   T stress_and_moduli(const Small<T, D>& h, Small<T, D>& p, Small<T, D * D>& moduli) const {
     State<D, T> s(h);
     stress_from(s, p);
-    const T c = lame.mu - lame.lambda / 2 * s.l;
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t jj = 0; jj < D; ++jj)
-        for (std::size_t k = 0; k < D; ++k)
-          for (std::size_t m = 0; m < D; ++m) {
-            T value = c * (s.g[m][i] * s.g[jj][k]) + lame.lambda * (s.g[jj][i] * s.g[m][k]);
-            if (i == k && jj == m) value += lame.mu;
-            moduli[i * D + jj][k * D + m] = value;
-          }
+    moduli = {};
+    add_moduli(Kept<D, T>{s.g, s.l}, T(1.0), moduli);
     return s.jacobian;
+  }
+
+  /// Adds factor times the derivative of the stress at a kept state.
+  template <std::size_t D, class T>
+  void add_moduli(const Kept<D, T>& s, const T& factor, Small<T, D * D>& moduli) const {
+    const T mu = factor * lame.mu, c = factor * (lame.mu - lame.lambda / 2 * s.l), lambda = factor * lame.lambda;
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t jj = 0; jj < D; ++jj) {
+        for (std::size_t k = 0; k < D; ++k)
+          for (std::size_t m = 0; m < D; ++m)
+            moduli[i * D + jj][k * D + m] += c * (s.g[m][i] * s.g[jj][k]) + lambda * (s.g[jj][i] * s.g[m][k]);
+        moduli[i * D + jj][i * D + jj] += mu;
+      }
   }
 
   /// Computes the moduli in the deformed body, and F^-1.
@@ -82,6 +105,10 @@ struct NeoHooke {
   SpatialTangent<T> spatial_tangent(const Small<T, D>& h, Small<T, D>& inverse_deformation) const {
     const State<D, T> s(h);
     inverse_deformation = s.g;
+    return spatial_tangent(Kept<D, T>{s.g, s.l});
+  }
+  template <std::size_t D, class T>
+  SpatialTangent<T> spatial_tangent(const Kept<D, T>& s) const {
     return {T(lame.mu), lame.mu - lame.lambda / 2 * s.l, T(lame.lambda)};
   }
 

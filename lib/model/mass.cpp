@@ -116,6 +116,37 @@ void Mass::add_to(double factor, double* values) const {
   }
 }
 
+namespace {
+
+template <std::size_t D>
+void set_rows(const Pattern& pattern, const std::vector<double>& pairs, double factor, double* values) {
+  const std::vector<int>& start = pattern.row_start();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    const auto first = static_cast<std::size_t>(start[row]);
+    const std::size_t length = static_cast<std::size_t>(start[row + 1]) - first;
+    for (std::size_t p = 0; p < length; ++p) {
+      const double m = factor * pairs[first + p];
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) values[D * (length * i + p) + j] = i == j ? m : 0.0;
+    }
+    values += D * D * length;
+  }
+}
+
+}  // namespace
+
+void Mass::set(double factor, double* values) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  if (lumped_) {
+    std::fill_n(values, static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
+    add_to(factor, values);
+  } else if (d == 2) {
+    set_rows<2>(pattern_, pairs_, factor, values);
+  } else {
+    set_rows<3>(pattern_, pairs_, factor, values);
+  }
+}
+
 void Mass::add_diagonal(double factor, double* d) const {
   const auto dimension = static_cast<std::size_t>(mesh_.dimension);
   for (int row = 0; row < pattern_.rows(); ++row) {

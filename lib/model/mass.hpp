@@ -29,6 +29,8 @@ class Mass {
   void add_diagonal(double factor, double* d) const;
   /// Adds factor M to values, in the layout of Pattern::create_matrix.
   void add_to(double factor, double* values) const;
+  /// Sets values to factor M: add_to() without the need to clear them before.
+  void set(double factor, double* values) const;
   /// Computes x = M^-1 y, and the largest y_i/M_i. Lumped masses only, rows of owned nodes.
   void divide(const double* y, double* x) const;
   double largest_quotient(const double* y) const;

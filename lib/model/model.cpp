@@ -122,6 +122,36 @@ void Model::add_tangent(Part part, const Segment& segment, const Rule& rule, Tan
   for_each(part, [&](const ForceTerm& term) { term.add_tangent(segment, rule, kind, values); });
 }
 
+KeptForces Model::create_kept() const {
+  KeptForces kept;
+  for (const NamedForceTerm& named : force_terms_) kept.push_back(named.term->create_kept());
+  return kept;
+}
+
+bool Model::force_and_keep(Part part, const Segment& segment, const Rule& rule, KeptForces& kept, double* f) const {
+  std::fill_n(f, space_.local(), 0.0);
+  bool admissible = true;
+  for (std::size_t i = 0; i < force_terms_.size(); ++i) {
+    const ForceTerm& term = *force_terms_[i].term;
+    if (term.part() != part) continue;
+    const bool good = kept[i] ? term.add_force_and_keep(segment, rule, *kept[i], f) : term.add_force(segment, rule, f);
+    admissible = admissible && good;
+  }
+  return admissible;
+}
+
+void Model::add_kept_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, const KeptForces& kept,
+                             double* values) const {
+  for (std::size_t i = 0; i < force_terms_.size(); ++i) {
+    const ForceTerm& term = *force_terms_[i].term;
+    if (term.part() != part) continue;
+    if (kept[i])
+      term.add_kept_tangent(segment, rule, kind, *kept[i], values);
+    else
+      term.add_tangent(segment, rule, kind, values);
+  }
+}
+
 bool Model::rates_are_gradients(RateForm form) const {
   return std::all_of(rates_.begin(), rates_.end(), [&](const RateTerm* term) { return term->is_gradient(form); });
 }
@@ -308,14 +338,14 @@ std::vector<double> Model::interaction_traction(const double* u) const {
   return traction;
 }
 
+const ConstrainedEntries& Model::constrained_entries() const {
+  if (!constrained_entries_ || constrained_entries_->constraints() != constraints_.dofs().size())
+    constrained_entries_ = std::make_unique<ConstrainedEntries>(pattern_, constraints_);
+  return *constrained_entries_;
+}
+
 void Model::multiply_constrained_columns(const double* values, const double* x, double* result) const {
-  pattern_.for_each_row(values, [&](int row, const auto& entries) {
-    double sum = 0;
-    entries([&](int column, double value) {
-      if (constraints_.holds(column)) sum += value * x[column];
-    });
-    result[row] = constraints_.holds(row) ? 0.0 : sum;
-  });
+  constrained_entries().multiply(values, x, result);
 }
 
 void Model::add_to_diagonal(double value, double* values) const {
@@ -324,12 +354,7 @@ void Model::add_to_diagonal(double value, double* values) const {
 }
 
 void Model::constrain_matrix(double diagonal, double* values) const {
-  if (constraints_.empty()) return;
-  pattern_.for_each_row(values, [&](int row, const auto& entries) {
-    entries([&](int column, double& value) {
-      if (constraints_.holds(row) || constraints_.holds(column)) value = row == column ? diagonal : 0.0;
-    });
-  });
+  if (!constraints_.empty()) constrained_entries().constrain(diagonal, values);
 }
 
 }  // namespace ixos

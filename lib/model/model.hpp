@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/constrained_entries.hpp"
 #include "model/constraints.hpp"
 #include "model/damping.hpp"
 #include "model/loads.hpp"
@@ -32,6 +33,9 @@ struct NamedTerm {
   std::string name;
   std::unique_ptr<Term> term;
 };
+
+/// What force terms keep of their last force; null for terms that keep nothing.
+using KeptForces = std::vector<std::unique_ptr<KeptPoints>>;
 
 struct NamedForceTerm {
   std::string name;
@@ -92,6 +96,13 @@ class Model {
   /// Sets f to the rule's force of that part's terms; f is local and overwritten. Returns false if the state is
   /// inadmissible on this rank.
   bool force(Part part, const Segment& segment, const Rule& rule, double* f) const;
+  /// Returns a place for what force_and_keep() keeps, parallel to force_terms().
+  KeptForces create_kept() const;
+  /// See ForceTerm::add_force_and_keep, add_kept_tangent.
+  bool force_and_keep(Part part, const Segment& segment, const Rule& rule, KeptForces& kept, double* f) const;
+  void add_kept_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, const KeptForces& kept,
+                        double* values) const;
+
   /// Call the RateTerm functions of these names for all rate terms. Without rate terms they do nothing.
   bool has_rates() const { return !rates_.empty(); }
   bool rates_are_gradients(RateForm form) const;
@@ -151,6 +162,7 @@ class Model {
   void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
   void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
   void find_scales();
+  const ConstrainedEntries& constrained_entries() const;
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 
@@ -172,6 +184,7 @@ class Model {
   Damping* damping_ = nullptr;                    ///< one of the rate terms
   std::vector<std::string> dissipation_names_;
   Constraints constraints_;
+  mutable std::unique_ptr<ConstrainedEntries> constrained_entries_;  ///< made at the first use
   Loads loads_;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;

@@ -14,6 +14,16 @@
 
 namespace ixos {
 
+/// The type of what a material keeps of a point; a placeholder if the kernel keeps nothing.
+template <class Kernel, bool keeps>
+struct KeptState {
+  using type = char;
+};
+template <class Kernel>
+struct KeptState<Kernel, true> {
+  using type = typename Kernel::Law::template Kept<Kernel::D, Pack>;
+};
+
 template <class Kernel>
 class ElasticTerm final : public Elasticity {
   using Element = typename Kernel::Shape;
@@ -62,6 +72,47 @@ class ElasticTerm final : public Elasticity {
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
     for_each_batch(segment, rule,
                    [&](std::size_t b, const CellTangent& tangent) { batches_.scatter_tangent(b, tangent, values); });
+  }
+
+  std::unique_ptr<KeptPoints> create_kept() const override {
+    if constexpr (Kernel::keeps_points) return std::make_unique<Kept>();
+    return nullptr;
+  }
+
+  bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
+    if constexpr (Kernel::keeps_points) {
+      if (rule.mean != Mean::Points) return add_force(segment, rule, f);
+      const std::size_t size = table_.size() * rule.points.size();
+      auto& states = dynamic_cast<Kept&>(kept).states;
+      states.resize(size * batches_.size());
+      Pack least_jacobian = 1.0;
+      for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const Gathered ends(batches_, b, segment);
+        Nodal force{};
+        least_jacobian = smaller(
+            least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force, &states[b * size]));
+        batches_.scatter_force(b, force, f);
+      }
+      return least(least_jacobian) > 0;
+    }
+    return add_force(segment, rule, f);
+  }
+
+  void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
+                        double* values) const override {
+    if constexpr (Kernel::keeps_points) {
+      if (rule.mean == Mean::Points) {
+        const std::size_t size = table_.size() * rule.points.size();
+        const auto& states = dynamic_cast<const Kept&>(kept).states;
+        for (std::size_t b = 0; b < batches_.size(); ++b) {
+          CellTangent tangent{};
+          Kernel::add_kept_tangent(material_, geometry_[b], rule, &states[b * size], tangent);
+          batches_.scatter_tangent(b, tangent, values);
+        }
+        return;
+      }
+    }
+    add_tangent(segment, rule, kind, values);
   }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
@@ -116,6 +167,12 @@ class ElasticTerm final : public Elasticity {
 
  private:
   using CellTangent = typename Kernel::template Tangent<Pack>;
+
+  /// States of the material by batch, point and time point.
+  class Kept final : public KeptPoints {
+   public:
+    std::vector<typename KeptState<Kernel, Kernel::keeps_points>::type> states;
+  };
 
   /// Calls visit(batch, tangent) for all cells.
   template <class Visit>

@@ -49,6 +49,12 @@ class TangentAction {
   virtual void add_diagonal(double* d) const = 0;
 };
 
+/// What a term keeps of a force at quadrature points, so that the tangent at the same place need not compute it again.
+class KeptPoints {
+ public:
+  virtual ~KeptPoints() = default;
+};
+
 /// A term whose force follows from displacements: elasticity of a block, interaction of a surface. It evaluates a rule
 /// on a segment, not a state. Forces are internal forces, dPi/du; all arrays are local; entries of ghost rows are
 /// scratch. None of the functions communicates.
@@ -66,6 +72,14 @@ class ForceTerm : public Term {
   /// Adds the rule's tangent, d(force)/du_to, to the matrix values laid out by the model's Pattern.
   virtual void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const = 0;
 
+  /// Returns a place for what add_force_and_keep() keeps; null if the term keeps nothing.
+  virtual std::unique_ptr<KeptPoints> create_kept() const { return nullptr; }
+  /// Do the same as add_force() and as add_tangent() at the segment and rule of the last add_force_and_keep(), which
+  /// must have found them admissible. `kept` is of create_kept().
+  virtual bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const;
+  virtual void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
+                                double* values) const;
+
   /// Returns the tangent as an operator; null if the term offers none.
   virtual std::unique_ptr<TangentAction> create_action() const { return nullptr; }
 
@@ -76,5 +90,13 @@ class ForceTerm : public Term {
   /// Returns this rank's share of the potential energy [E0 L0^D].
   virtual double energy(const double* u) const = 0;
 };
+
+inline bool ForceTerm::add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints&, double* f) const {
+  return add_force(segment, rule, f);
+}
+inline void ForceTerm::add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints&,
+                                        double* values) const {
+  add_tangent(segment, rule, kind, values);
+}
 
 }  // namespace ixos

@@ -48,7 +48,7 @@ void StageProblem::constrain_residual(double* out) {
       matrix_free_->multiply_constrained_columns(bracket_.data(), inertia_.data());
     } else {
       const auto d = static_cast<std::size_t>(model_.mesh().dimension);
-      values_.assign(static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
+      values_.resize(static_cast<std::size_t>(model_.pattern().pairs()) * d * d);
       assemble(values_.data());
       model_.multiply_constrained_columns(values_.data(), bracket_.data(), inertia_.data());
     }

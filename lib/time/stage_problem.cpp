@@ -24,6 +24,7 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
   if (has_mass_) known_inertia_.resize(local);
   if (model.has_interactions()) interaction_.resize(local);
   if (!model.loads().empty()) load_.resize(local);
+  if (!matrix_free) kept_points_ = model.create_kept();
   if (matrix_free)
     matrix_free_ = Teuchos::rcp(new TangentOperator(model, [this](double* values) {
       assemble(values);
@@ -48,6 +49,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   step_time_ = time;
   stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
+  kept_of_ = nullptr;
   tangent_at_.clear();
   has_potential_ = is_symmetric(model_, *stage_) && model_.rates_are_gradients(stage_->rate_form);
   if (has_mass_) evaluate_known(stage_->inertia, known_states(known, stage + 1), dt, known_inertia_);
@@ -71,7 +73,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
       return;
     }
     admissible = model_.force(part, {nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
-    residual_of_ = nullptr;
+    residual_of_ = kept_of_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
   keep(Part::Elastic, stage_->elastic, elastic_);
@@ -143,11 +145,17 @@ void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<dou
   }
 }
 
+bool StageProblem::force(Part part, const Rule& rule, double* f) {
+  if (kept_points_.empty()) return model_.force(part, segment(rule), rule, f);
+  return model_.force_and_keep(part, segment(rule), rule, kept_points_, f);
+}
+
 bool StageProblem::residual(const Vector& x, Vector& f) {
   const TimedScope timed(Phase::Residual);
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
   residual_of_ = stage_;
+  kept_of_ = nullptr;
   const double inverse = 1 / dt_;
   if (has_mass_) {
     inertia_bracket(u_, bracket_);
@@ -155,15 +163,13 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
     for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
   }
 
-  bool admissible = model_.force(Part::Elastic, segment(stage_->elastic), stage_->elastic, elastic_.data());
+  bool admissible = force(Part::Elastic, stage_->elastic, elastic_.data());
   // Norms of the three parts, the number of ranks on which some part is inadmissible, the number of values that are not
   // yet reached, and the norm of u.
   double sums[6] = {
       has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
   if (model_.has_interactions()) {
-    admissible =
-        model_.force(Part::Interaction, segment(stage_->interaction), stage_->interaction, interaction_.data()) &&
-        admissible;
+    admissible = force(Part::Interaction, stage_->interaction, interaction_.data()) && admissible;
     sums[2] = dot(interaction_, interaction_, owned);
   }
   sums[3] = admissible ? 0 : 1;
@@ -174,6 +180,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   model_.space().sum(sums, 6);
   moving_ = sums[4] > 0;
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
+  if (!kept_points_.empty()) kept_of_ = stage_;
   // After a long step the rounding errors are larger than at its start.
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * (diagonal_ + stiffness_ - model_.elastic_scale()) *
                    std::sqrt(sums[5]);
@@ -181,11 +188,13 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   double* out = view.data();
-  for (std::size_t i = 0; i < owned; ++i) out[i] = elastic_[i] + kept_[i];
-  if (has_mass_)
-    for (std::size_t i = 0; i < owned; ++i) out[i] += inertia_[i];
-  if (model_.has_interactions())
-    for (std::size_t i = 0; i < owned; ++i) out[i] += interaction_[i];
+  const bool interacts = model_.has_interactions();
+  for (std::size_t i = 0; i < owned; ++i) {
+    double sum = elastic_[i] + kept_[i];
+    if (has_mass_) sum += inertia_[i];
+    if (interacts) sum += interaction_[i];
+    out[i] = sum;
+  }
   if (model_.has_rates()) {
     std::copy_n(out, owned, bracket_.data());  // terms add to local arrays
     model_.add_rate_force(u_.data(), bracket_.data());
@@ -207,10 +216,20 @@ void StageProblem::record_forces(State& state) const {
 }
 
 void StageProblem::assemble(double* values) const {
-  if (has_mass_) model_.mass()->add_to(stage_->inertia.unknown / (dt_ * dt_), values);
+  const auto d = static_cast<std::size_t>(model_.mesh().dimension);
+  if (has_mass_)
+    model_.mass()->set(stage_->inertia.unknown / (dt_ * dt_), values);
+  else
+    std::fill_n(values, static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
   model_.add_rate_tangent(u_.data(), values);
-  model_.add_tangent(Part::Elastic, segment(stage_->elastic), stage_->elastic, Tangent::Exact, values);
-  model_.add_tangent(Part::Interaction, segment(stage_->interaction), stage_->interaction, tangent_kind(), values);
+  const auto add = [&](Part part, const Rule& rule, Tangent kind) {
+    if (kept_of_ == stage_)
+      model_.add_kept_tangent(part, segment(rule), rule, kind, kept_points_, values);
+    else
+      model_.add_tangent(part, segment(rule), rule, kind, values);
+  };
+  add(Part::Elastic, stage_->elastic, Tangent::Exact);
+  add(Part::Interaction, stage_->interaction, tangent_kind());
   if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);
 }
 
@@ -239,10 +258,21 @@ Teuchos::RCP<Operator> StageProblem::create_operator() {
   return model_.pattern().create_matrix(model_.space());
 }
 
+/// Returns whether u_ is x, on all ranks, so that its ghosts need no exchange.
+bool StageProblem::is_at(const Vector& x) const {
+  if (kept_of_ != stage_) return false;
+  const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  bool same = true;
+  for (std::size_t i = 0; i < view.extent(0); ++i) same = same && view(i, 0) == u_[i];
+  return model_.space().minimum(same ? 1 : 0) > 0;
+}
+
 void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
-  model_.space().import(x, u_.data());
-  residual_of_ = nullptr;
+  if (!is_at(x)) {
+    model_.space().import(x, u_.data());
+    residual_of_ = kept_of_ = nullptr;
+  }
   const bool known = u_ == tangent_at_;
   if (nonnull(matrix_free_)) {
     if (!known) linearize();
@@ -254,7 +284,6 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   if (known) {
     std::copy(values_.begin(), values_.end(), values);
   } else {
-    std::fill_n(values, matrix.values.extent(0), 0.0);
     assemble(values);
   }
   model_.constrain_matrix(diagonal_, values);
@@ -263,7 +292,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   model_.space().import(x, u_.data());
-  residual_of_ = nullptr;
+  residual_of_ = kept_of_ = nullptr;
   model_.space().import(direction, direction_.data());
   return model_.admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }

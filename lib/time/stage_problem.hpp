@@ -60,7 +60,10 @@ class StageProblem final : public NonlinearProblem {
   Segment segment(const Rule& rule) const;
   void begin_stage(std::size_t stage, const std::vector<State>& known);
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
+  /// Sets the tangent's values at u_, constraints apart.
   void assemble(double* values) const;
+  bool force(Part part, const Rule& rule, double* f);
+  bool is_at(const Vector& x) const;
   void linearize();
   Tangent tangent_kind() const;
   double shift() const;
@@ -95,6 +98,8 @@ class StageProblem final : public NonlinearProblem {
 
   std::vector<double> u_;               ///< local, of the last evaluation of forces or tangents
   const Stage* residual_of_ = nullptr;  ///< whose elastic_ and interaction_ at u_ residual() left there, if any
+  KeptForces kept_points_;              ///< of residual(); empty if the tangent is applied without a matrix
+  const Stage* kept_of_ = nullptr;      ///< whose points at u_ are kept, if any
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
   std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
   std::vector<double> values_;      ///< the values of that tangent, if it is a matrix

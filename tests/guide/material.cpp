@@ -10,7 +10,6 @@ namespace {
 /// W = mu/2 (tr C - 3 - 2 ln J): a neo-Hookean law with nu = 0 at small strains.
 struct SoftRubber {
   static constexpr bool has_discrete_gradient = false;  // true: add discrete_gradient() and discrete_gradient_moduli()
-  static constexpr bool has_spatial_tangent = false;    // see SpatialTangent; matrix-free products need it
   Lame lame;                                            // at small strains
 
   template <std::size_t D>

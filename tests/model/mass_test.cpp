@@ -121,6 +121,10 @@ TEST(MassTest, TheMatrixMultipliesAlike) {
     matrix->apply(argument, image);
     const auto view = image.getLocalViewHost(Tpetra::Access::ReadOnly);
     for (std::size_t i = 0; i < y.size(); ++i) EXPECT_NEAR(view(i, 0), 3 * y[i], 1e-14);
+    const auto values = matrix->getLocalMatrixHost().values;
+    std::vector<double> set(values.extent(0), 99.0);
+    model->mass()->set(3.0, set.data());
+    for (std::size_t i = 0; i < set.size(); ++i) EXPECT_EQ(set[i], values(i));
   }
 }
 

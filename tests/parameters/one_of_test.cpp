@@ -55,7 +55,8 @@ TEST(OneOfTest, OnlyAChoiceHasAChoiceBehindIt) {
 }
 
 TEST(ChoiceTest, KnowsWhatBelongsToItsWords) {
-  const Choice& choice = *choice_behind(exclusive_choice_of(ways));
+  const Validator validator = exclusive_choice_of(ways);
+  const Choice& choice = *choice_behind(validator);
   EXPECT_EQ(choice.belongings("River"), (std::vector<std::string>{"Draught", "Bank"}));
   EXPECT_EQ(choice.belongings("Road"), std::vector<std::string>());
   EXPECT_EQ(choice.left_out("River"), std::vector<std::string>{"Sea"});

@@ -8,7 +8,6 @@ namespace {
 /// Objective. It softens under strong compression.
 struct SaintVenantKirchhoff {
   static constexpr bool has_discrete_gradient = true;
-  static constexpr bool has_spatial_tangent = false;
   Lame lame;
 
   template <std::size_t D>
