@@ -33,10 +33,11 @@ double valley(const End& start, const End& end) {
 bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                                    const NOX::Solver::Generic& solver) {
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
+  const auto along = tpetra(direction), from = tpetra(old.getX());
   const bool gradient = problem_.is_gradient();  // at the old iterate, the last that was evaluated
-  const double slope = gradient ? old.getF().innerProduct(direction) : 0.0;
+  const double slope = gradient ? inner_product(*tpetra(old.getF()), *along) : 0.0;
   std::optional<Potential> start;
-  step = problem_.admissible_step(*tpetra(old.getX()), *tpetra(direction));
+  step = problem_.admissible_step(*from, *along);
   for (int trial = 0; trial < 25 && step > 0; ++trial) {
     group.computeX(old, direction, step);
     // Thyra drops the mark of a failed evaluation on its way to NOX; the NaN in f stays.
@@ -45,9 +46,9 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
       continue;
     }
     if (!gradient || !(slope < 0)) return true;
-    const double end_slope = group.getF().innerProduct(direction);
+    const double end_slope = inner_product(*tpetra(group.getF()), *along);
     if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
-    if (!start) start = problem_.potential(*tpetra(old.getX()));
+    if (!start) start = problem_.potential(*from);
     const Potential end = problem_.potential(*tpetra(group.getX()));
     const double noise = 1e-14 * (start->magnitude + end.magnitude);
     if (end.value <= start->value + 1e-4 * step * slope + noise) return true;

@@ -67,8 +67,9 @@ bool DescentDirection::compute(NOX::Abstract::Vector& direction, NOX::Abstract::
       if (level == highest_level || !is_failed_solve()) throw;
       continue;
     }
-    problem_.complete_direction(*tpetra(group.getX()), *tpetra(direction));
-    if (!problem_.is_gradient() || group.getF().innerProduct(direction) < 0) return true;
+    const auto along = tpetra(direction);
+    problem_.complete_direction(*tpetra(group.getX()), *along);
+    if (!problem_.is_gradient() || inner_product(*tpetra(group.getF()), *along) < 0) return true;
   }
   return false;
 }
