@@ -20,22 +20,30 @@ class ElementBatches {
   ElementBatches(const std::vector<int>& nodes, const Pattern& pattern, const std::vector<double>& scale = {})
       : cells_(nodes.size() / N) {
     dofs_.resize((cells_ + width - 1) / width);
-    places_.resize(dofs_.size());
     for (std::size_t e = 0; e < dofs_.size() * width; ++e) {
-      Places& places = places_[e / width];
-      const std::size_t lane = e % width;
       const int* cell = &nodes[(e < cells_ ? e : (e / width) * width) * N];
-      for (std::size_t a = 0; a < N; ++a) {
-        dofs_[e / width][a][lane] = cell[a] * static_cast<int>(D);
-        places.stride[a][lane] = cell[a] < pattern.rows() ? pattern.stride(cell[a]) : 0;
-        for (std::size_t b = 0; b < N; ++b) places.offset[a][b][lane] = pattern.offset(cell[a], cell[b]);
-      }
+      for (std::size_t a = 0; a < N; ++a) dofs_[e / width][a][e % width] = cell[a] * static_cast<int>(D);
     }
+    place(pattern);
     if (scale.empty()) return;
     scale_.resize(dofs_.size());
     for (std::size_t e = 0; e < dofs_.size() * width; ++e)
       for (std::size_t a = 0; a < N; ++a)
         scale_[e / width][a][e % width] = scale[(e < cells_ ? e : (e / width) * width) * N + a];
+  }
+
+  /// Finds the places of the cells' entries in a pattern that has changed.
+  void place(const Pattern& pattern) {
+    places_.resize(dofs_.size());
+    for (std::size_t batch = 0; batch < dofs_.size(); ++batch)
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        const auto node = [&](std::size_t a) { return dofs_[batch][a][lane] / static_cast<int>(D); };
+        Places& places = places_[batch];
+        for (std::size_t a = 0; a < N; ++a) {
+          places.stride[a][lane] = node(a) < pattern.rows() ? pattern.stride(node(a)) : 0;
+          for (std::size_t b = 0; b < N; ++b) places.offset[a][b][lane] = pattern.offset(node(a), node(b));
+        }
+      }
   }
 
   static constexpr std::size_t width = static_cast<std::size_t>(pack_width);

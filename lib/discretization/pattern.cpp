@@ -8,18 +8,20 @@
 
 namespace ixos {
 
-Pattern::Pattern(const LocalMesh& mesh) : dimension_(mesh.dimension), row_start_{0} {
+Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& stencils)
+    : dimension_(mesh.dimension), row_start_{0} {
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(mesh.owned_nodes));
   for (int node = 0; node < mesh.owned_nodes; ++node) neighbours[row_index(node)].push_back(node);
+  const auto couple = [&](const int* nodes, int count) {
+    for (int a = 0; a < count; ++a)
+      if (nodes[a] < mesh.owned_nodes)
+        neighbours[row_index(nodes[a])].insert(neighbours[row_index(nodes[a])].end(), nodes, nodes + count);
+  };
   for (const LocalBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
-    for (int cell = 0; cell < block.cells(); ++cell) {
-      const int* nodes = &block.nodes[cell_entry(cell, n)];
-      for (int a = 0; a < n; ++a)
-        if (nodes[a] < mesh.owned_nodes)
-          neighbours[row_index(nodes[a])].insert(neighbours[row_index(nodes[a])].end(), nodes, nodes + n);
-    }
+    for (int cell = 0; cell < block.cells(); ++cell) couple(&block.nodes[cell_entry(cell, n)], n);
   }
+  for (const std::vector<int>& stencil : stencils) couple(stencil.data(), static_cast<int>(stencil.size()));
   for (std::vector<int>& row : neighbours) {
     std::sort(row.begin(), row.end());
     row.erase(std::unique(row.begin(), row.end()), row.end());
@@ -33,7 +35,7 @@ int Pattern::pair(int row, int column) const {
   const auto begin = columns_.begin() + row_start_[row_index(row)];
   const auto end = columns_.begin() + row_start_[row_index(row) + 1];
   const auto found = std::lower_bound(begin, end, column);
-  if (found == end || *found != column) throw std::logic_error("the nodes of a pair share no cell");
+  if (found == end || *found != column) throw std::logic_error("the nodes of a pair are not coupled");
   return static_cast<int>(found - columns_.begin());
 }
 

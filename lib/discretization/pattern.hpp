@@ -8,12 +8,13 @@
 
 namespace ixos {
 
-/// Nodes that share a cell are coupled. Rows are owned nodes; columns are local nodes in ascending order. In the matrix
-/// each node pair is a dense block of dimension x dimension values whose rows are `stride` apart, so an element's
-/// entries are written through one offset for each node pair, without a search.
+/// Nodes that share a cell or a stencil are coupled. Rows are owned nodes; columns are local nodes in ascending order.
+/// In the matrix each node pair is a dense block of dimension x dimension values whose rows are `stride` apart, so an
+/// element's entries are written through one offset for each node pair, without a search.
 class Pattern {
  public:
-  explicit Pattern(const LocalMesh& mesh);
+  /// `stencils`: further nodes that are coupled, all pairs of each stencil; local node numbers.
+  explicit Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& stencils = {});
 
   int dimension() const { return dimension_; }
   int rows() const { return static_cast<int>(row_start_.size()) - 1; }
@@ -21,8 +22,8 @@ class Pattern {
   const std::vector<int>& columns() const { return columns_; }      ///< local node numbers
   int pairs() const { return static_cast<int>(columns_.size()); }
 
-  /// Returns the index of the node pair, or -1 if `row` is not owned. Throws std::logic_error if the nodes share no
-  /// cell.
+  /// Returns the index of the node pair, or -1 if `row` is not owned. Throws std::logic_error if the nodes are not
+  /// coupled.
   int pair(int row, int column) const;
   /// Returns the index of the first matrix value of the node pair's block, or -1 if `row` is not owned.
   int offset(int row, int column) const;

@@ -37,6 +37,11 @@ void Damping::do_without_matrix() {
   }
 }
 
+void Damping::place(const Pattern&) {
+  matrix_.clear();
+  for (MassPart& part : masses_) part.mass->place();
+}
+
 void Damping::begin_stage(const StageStart& start) {
   damping_ = start.damping;
   dt_ = start.dt;

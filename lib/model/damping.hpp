@@ -25,6 +25,7 @@ class Damping final : public RateTerm {
   /// without a matrix too. Without this call the matrix is made at the first use, and cached.
   void do_without_matrix();
 
+  void place(const Pattern& pattern) override;
   bool is_gradient(RateForm) const override { return true; }
   void begin_stage(const StageStart& start) override;
   void add_force(const double* u, double* f) const override;

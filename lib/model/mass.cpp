@@ -69,6 +69,16 @@ void Mass::add_block(const LocalBlock& block, double density) {
   if (lumped_ && is_hermite(block.type))
     throw InputError("block \"" + block.name +
                      "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
+  bodies_.push_back({&block, density});
+  integrate(block, density);
+}
+
+void Mass::place() {
+  pairs_.assign(static_cast<std::size_t>(lumped_ ? pattern_.rows() : pattern_.pairs()), 0.0);
+  for (const Body& body : bodies_) integrate(*body.block, body.density);
+}
+
+void Mass::integrate(const LocalBlock& block, double density) {
   with_element(block.type, [&](auto element) {
     add<typename decltype(element)::type>(mesh_, block, density, pattern_, lumped_, pairs_);
   });

@@ -21,7 +21,10 @@ class Mass {
 
   /// Adds a block of the given density [E0 T0^2/L0^2]. Exact for quadrilaterals with straight sides and for
   /// parallelepipeds. Throws InputError if the mass of Hermite elements is to be lumped.
+  /// The block must outlive the mass.
   void add_block(const LocalBlock& block, double density);
+  /// Computes the mass anew in a pattern that has changed.
+  void place();
 
   /// Sets y = M x: x local (with ghosts), y the rows of owned nodes.
   void multiply(const double* x, double* y) const;
@@ -38,7 +41,14 @@ class Mass {
  private:
   const LocalMesh& mesh_;
   const Pattern& pattern_;
+  void integrate(const LocalBlock& block, double density);
+
   bool lumped_;
+  struct Body {
+    const LocalBlock* block;
+    double density;
+  };
+  std::vector<Body> bodies_;
   std::vector<double> pairs_;  ///< by node pair; lumped: by owned node
 };
 

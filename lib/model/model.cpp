@@ -7,7 +7,10 @@
 namespace ixos {
 
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
-    : mesh_(std::move(mesh)), space_(mesh_, comm), pattern_(mesh_) {
+    : discretization_(std::move(mesh), comm),
+      mesh_(discretization_.mesh()),
+      space_(discretization_.space()),
+      pattern_(discretization_.pattern()) {
   if (inertia != Inertia::None) mass_ = std::make_unique<Mass>(mesh_, pattern_, inertia == Inertia::Lumped);
   for (const Material& material : materials) {
     const auto same = [&](const Material& other) { return other.block == material.block; };
@@ -65,6 +68,13 @@ void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string
   interactions_.push_back(term.get());
   force_terms_.push_back({name, term.get()});
   terms_.push_back({name, std::move(term)});
+}
+
+void Model::couple(const std::vector<std::vector<int>>& stencils) {
+  discretization_.couple(stencils);
+  if (mass_) mass_->place();
+  for (const NamedTerm& named : terms_) named.term->place(pattern_);
+  constrained_entries_.reset();
 }
 
 void Model::initialize() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "discretization/discretization.hpp"
 #include "model/constrained_entries.hpp"
 #include "model/constraints.hpp"
 #include "model/damping.hpp"
@@ -67,6 +68,9 @@ class Model {
   const LocalMesh& mesh() const { return mesh_; }
   const DofSpace& space() const { return space_; }
   const Pattern& pattern() const { return pattern_; }
+  const Discretization& discretization() const { return discretization_; }
+  /// Couples further nodes, see Discretization::couple. Integrators renew their solvers at the next step. Collective.
+  void couple(const std::vector<std::vector<int>>& stencils);
   const Mass* mass() const { return mass_.get(); }     ///< null if static
   const Damping* damping() const { return damping_; }  ///< null without Rayleigh damping
   const Constraints& constraints() const { return constraints_; }
@@ -166,9 +170,10 @@ class Model {
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 
-  LocalMesh mesh_;
-  DofSpace space_;
-  Pattern pattern_;
+  Discretization discretization_;
+  const LocalMesh& mesh_;
+  const DofSpace& space_;
+  const Pattern& pattern_;
   std::unique_ptr<Mass> mass_;
   std::vector<NamedTerm> terms_;
   struct Body {

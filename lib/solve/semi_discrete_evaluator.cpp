@@ -2,6 +2,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
+#include <stdexcept>
 
 namespace ixos {
 
@@ -81,6 +82,9 @@ bool SemiDiscreteEvaluator::import_rate(const Base::InArgs<double>& in) const {
 void SemiDiscreteEvaluator::evaluate_tangent(const Base::InArgs<double>& in, CrsMatrix& w) const {
   const auto matrix = w.getLocalMatrixHost();
   double* values = matrix.values.data();
+  const std::size_t d = static_cast<std::size_t>(model_.mesh().dimension);
+  if (matrix.values.extent(0) != static_cast<std::size_t>(model_.pattern().pairs()) * d * d)
+    throw std::logic_error("W_op is of another version of the discretization; create another one");
   std::fill_n(values, matrix.values.extent(0), 0.0);
   Rule scaled = end_rule();
   scaled.points[0].weight = in.get_beta();

@@ -34,6 +34,8 @@ class CurvedSurfaceTerm final : public Interaction {
   /// The exact mean follows the mean normal, whose force has no potential.
   bool is_gradient(const Rule& rule) const override { return rule.mean == Mean::Points; }
 
+  void place(const Pattern& pattern) override { sides_.place(pattern); }
+
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     Pack least_gap = 1.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {

@@ -56,6 +56,8 @@ class ElasticTerm final : public Elasticity {
     }
   }
 
+  void place(const Pattern& pattern) override { batches_.place(pattern); }
+
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     if (!Kernel::has_discrete_gradient && rule.mean == Mean::DiscreteGradient)
       throw std::logic_error("this element formulation has no discrete gradient");

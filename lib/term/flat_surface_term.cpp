@@ -26,6 +26,8 @@ class FlatSurfaceTerm final : public Interaction {
 
   bool needs_positive_gaps() const override { return law_.domain == GapDomain::Positive; }
 
+  void place(const Pattern& pattern) override { sides_.place(pattern); }
+
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     Pack least_gap = 1.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {

@@ -35,6 +35,7 @@ class SurfaceSides {
 
   const ShapeTable<SideElement>& quadrature() const { return quadrature_; }
   const ElementBatches<N, D>& batches() const { return batches_; }
+  void place(const Pattern& pattern) { batches_.place(pattern); }
   std::size_t size() const { return batches_.size(); }  ///< batches
   /// Returns quadrature weight times reference length or area, by quadrature point.
   const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/record.hpp"
+#include "discretization/pattern.hpp"
 #include "fem/rate_form.hpp"
 #include "fem/row_on_states.hpp"
 #include "fem/work_sum.hpp"
@@ -44,6 +45,8 @@ class Term {
  public:
   virtual ~Term() = default;
 
+  /// Finds the places of its matrix entries in a pattern that has changed.
+  virtual void place(const Pattern& /*pattern*/) {}
   /// Discards what earlier steps left.
   virtual void initialize() {}
   virtual void begin_step(const KnownState& /*start*/, double /*time*/, double /*dt*/) {}

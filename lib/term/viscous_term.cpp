@@ -46,6 +46,7 @@ class ViscousTerm final : public Viscosity {
 
   bool is_gradient(RateForm form) const override { return form == RateForm::End; }
 
+  void place(const Pattern& pattern) override { batches_.place(pattern); }
   void initialize() override { dissipated_.clear(); }
 
   void begin_stage(const StageStart& start) override {

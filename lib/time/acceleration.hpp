@@ -17,6 +17,8 @@ class Acceleration {
  public:
   Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver);
 
+  /// Forgets the mass matrix, for a pattern that has changed.
+  void renew() { mass_system_.reset(); }
   /// Evaluates the right-hand side of local arrays u and v. Returns false if u is inadmissible.
   bool balance(double time, const std::vector<double>& u, const std::vector<double>& v);
   /// Calls balance() and solves for a, a local array. Returns false if u is inadmissible or the solve with the mass

@@ -54,6 +54,14 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
     return;
   }
+  make_solvers();
+}
+
+/// Makes operators and preconditioners for the present version of the discretization.
+void Integrator::make_solvers() {
+  version_ = model_.discretization().version();
+  solvers_.clear();
+  solver_of_.clear();
   std::vector<const Stage*> first;  // of each solver
   for (const Stage& stage : table_.stages) {
     const auto like =
@@ -243,6 +251,11 @@ StepResult Integrator::attempt(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
+  if (version_ != model_.discretization().version()) {
+    balance_.renew();
+    if (!is_explicit(table_)) make_solvers();
+    version_ = model_.discretization().version();
+  }
   model_.begin_step(known_states(states_, 1).front(), time_, dt);
   if (needs_acceleration_ && !know_acceleration()) {
     result.reason = "the acceleration cannot be solved for";

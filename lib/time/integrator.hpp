@@ -84,6 +84,7 @@ class Integrator {
     NewtonSolver newton;
   };
 
+  void make_solvers();
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
   bool know_acceleration();
@@ -106,6 +107,7 @@ class Integrator {
   std::vector<std::size_t> solver_of_;  ///< by stage
   NewtonOptions newton_;
   Acceleration balance_;
+  long version_ = 0;                         ///< of the discretization that the solvers are for
   std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes
 
   std::vector<State> states_;  ///< the present state, then the ends of the stages
