@@ -1,9 +1,6 @@
 #include "discretization/point_data.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
-#include <unordered_map>
 
 #include "base/error.hpp"
 
@@ -16,6 +13,7 @@ constexpr auto width = static_cast<std::size_t>(pack_width);
 
 PointData::PointData(const LocalBlock& block, std::size_t points, std::size_t numbers)
     : cells_(block.original_cells),
+      global_cells_(block.global_cells),
       points_(points),
       numbers_(numbers),
       data_((cells_.size() + width - 1) / width * points * numbers, Pack(0.0)) {}
@@ -45,20 +43,29 @@ void PointData::transfer(Record& record) {
     record.share("values", values);
     return;
   }
+  if (record.same_partition()) {
+    const std::vector<double> mine = cells;
+    record.share("cells", cells);
+    record.share("values", values);
+    if (cells != mine || values.size() != cells.size() * size)
+      throw InputError("the values at quadrature points do not fit their cells");
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) set_cell(cell, &values[cell * size]);
+    return;
+  }
   record.all_shares("cells", cells);
   record.all_shares("values", values);
-  if (values.size() != cells.size() * size) throw InputError("the values at quadrature points do not fit their cells");
-  std::unordered_map<long long, std::size_t> places;
-  for (const double cell : cells)
-    if (!(std::abs(cell) < 1e15)) throw InputError("\"cells\" has a value that is not the number of a cell");
-  for (std::size_t i = 0; i < cells.size(); ++i) places.emplace(static_cast<long long>(cells[i]), i);
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const auto found = places.find(cells_[cell]);
-    if (found == places.end())
-      throw InputError("the checkpoint has no values at quadrature points for cell " +
-                       std::to_string(cells_[cell] + 1));
-    set_cell(cell, &values[found->second * size]);
+  // All ranks see the same numbers, and throw together.
+  std::vector<std::size_t> places(static_cast<std::size_t>(global_cells_), cells.size());
+  bool fits = values.size() == cells.size() * size;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const bool known = cells[i] >= 0 && cells[i] < global_cells_;
+    fits = fits && known;
+    if (known) places[static_cast<std::size_t>(cells[i])] = i;
   }
+  fits = fits && std::all_of(places.begin(), places.end(), [&](std::size_t place) { return place < cells.size(); });
+  if (!fits) throw InputError("the values at quadrature points do not fit the cells of their block");
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+    set_cell(cell, &values[places[static_cast<std::size_t>(cells_[cell])] * size]);
 }
 
 }  // namespace ixos

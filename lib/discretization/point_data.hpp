@@ -1,4 +1,4 @@
-/// What terms keep at quadrature points from step to step.
+/// Numbers that terms keep at quadrature points from step to step.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -24,8 +24,8 @@ class PointData {
   }
   void clear();
 
-  /// Writes the numbers with those of their cells in the mesh, or reads them, from another partition too. Throws
-  /// InputError if the checkpoint lacks a cell of this rank. Collective.
+  /// Writes the numbers with those of their cells in the mesh, or reads them, from another partition too: each rank
+  /// then reads all cells of the block. Throws InputError if the checkpoint does not fit the block. Collective.
   void transfer(Record& record);
 
  private:
@@ -33,6 +33,7 @@ class PointData {
   void set_cell(std::size_t cell, const double* values);
 
   std::vector<int> cells_;  ///< per local cell: its number in the block of the mesh
+  int global_cells_;        ///< of the block
   std::size_t points_, numbers_;
   std::vector<Pack> data_;  ///< batches x points x numbers
 };

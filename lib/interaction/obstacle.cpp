@@ -61,6 +61,10 @@ MeanSight Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
   return result;
 }
 
+Pack Obstacle::size_at(const PackPoint& x) const {
+  return std::experimental::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+}
+
 Pack Obstacle::least_gap(const PackPoint& x0, const PackPoint& x1) const {
   const PackPoint d = difference(x1, x0);
   const Sight start = at(x0), middle = at(along(x0, 0.5, d)), end = at(x1);

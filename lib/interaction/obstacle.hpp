@@ -37,6 +37,10 @@ class Obstacle {
   /// Returns distance, normal and curvature at the point x.
   virtual Sight at(const PackPoint& x) const = 0;
 
+  /// Returns the size of the numbers whose difference the gap at x is [L0]: the gap's rounding error over the machine's
+  /// epsilon. By default |x|.
+  virtual Pack size_at(const PackPoint& x) const;
+
   /// Returns a direction n with n . (x1 - x0) = gap(x1) - gap(x0): with it, the force -T n with the mean traction T
   /// of the gaps does the work that the interaction's energy loses. By default n is the mean normal on the straight
   /// path by 3 Gauss points. If the normals vary so much that this mean is not exact to rounding, n is corrected along

@@ -23,7 +23,7 @@ struct NeoHooke {
   static constexpr bool keeps_state = true;
   Lame lame;
 
-  /// What moduli need of a state, so that the stress and the tangent at one place compute it once: F^-1, L.
+  /// The part of a state that moduli need, F^-1 and L. With it, stress and tangent at one place compute it once.
   template <std::size_t D, class T>
   struct Kept {
     Small<T, D> g;

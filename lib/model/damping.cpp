@@ -43,7 +43,7 @@ void Damping::place(const Pattern&) {
 }
 
 void Damping::begin_stage(const StageStart& start) {
-  damping_ = start.damping;
+  unknown_ = start.damping->unknown;
   dt_ = start.dt;
   from_ = start.known.front().u;
   driven_ = start.driven;
@@ -54,7 +54,7 @@ void Damping::begin_stage(const StageStart& start) {
 }
 
 void Damping::evaluate_row(const double* u) const {
-  evaluate(*damping_, u, from_, known_, row_);
+  for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = unknown_ * (u[i] - from_[i]) + known_[i];
   if (driven_ == nullptr) return;
   for (int dof : *driven_) row_[static_cast<std::size_t>(dof)] = dt_ * driven_velocity_[dof];
 }
@@ -64,13 +64,13 @@ void Damping::add_force(const double* u, double* f) const {
   multiply_add(1 / dt_, row_.data(), f);
 }
 
-void Damping::add_tangent(const double*, double* values) const { add_to(damping_->unknown / dt_, values); }
+void Damping::add_tangent(const double*, double* values) const { add_to(unknown_ / dt_, values); }
 
 double Damping::potential(const double* u) const {
   evaluate_row(u);
   std::vector<double> force(static_cast<std::size_t>(pattern_.rows()) * dimension_, 0.0);
   multiply_add(1 / dt_, row_.data(), force.data());
-  return dot(row_, force, force.size()) / (2 * damping_->unknown);
+  return dot(row_, force, force.size()) / (2 * unknown_);
 }
 
 void Damping::add_force_at(double factor, const double*, const double* v, double* f) const {
@@ -102,7 +102,7 @@ double Damping::accept(const AcceptedStep& step) {
   std::vector<double> du(end.u, end.u + rest_.size());
   for (std::size_t i = 0; i < du.size(); ++i) du[i] -= start.u[i];
   if (step.work->form == WorkSum::Form::EndMean) return (work(du, start.v) + work(du, end.v)) / 2;
-  evaluate(*damping_, end.u, start.u, known_, row_);
+  for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = unknown_ * (end.u[i] - start.u[i]) + known_[i];
   return work(du, row_.data()) / dt_;
 }
 

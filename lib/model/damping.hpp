@@ -74,8 +74,8 @@ class Damping final : public RateTerm {
   mutable std::vector<double> matrix_;   ///< values, empty before the first use
   mutable std::vector<double> product_;  ///< scratch
 
-  // Of the stage that began last:
-  const Row* damping_ = nullptr;
+  // The stage that began last:
+  double unknown_ = 0;  ///< the row's coefficient of u
   double dt_ = 0;
   const double* from_ = nullptr;  ///< u at the step's start
   const std::vector<int>* driven_ = nullptr;

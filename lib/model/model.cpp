@@ -1,6 +1,9 @@
 #include "model/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -29,8 +32,13 @@ void Model::add_block(std::size_t number, const Material& material) {
   auto term = make_elastic_term(mesh_, block, pattern_, material.law, material.points, material.formulation);
   bodies_.push_back({term.get(), nullptr, number, material});
   force_terms_.push_back({block.name, term.get()});
-  terms_.push_back({block.name, std::move(term)});
+  add_term(std::move(term), block.name);
   if (material.viscosity != 0) {
+    if (!(material.viscosity > 0) || !std::isfinite(material.viscosity))
+      throw InputError(
+          fmt::format("block \"{}\": the viscosity {} must be at least 0 and finite", block.name, material.viscosity));
+    if (material.formulation != Formulation::Standard)
+      throw InputError("block \"" + block.name + "\": viscosity is offered for Standard elements only");
     const Lame lame = material.law->lame();
     const KelvinVoigt law{{material.viscosity * lame.mu, material.viscosity * lame.lambda}};
     auto viscosity = make_viscous_term(mesh_, block, pattern_, law, material.points);
@@ -59,15 +67,23 @@ void Model::add_damping(const LocalBlock& block, const Material& material, const
 
 void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name) {
   rates_.push_back(term.get());
-  if (std::find(dissipation_names_.begin(), dissipation_names_.end(), name) == dissipation_names_.end())
-    dissipation_names_.push_back(name);
-  terms_.push_back({name, std::move(term)});
+  add_term(std::move(term), name);
 }
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
   interactions_.push_back(term.get());
   force_terms_.push_back({name, term.get()});
-  terms_.push_back({name, std::move(term)});
+  add_term(std::move(term), name);
+}
+
+void Model::add_term(std::unique_ptr<Term> term, const std::string& name) {
+  int account = -1;
+  if (term->dissipates()) {
+    const auto found = std::find(dissipation_names_.begin(), dissipation_names_.end(), name);
+    account = static_cast<int>(found - dissipation_names_.begin());
+    if (found == dissipation_names_.end()) dissipation_names_.push_back(name);
+  }
+  terms_.push_back({name, std::move(term), account});
 }
 
 void Model::couple(const std::vector<std::vector<int>>& stencils) {
@@ -93,9 +109,7 @@ std::vector<double> Model::accept(const AcceptedStep& step) {
   std::vector<double> work(dissipation_names_.size(), 0.0);
   for (const NamedTerm& named : terms_) {
     const double dissipated = named.term->accept(step);
-    const auto name = std::find(dissipation_names_.begin(), dissipation_names_.end(), named.name);
-    if (name != dissipation_names_.end())
-      work[static_cast<std::size_t>(name - dissipation_names_.begin())] += dissipated;
+    if (named.account >= 0) work[static_cast<std::size_t>(named.account)] += dissipated;
   }
   if (!work.empty()) space_.sum(work.data(), static_cast<int>(work.size()));
   return work;
@@ -197,10 +211,9 @@ bool Model::has_viscosity() const {
   return std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.viscosity != nullptr; });
 }
 
-double Model::rate_time() const {
+double Model::largest_viscosity() const {
   double largest = 0;
-  for (const Body& body : bodies_)
-    largest = std::max(largest, body.material.stiffness_damping + body.material.viscosity);
+  for (const Body& body : bodies_) largest = std::max(largest, body.material.viscosity);
   return largest;
 }
 

@@ -33,9 +33,10 @@ struct Material {
 struct NamedTerm {
   std::string name;
   std::unique_ptr<Term> term;
+  int account = -1;  ///< of Model::dissipation_names(); -1 if the term does not dissipate
 };
 
-/// What force terms keep of their last force; null for terms that keep nothing.
+/// The points that force terms keep of their last force; null for terms that keep nothing.
 using KeptForces = std::vector<std::unique_ptr<KeptPoints>>;
 
 struct NamedForceTerm {
@@ -119,8 +120,8 @@ class Model {
   void add_rate_row_sums(const double* u, double* sums) const;
   /// Returns whether some block has a viscosity.
   bool has_viscosity() const;
-  /// Returns the largest factor of the elastic stiffness in a block's damping and viscosity [T0].
-  double rate_time() const;
+  /// Returns the largest viscosity of a block [T0].
+  double largest_viscosity() const;
 
   /// Adds the part's tangent. `kind` concerns interactions only.
   void add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
@@ -130,7 +131,7 @@ class Model {
   std::vector<LinearPart> linear_parts(double mass, double damping) const;
   /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
   void do_without_matrices();
-  /// See Term::add_row_sums.
+  /// See ForceTerm::add_row_sums.
   bool add_row_sums(Part part, const Segment& segment, double* sums) const;
   /// Returns the largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
@@ -138,11 +139,11 @@ class Model {
   /// Returns the part's potential energy [E0 L0^D]: this rank's share, or the sum over all ranks (collective).
   double local_energy(Part part, const double* u) const;
   double energy(Part part, const double* u) const;
-  /// Returns this rank's sum of Term::mean_potential over the interactions.
+  /// Returns this rank's sum of Interaction::mean_potential over the interactions.
   double local_mean_potential(const Segment& segment) const;
-  /// Returns the largest Term::gap_ratio. Collective.
+  /// Returns the largest Interaction::gap_ratio. Collective.
   double gap_ratio(const double* from, const double* to) const;
-  /// Returns this rank's sum of Term::rounding over the interactions.
+  /// Returns this rank's sum of Interaction::rounding over the interactions.
   double local_rounding(const double* u) const;
   /// Return sums over all ranks. Collective.
   InteractionReport interaction_report(const double* u) const;
@@ -165,6 +166,7 @@ class Model {
   void add_block(std::size_t number, const Material& material);
   void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
   void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
+  void add_term(std::unique_ptr<Term> term, const std::string& name);
   void find_scales();
   const ConstrainedEntries& constrained_entries() const;
   template <class Visit>

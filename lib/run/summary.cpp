@@ -66,6 +66,8 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   const std::vector<double>& dissipations = simulation.integrator().dissipations();
   for (std::size_t i = 0; i < dissipations.size(); ++i)
     json["dissipated"][model.dissipation_names()[i]] = dissipations[i];
+  if (const double before = simulation.integrator().dissipated_before(); before != 0)
+    json["dissipated"]["before the restart"] = before;
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   on_first_rank(

@@ -87,7 +87,7 @@ void add_time_step_control(List& list) {
                                    "smaller size.");
   adaptive.set("Tolerance", 0.0, "Largest local error of a displacement in a step [L0]. 0: no limit.", at_least(0));
   adaptive.set("Maximum Gap Ratio", 0.0,
-               "Largest ratio between the gaps that a point of the surface has at the two ends of a step [-]. It must "
+               "Largest ratio between the gaps that a point of the surface has in a step [-]. It must "
                "be greater than 1. 0: no limit.",
                at_least(0));
   adaptive.set("Choose Time Points", false,

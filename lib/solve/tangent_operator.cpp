@@ -14,6 +14,8 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
       elastic_(model.actions(Part::Elastic)),
       interactions_(model.actions(Part::Interaction)),
       mass_in_elastic_(model.mass() != nullptr && !model.mass()->is_lumped()) {
+  if (model.has_viscosity())
+    throw InputError("Linear Solver/Operator: \"Matrix-Free\" is not offered with viscosity; use \"Assembled\"");
   for (const auto* actions : {&elastic_, &interactions_})
     if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))
       throw InputError(

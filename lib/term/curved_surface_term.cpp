@@ -150,7 +150,7 @@ class CurvedSurfaceTerm final : public Interaction {
         // The straight path can pass nearer than its ends. If it leads through the obstacle, its ratio is large but
         // finite, because its logarithm sets the next step.
         const Pack nearest = smaller(lesser, obstacle_->least_gap(start, end));
-        const Pack divisor = select(nearest > 0.0, nearest, Pack(1e-6 * lesser));
+        const Pack divisor = std::experimental::max(nearest, Pack(1e-6 * lesser));
         const Pack ratio = select(nearest < near, Pack((r0 + r1 - lesser) / divisor), Pack(1.0));
         largest = std::max(largest, -least(Pack(-ratio)));
       }
@@ -159,10 +159,18 @@ class CurvedSurfaceTerm final : public Interaction {
   }
 
   double rounding(const double* u) const override {
-    return sum_over_points(u, [&](const Sight& sight, const Pack& weight) {
-      const Pack force = weight * law_.magnitude(sight.gap);
-      return Pack(force * force);
-    });
+    Pack sum = 0.0;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(sides_, b, {nullptr, nullptr, u});
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const PackPoint x = ends.to(q);
+        const Pack gap = obstacle_->at(x).gap;
+        const Pack size = law_.magnitude(gap) + std::experimental::abs(law_.stiffness(gap)) * obstacle_->size_at(x);
+        const Pack force = sides_.owned(b) * sides_.measure(b)[q] * size;
+        sum += force * force;
+      }
+    }
+    return total(sum);
   }
 
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }

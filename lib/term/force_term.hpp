@@ -38,8 +38,8 @@ struct LinearPart {
 class TangentAction {
  public:
   virtual ~TangentAction() = default;
-  /// Takes the tangent that Term::add_tangent would add, plus the linear part, which interactions do not have. Accepts
-  /// only rules for which the term is a gradient. An elastic action keeps single precision, see ElasticAction.
+  /// Takes the tangent that ForceTerm::add_tangent would add, plus the linear part, which interactions do not have.
+  /// Accepts only rules for which the term is a gradient. An elastic action keeps single precision, see ElasticAction.
   virtual void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart& linear) = 0;
   /// Returns whether it applies a mass. If not, the linear part's `inertia` has to be 0.
   virtual bool applies_mass() const { return false; }
@@ -49,7 +49,8 @@ class TangentAction {
   virtual void add_diagonal(double* d) const = 0;
 };
 
-/// What a term keeps of a force at quadrature points, so that the tangent at the same place need not compute it again.
+/// The results of a force at quadrature points that a term keeps, so that the tangent at the same place need not
+/// compute it again.
 class KeptPoints {
  public:
   virtual ~KeptPoints() = default;

@@ -21,8 +21,8 @@ struct StageStart {
   double time = 0;    ///< of the step's start [T0]
   double length = 0;  ///< from the step's start to the stage's end [T0]
   double dt = 0;      ///< the whole step, to which rows refer [T0]
-  /// Degrees of freedom whose velocity at the stage's end is prescribed, whatever the rows say, and a local array of
-  /// those velocities [L0/T0]. Null if there are none.
+  /// Degrees of freedom whose velocity at the stage's end is prescribed, and a local array of those velocities [L0/T0].
+  /// Damping takes them in place of the row's; viscosity takes the row of strains throughout. Null if there are none.
   const std::vector<int>* driven = nullptr;
   const double* driven_velocity = nullptr;
 };
@@ -51,8 +51,10 @@ class Term {
   virtual void initialize() {}
   virtual void begin_step(const KnownState& /*start*/, double /*time*/, double /*dt*/) {}
   virtual void begin_stage(const StageStart& /*start*/) {}
-  /// Accepts the step, whose last stage was the last one that began. Returns this rank's share of the work that the
-  /// term dissipated in it [E0 L0^D].
+  /// Returns whether accept() returns work that the model books under the term's name. Equal on all ranks.
+  virtual bool dissipates() const { return false; }
+  /// Accepts the step, whose last stage was the last one that began (explicit schemes begin none). Returns this rank's
+  /// share of the work that the term dissipated in it [E0 L0^D].
   virtual double accept(const AcceptedStep& /*step*/) { return 0; }
   /// Returns whether the term keeps something from step to step, which transfer() writes or reads. Equal on all ranks.
   virtual bool has_state() const { return false; }

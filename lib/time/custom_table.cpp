@@ -33,7 +33,6 @@ class StageReader {
     if (exact && path != Path::Linear) fail("Interaction Mean", "the exact mean needs the linear path");
     stage.interaction = exact ? exact_rule() : rule("Interaction Points", "Interaction Weights", path);
     stage.load = load(stage.end);
-    set_rates(stage);
     if (!(stage.inertia.unknown > 0))
       fail("Inertia", "the coefficient of the unknown must be greater than 0: only implicit stages are allowed");
     if (stage.elastic.points.empty())
@@ -42,15 +41,6 @@ class StageReader {
   }
 
  private:
-  /// Chooses the momentum form if the damping row is du, and otherwise the force at the ends.
-  static void set_rates(Stage& stage) {
-    const Row& row = stage.damping;
-    const bool first = !row.known.empty() && row.known[0].u == -1 && row.known[0].v == 0 && row.known[0].a == 0;
-    if (stage.end == 1 && row.unknown == 1 && first && row.known.size() == 1)
-      stage.rate_form = RateForm::Middle;
-    else
-      stage.rate_start = stage.elastic.kept_weight;
-  }
   [[noreturn]] void fail(const char* entry, const std::string& what) const {
     const std::string& path = list_.name();  // of Teuchos: "Scene->...->Stages->First"
     const std::size_t arrow = path.rfind("->");
@@ -98,6 +88,18 @@ class StageReader {
   const List& list_;
   std::size_t known_;
 };
+
+/// Chooses the form of rates: Middle for one stage in momentum form, whose damping row is du, and otherwise the force
+/// at the ends.
+void set_rates(Table& table) {
+  for (Stage& stage : table.stages) stage.rate_start = stage.elastic.kept_weight;
+  Stage& stage = table.stages.front();
+  const Row& row = stage.damping;
+  const bool from_start = row.known.size() == 1 && row.known[0].u == -1 && row.known[0].v == 0 && row.known[0].a == 0;
+  if (table.stages.size() > 1 || table.work.form != WorkSum::Form::Increment || row.unknown != 1 || !from_start) return;
+  stage.rate_form = RateForm::Middle;
+  stage.rate_start = 0;
+}
 
 }  // namespace
 
@@ -165,6 +167,7 @@ Table custom_table(const List& list) {
                                          : WorkSum::Form::Stages;
   const Numbers& weights = list.get<Numbers>("Work Weights");
   table.work.weights.assign(weights.begin(), weights.end());
+  set_rates(table);
   return table;
 }
 

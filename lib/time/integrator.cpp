@@ -84,6 +84,7 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   previous_ = {};
   attempted_dt_ = 0;
   acceleration_known_ = false;
+  dissipated_before_ = 0;
   dissipations_.assign(model_.dissipation_names().size(), 0.0);
   model_.initialize();
   State& start = states_.front();
@@ -168,6 +169,7 @@ NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::ve
   NewtonResult result = nearby.newton.solve(*unknown_);
   if (!result.converged) return result;
   const int spent = result.iterations;
+  if (model_.has_rates()) solver(stage).problem.arm(stage, states_, time_, dt);  // terms know the last one armed only
   result = solver(stage).newton.solve(*unknown_);
   result.iterations += spent;
   return result;

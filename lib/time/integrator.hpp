@@ -67,8 +67,11 @@ class Integrator {
   /// Returns the work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
   double dissipated_energy() const { return dissipated_; }
   double external_work() const { return external_work_; }
-  /// Returns the dissipated energy by source, parallel to Model::dissipation_names(), since initialize().
+  /// Returns the dissipated energy by source, parallel to Model::dissipation_names(), since initialize() or a restart
+  /// in another scene.
   const std::vector<double>& dissipations() const { return dissipations_; }
+  /// Returns what was dissipated before that restart.
+  double dissipated_before() const { return dissipated_before_; }
 
   /// Writes or reads, for checkpoints between steps, everything that later steps depend on, to the last bit. Loading
   /// onto another partition leaves out the state of the linear solvers. Loading into another scene resumes from
@@ -116,6 +119,7 @@ class Integrator {
   double time_carry_ = 0;
   double dissipated_ = 0;
   std::vector<double> dissipations_;  ///< by source
+  double dissipated_before_ = 0;
   double external_work_ = 0;
   std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
   PreviousVelocity previous_;       ///< v only if steps are judged

@@ -33,7 +33,7 @@ void Integrator::transfer(Record& record) {
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
   initialize(std::vector<double>(state.u), std::vector<double>(state.v), time_);
   time_carry_ = carry;
-  dissipated_ = dissipated;
+  dissipated_ = dissipated_before_ = dissipated;
   external_work_ = external_work;
 }
 
@@ -57,6 +57,7 @@ void Integrator::transfer_derived(Record& record) {
   record.field("acceleration", state.a, Extent::Local);
   record.field("load", state.load, Extent::Owned);
   record.field("reaction", state.reaction, Extent::Owned);
+  record.number("dissipated before", dissipated_before_);
   for (std::size_t i = 0; i < dissipations_.size(); ++i)
     record.number(("dissipated: " + model_.dissipation_names()[i]).c_str(), dissipations_[i]);
   model_.transfer(record);

@@ -49,7 +49,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   step_time_ = time;
   stage_time_ = time + stage_->end * dt;
   from_ = &known[0].u;
-  kept_of_ = nullptr;
+  kept_of_ = imported_for_ = nullptr;
   tangent_at_.clear();
   has_potential_ = is_symmetric(model_, *stage_) && model_.rates_are_gradients(stage_->rate_form);
   if (has_mass_) evaluate_known(stage_->inertia, known_states(known, stage + 1), dt, known_inertia_);
@@ -73,7 +73,7 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
       return;
     }
     admissible = model_.force(part, {nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
-    residual_of_ = kept_of_ = nullptr;
+    residual_of_ = kept_of_ = imported_for_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
   keep(Part::Elastic, stage_->elastic, elastic_);
@@ -89,7 +89,8 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   }
 
   const double coefficient = stage_->inertia.unknown / (dt * dt);
-  stiffness_ = model_.elastic_scale() * (1 + model_.rate_time() * stage_->damping.unknown / dt);
+  const double rate = stage_->rate_form == RateForm::End ? stage_->velocity.unknown : 1.0;
+  stiffness_ = model_.elastic_scale() * (1 + model_.largest_viscosity() * rate / dt);
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
 }
@@ -155,7 +156,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   model_.space().import(x, u_.data());
   residual_of_ = stage_;
-  kept_of_ = nullptr;
+  kept_of_ = imported_for_ = nullptr;
   const double inverse = 1 / dt_;
   if (has_mass_) {
     inertia_bracket(u_, bracket_);
@@ -180,6 +181,7 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   model_.space().sum(sums, 6);
   moving_ = sums[4] > 0;
   if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
+  imported_for_ = stage_;
   if (!kept_points_.empty()) kept_of_ = stage_;
   // After a long step the rounding errors are larger than at its start.
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * (diagonal_ + stiffness_ - model_.elastic_scale()) *
@@ -260,7 +262,7 @@ Teuchos::RCP<Operator> StageProblem::create_operator() {
 
 /// Returns whether u_ is x, on all ranks, so that its ghosts need no exchange.
 bool StageProblem::is_at(const Vector& x) const {
-  if (kept_of_ != stage_) return false;
+  if (imported_for_ != stage_) return false;
   const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   bool same = true;
   for (std::size_t i = 0; i < view.extent(0); ++i) same = same && view(i, 0) == u_[i];
@@ -271,7 +273,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   const TimedScope timed(Phase::Tangent);
   if (!is_at(x)) {
     model_.space().import(x, u_.data());
-    residual_of_ = kept_of_ = nullptr;
+    residual_of_ = kept_of_ = imported_for_ = nullptr;
   }
   const bool known = u_ == tangent_at_;
   if (nonnull(matrix_free_)) {
@@ -292,7 +294,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
 double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   if (!model_.has_interactions()) return 1.0;
   model_.space().import(x, u_.data());
-  residual_of_ = kept_of_ = nullptr;
+  residual_of_ = kept_of_ = imported_for_ = nullptr;
   model_.space().import(direction, direction_.data());
   return model_.admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }

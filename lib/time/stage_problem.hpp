@@ -90,16 +90,17 @@ class StageProblem final : public NonlinearProblem {
   double rounding_ = 0;       ///< force by which the last digits of u change the balance
   double rounding_here_ = 0;  ///< that force for u at the last residual
   double diagonal_ = 0;       ///< kappa
-  double stiffness_ = 0;      ///< elastic scale, with that of damping and viscosity
+  double stiffness_ = 0;      ///< elastic scale, with that of viscosity
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
   int relaxation_ = 0;
 
-  std::vector<double> u_;               ///< local, of the last evaluation of forces or tangents
-  const Stage* residual_of_ = nullptr;  ///< whose elastic_ and interaction_ at u_ residual() left there, if any
-  KeptForces kept_points_;              ///< of residual(); empty if the tangent is applied without a matrix
-  const Stage* kept_of_ = nullptr;      ///< whose points at u_ are kept, if any
+  std::vector<double> u_;                ///< local, of the last evaluation of forces or tangents
+  const Stage* residual_of_ = nullptr;   ///< whose elastic_ and interaction_ at u_ residual() left there, if any
+  KeptForces kept_points_;               ///< of residual(); empty if the tangent is applied without a matrix
+  const Stage* imported_for_ = nullptr;  ///< the stage of the last residual, if u_ is its x
+  const Stage* kept_of_ = nullptr;       ///< whose points at u_ are kept, if any
   std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
   std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
   std::vector<double> values_;      ///< the values of that tangent, if it is a matrix

@@ -70,6 +70,9 @@ void check(const Table& table) {
       (is_explicit(table) && table.mass != Inertia::Lumped))
     throw std::invalid_argument(
         fmt::format("scheme \"{}\": an explicit table must close explicitly and have a lumped mass", table.name));
+  if (is_explicit(table) && table.work.form != WorkSum::Form::EndMean)
+    throw std::invalid_argument(
+        fmt::format("scheme \"{}\": an explicit table must sum work by the mean of the ends", table.name));
   if (table.stages.back().end != 1)
     throw std::invalid_argument(fmt::format("scheme \"{}\": the last stage ends at {}, not at the step's end, 1",
                                             table.name, table.stages.back().end));

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 
+#include "base/error.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
@@ -61,6 +61,62 @@ TEST(ViscosityTest, WhatIsDissipatedClosesTheBalance) {
     EXPECT_EQ(s.integrator().dissipations()[0], dissipated);
     EXPECT_EQ(s.model().dissipation_names()[0], "viscosity of body");
   }
+}
+
+/// The largest error of the balance of a scheme whose forces act at the ends falls with the square of the step.
+TEST(ViscosityTest, TheBalanceOfCollocationSchemesClosesWithTheirOrder) {
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Generalized-Alpha", "HHT-Alpha", "Central Difference"}) {
+    double errors[2] = {};
+    for (int halving = 0; halving < 2; ++halving) {
+      const double dt = 0.02 / (1 << halving);
+      Simulation s(test::scene(with_viscosity(test::block_2d(1.0), 0.02) + test::time_integrator(scheme, dt, 1)),
+                   world());
+      const double before = test::total_energy(s);
+      for (int step = 0; step < std::lround(1 / dt); ++step) {
+        ASSERT_TRUE(s.integrator().step(dt).converged) << scheme;
+        const double error = test::total_energy(s) + s.integrator().dissipated_energy() - before;
+        errors[halving] = std::max(errors[halving], std::abs(error));
+      }
+      EXPECT_GT(s.integrator().dissipated_energy(), 1e-3 * before) << scheme;
+      EXPECT_LT(errors[halving], 0.05 * s.integrator().dissipated_energy()) << scheme;
+    }
+    EXPECT_GT(errors[0], 2.5 * errors[1]) << scheme;
+  }
+}
+
+TEST(ViscosityTest, AnEnrichedBallLosesEnergyInAnImpact) {
+  for (const char* scheme : {"Newmark", "Average Vector Field", "Energy-Momentum"})
+    for (const double viscosity : {0.001, 0.02}) {
+      Simulation s(test::scene_file("ball.xml", {std::string("Time Integrator/Type=") + scheme,
+                                                 "Interactions/Wall/Contact Element=Q1C4",
+                                                 "Materials/Ball/Viscosity=" + std::to_string(viscosity)}),
+                   world());
+      const double before = test::total_energy(s);
+      for (int step = 0; step < 400; ++step) ASSERT_TRUE(s.integrator().step(1e-3).converged) << scheme << step;
+      const double error = test::total_energy(s) + s.integrator().dissipated_energy() - before;
+      EXPECT_GT(s.integrator().dissipated_energy(), 1e-3) << scheme;
+      EXPECT_NEAR(error, 0, std::string(scheme) == "Newmark" ? 0.1 : 1e-9) << scheme;
+    }
+}
+
+TEST(ViscosityTest, WhereItIsNotOfferedItIsRefused) {
+  const std::string body = with_viscosity(test::block_2d(1.0), 0.05);
+  const auto message = [](const std::string& scene) -> std::string {
+    try {
+      Simulation(test::scene(scene), world());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "not refused";
+  };
+  std::string enhanced = body;
+  enhanced.insert(enhanced.find(number("Density", 1)), word("Element Formulation", "Enhanced"));
+  EXPECT_EQ(message(enhanced + test::time_integrator("Newmark", 0.1, 1)),
+            "Materials/Rubber/Viscosity: 0.05 with \"Enhanced\" elements: their viscous stress would lock; use 0, "
+            "Stiffness Damping, or the Element Formulation \"Standard\"");
+  EXPECT_EQ(
+      message(body + list("Linear Solver", word("Operator", "Matrix-Free")) + test::time_integrator("Newmark", 0.1, 1)),
+      "Linear Solver/Operator: \"Matrix-Free\" is not offered for Materials/Rubber/Viscosity; use \"Assembled\"");
 }
 
 TEST(ViscosityTest, EachSourceIsBookedUnderItsName) {

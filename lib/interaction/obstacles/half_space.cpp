@@ -12,6 +12,8 @@ class Wall final : public Obstacle {
  public:
   explicit Wall(const HalfSpace& wall) : wall_(wall) {}
   const HalfSpace* half_space() const override { return &wall_; }
+  /// As in the scalar path: laws count the gap's own rounding.
+  Pack size_at(const PackPoint&) const override { return 0.0; }
   Sight at(const PackPoint& x) const override {
     Sight sight;
     sight.gap = 0.0;
