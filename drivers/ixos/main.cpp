@@ -97,12 +97,11 @@ std::string results_folder(const Arguments& arguments) {
 
 void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
-  const auto& integrator = simulation.parameters().sublist("Time Integrator");
   const auto& linear = simulation.parameters().sublist("Linear Solver");
   ixos::console::say(
       "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
       simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-      model.space().comm()->getSize(), integrator.get<std::string>("Type"), simulation.step_control().time_step,
+      model.space().comm()->getSize(), simulation.time_integrator().scheme, simulation.step_control().time_step,
       simulation.step_control().final_time, ixos::linear_solver_in_words(linear));
   ixos::console::flush();
 }

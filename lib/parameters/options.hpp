@@ -25,7 +25,8 @@ class Options {
   template <class E>
   using Words = std::vector<std::pair<std::string, E>>;
 
-  /// A member, of S or of a base of it, of type double, int, bool, std::string, or std::vector of double or int.
+  /// A member, of S or of a base of it, of type double, int, bool, std::string, or std::vector of double, int or
+  /// std::string.
   template <class B, class V>
   Options& add(const char* name, V B::*member, const std::string& documentation,
                const Validator& validator = Teuchos::null) {
@@ -49,18 +50,36 @@ class Options {
   /// A choice among words that stand for the values of an enumeration.
   template <class B, class E>
   Options& choose(const char* name, E B::*member, const Words<E>& words, const std::string& documentation) {
-    std::vector<std::string> names;
-    for (const auto& word : words) names.push_back(word.first);
+    return choice(name, member, words, documentation, one_of(names_of(words)));
+  }
+
+  /// A choice among words that may also be names of sublists: the validation completes only the sublist of the chosen
+  /// word, see choice_of().
+  template <class B, class E>
+  Options& choose_list(const char* name, E B::*member, const Words<E>& words, const std::string& documentation) {
+    return choice(name, member, words, documentation, choice_of(names_of(words)));
+  }
+
+  /// A sublist, read into a member that is a struct itself. The defaults are those of T{}. If the validation has left
+  /// the list out, the member keeps its value in S{}.
+  template <class B, class T>
+  Options& sublist(const char* name, T B::*member, const Options<T>& options, const std::string& documentation) {
     return entry(
-        name,
-        [=](List& list) {
-          for (const auto& [word, value] : words)
-            if (value == S{}.*member) list.set(name, word, documentation, one_of(names));
-          if (!list.isParameter(name)) throw std::logic_error(std::string(name) + ": its default is none of the words");
-        },
+        name, [=](List& list) { options.declare(list.sublist(name, false, documentation)); },
         [=](const SceneNode& node, S& target) {
-          for (const auto& [word, value] : words)
-            if (word == node.text(name)) target.*member = value;
+          if (node.list().isSublist(name)) target.*member = options.read(node.sublist(name));
+        });
+  }
+
+  /// A sublist whose entries another library checks.
+  template <class B>
+  Options& free_form(const char* name, List B::*member, const std::string& documentation) {
+    return entry(
+        name, [=](List& list) { mark_free_form(list.sublist(name, false, documentation)); },
+        [=](const SceneNode& node, S& target) {
+          const List& given = node.list().sublist(name);
+          target.*member = given;
+          (target.*member).setName(given.name());
         });
   }
 
@@ -92,6 +111,29 @@ class Options {
   Options& entry(const char* name, std::function<void(List&)> declare, std::function<void(const SceneNode&, S&)> read) {
     entries_.push_back({name, std::move(declare), std::move(read)});
     return *this;
+  }
+
+  template <class E>
+  static std::vector<std::string> names_of(const Words<E>& words) {
+    std::vector<std::string> names;
+    for (const auto& word : words) names.push_back(word.first);
+    return names;
+  }
+
+  template <class B, class E>
+  Options& choice(const char* name, E B::*member, const Words<E>& words, const std::string& documentation,
+                  const Validator& validator) {
+    return entry(
+        name,
+        [=](List& list) {
+          for (const auto& [word, value] : words)
+            if (value == S{}.*member) list.set(name, word, documentation, validator);
+          if (!list.isParameter(name)) throw std::logic_error(std::string(name) + ": its default is none of the words");
+        },
+        [=](const SceneNode& node, S& target) {
+          for (const auto& [word, value] : words)
+            if (word == node.text(name)) target.*member = value;
+        });
   }
 
   template <class V>

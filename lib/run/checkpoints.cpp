@@ -68,15 +68,13 @@ std::string checkpoint_path(const std::string& folder, long step) {
 }
 
 Checkpoints::Checkpoints(const Simulation& simulation, const std::string& folder)
-    : simulation_(simulation), folder_(folder), last_time_(Teuchos::Time::wallTime()) {
-  const Teuchos::ParameterList& list = simulation.parameters().sublist("Output").sublist("Checkpoint");
-  interval_ = list.get<int>("Interval");
-  clock_interval_ = list.get<double>("Wall-Clock Interval");
-  keep_ = list.get<int>("Keep");
-}
+    : simulation_(simulation),
+      folder_(folder),
+      options_(simulation.output().checkpoint),
+      last_time_(Teuchos::Time::wallTime()) {}
 
 bool Checkpoints::due_by_clock() const {
-  return on() && clock_interval_ > 0 && Teuchos::Time::wallTime() - last_time_ >= clock_interval_;
+  return on() && options_.clock_interval > 0 && Teuchos::Time::wallTime() - last_time_ >= options_.clock_interval;
 }
 
 std::string Checkpoints::newest() const { return steps_.empty() ? "" : checkpoint_path(folder_, steps_.back()); }
@@ -135,7 +133,8 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
   last_time_ = Teuchos::Time::wallTime();
   steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());
   steps_.push_back(step);
-  if (steps_.size() > static_cast<std::size_t>(keep_)) steps_.erase(steps_.begin(), steps_.end() - keep_);
+  if (steps_.size() > static_cast<std::size_t>(options_.keep))
+    steps_.erase(steps_.begin(), steps_.end() - options_.keep);
   on_first_rank(model.space().comm(), [&] {
     link_newest(folder_, step);
     tidy();

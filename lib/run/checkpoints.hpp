@@ -13,12 +13,14 @@ namespace ixos {
 /// Writes checkpoints and keeps the last few.
 class Checkpoints {
  public:
-  /// As the scene's list "Output/Checkpoint" says, in this folder.
+  /// Writes to this folder, as often as the simulation's CheckpointOptions say. The simulation must outlive the object.
   Checkpoints(const Simulation& simulation, const std::string& folder);
 
-  bool on() const { return keep_ > 0; }
+  bool on() const { return options_.keep > 0; }
   /// Is one due by the number of steps?
-  bool due(long step) const { return on() && interval_ > 0 && step > 0 && step != last_step_ && step % interval_ == 0; }
+  bool due(long step) const {
+    return on() && options_.interval > 0 && step > 0 && step != last_step_ && step % options_.interval == 0;
+  }
   /// Is one due by this rank's clock?
   bool due_by_clock() const;
   /// Writes one, unless this step has one already; `transfer` names the run's state, twice, first
@@ -41,9 +43,7 @@ class Checkpoints {
 
   const Simulation& simulation_;
   std::string folder_;
-  int interval_;
-  double clock_interval_;
-  int keep_;
+  const CheckpointOptions& options_;
   long last_step_ = -1;
   double last_time_;         ///< of the clock [s]
   std::vector<long> steps_;  ///< of those that are kept

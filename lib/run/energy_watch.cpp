@@ -16,19 +16,16 @@ bool damped(const std::vector<Material>& materials) {
 
 }  // namespace
 
-EnergyWatch::EnergyWatch(const Simulation& simulation)
-    : scheme_(simulation.parameters().sublist("Time Integrator").get<std::string>("Type")) {
-  const Teuchos::ParameterList& output = simulation.parameters().sublist("Output");
-  const Teuchos::ParameterList& list = output.sublist("Watch");
-  const auto action = list.get<std::string>("Action");
-  if (action == "Off" || !output.get<bool>("Energies")) return;
-  action_ = action == "Stop" ? Action::Stop : action == "Resume" ? Action::Resume : Action::Warn;
-  allowed_ = list.get<double>("Tolerance");
+EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time_integrator().scheme) {
+  const WatchOptions& options = simulation.output().watch;
+  if (options.action == WatchAction::Off || !simulation.output().energies) return;
+  action_ = options.action;
+  allowed_ = options.tolerance;
   const double promise = simulation.integrator().table().energy_promise;
   if (allowed_ > 0 || promise == 0 || damped(simulation.materials())) return;
   by_scheme_ = true;
   // Each step of Newton's method leaves a residual that does work.
-  allowed_ = promise + 10 * simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance");
+  allowed_ = promise + 10 * simulation.newton().tolerance;
 }
 
 void EnergyWatch::step(int interaction_points, const std::function<double()>& gap_ratio) {

@@ -14,13 +14,12 @@ namespace ixos {
 /// that memory was damaged: a flipped bit in a displacement or a velocity moves the balance at once.
 class EnergyWatch {
  public:
-  enum class Action { Warn, Stop, Resume };
-
-  /// As the list "Output/Watch" says; on by default for schemes with a promise, where no damping dissipates.
+  /// Reads the settings of the simulation's WatchOptions. By default the watch is on for schemes with a promise, if
+  /// there is no damping.
   explicit EnergyWatch(const Simulation& simulation);
 
   bool on() const { return allowed_ > 0; }
-  Action action() const { return action_; }
+  WatchAction action() const { return action_; }
 
   /// Takes part in each step: `gap_ratio`, asked for only if the bound depends on it, is that of
   /// Integrator::gap_ratio().
@@ -35,7 +34,7 @@ class EnergyWatch {
 
  private:
   double allowed_ = 0;  ///< change of the balance in a step, over the largest energy; 0: off
-  Action action_ = Action::Warn;
+  WatchAction action_ = WatchAction::Warn;
   bool by_scheme_ = false;  ///< the scheme set the bound
   double quadrature_ = 0;   ///< what the interaction's points add to it since the last row, summed over the steps
   std::string scheme_;

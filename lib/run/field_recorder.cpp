@@ -35,8 +35,7 @@ std::vector<double> acceleration_or_nan(Integrator& integrator) {
 FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
     : simulation_(simulation), comm_(simulation.model().space().comm()) {
   const Model& model = simulation.model();
-  const auto& format = simulation.parameters().sublist("Output").get<std::string>("Fields Format");
-  file_ = (format == "HDF5" ? hdf5_fields : exodus_fields)(
+  file_ = (simulation.output().fields_format == FieldsFormat::Hdf5 ? hdf5_fields : exodus_fields)(
       path, {OutputMesh(model.mesh(), comm_->getSize()), field_names(model), simulation.parameters().name()}, comm_);
 }
 

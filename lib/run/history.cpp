@@ -38,14 +38,13 @@ std::vector<std::string> columns(int dimension) {
 
 }  // namespace
 
-History::History(Simulation& simulation, const HistoryOptions& options)
+History::History(Simulation& simulation)
     : simulation_(simulation),
-      options_(options),
       columns_(columns(simulation.model().mesh().dimension)),
-      max_energy_error_(options.energies ? 0.0 : empty) {
+      max_energy_error_(simulation.output().energies ? 0.0 : empty) {
   const Model& model = simulation.model();
   const std::string axes = model.mesh().dimension == 2 ? "xy" : "xyz";
-  for (const std::string& set : simulation.reactions()) {
+  for (const std::string& set : simulation.output().reactions) {
     reaction_sets_.push_back(model.mesh().node_set(set));
     for (char axis : axes) {
       columns_.push_back("reaction_" + set + "_" + axis);
@@ -99,13 +98,14 @@ void History::record(const RowCounts& counts) {
   const Model& model = simulation_.model();
   const Integrator& integrator = simulation_.integrator();
   const State& state = integrator.state();
+  const OutputOptions& output = simulation_.output();
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   const std::size_t spins = d == 2 ? 1 : 3;
   std::vector<double> row{static_cast<double>(counts.step), integrator.time(), counts.time_step};
 
   Momenta momenta{empty, std::vector<double>(d, empty), std::vector<double>(spins, empty)};
-  if (options_.energies || options_.momenta) momenta = model.momenta(state.u.data(), state.v.data());
-  if (options_.energies) {
+  if (output.energies || output.momenta) momenta = model.momenta(state.u.data(), state.v.data());
+  if (output.energies) {
     const double elastic = model.energy(Part::Elastic, state.u.data());
     const double contact = model.has_interactions() ? model.energy(Part::Interaction, state.u.data()) : 0.0;
     const double external_work = integrator.external_work();
@@ -122,13 +122,13 @@ void History::record(const RowCounts& counts) {
   } else {
     row.insert(row.end(), 6, empty);
   }
-  if (options_.momenta) {
+  if (output.momenta) {
     row.insert(row.end(), momenta.linear.begin(), momenta.linear.end());
     row.insert(row.end(), momenta.angular.begin(), momenta.angular.end());
   } else {
     row.insert(row.end(), d + spins, empty);
   }
-  if (options_.interaction && model.has_interactions()) {
+  if (output.interaction && model.has_interactions()) {
     const InteractionReport report = model.interaction_report(state.u.data());
     row.insert(row.end(), report.force.begin(), report.force.end());
     row.insert(row.end(), {report.measure, report.least_gap});

@@ -12,13 +12,6 @@
 
 namespace ixos {
 
-/// The groups of columns that are evaluated; the others stay empty.
-struct HistoryOptions {
-  bool energies = true;
-  bool momenta = true;
-  bool interaction = true;
-};
-
 /// The counts that the driver adds to a row.
 struct RowCounts {
   long step = 0;
@@ -28,10 +21,11 @@ struct RowCounts {
   double wall_seconds = 0;  ///< cumulative
 };
 
-/// The writer of the rows, which it evaluates; the file is written on rank 0. Collective.
+/// The writer of the rows, which it evaluates; the file is written on rank 0. Columns that the list "Output" leaves out
+/// are not evaluated and stay empty. Collective.
 class History {
  public:
-  History(Simulation& simulation, const HistoryOptions& options);
+  explicit History(Simulation& simulation);
 
   /// Creates the file. Throws FileError.
   void create(const std::string& path);
@@ -63,7 +57,6 @@ class History {
   std::vector<double> reactions();
 
   Simulation& simulation_;
-  HistoryOptions options_;
   std::vector<std::string> columns_;
   TableLength length_;                 ///< of the file, as loaded
   std::unique_ptr<HistoryFile> file_;  ///< on rank 0

@@ -86,7 +86,7 @@ class Run {
   const RunOptions& options_;
   const Comm& comm_;
   Integrator& integrator_;
-  StepControlOptions times_;
+  const StepControlOptions& times_;
   StepControl control_;
   StopCriteria stop_;
   Checkpoints checkpoints_;
@@ -198,12 +198,12 @@ void Run::watch_energy() {
   const std::string wrong =
       first_problem(comm_, watch_.look(result_.steps, history.balance(), history.largest_energy()));
   if (wrong.empty()) return;
-  const bool resumes = watch_.action() == EnergyWatch::Action::Resume && !checkpoints_.newest().empty() &&
+  const bool resumes = watch_.action() == WatchAction::Resume && !checkpoints_.newest().empty() &&
                        checkpoints_.newest() != resumed_from_;
   if (!warned_ || resumes) warn(wrong);
   warned_ = true;
   if (resumes) return go_back();
-  if (watch_.action() != EnergyWatch::Action::Warn) fail(wrong);
+  if (watch_.action() != WatchAction::Warn) fail(wrong);
 }
 
 /// Resumes from the newest checkpoint; a second time only from a later one.

@@ -9,23 +9,6 @@
 #include "scene/scene_file.hpp"
 
 namespace ixos {
-namespace {
-
-const Teuchos::ParameterList& output(const Simulation& simulation) { return simulation.parameters().sublist("Output"); }
-
-HistoryOptions history_options(const Simulation& simulation) {
-  const Teuchos::ParameterList& list = output(simulation);
-  return {list.get<bool>("Energies"), list.get<bool>("Momenta"), list.get<bool>("Interaction")};
-}
-
-/// Returns the recorded steps of `what`, "History" or "Fields".
-Recording recording(const Simulation& simulation, const std::string& what) {
-  const Teuchos::ParameterList& list = output(simulation);
-  return {list.get<int>(what + " Interval"), list.get<double>(what + " Time Interval"),
-          simulation.step_control().initial_time};
-}
-
-}  // namespace
 
 bool Recording::due(long step, double before, double now) const {
   if (interval_ == 0) return steps_ > 0 && step % steps_ == 0;
@@ -36,9 +19,11 @@ bool Recording::due(long step, double before, double now) const {
 RunFiles::RunFiles(Simulation& simulation, const std::string& folder)
     : simulation_(simulation),
       folder_(folder),
-      history_(simulation, history_options(simulation)),
-      rows_(recording(simulation, "History")),
-      frames_(recording(simulation, "Fields")) {
+      history_(simulation),
+      rows_(simulation.output().history_interval, simulation.output().history_time_interval,
+            simulation.step_control().initial_time),
+      frames_(simulation.output().fields_interval, simulation.output().fields_time_interval,
+              simulation.step_control().initial_time) {
   if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, folder + "/fields.e");
 }
 

@@ -37,7 +37,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   nlohmann::ordered_json json;
   json["status"] = name(result.status);
   json["reason"] = result.reason;
-  json["scheme"] = simulation.parameters().sublist("Time Integrator").get<std::string>("Type");
+  json["scheme"] = simulation.time_integrator().scheme;
   json["end_time"] = result.end_time;
   json["steps"] = result.steps;
   json["rejected_steps"] = result.rejected_steps;

@@ -77,10 +77,9 @@ std::string surroundings(const Simulation& simulation) {
 }
 
 std::string solution(const Simulation& simulation) {
-  const List& integrator = simulation.parameters().sublist("Time Integrator");
-  const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
+  const Scheme& chosen = scheme(simulation.time_integrator().scheme);
   const List& linear = simulation.parameters().sublist("Linear Solver");
-  const StepControlOptions control = simulation.step_control();
+  const StepControlOptions& control = simulation.step_control();
   const std::string steps =
       control.adaptive.on
           ? fmt::format("adaptive steps, the first of {} T0", control.time_step)
@@ -90,7 +89,7 @@ std::string solution(const Simulation& simulation) {
       "Scheme: {}, order {}; conserves {}\nTime: from {} to {} T0 in {}\n"
       "Newton: NOX, tolerance {}; linear solver {}\n",
       chosen.name, chosen.order, chosen.conserves, control.initial_time, control.final_time, steps,
-      simulation.parameters().sublist("Nonlinear Solver").get<double>("Tolerance"), linear_solver_in_words(linear));
+      simulation.newton().tolerance, linear_solver_in_words(linear));
 }
 
 std::string memory(const Simulation& simulation) {
@@ -114,22 +113,21 @@ std::string memory(const Simulation& simulation) {
 
 std::string left_out(const Simulation& simulation) {
   std::vector<std::string> absent;
-  const List& scene = simulation.parameters();
   if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
   if (simulation.model().mass() == nullptr) absent.emplace_back("inertia");
   if (simulation.model().damping() == nullptr) absent.emplace_back("damping");
   if (!simulation.model().has_viscosity()) absent.emplace_back("viscosity");
   bool prescribed = false;
-  const List& conditions = scene.sublist("Boundary Conditions");
+  const List& conditions = simulation.parameters().sublist("Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions))
     prescribed = prescribed || conditions.sublist(name).get<std::string>("Type") == "Displacement";
   if (!prescribed) absent.emplace_back("prescribed motion");
   if (simulation.model().loads().empty()) absent.emplace_back("loads");
-  const List& output = scene.sublist("Output");
-  if (output.get<int>("Fields Interval") == 0 && output.get<double>("Fields Time Interval") == 0)
-    absent.emplace_back("fields.e");
-  for (const char* group : {"Energies", "Momenta", "Interaction"})
-    if (!output.get<bool>(group)) absent.push_back(std::string(group) + " in history.csv");
+  const OutputOptions& output = simulation.output();
+  if (!output.has_frames()) absent.emplace_back("fields.e");
+  if (!output.energies) absent.emplace_back("Energies in history.csv");
+  if (!output.momenta) absent.emplace_back("Momenta in history.csv");
+  if (!output.interaction) absent.emplace_back("Interaction in history.csv");
   if (absent.empty()) return "Left out: nothing\n";
   std::string text = "Left out, at no cost:";
   for (const std::string& what : absent) text += (what == absent.front() ? " " : ", ") + what;

@@ -8,15 +8,17 @@
 #include "parameters/validation.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
+#include "scene/newton_options.hpp"
+#include "scene/output_options.hpp"
 #include "scene/scene_mesh.hpp"
-#include "time/catalogue.hpp"
+#include "scene/stop.hpp"
+#include "scene/time_integrator_options.hpp"
 
 namespace ixos {
 namespace {
 
 using List = Teuchos::ParameterList;
 using Numbers = Teuchos::Array<double>;
-using Counts = Teuchos::Array<int>;
 
 void add_units(List& list) {
   list.set("Length", "1 nm", "Name of the unit of length, L0. It is a label only: nothing is converted.");
@@ -64,129 +66,14 @@ void add_initial_conditions(List& list) {
            any_number());
 }
 
-void add_time_step_control(List& list) {
-  List& control = list.sublist("Time Step Control", false, "Times of the run, and size of its steps.");
-  control.set("Type", "Fixed",
-              "How the step size is chosen. Fixed keeps it; Adaptive checks each step and adapts the size.",
-              choice_of({"Fixed", "Adaptive"}));
-  control.set("Initial Time", 0.0, "Time at which the run starts [T0].", any_number());
-  set_required(control, "Final Time", "Time at which the run ends [T0]. It must be later than Initial Time.",
-               any_number());
-  set_required(
-      control, "Time Step",
-      "Step size [T0]; with Adaptive, the size of the first step. Steps are shortened where needed, so that one "
-      "ends at Final Time and at each multiple of the time intervals of Output.",
-      greater_than(0));
-  control.set("Maximum Cuts", 0,
-              "How many times Time Step may be halved after failed steps. With 0, a failed step ends the run. Adaptive "
-              "runs ignore it.",
-              between(0, 60));
-  control.set("Minimum Time Step", 0.0, "Smallest step size that halving or adapting may choose [T0].", at_least(0));
-  List& adaptive = control.sublist("Adaptive", false,
-                                   "Limits of an adaptive step. A step that exceeds one of them is repeated with a "
-                                   "smaller size.");
-  adaptive.set("Tolerance", 0.0, "Largest local error of a displacement in a step [L0]. 0: no limit.", at_least(0));
-  adaptive.set("Maximum Gap Ratio", 0.0,
-               "Largest ratio between the gaps that a point of the surface has in a step [-]. It must "
-               "be greater than 1. 0: no limit.",
-               at_least(0));
-  adaptive.set("Choose Time Points", false,
-               "Chooses 5, 8 or 16 Gauss points in time for the interaction, by the gap ratio of the step.");
-  adaptive.set("Safety", 0.9, "Safety factor: the next step takes this fraction of the predicted size [-].",
-               greater_and_less_than(0, 1));
-  adaptive.set("Largest Growth", 2.0, "Largest ratio of a step size to the one before [-].", greater_than(1));
-  adaptive.set("Maximum Time Step", 0.0, "Largest step size [T0]. 0: no limit.", at_least(0));
-}
-
-void add_stop(List& list) {
-  List& stop = list.sublist("Stop", false, "Criteria that end the run before Final Time; the first one met ends it.")
-                   .sublist(any_name);
-  stop.set("Type", "Probe",
-           "Kind of criterion. Probe is met when a probe passes a limit; Detached when the contact of a surface that "
-           "was in contact is lost.",
-           choice_of({"Probe", "Detached"}));
-  List& probe = stop.sublist("Probe", false, "A limit on a probe.");
-  probe.set("Name", required, "Name of a probe in Output/Probes.");
-  probe.set("Quantity", "y", "Coordinate (x), displacement (ux) or velocity (vx) of the probe.",
-            one_of({"x", "y", "z", "ux", "uy", "uz", "vx", "vy", "vz"}));
-  probe.set("Side", "Above", "Side of the limit on which the run ends.", one_of({"Above", "Below"}));
-  set_required(probe, "Limit", "Limit of the quantity, in its unit [L0 or L0/T0].", any_number());
-}
-
 void add_time_integrator(List& list) {
-  std::vector<std::string> names;
-  const auto add = [&](const Scheme& scheme) {
-    names.push_back(scheme.name);
-    list.sublist(scheme.name, false, scheme.citation) = scheme.parameters;
-    list.sublist(scheme.name).setName(scheme.name);
-  };
-  for (const Scheme& scheme : schemes()) add(scheme);
-  add(custom_scheme());
-  list.set("Type", default_scheme(),
-           "Name of the time integration scheme. The option list-schemes of ixos prints the properties of each.",
-           choice_of(names));
-  list.set("Predictor", "Automatic", "Initial guess of Newton's method. Automatic is the guess that suits the scheme.",
-           one_of({"Automatic", "Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",
-                   "Extrapolation"}));
-  add_time_step_control(list);
-  add_stop(list);
-}
-
-void add_nonlinear_solver(List& list) {
-  list.set("Tolerance", 1e-11,
-           "Convergence tolerance: the norm of the residual over the largest of the norms of inertia, elastic, "
-           "interaction and external forces [-].",
-           greater_and_less_than(0, 1));
-  list.set("Linear Tolerance", 0.0,
-           "Relative residual of iterative linear solves [-]. With 0, Eisenstat and Walker's forcing terms choose it, "
-           "at most 1e-3.",
-           at_least(0));
-  list.set("Maximum Iterations", 100, "Largest number of Newton iterations. A step that needs more fails.",
-           between(1, 10000));
-  List& nox = list.sublist(
-      "NOX", false,
-      "Overrides lists of NOX: Printing, Direction, Line Search, ... Another Line Search replaces the one that keeps "
-      "gaps positive; another Direction replaces the one that corrects tangents that are not positive definite.");
-  mark_free_form(nox);
+  declare_time_integrator(list);
+  declare_stop(list.sublist("Stop", false, "Criteria that end the run before Final Time; the first one met ends it.")
+                   .sublist(any_name));
 }
 
 void add_output(List& list) {
-  list.set("History Interval", 1, "Number of steps between rows of history.csv. The last state is always a row.",
-           between(1, 1000000000));
-  list.set("Fields Interval", 0, "Number of steps between frames of fields.e. 0: no frames.", between(0, 1000000000));
-  list.set("Fields Format", "Exodus",
-           "Format of fields.e. Exodus writes one file per rank; HDF5 writes one file that all ranks share (Exodus on "
-           "HDF5).",
-           one_of({"Exodus", "HDF5"}));
-  list.set("History Time Interval", 0.0,
-           "Time between rows of history.csv [T0]. It replaces History Interval unless it is 0.", at_least(0));
-  list.set("Fields Time Interval", 0.0,
-           "Time between frames of fields.e [T0]. It replaces Fields Interval unless it is 0.", at_least(0));
-  List& checkpoint = list.sublist("Checkpoint", false,
-                                  "Checkpoints, from which a run can be resumed. A run also writes one at its end and "
-                                  "on SIGINT or SIGTERM.");
-  checkpoint.set("Interval", 0, "Number of steps between checkpoints. 0: only Wall-Clock Interval counts.",
-                 between(0, 1000000000));
-  checkpoint.set("Wall-Clock Interval", 600.0, "Seconds between checkpoints. 0: only Interval counts.", at_least(0));
-  checkpoint.set("Keep", 2, "Number of latest checkpoints that are kept. 0: the run writes none.", between(0, 1000));
-  List& watch =
-      list.sublist("Watch", false,
-                   "Watch on the energy balance, row by row of history.csv. It needs Energies. It finds steps "
-                   "that are too long for the scheme's points in time, and damaged memory.");
-  watch.set(
-      "Action", "Warn",
-      "What a row does that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes back to the "
-      "last checkpoint, and ends the run if that does not help.",
-      one_of({"Off", "Warn", "Stop", "Resume"}));
-  watch.set("Tolerance", 0.0,
-            "Largest change of the energy balance in a step, as a share of the largest energy so far [-]. 0: what the "
-            "scheme, its points in time and the tolerance of Newton's method promise; then only schemes that conserve "
-            "energy are watched, in scenes without damping.",
-            at_least(0));
-  list.set("Energies", true, "Whether history.csv has the energies.");
-  list.set("Momenta", true, "Whether history.csv has the momenta.");
-  list.set("Interaction", true, "Whether history.csv has contact force, contact measure and least gap.");
-  list.set("Reactions", Teuchos::Array<std::string>(), "Node sets whose reactions become columns of history.csv.");
+  declare_output(list);
   List& probe =
       list.sublist("Probes", false, "Named points whose displacements and velocities become columns of history.csv.")
           .sublist(any_name);
@@ -205,7 +92,7 @@ List make_scene_parameters() {
                     .sublist(any_name));
   add_initial_conditions(scene.sublist("Initial Conditions", false, "Velocities at the initial time."));
   add_time_integrator(scene.sublist("Time Integrator", false, "Time integration scheme and its steps."));
-  add_nonlinear_solver(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)."));
+  declare_newton(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)."));
   mark_free_form(scene.sublist(
       "Linear Solver", false,
       "A Stratimikos list. Linear Solver Type is Automatic (the default: chosen by size, shape and step size), Direct, "

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_Time.hpp>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +21,7 @@
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
 #include "scene/mesh_inspection.hpp"
+#include "scene/newton_options.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/symmetry.hpp"
@@ -48,29 +48,25 @@ void check_resolution(const StepControlOptions& control, const std::string& path
                                  path, interval, control.initial_time, control.final_time, least));
 }
 
-void set_predictor(const std::string& name, Table& table) {
-  if (name == "Last Displacement") table.predictor = Predictor::LastDisplacement;
-  if (name == "Constant Velocity") table.predictor = Predictor::ConstantVelocity;
-  if (name == "Constant Acceleration") table.predictor = Predictor::ConstantAcceleration;
-  if (name == "Newmark") table.predictor = Predictor::Newmark;
-  if (name == "Extrapolation") table.predictor = Predictor::Extrapolation;
-}
-
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
-    : parameters_(validated(scene, scene_parameters())) {
+    : parameters_(validated(scene, scene_parameters())),
+      output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
+      time_integrator_(read_time_integrator(SceneNode(parameters_, "").sublist("Time Integrator"), output_)),
+      newton_(read_newton(SceneNode(parameters_, "").sublist("Nonlinear Solver"))) {
   Teuchos::Time timer("setup", true);
-  const StepControlOptions control = step_control();
+  const StepControlOptions& control = step_control();
   if (!(control.final_time > control.initial_time))
     throw InputError(fmt::format("Time Integrator/Time Step Control/Final Time: {} must be later than Initial Time, {}",
                                  control.final_time, control.initial_time));
   check_resolution(control, "Time Integrator/Time Step Control/Time Step", control.time_step);
   check_resolution(control, "Time Integrator/Time Step Control/Final Time less Initial Time",
                    control.final_time - control.initial_time);
-  for (const char* name : {"History Time Interval", "Fields Time Interval"})
-    if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
-      check_resolution(control, std::string("Output/") + name, interval);
+  if (const double interval = output_.history_time_interval; interval > 0)
+    check_resolution(control, "Output/History Time Interval", interval);
+  if (const double interval = output_.fields_time_interval; interval > 0)
+    check_resolution(control, "Output/Fields Time Interval", interval);
   Table table = chosen_table();
   const SceneNode scene_node(parameters_, "");
   materials_ = read_materials(scene_node.sublist("Materials"));
@@ -83,44 +79,15 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   setup_seconds_ = timer.stop();
 }
 
-StepControlOptions Simulation::step_control() const {
-  const List& list = parameters_.sublist("Time Integrator").sublist("Time Step Control");
-  StepControlOptions options;
-  options.initial_time = list.get<double>("Initial Time");
-  options.final_time = list.get<double>("Final Time");
-  options.time_step = list.get<double>("Time Step");
-  options.maximum_cuts = list.get<int>("Maximum Cuts");
-  options.minimum_step = list.get<double>("Minimum Time Step");
-  for (const char* name : {"History Time Interval", "Fields Time Interval"})
-    if (const double interval = parameters_.sublist("Output").get<double>(name); interval > 0)
-      options.output_intervals.push_back(interval);
-  if (list.get<std::string>("Type") == "Fixed") return options;
-  const List& adaptive = list.sublist("Adaptive");
-  options.adaptive = {true,
-                      adaptive.get<double>("Tolerance"),
-                      adaptive.get<double>("Maximum Gap Ratio"),
-                      adaptive.get<bool>("Choose Time Points"),
-                      adaptive.get<double>("Safety"),
-                      adaptive.get<double>("Largest Growth")};
-  if (const double longest = adaptive.get<double>("Maximum Time Step"); longest > 0) options.maximum_step = longest;
-  return options;
-}
-
-std::vector<std::string> Simulation::reactions() const {
-  const auto& names = parameters_.sublist("Output").get<Teuchos::Array<std::string>>("Reactions");
-  return {names.begin(), names.end()};
-}
-
 StopCriteria Simulation::stop_criteria() const {
   return {SceneNode(parameters_, "").sublist("Time Integrator").sublist("Stop"), probes_, *model_};
 }
 
 Table Simulation::chosen_table() const {
-  const List& list = parameters_.sublist("Time Integrator");
-  const Scheme& chosen = scheme(list.get<std::string>("Type"));
+  const Scheme& chosen = scheme(time_integrator_.scheme);
   try {
-    Table table = chosen.table(list.sublist(chosen.name));
-    set_predictor(list.get<std::string>("Predictor"), table);
+    Table table = chosen.table(parameters_.sublist("Time Integrator").sublist(chosen.name));
+    if (time_integrator_.predictor) table.predictor = *time_integrator_.predictor;
     check(table);
     return table;
   } catch (const std::invalid_argument& error) {
@@ -154,12 +121,12 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
                                    materials_, inertia);
   });
   add_interactions(interactions_, *model_);
-  const StepControlOptions control = step_control();
+  const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
-  const std::vector<std::string> recorded = reactions();
+  const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {
     check_column_name("Output/Reactions", name);
     if (std::count(recorded.begin(), recorded.end(), name) > 1)
@@ -178,7 +145,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
 /// See ProblemSize.
 double Simulation::stiffness(const Table& table) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const StepControlOptions control = step_control();
+  const StepControlOptions& control = step_control();
   const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
   if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
   double damping = 0, largest = 0;
@@ -193,22 +160,19 @@ double Simulation::stiffness(const Table& table) const {
 
 void Simulation::build_integrator(Table table) {
   const NamedScope scope("solver set-up");
-  const List& newton = parameters_.sublist("Nonlinear Solver");
-  const NewtonOptions options{newton.get<double>("Tolerance"), newton.get<int>("Maximum Iterations"),
-                              newton.sublist("NOX"), newton.get<double>("Linear Tolerance")};
   const SceneNode scene(parameters_, "");
   const std::string unsymmetric = asymmetry(scene, materials_, *model_, table);
   check_linear_solver(scene, materials_, unsymmetric);
   const ProblemSize size{model_->mesh().dimension, model_->space().global(),     model_->space().comm()->getSize(),
                          unsymmetric.empty(),      all_have_actions(materials_), level_width_,
                          stiffness(table)};
-  const bool restartable = parameters_.sublist("Output").sublist("Checkpoint").get<int>("Keep") > 0;
+  const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
   // An explicit step has no tangent; its stable length asks for the damping's matrix.
   if (linear.get<std::string>("Operator") == "Matrix-Free" && !is_explicit(table)) model_->do_without_matrices();
   integrator_ = std::make_unique<Integrator>(
-      *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), options);
+      *model_, std::move(table), std::make_shared<LinearSolverFactory>(linear, model_.get(), restartable), newton_);
 }
 
 void Simulation::set_initial_state() {

@@ -8,8 +8,11 @@
 #include "base/tpetra.hpp"
 #include "mesh/quality.hpp"
 #include "scene/interactions.hpp"
+#include "scene/output_options.hpp"
 #include "scene/probes.hpp"
 #include "scene/stop.hpp"
+#include "scene/time_integrator_options.hpp"
+#include "solve/newton.hpp"
 #include "time/integrator.hpp"
 #include "time/step_control.hpp"
 
@@ -32,9 +35,11 @@ class Simulation {
   Model& model() { return *model_; }
   Integrator& integrator() { return *integrator_; }
   const Integrator& integrator() const { return *integrator_; }
-  StepControlOptions step_control() const;
+  const OutputOptions& output() const { return output_; }
+  const TimeIntegratorOptions& time_integrator() const { return time_integrator_; }
+  const StepControlOptions& step_control() const { return time_integrator_.step_control; }
+  const NewtonOptions& newton() const { return newton_; }
   const std::vector<Probe>& probes() const { return probes_; }
-  std::vector<std::string> reactions() const;  ///< node sets whose reactions are recorded
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
@@ -51,6 +56,9 @@ class Simulation {
   void set_initial_state();
 
   Teuchos::ParameterList parameters_;
+  const OutputOptions output_;
+  const TimeIntegratorOptions time_integrator_;
+  const NewtonOptions newton_;
   std::vector<Material> materials_;
   std::vector<SceneInteraction> interactions_;
   std::unique_ptr<Model> model_;

@@ -5,9 +5,48 @@
 #include <algorithm>
 
 #include "base/closest_name.hpp"
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 namespace {
+
+enum class Kind { Probe, Detached };
+
+/// The entries of "Probe".
+struct ProbeLimit {
+  std::string name = required;
+  std::string quantity = "y";
+  bool above = true;
+  double limit = 0;
+};
+
+/// The entries of a criterion.
+struct Parameters {
+  Kind kind = Kind::Probe;
+  ProbeLimit probe{};
+};
+
+Options<ProbeLimit> probe_options() {
+  return Options<ProbeLimit>()
+      .add("Name", &ProbeLimit::name, "Name of a probe in Output/Probes.")
+      .add("Quantity", &ProbeLimit::quantity, "Coordinate (x), displacement (ux) or velocity (vx) of the probe.",
+           one_of({"x", "y", "z", "ux", "uy", "uz", "vx", "vy", "vz"}))
+      .choose("Side", &ProbeLimit::above, {{"Above", true}, {"Below", false}},
+              "Side of the limit on which the run ends.")
+      .require("Limit", &ProbeLimit::limit, "Limit of the quantity, in its unit [L0 or L0/T0].", any_number());
+}
+
+const Options<Parameters>& options() {
+  static const Options<Parameters> all =
+      Options<Parameters>()
+          .choose_list("Type", &Parameters::kind, {{"Probe", Kind::Probe}, {"Detached", Kind::Detached}},
+                       "Kind of criterion. Probe is met when a probe passes a limit; Detached when the contact of a "
+                       "surface that was in contact is lost.")
+          .sublist("Probe", &Parameters::probe, probe_options(), "A limit on a probe.");
+  return all;
+}
 
 const Probe& probe_named(const std::vector<Probe>& probes, const std::string& name) {
   std::vector<std::string> names;
@@ -21,22 +60,24 @@ const Probe& probe_named(const std::vector<Probe>& probes, const std::string& na
 
 }  // namespace
 
+void declare_stop(Teuchos::ParameterList& list) { options().declare(list); }
+
 StopCriteria::StopCriteria(const SceneNode& list, const std::vector<Probe>& probes, const Model& model) {
   for (const SceneNode& node : list.sublists()) {
     Criterion criterion;
     criterion.name = node.name();
-    if (node.text("Type") == "Detached") {
+    const Parameters p = options().read(node);
+    if (p.kind == Kind::Detached) {
       if (!model.has_interactions()) node.refuse("Type", "\"Detached\" needs an interaction");
     } else {
       const SceneNode probe = node.sublist("Probe");
-      criterion.probe =
-          at(probe.path_of("Name"), [&]() -> const Probe* { return &probe_named(probes, probe.text("Name")); });
-      criterion.quantity = probe.text("Quantity");
+      criterion.probe = at(probe.path_of("Name"), [&]() -> const Probe* { return &probe_named(probes, p.probe.name); });
+      criterion.quantity = p.probe.quantity;
       if (criterion.quantity.back() - 'x' >= model.mesh().dimension)
         probe.refuse("Quantity", fmt::format("\"{}\" names z, but the mesh has {} dimensions", criterion.quantity,
                                              model.mesh().dimension));
-      criterion.above = probe.text("Side") == "Above";
-      criterion.limit = probe.number("Limit");
+      criterion.above = p.probe.above;
+      criterion.limit = p.probe.limit;
     }
     criteria_.push_back(criterion);
   }

@@ -1,5 +1,6 @@
 /// Criteria that end a run before its final time.
 #pragma once
+#include <Teuchos_ParameterList.hpp>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,9 @@
 #include "scene/probes.hpp"
 
 namespace ixos {
+
+/// Adds the parameters of a criterion to a valid list.
+void declare_stop(Teuchos::ParameterList& list);
 
 /// The list "Time Integrator/Stop": the run ends after the first step for which one of its criteria holds.
 class StopCriteria {

@@ -20,15 +20,33 @@ struct Coat {
   double thickness = 0.25;
 };
 
+enum class Shop { Near, Far };
+
+/// The entries of a sublist.
+struct Brush {
+  double width = 3;
+  bool soft = false;
+};
+
 struct Paint : Coat {
   int layers = 2;
   bool glossy = true;
   std::string maker = "anyone";
   std::vector<double> mixture{0.5, 1.5};
   std::vector<int> codes{3, 1};
+  std::vector<std::string> shades{"light", "dark"};
   double price = 0;
   Colour colour = Colour::Green;
+  Shop shop = Shop::Near;
+  Brush brush{}, far{};
+  ParameterList recipe;
 };
+
+Options<Brush> brush_options() {
+  return Options<Brush>()
+      .add("Width", &Brush::width, "Width of the brush.", greater_than(0))
+      .add("Soft", &Brush::soft, "Whether it is soft.");
+}
 
 Options<Paint> options() {
   Options<Paint> all;
@@ -38,9 +56,14 @@ Options<Paint> options() {
       .add("Maker", &Paint::maker, "Who makes it.")
       .add("Mixture", &Paint::mixture, "Parts.", at_least(0))
       .add("Codes", &Paint::codes, "Numbers on the tin.")
+      .add("Shades", &Paint::shades, "Names of the shades.")
       .require("Price", &Paint::price, "Price of a tin.", greater_than(0))
       .choose("Colour", &Paint::colour, {{"Red", Colour::Red}, {"Green", Colour::Green}, {"Blue", Colour::Blue}},
-              "How it looks.");
+              "How it looks.")
+      .choose_list("Shop", &Paint::shop, {{"Near", Shop::Near}, {"Far", Shop::Far}}, "Where it is sold.")
+      .sublist("Brush", &Paint::brush, brush_options(), "What it is applied with.")
+      .sublist("Far", &Paint::far, brush_options(), "The brush that the far shop sells.")
+      .free_form("Recipe", &Paint::recipe, "What the maker knows.");
   return all;
 }
 
@@ -74,17 +97,23 @@ TEST(OptionsTest, TheListHasTheDefaultsOfTheStruct) {
   EXPECT_EQ(list.get<Teuchos::Array<double>>("Mixture").toVector(), Paint().mixture);
   EXPECT_EQ(list.get<Teuchos::Array<int>>("Codes").toVector(), Paint().codes);
   EXPECT_TRUE(std::isnan(list.get<double>("Price")));
+  EXPECT_EQ(list.get<Teuchos::Array<std::string>>("Shades").toVector(), Paint().shades);
   EXPECT_EQ(list.get<std::string>("Colour"), "Green");
+  EXPECT_EQ(list.get<std::string>("Shop"), "Near");
+  EXPECT_EQ(list.sublist("Brush").get<double>("Width"), 3);
+  EXPECT_TRUE(is_free_form(list.sublist("Recipe")));
 }
 
 TEST(OptionsTest, TheListIsDocumentedInTheOrderOfTheEntries) {
   const ParameterList list = options().list();
   std::vector<std::string> texts;
   for (const auto& [name, entry] : entries(list)) texts.push_back(name + ": " + entry.docString());
-  EXPECT_EQ(texts, (std::vector<std::string>{"Thickness: Thickness of a layer.", "Layers: Number of layers.",
-                                             "Glossy: Whether it shines.", "Maker: Who makes it.", "Mixture: Parts.",
-                                             "Codes: Numbers on the tin.", "Price: Price of a tin.",
-                                             "Colour: How it looks."}));
+  EXPECT_EQ(texts, (std::vector<std::string>{
+                       "Thickness: Thickness of a layer.", "Layers: Number of layers.", "Glossy: Whether it shines.",
+                       "Maker: Who makes it.", "Mixture: Parts.", "Codes: Numbers on the tin.",
+                       "Shades: Names of the shades.", "Price: Price of a tin.", "Colour: How it looks.",
+                       "Shop: Where it is sold.", "Brush: What it is applied with.",
+                       "Far: The brush that the far shop sells.", "Recipe: What the maker knows."}));
 }
 
 TEST(OptionsTest, DeclarationsAddToAList) {
@@ -111,7 +140,11 @@ TEST(OptionsTest, DefaultsComeBackAsTheStruct) {
   EXPECT_EQ(paint.mixture, fresh.mixture);
   EXPECT_EQ(paint.codes, fresh.codes);
   EXPECT_EQ(paint.price, 4.0);
+  EXPECT_EQ(paint.shades, fresh.shades);
   EXPECT_EQ(paint.colour, fresh.colour);
+  EXPECT_EQ(paint.shop, fresh.shop);
+  EXPECT_EQ(paint.brush.width, fresh.brush.width);
+  EXPECT_EQ(paint.recipe.numParams(), 0);
 }
 
 TEST(OptionsTest, ReadsWhatTheUserGives) {
@@ -122,7 +155,10 @@ TEST(OptionsTest, ReadsWhatTheUserGives) {
   user.set("Maker", std::string("us"));
   user.set("Mixture", Teuchos::Array<double>(Teuchos::tuple(1.0, 2.0, 3.0)));
   user.set("Codes", Teuchos::Array<int>());
+  user.set("Shades", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("none")));
   user.set("Colour", std::string("Blue"));
+  user.sublist("Brush").set("Soft", true);
+  user.sublist("Recipe").set("Oil", 7);
   const Paint paint = read(user);
   EXPECT_EQ(paint.thickness, 0.75);
   EXPECT_EQ(paint.layers, 5);
@@ -130,7 +166,34 @@ TEST(OptionsTest, ReadsWhatTheUserGives) {
   EXPECT_EQ(paint.maker, "us");
   EXPECT_EQ(paint.mixture, (std::vector<double>{1, 2, 3}));
   EXPECT_TRUE(paint.codes.empty());
+  EXPECT_EQ(paint.shades, std::vector<std::string>{"none"});
   EXPECT_EQ(paint.colour, Colour::Blue);
+  EXPECT_TRUE(paint.brush.soft);
+  EXPECT_EQ(paint.brush.width, 3);
+  EXPECT_EQ(paint.recipe.get<int>("Oil"), 7);
+}
+
+TEST(OptionsTest, ListsOfOtherWordsAreNotCompleted) {
+  const ParameterList near = validated(least(), options().list());
+  EXPECT_FALSE(near.isSublist("Far"));
+  ParameterList user = least();
+  user.set("Shop", std::string("Far"));
+  EXPECT_EQ(validated(user, options().list()).sublist("Far").get<double>("Width"), 3);
+  user.sublist("Far").set("Width", 8.0);
+  const Paint paint = read(user);
+  EXPECT_EQ(paint.shop, Shop::Far);
+  EXPECT_EQ(paint.far.width, 8);
+}
+
+TEST(OptionsTest, ListsLeftOutKeepTheMembersDefault) {
+  struct Wide : Paint {
+    Wide() { far.width = 20; }
+  };
+  Options<Wide> wide;
+  wide.choose_list("Shop", &Wide::shop, {{"Near", Shop::Near}, {"Far", Shop::Far}}, "Where it is sold.")
+      .sublist("Far", &Wide::far, brush_options(), "The brush that the far shop sells.");
+  const ParameterList complete = validated({}, wide.list());
+  EXPECT_EQ(wide.read(SceneNode(complete, "Paint")).far.width, 20);
 }
 
 TEST(OptionsTest, WhatIsRequiredMustBeGiven) {
@@ -141,6 +204,9 @@ TEST(OptionsTest, ValuesOutOfRangeAreRefused) {
   test::expect_contains(refusal_of("Thickness", 0.0), "Thickness: 0 is not allowed");
   test::expect_contains(refusal_of("Layers", 10), "Layers: 10 is not allowed");
   test::expect_contains(refusal_of("Price", -1.0), "Price: -1 is not allowed");
+  ParameterList brush;
+  brush.set("Width", 0.0);
+  test::expect_contains(refusal_of("Brush", brush), "Brush/Width: 0 is not allowed");
   test::expect_contains(refusal_of("Mixture", Teuchos::Array<double>(Teuchos::tuple(1.0, -2.0))), "Mixture: ");
 }
 

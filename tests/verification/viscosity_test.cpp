@@ -65,7 +65,8 @@ TEST(ViscosityTest, WhatIsDissipatedClosesTheBalance) {
 
 /// The largest error of the balance of a scheme whose forces act at the ends falls with the square of the step.
 TEST(ViscosityTest, TheBalanceOfCollocationSchemesClosesWithTheirOrder) {
-  for (const char* scheme : {"Newmark", "Bathe Composite", "Generalized-Alpha", "HHT-Alpha", "Central Difference"}) {
+  // Generalized-alpha and HHT sum the work of their weighted forces, to first order.
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Central Difference"}) {
     double errors[2] = {};
     for (int halving = 0; halving < 2; ++halving) {
       const double dt = 0.02 / (1 << halving);

@@ -1,0 +1,77 @@
+#include "scene/output_options.hpp"
+
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
+
+namespace ixos {
+namespace {
+
+Options<CheckpointOptions> checkpoint_options() {
+  return Options<CheckpointOptions>()
+      .add("Interval", &CheckpointOptions::interval,
+           "Number of steps between checkpoints. 0: only Wall-Clock Interval counts.", between(0, 1000000000))
+      .add("Wall-Clock Interval", &CheckpointOptions::clock_interval,
+           "Seconds between checkpoints. 0: only Interval counts.", at_least(0))
+      .add("Keep", &CheckpointOptions::keep, "Number of latest checkpoints that are kept. 0: the run writes none.",
+           between(0, 1000));
+}
+
+Options<WatchOptions> watch_options() {
+  return Options<WatchOptions>()
+      .choose("Action", &WatchOptions::action,
+              {{"Off", WatchAction::Off},
+               {"Warn", WatchAction::Warn},
+               {"Stop", WatchAction::Stop},
+               {"Resume", WatchAction::Resume}},
+              "What a row does that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes back to "
+              "the last checkpoint, and ends the run if that does not help.")
+      .add("Tolerance", &WatchOptions::tolerance,
+           "Largest change of the energy balance in a step, as a share of the largest energy so far [-]. 0: what the "
+           "scheme, its points in time and the tolerance of Newton's method promise; then only schemes that conserve "
+           "energy are watched, in scenes without damping.",
+           at_least(0));
+}
+
+const Options<OutputOptions>& options() {
+  static const Options<OutputOptions> all =
+      Options<OutputOptions>()
+          .add("History Interval", &OutputOptions::history_interval,
+               "Number of steps between rows of history.csv. The last state is always a row.", between(1, 1000000000))
+          .add("Fields Interval", &OutputOptions::fields_interval,
+               "Number of steps between frames of fields.e. 0: no frames.", between(0, 1000000000))
+          .choose("Fields Format", &OutputOptions::fields_format,
+                  {{"Exodus", FieldsFormat::Exodus}, {"HDF5", FieldsFormat::Hdf5}},
+                  "Format of fields.e. Exodus writes one file per rank; HDF5 writes one file that all ranks share "
+                  "(Exodus on HDF5).")
+          .add("History Time Interval", &OutputOptions::history_time_interval,
+               "Time between rows of history.csv [T0]. It replaces History Interval unless it is 0.", at_least(0))
+          .add("Fields Time Interval", &OutputOptions::fields_time_interval,
+               "Time between frames of fields.e [T0]. It replaces Fields Interval unless it is 0.", at_least(0))
+          .sublist("Checkpoint", &OutputOptions::checkpoint, checkpoint_options(),
+                   "Checkpoints, from which a run can be resumed. A run also writes one at its end and on SIGINT or "
+                   "SIGTERM.")
+          .sublist("Watch", &OutputOptions::watch, watch_options(),
+                   "Watch on the energy balance, row by row of history.csv. It needs Energies. It finds steps that are "
+                   "too long for the scheme's points in time, and damaged memory.")
+          .add("Energies", &OutputOptions::energies, "Whether history.csv has the energies.")
+          .add("Momenta", &OutputOptions::momenta, "Whether history.csv has the momenta.")
+          .add("Interaction", &OutputOptions::interaction,
+               "Whether history.csv has contact force, contact measure and least gap.")
+          .add("Reactions", &OutputOptions::reactions, "Node sets whose reactions become columns of history.csv.");
+  return all;
+}
+
+}  // namespace
+
+std::vector<double> OutputOptions::time_intervals() const {
+  std::vector<double> result;
+  for (double interval : {history_time_interval, fields_time_interval})
+    if (interval > 0) result.push_back(interval);
+  return result;
+}
+
+void declare_output(Teuchos::ParameterList& list) { options().declare(list); }
+
+OutputOptions read_output(const SceneNode& output) { return options().read(output); }
+
+}  // namespace ixos

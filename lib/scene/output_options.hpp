@@ -1,0 +1,54 @@
+/// Settings of the results that a run writes: the list "Output" of a scene.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <string>
+#include <vector>
+
+#include "parameters/scene_node.hpp"
+
+namespace ixos {
+
+enum class FieldsFormat { Exodus, Hdf5 };
+
+/// The list "Output/Checkpoint".
+struct CheckpointOptions {
+  int interval = 0;             ///< steps between checkpoints; 0: none by steps
+  double clock_interval = 600;  ///< seconds between checkpoints; 0: none by the clock
+  int keep = 2;                 ///< number of latest checkpoints that are kept; 0: none is written
+};
+
+/// Actions of the energy watch on a row that breaks its bound.
+enum class WatchAction { Off, Warn, Stop, Resume };
+
+/// The list "Output/Watch".
+struct WatchOptions {
+  WatchAction action = WatchAction::Warn;
+  double tolerance = 0;  ///< change of the balance in a step, over the largest energy; 0: the scheme sets it
+};
+
+/// The list "Output" without its probes: find_probes() reads those.
+struct OutputOptions {
+  int history_interval = 1;  ///< steps between rows
+  int fields_interval = 0;   ///< steps between frames; 0: no frames
+  FieldsFormat fields_format = FieldsFormat::Exodus;
+  double history_time_interval = 0;  ///< between rows [T0]; 0: history_interval counts
+  double fields_time_interval = 0;   ///< between frames [T0]; 0: fields_interval counts
+  CheckpointOptions checkpoint{};
+  WatchOptions watch{};
+  bool energies = true;                  ///< whether history.csv has these columns
+  bool momenta = true;                   ///< the same
+  bool interaction = true;               ///< the same
+  std::vector<std::string> reactions{};  ///< node sets whose reactions are recorded
+
+  bool has_frames() const { return fields_interval > 0 || fields_time_interval > 0; }
+  /// Returns the time intervals [T0] at whose multiples steps have to end.
+  std::vector<double> time_intervals() const;
+};
+
+/// Adds the parameters of OutputOptions to a valid list.
+void declare_output(Teuchos::ParameterList& list);
+
+/// Returns the options of the validated list "Output".
+OutputOptions read_output(const SceneNode& output);
+
+}  // namespace ixos

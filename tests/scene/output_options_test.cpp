@@ -1,0 +1,101 @@
+#include "scene/output_options.hpp"
+
+#include <gtest/gtest.h>
+
+#include "parameters/validation.hpp"
+#include "support/refusal.hpp"
+
+namespace ixos {
+namespace {
+
+using Teuchos::ParameterList;
+
+ParameterList completed(const ParameterList& user) {
+  ParameterList valid;
+  declare_output(valid);
+  return validated(user, valid);
+}
+
+OutputOptions read(const ParameterList& user) {
+  const ParameterList complete = completed(user);
+  return read_output(SceneNode(complete, "Output"));
+}
+
+TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
+  const OutputOptions output = read({}), fresh;
+  EXPECT_EQ(output.history_interval, fresh.history_interval);
+  EXPECT_EQ(output.fields_interval, fresh.fields_interval);
+  EXPECT_EQ(output.fields_format, fresh.fields_format);
+  EXPECT_EQ(output.history_time_interval, fresh.history_time_interval);
+  EXPECT_EQ(output.fields_time_interval, fresh.fields_time_interval);
+  EXPECT_EQ(output.checkpoint.interval, fresh.checkpoint.interval);
+  EXPECT_EQ(output.checkpoint.clock_interval, fresh.checkpoint.clock_interval);
+  EXPECT_EQ(output.checkpoint.keep, fresh.checkpoint.keep);
+  EXPECT_EQ(output.watch.action, fresh.watch.action);
+  EXPECT_EQ(output.watch.tolerance, fresh.watch.tolerance);
+  EXPECT_EQ(output.energies, fresh.energies);
+  EXPECT_EQ(output.momenta, fresh.momenta);
+  EXPECT_EQ(output.interaction, fresh.interaction);
+  EXPECT_TRUE(output.reactions.empty());
+}
+
+TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
+  ParameterList user;
+  user.set("History Interval", 3);
+  user.set("Fields Interval", 4);
+  user.set("Fields Format", "HDF5");
+  user.set("History Time Interval", 0.5);
+  user.set("Fields Time Interval", 0.25);
+  user.set("Energies", false);
+  user.set("Momenta", false);
+  user.set("Interaction", false);
+  user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
+  user.sublist("Checkpoint").set("Interval", 5);
+  user.sublist("Checkpoint").set("Wall-Clock Interval", 60.0);
+  user.sublist("Checkpoint").set("Keep", 7);
+  user.sublist("Watch").set("Action", "Resume");
+  user.sublist("Watch").set("Tolerance", 1e-6);
+  const OutputOptions output = read(user);
+  EXPECT_EQ(output.history_interval, 3);
+  EXPECT_EQ(output.fields_interval, 4);
+  EXPECT_EQ(output.fields_format, FieldsFormat::Hdf5);
+  EXPECT_EQ(output.history_time_interval, 0.5);
+  EXPECT_EQ(output.fields_time_interval, 0.25);
+  EXPECT_EQ(output.checkpoint.interval, 5);
+  EXPECT_EQ(output.checkpoint.clock_interval, 60);
+  EXPECT_EQ(output.checkpoint.keep, 7);
+  EXPECT_EQ(output.watch.action, WatchAction::Resume);
+  EXPECT_EQ(output.watch.tolerance, 1e-6);
+  EXPECT_FALSE(output.energies);
+  EXPECT_FALSE(output.momenta);
+  EXPECT_FALSE(output.interaction);
+  EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
+}
+
+TEST(OutputOptionsTest, EitherIntervalGivesFrames) {
+  OutputOptions output;
+  EXPECT_FALSE(output.has_frames());
+  output.fields_interval = 1;
+  EXPECT_TRUE(output.has_frames());
+  output.fields_interval = 0;
+  output.fields_time_interval = 0.1;
+  EXPECT_TRUE(output.has_frames());
+}
+
+TEST(OutputOptionsTest, OnlyTimeIntervalsThatAreSetCount) {
+  OutputOptions output;
+  EXPECT_TRUE(output.time_intervals().empty());
+  output.fields_time_interval = 0.1;
+  EXPECT_EQ(output.time_intervals(), (std::vector<double>{0.1}));
+  output.history_time_interval = 0.2;
+  EXPECT_EQ(output.time_intervals(), (std::vector<double>{0.2, 0.1}));
+}
+
+TEST(OutputOptionsTest, RefusalsNameTheSublist) {
+  ParameterList user;
+  user.sublist("Checkpoint").set("Keep", -1);
+  test::expect_contains(test::refusal([&] { read(user); }), "Checkpoint/Keep: -1 is not allowed");
+}
+
+}  // namespace
+}  // namespace ixos
