@@ -30,7 +30,8 @@ Table midpoint() {
   stage.damping = du;                            // C (u - u_n)/dt
   stage.elastic = point_rule({0.5}, {1.0});      // forces at (u_n + u)/2
   stage.interaction = point_rule({0.5}, {1.0});
-  stage.load = {{0.5, 1.0}};  // f_ext at t_n + dt/2
+  stage.rate_form = RateForm::Middle;  // viscosity: see RateForm
+  stage.load = {{0.5, 1.0}};           // f_ext at t_n + dt/2
   return {"Midpoint", {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::LastDisplacement};
 }
 
