@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "interaction/obstacle.hpp"
-#include "term/surface_sides.hpp"
 #include "term/force_term.hpp"
+#include "term/surface_sides.hpp"
 
 namespace ixos {
 
