@@ -24,7 +24,8 @@ class Sphere final : public Obstacle {
     return sight;
   }
 
-  Pack size_at(const PackPoint& x) const override { return length(from_center(x)) + length(x); }
+  /// Eight roundings: differences, squares, sums and the root.
+  Pack size_at(const PackPoint& x) const override { return 8 * (length(from_center(x)) + length(x)); }
 
   /// Exact: n = (y0 + y1)/(|y0| + |y1|). The force is parallel to the mean position, so it has no moment about the
   /// centre.
