@@ -154,6 +154,7 @@ KeptForces Model::create_kept() const {
 
 bool Model::force_and_keep(Part part, const Segment& segment, const Rule& rule, KeptForces& kept, double* f) const {
   std::fill_n(f, space_.local(), 0.0);
+  kept.resize(force_terms_.size());  // terms that were added later keep nothing
   bool admissible = true;
   for (std::size_t i = 0; i < force_terms_.size(); ++i) {
     const ForceTerm& term = *force_terms_[i].term;
