@@ -6,10 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "model/crossing.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
@@ -57,6 +59,22 @@ const Options<Parameters>& options() {
   return all;
 }
 
+/// Returns "least gap -0.5 at node 3 of the mesh at (1, -0.5)" if some gap is not positive, otherwise an empty string.
+/// Equal on all ranks.
+std::string place_below(const Model& model, const Interactions& terms, const std::vector<double>& u) {
+  InteractionReport report;  // before a curved obstacle, quadrature points may be lower than all points of the grid
+  LowestPoint lowest;
+  for (const auto& term : terms) {
+    term->report(u.data(), report);
+    if (const LowestPoint point = term->lowest_point(u.data()); point.gap < lowest.gap) lowest = point;
+  }
+  const double grid = model.space().minimum(lowest.gap), gap = std::min(grid, model.space().minimum(report.least_gap));
+  if (gap > 0) return "";
+  std::string text;
+  if (lowest.gap == grid) text = fmt::format("least gap {:.6g} at {}", gap, in_words(model.mesh(), u.data(), lowest));
+  return first_problem(model.space().comm(), text);
+}
+
 void add_interaction(const SceneInteraction& interaction, Model& model) {
   const LocalMesh& mesh = model.mesh();
   const SceneNode& node = interaction.node;
@@ -71,13 +89,14 @@ void add_interaction(const SceneInteraction& interaction, Model& model) {
   Interactions terms = make_surface_terms(mesh, mesh.side_sets[set], model.pattern(), law, obstacle,
                                           {interaction.surface_points, interaction.margin});
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  InteractionReport report;
-  for (const auto& term : terms) term->report(rest.data(), report);
-  const double gap = model.space().minimum(report.least_gap);
-  if (!(gap > 0) && law->domain() == GapDomain::Positive)
-    node.refuse("", fmt::format("the surface \"{}\" starts in or below the {}, least gap {:.6g}; all gaps must be "
-                                "positive",
-                                interaction.side_set, obstacle->half_space() != nullptr ? "wall" : "obstacle", gap));
+  if (law->domain() == GapDomain::Positive) {
+    const std::string place = place_below(model, terms, rest);
+    if (!place.empty())
+      node.refuse("", fmt::format("the surface \"{}\" starts in or below the {}, {}; all gaps must be positive: move "
+                                  "the body or the {}, or change the mesh there",
+                                  interaction.side_set, obstacle->half_space() != nullptr ? "wall" : "obstacle", place,
+                                  obstacle->half_space() != nullptr ? "wall" : "obstacle"));
+  }
   for (auto& term : terms) model.add_interaction(std::move(term), node.name());
 }
 

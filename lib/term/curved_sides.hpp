@@ -37,8 +37,9 @@ class CurvedSides : public SurfaceSides<SideElement> {
   }
 
   /// Returns a nodal array's vector at quadrature point q.
-  PackPoint interpolate(std::size_t q, const Vectors& nodal) const {
-    const auto& shape = quadrature().value[q];
+  PackPoint interpolate(std::size_t q, const Vectors& nodal) const { return interpolate(quadrature().value[q], nodal); }
+  /// Returns it where the shape functions have these values.
+  static PackPoint interpolate(const std::array<double, N>& shape, const Vectors& nodal) {
     PackPoint sum{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t i = 0; i < D; ++i) sum[i] += shape[a] * nodal[a][i];

@@ -173,6 +173,14 @@ class CurvedSurfaceTerm final : public Interaction {
     return total(sum);
   }
 
+  LowestPoint lowest_point(const double* u) const override {
+    return sides_.lowest_point(u, [&](std::size_t b) {
+      return [this, x = sides_.places_of(b, u)](const auto& shape) {
+        return obstacle_->at(Sides::interpolate(shape, x)).gap;
+      };
+    });
+  }
+
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
 
   void report(const double* u, InteractionReport& report) const override {

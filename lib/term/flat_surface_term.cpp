@@ -142,6 +142,12 @@ class FlatSurfaceTerm final : public Interaction {
     return total(sum);
   }
 
+  LowestPoint lowest_point(const double* u) const override {
+    return sides_.lowest_point(u, [&](std::size_t b) {
+      return [gap = sides_.gaps_of(b, u)](const auto& shape) { return Kernel::interpolate(shape, gap); };
+    });
+  }
+
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
 
   void report(const double* u, InteractionReport& report) const override {

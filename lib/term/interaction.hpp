@@ -1,5 +1,6 @@
 /// The contract of an interaction, beyond that of all terms.
 #pragma once
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -13,6 +14,12 @@ struct InteractionReport {
   std::vector<double> force;  ///< on the bodies [E0 L0^(D-1)]
   double measure = 0;         ///< reference length or area closer than the gap of largest attraction [L0^(D-1)]
   double least_gap = std::numeric_limits<double>::infinity();  ///< [L0]
+};
+
+/// The point of a surface that is nearest to its obstacle.
+struct LowestPoint {
+  double gap = std::numeric_limits<double>::infinity();  ///< [L0]
+  std::array<double, 3> place{};                         ///< deformed [L0]; the third is 0 in two dimensions
 };
 
 /// An interaction of a surface with its surroundings.
@@ -40,6 +47,10 @@ class Interaction : public ForceTerm {
 
   /// Adds the report on u.
   virtual void report(const double* u, InteractionReport& report) const = 0;
+
+  /// Returns the lowest point of this rank's sides at displacement u. Quadrature points lie inside the sides, so this
+  /// looks at the nodes, and between them at a grid twice as fine as the nodes of a side.
+  virtual LowestPoint lowest_point(const double* u) const = 0;
 
   /// Adds, per local node, int N_a dA over the surface [L0^(D-1)].
   virtual void add_nodal_measure(double* measure) const = 0;

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "discretization/element_batches.hpp"
+#include "fem/shape_grid.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/local_mesh.hpp"
+#include "term/interaction.hpp"
 
 namespace ixos {
 
@@ -21,7 +23,9 @@ class SurfaceSides {
 
   /// `points`: Gauss points a direction; 0: 5, but 8 on sides of order 3 or more.
   SurfaceSides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, int points)
-      : quadrature_(counts(points), ties(mesh, sides)), batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
+      : quadrature_(counts(points), ties(mesh, sides)),
+        grid_(shape_grid<SideElement>(grid_counts(), ties(mesh, sides))),
+        batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Vectors x;
       batches_.gather(b, mesh.coordinates.data(), x);
@@ -41,6 +45,32 @@ class SurfaceSides {
   const Pack* measure(std::size_t b) const { return &measure_[b * quadrature_.size()]; }
   /// Returns 1 for sides that count on this rank, otherwise 0.
   const Pack& owned(std::size_t b) const { return owned_[b]; }
+  /// Returns the lowest of the points of a grid on each side, its nodes and the points halfway between them. The gap of
+  /// a batch's point is gaps_of(b)(shape functions there).
+  template <class GapsOf>
+  LowestPoint lowest_point(const double* u, const GapsOf& gaps_of) const {
+    LowestPoint lowest;
+    std::size_t batch = 0, lane = 0;
+    const std::array<double, N>* shape = nullptr;
+    for (std::size_t b = 0; b < size(); ++b) {
+      const auto gap = gaps_of(b);
+      for (const std::array<double, N>& here : grid_) {
+        const Pack r = gap(here);
+        if (!(least(r) < lowest.gap)) continue;
+        lowest.gap = least(r);
+        batch = b;
+        shape = &here;
+        for (lane = 0; r[lane] != lowest.gap;) ++lane;
+      }
+    }
+    if (shape == nullptr) return lowest;
+    Vectors displacement;
+    batches_.gather(batch, u, displacement);
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t d = 0; d < D; ++d)
+        lowest.place[d] += (*shape)[a] * (reference_[batch][a][d][lane] + displacement[a][d][lane]);
+    return lowest;
+  }
   /// Returns nodal reference coordinates [L0]; those of a Hermite side's derivative nodes are derivatives.
   const Vectors& reference(std::size_t b) const { return reference_[b]; }
   /// Adds, per local node, int N_a dA [L0^(D-1)].
@@ -62,6 +92,12 @@ class SurfaceSides {
     std::array<int, D - 1> result;
     const int own = SideElement::default_points[0] > 3 ? 8 : 5;  // beyond order 2 more
     result.fill(points > 0 ? points : own);
+    return result;
+  }
+
+  static std::array<int, D - 1> grid_counts() {
+    std::array<int, D - 1> result = SideElement::default_points;  // the order + 1, or more
+    for (int& count : result) count = 2 * count - 1;
     return result;
   }
 
@@ -106,6 +142,7 @@ class SurfaceSides {
   }
 
   ShapeTable<SideElement> quadrature_;
+  std::vector<std::array<double, N>> grid_;  ///< shape functions at the points of lowest_point()
   ElementBatches<N, D> batches_;
   std::vector<Vectors> reference_;
   std::vector<Pack> measure_;  ///< batches x quadrature points

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "fem/row_on_states.hpp"
+#include "model/crossing.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -95,6 +96,8 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
     acceleration();
   else if (!balance_.balance(time, start.u, start.v))
     throw InputError("the state at the start is not admissible: a gap is not positive, or an element is inverted");
+  if (const std::string crossed = crossing(model_, start.u.data()); !crossed.empty())
+    throw InputError("the state at the start is not admissible: " + crossed);
   if (has_external_) balance_.record_forces(time, start);
 }
 
@@ -278,7 +281,9 @@ StepResult Integrator::advance(double dt) {
     }
     close_stage(stage, dt, std::move(u));
   }
-  result.converged = true;
+  // The forces at quadrature points do not notice a node that has crossed an obstacle.
+  result.reason = crossing(model_, states_.back().u.data());
+  result.converged = result.reason.empty();
   return result;
 }
 

@@ -41,6 +41,7 @@ class CountingTerm final : public Interaction {
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
+  LowestPoint lowest_point(const double*) const override { return {}; }
   void add_nodal_measure(double*) const override {}
 
  private:

@@ -1,0 +1,77 @@
+#include "model/crossing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/agreement.hpp"
+
+namespace ixos {
+namespace {
+
+/// Calls visit(name, term) for the interactions that need positive gaps, or for the others.
+template <class Visit>
+void for_each_interaction(const Model& model, bool positive, const Visit& visit) {
+  for (const NamedForceTerm& named : model.force_terms()) {
+    const auto* term = dynamic_cast<const Interaction*>(named.term);
+    if (term != nullptr && term->needs_positive_gaps() == positive) visit(named.name, *term);
+  }
+}
+
+std::string coordinates(const std::array<double, 3>& x, int dimension) {
+  return dimension == 2 ? fmt::format("({:.6g}, {:.6g})", x[0], x[1])
+                        : fmt::format("({:.6g}, {:.6g}, {:.6g})", x[0], x[1], x[2]);
+}
+
+}  // namespace
+
+std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  double size = 0;
+  for (double x : point.place) size = std::max(size, std::abs(x));
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node) {
+    if (mesh.is_derivative(node)) continue;
+    double distance = 0;
+    for (std::size_t i = 0; i < d; ++i)
+      distance = std::max(distance, std::abs(mesh.coordinates[node * d + i] + u[node * d + i] - point.place[i]));
+    if (distance <= 1e-12 * size)
+      return fmt::format("node {} of the mesh at {}", mesh.original_ids[node] + 1,
+                         coordinates(point.place, mesh.dimension));
+  }
+  return "the place " + coordinates(point.place, mesh.dimension) + " between nodes";
+}
+
+std::string crossing(const Model& model, const double* u) {
+  LowestPoint lowest;
+  std::string name;
+  bool any = false;
+  for_each_interaction(model, true, [&](const std::string& own, const Interaction& term) {
+    any = true;
+    const LowestPoint point = term.lowest_point(u);
+    if (!(point.gap < lowest.gap)) return;
+    lowest = point;
+    name = own;
+  });
+  if (!any) return "";
+  const double least = model.space().minimum(lowest.gap);
+  if (least > 0) return "";
+  std::string text;
+  if (lowest.gap == least)
+    text = fmt::format("the surface of interaction \"{}\" crosses the obstacle: the gap of {} is {:.6g} L0", name,
+                       in_words(model.mesh(), u, lowest), least);
+  return first_problem(model.space().comm(), text);
+}
+
+double least_free_gap(const Model& model, const double* u) {
+  double least = std::numeric_limits<double>::infinity();
+  bool any = false;
+  for_each_interaction(model, false, [&](const std::string&, const Interaction& term) {
+    any = true;
+    least = std::min(least, term.lowest_point(u).gap);
+  });
+  return any ? model.space().minimum(least) : least;
+}
+
+}  // namespace ixos

@@ -1,0 +1,22 @@
+/// Surfaces that cross their obstacles between the points at which forces act.
+#pragma once
+#include <string>
+
+#include "model/model.hpp"
+
+namespace ixos {
+
+/// Returns "node 12 of the mesh at (1, -0.015)" if a node of this rank stands at that place at displacement u,
+/// otherwise "the place (1, -0.015) between nodes".
+std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point);
+
+/// Returns how far and where a surface is in or below its obstacle at the local displacement u, by
+/// Interaction::lowest_point(); empty if all gaps are positive. Looks at interactions that need positive gaps. Equal on
+/// all ranks; collective.
+std::string crossing(const Model& model, const double* u);
+
+/// Returns the least gap of the interactions whose laws are defined at every gap, likewise; infinity if there are none.
+/// Collective if there are any.
+double least_free_gap(const Model& model, const double* u);
+
+}  // namespace ixos
