@@ -168,8 +168,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
-  for (const std::string& warning : simulation.warnings())
-    if (speaks) ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning));
+  for (const ixos::Warning& warning : simulation.warnings())
+    if (speaks) ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning.message));
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
     if (comm->getRank() == 0) ixos::console::print(explanation);

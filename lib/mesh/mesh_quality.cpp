@@ -35,7 +35,7 @@ double scaled_determinant(const Small<double, D>& m) {
 /// Returns the quality of a cell from the element with as many corners as `Element`. The columns of that element's
 /// Jacobian at a corner are half the edges there.
 template <class Element>
-CellQuality cell_quality(const Mesh& mesh, const int* nodes) {
+CellQuality cell_quality(const std::vector<double>& coordinates, const int* nodes) {
   constexpr std::size_t D = Element::dimension, N = Element::nodes;
   static const ShapeTable<Element> table;  // its points integrate the Jacobian exactly
   std::array<double, N> ones;
@@ -44,7 +44,7 @@ CellQuality cell_quality(const Mesh& mesh, const int* nodes) {
   std::array<std::array<double, D>, N> gradient;
   const auto at = [&](const std::array<double, D>& xi) {
     Element::evaluate(xi, value, gradient);
-    return jacobian<D>(mesh.coordinates, nodes, ones, gradient);
+    return jacobian<D>(coordinates, nodes, ones, gradient);
   };
   CellQuality cell;
   for (std::size_t corner = 0; corner < N; ++corner) {
@@ -61,7 +61,7 @@ CellQuality cell_quality(const Mesh& mesh, const int* nodes) {
   }
   if (D == 3) cell.scaled_jacobian = std::min(cell.scaled_jacobian, scaled_determinant(at({})));
   for (std::size_t q = 0; q < table.size(); ++q)
-    cell.volume += table.weight[q] * determinant(jacobian<D>(mesh.coordinates, nodes, ones, table.gradient[q]));
+    cell.volume += table.weight[q] * determinant(jacobian<D>(coordinates, nodes, ones, table.gradient[q]));
   return cell;
 }
 
@@ -93,7 +93,8 @@ MeshQuality mesh_quality(const Mesh& mesh) {
     for (int c = 0; c < block.cells(); ++c) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
       const CellQuality cell =
-          plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh, nodes) : cell_quality<Quad4>(mesh, nodes);
+          plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh.coordinates, nodes)
+                                                   : cell_quality<Quad4>(mesh.coordinates, nodes);
       scaled.push_back(cell.scaled_jacobian);
       all.volume += cell.volume;
       if (cell.scaled_jacobian < all.least_scaled_jacobian) {
@@ -113,6 +114,16 @@ MeshQuality mesh_quality(const Mesh& mesh) {
   all.low_scaled_jacobian = *low;
   for (double value : scaled) all.mean_scaled_jacobian += value / static_cast<double>(scaled.size());
   return all;
+}
+
+double least_scaled_jacobian(CellType type, const std::vector<int>& nodes, const std::vector<double>& coordinates) {
+  const auto count = static_cast<std::size_t>(nodes_per_cell(type));
+  double least = 1;
+  for (std::size_t first = 0; first + count <= nodes.size(); first += count)
+    least = std::min(least, (plain_type(type) == CellType::Hex8 ? cell_quality<Hex8>(coordinates, &nodes[first])
+                                                                : cell_quality<Quad4>(coordinates, &nodes[first]))
+                                .scaled_jacobian);
+  return least;
 }
 
 std::string to_string(const MeshQuality& quality) {

@@ -140,6 +140,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
   const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
   for (std::size_t i = 0; i < materials.size(); ++i)
     if (auto body = body_numbers(lists[i].name(), materials[i], mesh)) {
+      body->material = i;
       body_of[i] = all.bodies.size();
       all.bodies.push_back(*body);
     }
@@ -163,6 +164,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     add_sides(mesh, *set, *obstacle, numbers, nearest);
     numbers.elastic_length = numbers.work / body.modulus;
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, body.thickness);
+    const Sight sight = sight_of(*obstacle, nearest);
+    for (std::size_t i = 0; i < 3; ++i) numbers.normal[i] = sight.normal[i][0];
     const double curvature = curvature_below(*obstacle, nearest, mesh.dimension) +
                              (disk ? 2 / shape.sublist("Disk").number("Diameter") : 0.0);
     if (curvature > 0) {

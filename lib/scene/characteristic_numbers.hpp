@@ -1,5 +1,6 @@
 /// The lengths, speeds and times that characterise a scene.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@ namespace ixos {
 /// Numbers of the cells of one list of "Materials".
 struct BodyNumbers {
   std::string name;          ///< of the list
+  std::size_t material = 0;  ///< its number among the lists
   double modulus = 0;        ///< Young's modulus E [E0]
   double plane_modulus = 0;  ///< E* = E/(1 - nu^2) [E0]
   double density = 0;        ///< rho [E0 T0^2/L0^2]
@@ -23,15 +25,16 @@ struct BodyNumbers {
 
 /// Numbers of one list of "Interactions".
 struct SurfaceNumbers {
-  std::string name;              ///< of the list
-  std::size_t body = 0;          ///< of CharacteristicNumbers::bodies, to which the first side belongs
-  double work = 0;               ///< W of adhesion, with the cutoff: -psi at the equilibrium gap [E0 L0]
-  double peak_traction = 0;      ///< s0, the largest attraction [E0]
-  double equilibrium_gap = 0;    ///< r_eq [L0]
-  double elastic_length = 0;     ///< elasto-adhesive length W/E [L0]
-  double cohesive_zone = 0;      ///< see cohesive_zone() [L0]
-  double face_length = 0;        ///< mean length of the sides; in 3D the root of their mean area [L0]
-  double least_gap = 0;          ///< at the nodes of the surface, before any displacement [L0]
+  std::string name;                ///< of the list
+  std::size_t body = 0;            ///< of CharacteristicNumbers::bodies, to which the first side belongs
+  double work = 0;                 ///< W of adhesion, with the cutoff: -psi at the equilibrium gap [E0 L0]
+  double peak_traction = 0;        ///< s0, the largest attraction [E0]
+  double equilibrium_gap = 0;      ///< r_eq [L0]
+  double elastic_length = 0;       ///< elasto-adhesive length W/E [L0]
+  double cohesive_zone = 0;        ///< see cohesive_zone() [L0]
+  double face_length = 0;          ///< mean length of the sides; in 3D the root of their mean area [L0]
+  double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
+  std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
   double radius = 0;             ///< R with 1/R = 1/R of a disk + 1/R of a curved obstacle; 0 if neither is known [L0]
   double tabor = 0;              ///< (R W^2/(E*^2 r_eq^3))^(1/3); 0 if R is not known [-]
   double attraction_speed = 0;   ///< of a layer as thick as the body that has lost W, sqrt(2 W/(rho thickness)) [L0/T0]

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -23,8 +24,10 @@
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
 #include "scene/parameters.hpp"
+#include "scene/scene_facts.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/symmetry.hpp"
+#include "scene/warnings.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -46,6 +49,13 @@ void check_resolution(const StepControlOptions& control, const std::string& path
   if (interval < least)
     throw InputError(fmt::format("{}: {} is lost in rounding against the times {} to {}: it must be at least {:.3g}",
                                  path, interval, control.initial_time, control.final_time, least));
+}
+
+/// Returns the scales of the default units; names of others are not understood.
+std::optional<Scales> scales(const SceneNode& units) {
+  if (units.text("Length") == "1 nm" && units.text("Energy Density") == "2 GPa" && units.text("Time") == "1 ns")
+    return Scales{1e-9, 2e9, 1e-9};
+  return std::nullopt;
 }
 
 }  // namespace
@@ -108,13 +118,15 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   Mesh mesh;
   together<InputError>(comm, [&] {
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
-    warnings_ = inspect_mesh(SceneNode(parameters_, ""), mesh);
+    for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
+      warnings_.push_back({"mesh", std::move(message)});
     enrich_surfaces(interactions_, mesh);
   });
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);
-  if (std::string bad = quality_warning(mesh_quality_); !bad.empty()) warnings_.push_back(std::move(bad));
+  if (std::string bad = quality_warning(mesh_quality_); !bad.empty())
+    warnings_.push_back({"mesh quality", std::move(bad)});
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   model_ = at("Materials", [&] {
@@ -126,6 +138,9 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
+  SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, histories, control, inertia);
+  facts.scales = scales(scene.sublist("Units"));
+  for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/tpetra.hpp"
+#include "base/warning.hpp"
 #include "mesh/quality.hpp"
 #include "scene/characteristic_numbers.hpp"
 #include "scene/interactions.hpp"
@@ -46,7 +47,7 @@ class Simulation {
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  const std::vector<Warning>& warnings() const { return warnings_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -69,7 +70,7 @@ class Simulation {
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
   CharacteristicNumbers numbers_;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };

@@ -1,0 +1,34 @@
+/// A watch on the deformation of cells.
+#pragma once
+#include "base/record.hpp"
+#include "model/model.hpp"
+
+namespace ixos {
+
+/// The extremes of what cells have gone through.
+struct StrainExtremes {
+  double least_jacobian = 1;         ///< J, a cell's mean [-]
+  double largest_jacobian = 1;       ///< [-]
+  double largest_invariant = 0;      ///< |tr(sigma)|/E, a cell's mean [-]
+  double least_scaled_jacobian = 1;  ///< of the deformed cells, see MeshQuality
+  double time = 0;                   ///< at which a cell came to be the most deformed, by the last of these [T0]
+};
+
+/// Looks at the cells now and then: a look costs about as much as one evaluation of the elastic forces, so that looks
+/// after every 100th step cost nothing.
+class StrainWatch {
+ public:
+  static constexpr long interval = 100;  ///< steps between looks
+
+  /// Looks at the local displacement u at a time. Collective.
+  void look(const Model& model, const double* u, double time);
+  const StrainExtremes& extremes() const { return extremes_; }
+
+  /// For checkpoints.
+  void transfer(Record& record);
+
+ private:
+  StrainExtremes extremes_;
+};
+
+}  // namespace ixos

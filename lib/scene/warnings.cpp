@@ -1,0 +1,226 @@
+#include "scene/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace ixos {
+namespace {
+
+using Facts = SceneFacts;
+using Message = std::string;  ///< empty: nothing to warn of
+
+/// Returns the message for the first surface that has one.
+template <class Judge>
+Message first_surface(const Facts& facts, const Judge& judge) {
+  for (std::size_t i = 0; i < facts.surfaces.size(); ++i) {
+    const SurfaceNumbers& numbers = facts.numbers.surfaces[i];
+    const Message message = judge(numbers, facts.surfaces[i], facts.numbers.bodies[numbers.body]);
+    if (!message.empty()) return "Interactions/" + numbers.name + ": " + message;
+  }
+  return "";
+}
+template <class Judge>
+Message first_body(const Facts& facts, const Judge& judge) {
+  for (const BodyNumbers& body : facts.numbers.bodies)
+    if (const Message message = judge(body); !message.empty()) return "Materials/" + body.name + ": " + message;
+  return "";
+}
+template <class Judge>
+Message first_motion(const Facts& facts, const Judge& judge) {
+  for (const Motion& motion : facts.motions)
+    if (const Message message = judge(motion); !message.empty()) return motion.path + ": " + message;
+  return "";
+}
+
+/// A front that is narrower than the distance of nodes moves from node to node by jumps.
+Message cohesive_zone_against_faces(const Facts& facts) {
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
+    const double length = surface.face_length / own.order;
+    if (surface.work == 0 || length <= surface.cohesive_zone) return Message();
+    return fmt::format(
+        "the cohesive zone, {:.3g} L0, is shorter than the distance of the surface's nodes, {:.3g} L0: forces will "
+        "oscillate with the mesh; use faces of at most {:.2g} L0, a richer Contact Element, or check the material's "
+        "stiffness and the law's units",
+        surface.cohesive_zone, length, surface.cohesive_zone * own.order / 2);
+  });
+}
+
+/// Beyond this, adhesion deforms the whole body like a liquid (the contact radius of Johnson, Kendall and Roberts
+/// reaches that of the sphere at W/(E R) = 0.07).
+Message elastic_length_against_body(const Facts& facts) {
+  constexpr double limit = 0.05;
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts&, const BodyNumbers& body) {
+    if (surface.elastic_length <= limit * body.thickness) return Message();
+    return fmt::format(
+        "the work of adhesion over Young's modulus is {:.3g} L0, {:.2g} times the body's thickness of {:.3g} L0 (limit "
+        "{}): adhesion will crumple the body; use a stiffer or larger body or a weaker law, or check their units",
+        surface.elastic_length, surface.elastic_length / body.thickness, body.thickness, limit);
+  });
+}
+
+Message wave_crossing_against_step(const Facts& facts) {
+  constexpr double limit = 100;
+  if (!facts.has_inertia) return "";
+  return first_body(facts, [&](const BodyNumbers& body) {
+    if (facts.step <= limit * body.crossing_time) return Message();
+    return fmt::format(
+        "the time step of {:.3g} T0 is {:.3g} times as long as a wave needs to cross the body, {:.3g} T0 (limit {}): "
+        "inertia has no effect in such steps; use shorter steps or the scheme \"Static\", or check the density's unit",
+        facts.step, facts.step / body.crossing_time, body.crossing_time, limit);
+  });
+}
+
+Message wave_crossing_against_run(const Facts& facts) {
+  if (!facts.has_inertia) return "";
+  return first_body(facts, [&](const BodyNumbers& body) {
+    if (facts.duration >= body.crossing_time) return Message();
+    return fmt::format(
+        "a wave needs {:.3g} T0 to cross the body, but the run lasts {:.3g} T0: what happens at one end does not reach "
+        "the other; use a later Final Time, or check the units of the density and of Young's modulus (wave speed "
+        "{:.3g} "
+        "L0/T0)",
+        body.crossing_time, facts.duration, body.wave_speed);
+  });
+}
+
+/// A body that attraction accelerates from a distance crosses the range of the law in this time.
+Message gap_crossing_against_step(const Facts& facts) {
+  constexpr double limit = 3;
+  if (!facts.has_inertia || facts.held) return "";
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
+    if (surface.least_gap <= own.peak_gap || facts.step <= limit * surface.gap_crossing_time) return Message();
+    return fmt::format(
+        "the time step of {:.3g} T0 is {:.3g} times as long as the attracted body needs to cross the equilibrium gap, "
+        "{:.3g} T0 (limit {}): impacts are not resolved; use a Time Step of at most {:.2g}, or adaptive steps with a "
+        "Maximum Gap Ratio",
+        facts.step, facts.step / surface.gap_crossing_time, surface.gap_crossing_time, limit,
+        surface.gap_crossing_time);
+  });
+}
+
+/// Aerogels to osmium, soft gels to diamond, weak liquids to tapes.
+Message unknown_material(const Facts& facts) {
+  if (!facts.scales) return "";
+  const Scales& scale = *facts.scales;
+  const double density = scale.stress * scale.time * scale.time / (scale.length * scale.length);
+  const auto strange = [](const char* what, double value, double lowest, double highest, const char* unit) {
+    if (value >= lowest && value <= highest) return Message();
+    return fmt::format(
+        "{} is {:.3g} {}, but known materials have {:.3g} to {:.3g} {}; check the value, which is in units of the list "
+        "Units",
+        what, value, unit, lowest, highest, unit);
+  };
+  const Message body = first_body(facts, [&](const BodyNumbers& own) {
+    const Message heavy = strange("the density", own.density * density, 1, 3e4, "kg/m^3");
+    return heavy.empty() ? strange("Young's modulus", own.modulus * scale.stress, 1, 2e12, "Pa") : heavy;
+  });
+  if (!body.empty()) return body;
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts&, const BodyNumbers&) {
+    if (surface.work == 0) return Message();
+    const Message work =
+        strange("the work of adhesion", surface.work * scale.stress * scale.length, 1e-6, 1e4, "J/m^2");
+    return work.empty() ? strange("the largest attraction", surface.peak_traction * scale.stress, 1, 1e11, "Pa") : work;
+  });
+}
+
+Message motion_that_jumps(const Facts& facts) {
+  constexpr double fast = 0.02;
+  if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
+  double size = 0, speed = 0;
+  for (const BodyNumbers& body : facts.numbers.bodies) {
+    size = std::max(size, body.thickness);
+    speed = std::max(speed, body.wave_speed);
+  }
+  return first_motion(facts, [&](const Motion& motion) {
+    if (std::abs(motion.start) > 1e-6 * size)
+      return fmt::format("the motion begins with a jump to {:.3g} L0; let it begin at 0", motion.start);
+    if (motion.start_speed > fast * speed)
+      return fmt::format(
+          "the motion begins with a jump of the velocity of {:.3g} L0/T0, {:.2g} of the wave speed (limit {}); use a "
+          "Rate Ramp",
+          motion.start_speed, motion.start_speed / speed, fast);
+    if (motion.range > 1e-6 * size && motion.in_one_step > 0.9 * motion.range && facts.step < facts.duration / 1.5)
+      return fmt::format(
+          "{:.2g} of the whole motion of {:.3g} L0 happens in one step of {:.3g} T0 (limit 0.9); use a longer ramp or "
+          "shorter steps",
+          motion.in_one_step / motion.range, motion.range, facts.step);
+    return Message();
+  });
+}
+
+Message gap_without_attraction(const Facts& facts) {
+  constexpr double patience = 10, weak = 1e-6;
+  if (facts.loaded || facts.moves) return "";
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers& body) {
+    const double gap = surface.least_gap - own.approach;
+    if (surface.work == 0 || gap <= own.peak_gap) return Message();
+    const double fall =
+        std::sqrt(2 * (gap - own.peak_gap) * body.density * body.thickness / std::max(own.attraction, 1e-300));
+    const bool free = !facts.held && facts.has_inertia;
+    if (free ? fall <= patience * facts.duration : own.attraction >= weak * surface.peak_traction) return Message();
+    return fmt::format(
+        "the surface comes no nearer than {:.3g} L0, where the attraction is {:.2g} of its largest value{}: nothing "
+        "will happen; move the body or the obstacle nearer, or give it a velocity",
+        gap, own.attraction / surface.peak_traction,
+        free ? fmt::format("; to fall from there takes about {:.2g} T0, the run lasts {:.3g} T0", fall, facts.duration)
+             : fmt::format(" (limit {})", weak));
+  });
+}
+
+Message no_way_to_bend(const Facts& facts) {
+  constexpr double share = 0.5, slender = 4;
+  return first_surface(facts, [&](const SurfaceNumbers&, const SurfaceFacts& own, const BodyNumbers& body) {
+    if (own.single_layer < share || body.size < slender * own.layer_thickness) return Message();
+    return fmt::format(
+        "{:.0f} % of the surface (limit {:.0f} %) has one layer of cells behind it, {:.3g} L0 thick on a body of "
+        "{:.3g} "
+        "L0: linear cells are far too stiff in bending; use at least 4 layers, or \"Enhanced\" elements with Q1C1",
+        100 * own.single_layer, 100 * share, own.layer_thickness, body.size);
+  });
+}
+
+Message oblique_pull_without_friction(const Facts& facts) {
+  constexpr double limit = 0.1;
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
+    for (const Pull& pull : own.pulls)
+      if (pull.along > limit * pull.away && pull.along > 0 && (pull.away > 0 || surface.least_gap <= own.peak_gap))
+        return fmt::format(
+            "{} pulls at {:.0f} degrees to the obstacle, but there is no friction: the surface will slide, as on ice; "
+            "pull along the obstacle's normal, or hold the body against sliding (limit: {:.0f} degrees)",
+            pull.path, std::atan2(pull.away, pull.along) * 180 / M_PI, std::atan2(1.0, limit) * 180 / M_PI);
+    return Message();
+  });
+}
+
+struct Kind {
+  const char* name;
+  Message (*judge)(const Facts&);
+};
+
+constexpr Kind kinds[] = {
+    {"material", unknown_material},
+    {"elastic length", elastic_length_against_body},
+    {"cohesive zone", cohesive_zone_against_faces},
+    {"wave and run", wave_crossing_against_run},
+    {"wave and step", wave_crossing_against_step},
+    {"gap and step", gap_crossing_against_step},
+    {"jump", motion_that_jumps},
+    {"no attraction", gap_without_attraction},
+    {"bending", no_way_to_bend},
+    {"no friction", oblique_pull_without_friction},
+};
+
+}  // namespace
+
+std::vector<Warning> scene_warnings(const SceneFacts& facts) {
+  std::vector<Warning> warnings;
+  for (const Kind& kind : kinds)
+    if (Message message = kind.judge(facts); !message.empty()) warnings.push_back({kind.name, std::move(message)});
+  return warnings;
+}
+
+}  // namespace ixos

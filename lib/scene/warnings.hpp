@@ -1,0 +1,14 @@
+/// Warnings about a scene before its run.
+#pragma once
+#include <vector>
+
+#include "base/warning.hpp"
+#include "scene/scene_facts.hpp"
+
+namespace ixos {
+
+/// Returns what may be a mistake in the scene: the list in warnings.cpp, at most one warning of each kind. Limits are
+/// such that sound scenes draw none.
+std::vector<Warning> scene_warnings(const SceneFacts& facts);
+
+}  // namespace ixos
