@@ -133,17 +133,6 @@ std::string restart_command(const Arguments& arguments, const std::string& check
   return command + " --restart " + ixos::shell_word(checkpoint);
 }
 
-/// Warns if the energy error exceeds 5 %: a scheme may run to its end and yet gain or lose energy.
-void report_energy(const ixos::RunResult& result) {
-  const double share = result.max_energy_error / result.largest_energy;
-  if (!(share > 0.05)) return;
-  ixos::console::flush();
-  ixos::console::complain(
-      "ixos: the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction "
-      "energy; reduce it with shorter steps or with a scheme that conserves energy (see --list-schemes)\n",
-      result.max_energy_error, 100 * share);
-}
-
 /// Tells the user how the run ended.
 void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
   const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
@@ -197,7 +186,6 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
   if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
-  if (speaks && !ixos::is_static(simulation.integrator().table())) report_energy(result);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }

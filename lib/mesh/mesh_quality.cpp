@@ -92,9 +92,8 @@ MeshQuality mesh_quality(const Mesh& mesh) {
   for (const ElementBlock& block : mesh.blocks)
     for (int c = 0; c < block.cells(); ++c) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
-      const CellQuality cell =
-          plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh.coordinates, nodes)
-                                                   : cell_quality<Quad4>(mesh.coordinates, nodes);
+      const CellQuality cell = plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh.coordinates, nodes)
+                                                                        : cell_quality<Quad4>(mesh.coordinates, nodes);
       scaled.push_back(cell.scaled_jacobian);
       all.volume += cell.volume;
       if (cell.scaled_jacobian < all.least_scaled_jacobian) {

@@ -37,8 +37,8 @@ struct MeshQuality {
 
 MeshQuality mesh_quality(const Mesh& mesh);
 
-/// Returns the least scaled Jacobian of cells of one type whose nodes stand at `coordinates`, row by row; 1 if there are
-/// none. `nodes`: cells x nodes per cell.
+/// Returns the least scaled Jacobian of cells of one type whose nodes stand at `coordinates`, row by row; 1 if there
+/// are none. `nodes`: cells x nodes per cell.
 double least_scaled_jacobian(CellType type, const std::vector<int>& nodes, const std::vector<double>& coordinates);
 
 /// Returns the figures in three lines.

@@ -7,39 +7,48 @@ namespace ixos {
 
 void ContactWatch::row(double time, double measure, const std::vector<std::pair<std::string, double>>& forces) {
   if (std::isnan(measure)) return;
-  for (std::size_t k = forces_.size(); k < forces.size(); ++k) forces_.push_back({forces[k].first, 0, 0, 0});
-  const double change = measure - measure_;
-  if (any_ && -change > fall_.before - fall_.after) fall_ = {measure_, measure, time_, time};
-  const bool counts = any_ && face_ > 0 && std::abs(change) <= face_ / 2;
-  if (counts) passed_ += std::abs(change);
+  const auto same = [](const Force& own, const auto& force) { return own.column == force.first; };
+  if (!std::equal(forces_.begin(), forces_.end(), forces.begin(), forces.end(), same)) {
+    forces_.clear();  // the first row, or a restart that records others
+    rows_ = 0;
+    for (const auto& force : forces) forces_.push_back({force.first, {}, 0, 0});
+  }
+  if (rows_ > 0 && measure_[0] - measure > fall_.before - fall_.after) fall_ = {measure_[0], measure, time_, time};
+  const double way = std::abs(measure - measure_[1]);
+  const bool counts = rows_ > 1 && way > 0 && way <= 4 * face_;
+  if (counts) passed_ += way / 2;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     Force& own = forces_[k];
-    const double force = forces[k].second;
-    if (counts && change != 0)
-      own.sum += (force - own.last) * std::polar(1.0, 2 * M_PI * (measure_ + change / 2) / face_);
-    own.last = force;
-    own.largest = std::max(own.largest, std::abs(force));
+    if (counts) {
+      const double rough = own.last[0] - (own.last[1] + forces[k].second) / 2;
+      own.rough += rough * rough;
+      own.size += own.last[0] * own.last[0];
+    }
+    own.last = {forces[k].second, own.last[0]};
   }
   largest_ = std::max(largest_, measure);
   time_ = time;
-  measure_ = measure;
-  any_ = true;
+  measure_ = {measure, measure_[0]};
+  ++rows_;
 }
 
 Ripple ContactWatch::ripple() const {
   Ripple result;
-  if (!(passed_ >= 8 * face_) || face_ == 0) return result;
-  for (const Force& own : forces_)
-    if (own.largest > result.largest)
-      result = {own.column, std::abs(own.sum) * face_ / (M_PI * passed_), own.largest};
+  double largest = 0;
+  for (const Force& own : forces_) {
+    if (!(own.rough > largest)) continue;  // of the column whose ripple is largest in size
+    largest = own.rough;
+    result = {own.column, std::sqrt(own.rough / own.size), passed_ / face_};
+  }
   return result;
 }
 
 void ContactWatch::transfer(Record& record) {
   const Record::Section section(record, "contact watch");
-  record.number("any", any_);
+  record.number("rows", rows_);
   record.number("time", time_);
-  record.number("measure", measure_);
+  record.number("measure", measure_[0]);
+  record.number("measure before", measure_[1]);
   record.number("largest", largest_);
   record.number("passed", passed_);
   record.number("fall before", fall_.before);
@@ -48,18 +57,19 @@ void ContactWatch::transfer(Record& record) {
   record.number("fall to", fall_.to);
   auto count = forces_.size();
   record.number("forces", count);
-  forces_.resize(record.loading() ? std::min<std::size_t>(count, 1000) : count);
-  for (std::size_t k = 0; k < forces_.size(); ++k) {
-    Force& own = forces_[k];
+  // A checkpoint of another scene restores only the forces that this scene has, too.
+  std::vector<Force> loaded;
+  for (std::size_t k = 0; k < count; ++k) {
+    Force own = !record.loading() ? forces_[k] : Force();
     const Record::Section force(record, "force " + std::to_string(k));
-    double real = own.sum.real(), imaginary = own.sum.imag();
     record.text("column", own.column);
-    record.number("last", own.last);
-    record.number("largest", own.largest);
-    record.number("real", real);
-    record.number("imaginary", imaginary);
-    own.sum = {real, imaginary};
+    record.number("last", own.last[0]);
+    record.number("before", own.last[1]);
+    record.number("rough", own.rough);
+    record.number("size", own.size);
+    if (record.loading()) loaded.push_back(std::move(own));
   }
+  if (record.loading()) forces_ = record.same_scene() ? std::move(loaded) : std::vector<Force>();
 }
 
 }  // namespace ixos

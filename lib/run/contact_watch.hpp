@@ -1,6 +1,6 @@
 /// A watch on the contact and the forces of recorded rows.
 #pragma once
-#include <complex>
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace ixos {
 
-/// A fall of the contact between two rows.
+/// The largest fall of the contact between two rows.
 struct Detachment {
   double before = 0, after = 0;  ///< contact measure of the rows [L0^(D-1)]
   double from = 0, to = 0;       ///< their times [T0]
 };
 
-/// The part of a force that repeats itself whenever the front of the contact passes a face.
+/// How far a force is from smooth while the front of the contact passes single faces.
 struct Ripple {
-  std::string column;    ///< of the force
-  double amplitude = 0;  ///< [E0 L0^(D-1)]
-  double largest = 0;    ///< largest magnitude of the force
+  std::string column;    ///< of the force with the largest ripple
+  double roughness = 0;  ///< root mean square of F_k - (F_k-1 + F_k+1)/2 over that of F_k [-]
+  double faces = 0;      ///< that the front passed in these rows
 };
 
 class ContactWatch {
@@ -31,10 +31,8 @@ class ContactWatch {
   void row(double time, double measure, const std::vector<std::pair<std::string, double>>& forces);
 
   double largest_measure() const { return largest_; }
-  /// Returns the largest fall between two rows.
   const Detachment& largest_fall() const { return fall_; }
-  /// Returns the ripple of the largest force; no column unless the front has passed 8 faces in rows at most half a face
-  /// apart. A force F = F0 + A cos(2 pi L/h) of the contact's length L has int e^(2 pi i L/h) dF = -i A pi L_all/h.
+  /// Returns the ripple over rows between whose neighbours the front has moved, by at most 4 faces.
   Ripple ripple() const;
 
   /// For checkpoints.
@@ -43,13 +41,14 @@ class ContactWatch {
  private:
   struct Force {
     std::string column;
-    double last = 0, largest = 0;
-    std::complex<double> sum = 0;  ///< of e^(2 pi i L/h) dF
+    std::array<double, 2> last{};  ///< of the two rows before, the later one first
+    double rough = 0, size = 0;    ///< sums of squares
   };
 
   double face_;
-  double time_ = 0, measure_ = 0;  ///< of the row before
-  bool any_ = false;               ///< there was one
+  long rows_ = 0;
+  double time_ = 0;                  ///< of the row before
+  std::array<double, 2> measure_{};  ///< of the two rows before
   double largest_ = 0;
   double passed_ = 0;  ///< by the front, in rows that count [L0]
   Detachment fall_;

@@ -50,6 +50,7 @@ History::History(Simulation& simulation)
       columns_.push_back("reaction_" + set + "_" + axis);
       max_forces_.emplace_back(columns_.back(), 0.0);
     }
+    forces_ = max_forces_;
   }
   for (const Probe& probe : simulation.probes())
     for (char field : {'u', 'v'})
@@ -86,6 +87,7 @@ std::vector<double> History::reactions() {
           sums[s * d + i] += reaction[dof];
       }
   model.space().sum(sums.data(), static_cast<int>(sums.size()));
+  for (std::size_t k = 0; k < sums.size(); ++k) forces_[k].second = sums[k];
   for (std::size_t k = 0; k < sums.size(); ++k)
     if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];
   return sums;
@@ -132,6 +134,7 @@ void History::record(const RowCounts& counts) {
     const InteractionReport report = model.interaction_report(state.u.data());
     row.insert(row.end(), report.force.begin(), report.force.end());
     row.insert(row.end(), {report.measure, report.least_gap});
+    contact_measure_ = report.measure;
   } else {
     row.insert(row.end(), d + 2, empty);
   }

@@ -47,6 +47,10 @@ class History {
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
+  /// Returns the last row's contact measure; NaN if rows have none.
+  double contact_measure() const { return contact_measure_; }
+  /// Returns the last step's reactions by column.
+  const std::vector<std::pair<std::string, double>>& forces() const { return forces_; }
   void sync();   ///< has the disk keep the rows; throws FileError
   void close();  ///< after the last row; throws FileError
 
@@ -67,6 +71,8 @@ class History {
   double largest_energy_ = 0;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
+  double contact_measure_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
+  std::vector<std::pair<std::string, double>> forces_;                 ///< of the last step
 };
 
 }  // namespace ixos

@@ -11,6 +11,7 @@
 #include "run/energy_watch.hpp"
 #include "run/restart.hpp"
 #include "run/run_files.hpp"
+#include "run/run_watch.hpp"
 #include "run/summary.hpp"
 
 namespace ixos {
@@ -29,7 +30,8 @@ class Run {
         stop_(simulation.stop_criteria()),
         checkpoints_(simulation, options.folder),
         files_(simulation, options.folder),
-        watch_(simulation) {
+        watch_(simulation),
+        run_watch_(simulation) {
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
@@ -92,6 +94,7 @@ class Run {
   Checkpoints checkpoints_;
   RunFiles files_;
   EnergyWatch watch_;
+  RunWatch run_watch_;
   bool warned_ = false;       ///< of the energy balance
   std::string resumed_from_;  ///< the checkpoint that the watch went back to
   std::function<double(double)> stable_;
@@ -170,6 +173,7 @@ void Run::step() {
   files_.count(step, seconds);
   if (!step.converged) {
     ++result_.rejected_steps;
+    if (step.crossed) run_watch_.crossed();
     if (!control_.cut(dt)) fail(step.reason);
     return;
   }
@@ -185,6 +189,7 @@ void Run::step() {
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
   files_.record(result_.steps, dt, before);
+  run_watch_.step(result_.steps, files_.recorded(), files_.history());
   watch_energy();
   if (options_.watch && comm_->getRank() == 0)
     options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
@@ -200,7 +205,10 @@ void Run::watch_energy() {
   if (wrong.empty()) return;
   const bool resumes = watch_.action() == WatchAction::Resume && !checkpoints_.newest().empty() &&
                        checkpoints_.newest() != resumed_from_;
-  if (!warned_ || resumes) warn(wrong);
+  if (!warned_ || resumes) {
+    warn(wrong);
+    result_.warnings.push_back({"energy watch", wrong});
+  }
   warned_ = true;
   if (resumes) return go_back();
   if (watch_.action() != WatchAction::Warn) fail(wrong);
@@ -254,6 +262,10 @@ void Run::end() {
   result_.max_forces = files_.history().max_forces();
   result_.checkpoint = checkpoints_.newest();
   result_.phase_seconds = phases();
+  for (Warning& warning : run_warnings(run_watch_.finish(files_.history()))) {
+    warn(warning.message);
+    result_.warnings.push_back(std::move(warning));
+  }
   write_summary(simulation_, result_, options_.folder + "/summary.json");
   if (!problem.empty()) throw FileError(problem);
 }
@@ -293,6 +305,7 @@ void Run::transfer(Record& record) {
   files_.history().transfer(record);
   stop_.transfer(record);
   watch_.transfer(record);
+  run_watch_.transfer(record);
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/phase_timer.hpp"
+#include "base/warning.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -45,6 +46,7 @@ struct RunResult {
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
+  std::vector<Warning> warnings;                           ///< of the run; those of the scene are Simulation's
 };
 
 /// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml,

@@ -68,6 +68,10 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
     json["dissipated"][model.dissipation_names()[i]] = dissipations[i];
   if (const double before = simulation.integrator().dissipated_before(); before != 0)
     json["dissipated"]["before the restart"] = before;
+  json["warnings"] = nlohmann::ordered_json::array();
+  for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings})
+    for (const Warning& warning : *warnings)
+      json["warnings"].push_back({{"name", warning.name}, {"message", warning.message}});
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   on_first_rank(

@@ -283,7 +283,8 @@ StepResult Integrator::advance(double dt) {
   }
   // The forces at quadrature points do not notice a node that has crossed an obstacle.
   result.reason = crossing(model_, states_.back().u.data());
-  result.converged = result.reason.empty();
+  result.crossed = !result.reason.empty();
+  result.converged = !result.crossed;
   return result;
 }
 

@@ -23,6 +23,7 @@ struct StepResult {
   int newton_iterations = 0;
   long linear_iterations = 0;  ///< of iterative linear solvers
   std::string reason;          ///< of a failure, for the user
+  bool crossed = false;        ///< the reason is that a surface crossed its obstacle, see crossing()
 };
 
 /// An integrator that advances a model in time. The model must outlive it. Collective.

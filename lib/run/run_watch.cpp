@@ -1,0 +1,70 @@
+#include "run/run_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/crossing.hpp"
+
+namespace ixos {
+namespace {
+
+double finest_face(const Simulation& simulation) {
+  double finest = 0;
+  for (const SurfaceNumbers& surface : simulation.characteristic_numbers().surfaces)
+    finest = finest == 0 ? surface.face_length : std::min(finest, surface.face_length);
+  return finest;
+}
+
+}  // namespace
+
+// In three dimensions the contact is an area, whose change does not tell how far its front has moved.
+RunWatch::RunWatch(const Simulation& simulation)
+    : simulation_(simulation),
+      contact_(simulation.model().mesh().dimension == 2 ? finest_face(simulation) : 0),
+      face_measure_(std::pow(finest_face(simulation), simulation.model().mesh().dimension - 1)) {
+  for (const SceneInteraction& interaction : simulation.interactions()) {
+    const GapLaw& law = *interaction.law;
+    if (law.domain() == GapDomain::All)
+      scale_ = scale_ == 0 ? law.equilibrium_gap() : std::min(scale_, law.equilibrium_gap());
+  }
+}
+
+void RunWatch::look_at_cells() {
+  const Integrator& integrator = simulation_.integrator();
+  strains_.look(simulation_.model(), integrator.state().u.data(), integrator.time());
+}
+
+void RunWatch::step(long steps, bool recorded, const History& history) {
+  if (steps % StrainWatch::interval == 0) look_at_cells();
+  if (scale_ > 0)
+    deepest_ = std::min(deepest_, least_free_gap(simulation_.model(), simulation_.integrator().state().u.data()));
+  if (recorded) contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());
+}
+
+RunFacts RunWatch::finish(const History& history) {
+  look_at_cells();
+  RunFacts facts;
+  facts.has_inertia = !is_static(simulation_.integrator().table());
+  facts.energy_error = history.max_energy_error();
+  facts.largest_energy = history.largest_energy();
+  facts.strains = strains_.extremes();
+  facts.first_scaled_jacobian = simulation_.mesh_quality().least_scaled_jacobian;
+  facts.crossings = crossings_;
+  facts.deepest = deepest_;
+  facts.scale = scale_;
+  facts.fall = contact_.largest_fall();
+  facts.largest_measure = contact_.largest_measure();
+  facts.face_measure = face_measure_;
+  facts.ripple = contact_.ripple();
+  return facts;
+}
+
+void RunWatch::transfer(Record& record) {
+  const Record::Section section(record, "run watch");
+  strains_.transfer(record);
+  contact_.transfer(record);
+  record.number("crossings", crossings_);
+  record.number("deepest", deepest_);
+}
+
+}  // namespace ixos

@@ -1,0 +1,37 @@
+/// What a run looks at for its warnings.
+#pragma once
+#include "run/contact_watch.hpp"
+#include "run/history.hpp"
+#include "run/run_warnings.hpp"
+#include "run/strain_watch.hpp"
+
+namespace ixos {
+
+/// Gathers RunFacts over a run. Collective.
+class RunWatch {
+ public:
+  explicit RunWatch(const Simulation& simulation);
+
+  /// Takes part in a step that has been accepted and perhaps recorded.
+  void step(long steps, bool recorded, const History& history);
+  /// Takes part in a step that was rejected because a surface crossed its obstacle.
+  void crossed() { ++crossings_; }
+  /// Looks at the last state, and returns the facts of the whole run.
+  RunFacts finish(const History& history);
+
+  /// For checkpoints.
+  void transfer(Record& record);
+
+ private:
+  void look_at_cells();
+
+  const Simulation& simulation_;
+  StrainWatch strains_;
+  ContactWatch contact_;
+  double scale_ = 0;  ///< see RunFacts
+  double face_measure_ = 0;
+  long crossings_ = 0;
+  double deepest_ = 0;
+};
+
+}  // namespace ixos
