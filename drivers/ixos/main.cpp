@@ -133,6 +133,12 @@ std::string restart_command(const Arguments& arguments, const std::string& check
   return command + " --restart " + ixos::shell_word(checkpoint);
 }
 
+void warn(const std::vector<ixos::Warning>& warnings) {
+  ixos::console::flush();
+  for (const ixos::Warning& warning : warnings)
+    ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning.message));
+}
+
 /// Tells the user how the run ended.
 void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
   const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
@@ -157,8 +163,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
-  for (const ixos::Warning& warning : simulation.warnings())
-    if (speaks) ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning.message));
+  if (speaks) warn(simulation.warnings());
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
     if (comm->getRank() == 0) ixos::console::print(explanation);
@@ -186,6 +191,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
   if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
+  if (speaks) warn(result.findings);
   if (result.status == ixos::RunStatus::Diverged) return 3;
   return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
 }

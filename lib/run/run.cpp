@@ -262,10 +262,7 @@ void Run::end() {
   result_.max_forces = files_.history().max_forces();
   result_.checkpoint = checkpoints_.newest();
   result_.phase_seconds = phases();
-  for (Warning& warning : run_warnings(run_watch_.finish(files_.history()))) {
-    warn(warning.message);
-    result_.warnings.push_back(std::move(warning));
-  }
+  result_.findings = run_warnings(run_watch_.finish(files_.history()));
   write_summary(simulation_, result_, options_.folder + "/summary.json");
   if (!problem.empty()) throw FileError(problem);
 }

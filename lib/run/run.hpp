@@ -46,7 +46,8 @@ struct RunResult {
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
-  std::vector<Warning> warnings;                           ///< of the run; those of the scene are Simulation's
+  std::vector<Warning> warnings;                           ///< that RunOptions::warn was told
+  std::vector<Warning> findings;                           ///< after the end, for the caller to tell
 };
 
 /// Runs from the simulation's present state, or from a checkpoint, to its final time; writes effective.xml,

@@ -69,7 +69,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   if (const double before = simulation.integrator().dissipated_before(); before != 0)
     json["dissipated"]["before the restart"] = before;
   json["warnings"] = nlohmann::ordered_json::array();
-  for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings})
+  for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)
       json["warnings"].push_back({{"name", warning.name}, {"message", warning.message}});
   json["checkpoint"] = nullptr;

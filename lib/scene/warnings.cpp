@@ -115,7 +115,7 @@ Message unknown_material(const Facts& facts) {
         what, value, unit, lowest, highest, unit);
   };
   const Message body = first_body(facts, [&](const BodyNumbers& own) {
-    const Message heavy = strange("the density", own.density * density, 1, 3e4, "kg/m^3");
+    const Message heavy = strange("the density", own.density * density, 2, 3e4, "kg/m^3");
     return heavy.empty() ? strange("Young's modulus", own.modulus * scale.stress, 1, 2e12, "Pa") : heavy;
   });
   if (!body.empty()) return body;

@@ -84,9 +84,9 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   write("");
   EXPECT_EQ(seal_problem(path_), "is not a checkpoint of Ixos");
   std::string later = sealed_;
-  later[16] = 5;
+  later[16] = 6;
   write(later);
-  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 5, and this version reads format 4");
+  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 6, and this version reads format 5");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
   EXPECT_THROW(seal("/nowhere/checkpoint.h5", {}), FileError);
 }

@@ -1,0 +1,106 @@
+#include "model/crossing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mesh/generators/shapes.hpp"
+#include "support/refusal.hpp"
+#include "support/solids.hpp"
+#include "time/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+/// A surface without forces: its lowest point is the lowest node of this rank above y = 0.
+class Silent final : public Interaction {
+ public:
+  Silent(const LocalMesh& mesh, bool positive) : mesh_(mesh), positive_(positive) {}
+  bool add_force(const Segment&, const Rule&, double*) const override { return true; }
+  void add_tangent(const Segment&, const Rule&, Tangent, double*) const override {}
+  bool add_row_sums(const Segment&, double*) const override { return true; }
+  double energy(const double*) const override { return 0; }
+  double gap_ratio(const double*, const double*) const override { return 1; }
+  void report(const double*, InteractionReport&) const override {}
+  bool needs_positive_gaps() const override { return positive_; }
+  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
+  double mean_potential(const Segment&) const override { return 0; }
+  double rounding(const double*) const override { return 0; }
+  void add_nodal_measure(double*) const override {}
+  LowestPoint lowest_point(const double* u) const override {
+    LowestPoint lowest;
+    for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
+      const double x = mesh_.coordinates[2 * node] + u[2 * node], y = mesh_.coordinates[2 * node + 1] + u[2 * node + 1];
+      if (y < lowest.gap) lowest = {y, {x, y, 0}};
+    }
+    return lowest;
+  }
+
+ private:
+  const LocalMesh& mesh_;
+  bool positive_;
+};
+
+/// 2 x 1 cells of side 1, the lower left corner at (0, 0.5).
+std::unique_ptr<Model> block(bool positive, Inertia inertia = Inertia::Consistent) {
+  BoxShape shape;
+  shape.lower = {0, 0.5, 0};
+  shape.lengths = {2, 1, 1};
+  shape.divisions = {2, 1, 1};
+  auto model = test::model_of(box(shape), test::elastic(neo_hooke, 0.3), inertia);
+  model->add_interaction(std::make_unique<Silent>(model->mesh(), positive), "Wall");
+  return model;
+}
+
+std::vector<double> velocity(const Model& model, double x, double y) {
+  std::vector<double> v = test::at_rest(model);
+  for (std::size_t k = 0; k < v.size(); ++k) v[k] = k % 2 == 0 ? x : y;
+  return v;
+}
+
+TEST(CrossingTest, NamesInteractionNodePlaceAndGap) {
+  const auto model = block(true);
+  EXPECT_EQ(crossing(*model, test::at_rest(*model).data()), "");
+  std::vector<double> u = test::at_rest(*model);
+  const LocalMesh& mesh = model->mesh();
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
+    if (mesh.original_ids[node] == 2) u[2 * node + 1] = -0.515;
+  EXPECT_EQ(crossing(*model, u.data()),
+            "the surface of interaction \"Wall\" crosses the obstacle: the gap of node 3 of the mesh at (2, -0.015) is "
+            "-0.015 L0");
+}
+
+TEST(CrossingTest, LawsOfAllGapsAreNotRefused) {
+  const auto model = block(false);
+  const std::vector<double> u = velocity(*model, 0, -0.6);
+  EXPECT_EQ(crossing(*model, u.data()), "");
+  EXPECT_NEAR(least_free_gap(*model, u.data()), -0.1, 1e-15);
+  EXPECT_EQ(least_free_gap(*block(true), u.data()), std::numeric_limits<double>::infinity());
+}
+
+TEST(CrossingTest, AStepThatCrossesIsRejectedByImplicitAndExplicitSchemes) {
+  for (const char* name : {"Newmark", "Average Vector Field", "Central Difference"}) {
+    const Scheme& chosen = scheme(name);
+    const Table table = chosen.table(chosen.parameters);
+    const auto model = block(true, table.mass);
+    Integrator integrator = test::direct(*model, table);
+    integrator.initialize(test::at_rest(*model), velocity(*model, 0, -1), 0);
+    // It stands at 0.5 - t: the fifth step ends at a gap of 0 or, by rounding, a little beside it.
+    for (int step = 0; step < 4; ++step) ASSERT_TRUE(integrator.step(0.1).converged) << name;
+    const StepResult result = integrator.step(0.2);
+    EXPECT_FALSE(result.converged) << name;
+    EXPECT_TRUE(result.crossed) << name;
+    test::expect_contains(result.reason, "the surface of interaction \"Wall\" crosses the obstacle: the gap of node");
+    EXPECT_NEAR(integrator.time(), 0.4, 1e-12) << name;
+    EXPECT_TRUE(integrator.step(0.05).converged) << name;
+  }
+}
+
+TEST(CrossingTest, AStateBelowTheObstacleIsNoBeginning) {
+  const auto model = block(true);
+  Integrator integrator = test::direct(*model, scheme("Newmark").table(scheme("Newmark").parameters));
+  test::expect_contains(
+      test::refusal([&] { integrator.initialize(velocity(*model, 0, -0.6), test::at_rest(*model), 0); }),
+      "the state at the start is not admissible: the surface of interaction \"Wall\" crosses");
+}
+
+}  // namespace
+}  // namespace ixos

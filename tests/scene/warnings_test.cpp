@@ -1,0 +1,178 @@
+#include "scene/warnings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "parameters/validation.hpp"
+#include "scene/interactions.hpp"
+#include "scene/materials.hpp"
+#include "scene/output_options.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_mesh.hpp"
+#include "scene/time_integrator_options.hpp"
+#include "support/refusal.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+const Scales nanometres{1e-9, 2e9, 1e-9};
+
+/// The facts of a scene, without its model.
+SceneFacts facts_of(const Teuchos::ParameterList& user, const Scales& scales = nanometres) {
+  Teuchos::ParameterList list = validated(user, scene_parameters());
+  const SceneNode scene(list, "");
+  const OutputOptions output = read_output(scene.sublist("Output"));
+  const TimeIntegratorOptions integrator = read_time_integrator(scene.sublist("Time Integrator"), output);
+  const StepControlOptions& control = integrator.step_control;
+  const auto materials = read_materials(scene.sublist("Materials"));
+  const auto interactions = read_interactions(scene.sublist("Interactions"));
+  const Mesh mesh = scene_mesh(list.sublist("Mesh"), ".");
+  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
+  const Inertia inertia = integrator.scheme == "Static"               ? Inertia::None
+                          : integrator.scheme == "Central Difference" ? Inertia::Lumped
+                                                                      : Inertia::Consistent;
+  SceneFacts facts = scene_facts(scene, characteristic_numbers(scene, materials, interactions, mesh), materials,
+                                 interactions, mesh, histories, control, inertia);
+  facts.scales = scales;
+  return facts;
+}
+
+using Assignments = std::vector<std::string>;
+
+std::string all_of(const std::string& file, const Assignments& assignments, const Scales& scales = nanometres) {
+  std::string text;
+  for (const Warning& warning : scene_warnings(facts_of(test::scene_file(file, assignments), scales)))
+    text += warning.name + ": " + warning.message + "\n";
+  return text;
+}
+
+void expect_warning(const std::string& file, const Assignments& assignments, const std::string& name,
+                    const std::string& words) {
+  for (const Warning& warning : scene_warnings(facts_of(test::scene_file(file, assignments))))
+    if (warning.name == name) return test::expect_contains(warning.message, words);
+  ADD_FAILURE() << "no warning \"" << name << "\", but:\n" << all_of(file, assignments);
+}
+
+TEST(WarningsTest, NoSceneOfTheProjectDrawsOne) {
+  for (const char* file : {"ball.xml", "strip.xml", "block-on-wall.xml", "spatula.xml", "spatula-vibration.xml"})
+    EXPECT_EQ(all_of(file, {}), "") << file;
+}
+
+TEST(WarningsTest, SoundScenesDrawNone) {
+  const std::string ball = "ball.xml", strip = "strip.xml", block = "block-on-wall.xml";
+  const std::string step = "Time Integrator/Time Step Control/Time Step=", type = "Time Integrator/Type=";
+  const std::vector<std::pair<std::string, Assignments>> scenes = {
+      {ball, {"Mesh/Disk/Diameter=20", "Mesh/Disk/Center={0, 13}", "Mesh/Disk/Core Divisions=8"}},
+      {ball, {"Materials/Ball/Young's Modulus=0.5"}},
+      {ball, {"Materials/Ball/Young's Modulus=50"}},
+      {ball, {"Materials/Ball/Poisson's Ratio=0.45"}},
+      {ball, {"Materials/Ball/Density=1e-6"}},
+      {ball, {"Interactions/Wall/Gamma W=50"}},
+      {ball, {"Interactions/Wall/Law=Morse", "Initial Conditions/Velocity={0, -1}"}},
+      {ball, {type + "Average Vector Field", step + "0.002"}},
+      {ball,
+       {"Interactions/Wall/Obstacle=Sphere", "Interactions/Wall/Sphere/Radius=50",
+        "Interactions/Wall/Sphere/Center={0, -50}"}},
+      {ball, {"Initial Conditions/Velocity={1, -5}", "Interactions/Wall/Contact Element=Q1C2"}},
+      {strip, {"Mesh/Box/Lengths={400, 10}", "Mesh/Box/Divisions={640, 16}"}},
+      {strip, {"Mesh/Box/Lengths={200, 5}", "Mesh/Box/Divisions={320, 8}"}},
+      {strip, {"Materials/Strip/Young's Modulus=0.5"}},
+      {strip, {step + "0.5", "Mesh/Box/Divisions={160, 8}"}},
+      {strip, {"Histories/Pull/Rate Ramp/Rate=5"}},
+      {strip, {type + "Static", step + "1"}},
+      {strip, {"Interactions/Wall/Contact Element=Q1C1"}},
+      {strip, {"Interactions/Wall/Cutoff=2"}},
+      {strip, {"Materials/Strip/Stiffness Damping=0.01", "Materials/Strip/Model=Saint Venant-Kirchhoff"}},
+      {block, {"Mesh/Box/Divisions={16, 16, 16}"}},
+      {block, {type + "Central Difference"}},
+      {block, {"Materials/Rubber/Element Formulation=Mean Dilatation", "Materials/Rubber/Poisson's Ratio=0.49"}}};
+  EXPECT_GE(scenes.size(), 20U);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+    EXPECT_EQ(all_of(scenes[i].first, scenes[i].second), "") << "scene " << i;
+}
+
+/// Silicone with tack, in micrometres, MPa and microseconds.
+TEST(WarningsTest, ASoftMaterialInItsUnitsDrawsNone) {
+  const Assignments silicone = {"Materials/Strip/Young's Modulus=2",    "Materials/Strip/Density=1e-3",
+                                "Interactions/Wall/Law=Morse",          "Interactions/Wall/Morse/Work of Adhesion=0.05",
+                                "Interactions/Wall/Morse/Strength=0.1", "Interactions/Wall/Morse/Equilibrium Gap=0.25"};
+  EXPECT_EQ(all_of("strip.xml", silicone, {1e-6, 1e6, 1e-6}), "");
+}
+
+TEST(WarningsTest, MaterialsThatNobodyKnows) {
+  // 1000 E0 T0^2/L0^2 are 2e12 kg/m^3.
+  expect_warning("ball.xml", {"Materials/Ball/Density=1000"}, "material",
+                 "Materials/Ball: the density is 2e+12 kg/m^3, but known materials have 2 to 3e+04 kg/m^3");
+  expect_warning("ball.xml", {"Materials/Ball/Young's Modulus=2e9"}, "material", "Young's modulus is 4e+18 Pa");
+  expect_warning("ball.xml", {"Interactions/Wall/Gamma W=1e-6"}, "material", "Interactions/Wall: the work of adhesion");
+  // Units of energy a thousand times too small, the numbers left as they were.
+  EXPECT_NE(all_of("ball.xml", {}, {1e-9, 2e6, 1e-9}).find("material: Materials/Ball: the density is 1 kg/m^3"),
+            std::string::npos);
+}
+
+TEST(WarningsTest, AdhesionThatCrumplesTheBody) {
+  // W/E = 0.0155/1e-3, and the ball's diameter is 10.
+  expect_warning("ball.xml", {"Materials/Ball/Young's Modulus=1e-3"}, "elastic length",
+                 "the work of adhesion over Young's modulus is 15.5 L0, 1.5 times the body's thickness of 10 L0");
+}
+
+TEST(WarningsTest, FacesLongerThanTheCohesiveZone) {
+  // 4.14 times 0.01, and faces of 0.625 with 4 intervals each
+  expect_warning("strip.xml", {"Materials/Strip/Young's Modulus=0.01"}, "cohesive zone",
+                 "the cohesive zone, 0.0414 L0, is shorter than the distance of the surface's nodes, 0.156 L0");
+}
+
+TEST(WarningsTest, StepsAndRunsAgainstWaves) {
+  expect_warning("ball.xml", {"Materials/Ball/Density=1000"}, "wave and run",
+                 "a wave needs 300 T0 to cross the body, but the run lasts 10 T0");
+  expect_warning("strip.xml", {"Time Integrator/Time Step Control/Time Step=20"}, "wave and step",
+                 "the time step of 20 T0 is 149 times as long as a wave needs to cross the body, 0.134 T0");
+  EXPECT_EQ(all_of("strip.xml", {"Time Integrator/Type=Static", "Materials/Strip/Density=1e-5"}), "");
+}
+
+TEST(WarningsTest, StepsAgainstTheGap) {
+  expect_warning("ball.xml", {"Time Integrator/Time Step Control/Time Step=0.02"}, "gap and step",
+                 "the time step of 0.02 T0 is 6.18 times as long as the attracted body needs");
+}
+
+TEST(WarningsTest, MotionsThatJump) {
+  const std::string pull = "Boundary Conditions/Pull: ";
+  expect_warning("strip.xml", {"Histories/Pull/Type=Constant", "Histories/Pull/Constant/Value=2"}, "jump",
+                 pull + "the motion begins with a jump to 2 L0");
+  expect_warning("strip.xml",
+                 {"Histories/Pull/Type=Expression", "Histories/Pull/Expression/Value=40*t",
+                  "Histories/Pull/Expression/Velocity=40", "Histories/Pull/Expression/Acceleration=0"},
+                 "jump", pull + "the motion begins with a jump of the velocity of 40 L0/T0, 0.027 of the wave speed");
+  expect_warning("strip.xml",
+                 {"Histories/Pull/Type=Ramp", "Histories/Pull/Ramp/Value=3", "Histories/Pull/Ramp/Length=0.08",
+                  "Histories/Pull/Ramp/Shape=Quintic"},
+                 "jump", pull + "1 of the whole motion of 3 L0 happens in one step of 0.1 T0");
+}
+
+TEST(WarningsTest, GapsWithoutAttraction) {
+  expect_warning("ball.xml", {"Mesh/Disk/Center={0, 60}"}, "no attraction", "the surface comes no nearer than 55 L0");
+  expect_warning("strip.xml",
+                 {"Mesh/Box/Lower={0, 5}", "Mesh/Sets/contact/Upper={150, 6}", "Interactions/Wall/Cutoff=2",
+                  "Output/Probes/P/Point={0, 5}", "Output/Probes/edge/Point={200, 5}"},
+                 "no attraction", "where the attraction is 0 of its largest value");
+  EXPECT_EQ(all_of("ball.xml", {"Mesh/Disk/Center={0, 60}", "Initial Conditions/Velocity={0, -10}"}), "");
+}
+
+TEST(WarningsTest, OneLayerOfCells) {
+  expect_warning("strip.xml", {"Mesh/Box/Divisions={320, 1}"}, "bending",
+                 "100 % of the surface (limit 50 %) has one layer of cells behind it, 10 L0 thick on a body of 200 L0");
+  EXPECT_EQ(all_of("strip.xml", {"Mesh/Box/Divisions={320, 1}", "Materials/Strip/Element Formulation=Enhanced",
+                                 "Interactions/Wall/Contact Element=Q1C1"}),
+            "");
+}
+
+TEST(WarningsTest, AnObliquePullWithoutFriction) {
+  expect_warning("strip.xml", {"Boundary Conditions/Guide/History=Pull"}, "no friction",
+                 "pulls at 45 degrees to the obstacle, but there is no friction");
+  expect_warning("ball.xml",
+                 {"Boundary Conditions/Wind/Type=Body Force", "Boundary Conditions/Wind/Vector={1e-5, 1e-5}"},
+                 "no friction", "Boundary Conditions/Wind pulls at 45 degrees");
+}
+
+}  // namespace
+}  // namespace ixos
