@@ -15,10 +15,10 @@ struct StrainExtremes {
 };
 
 /// Looks at the cells now and then: a look costs about as much as one evaluation of the elastic forces, so that looks
-/// after every 100th step cost nothing.
+/// after every 20th step cost little.
 class StrainWatch {
  public:
-  static constexpr long interval = 100;  ///< steps between looks
+  static constexpr long interval = 20;  ///< steps between looks
 
   /// Looks at the local displacement u at a time. Collective.
   void look(const Model& model, const double* u, double time);

@@ -93,6 +93,15 @@ TEST(UnsoundMeshesTest, SidesInsideTheBodyAreRefusedWhereAWallActsOnThem) {
   EXPECT_EQ(refusal(sound), "");
 }
 
+TEST(UnsoundMeshesTest, ANodeBelowTheWallIsRefusedWhereQuadraturePointsAreAboveIt) {
+  Mesh mesh = strip();
+  mesh.coordinates[2 * 2 + 1] = -0.515;  // the wall is at -0.5, the bottom's other nodes are at 0
+  expect_contains(
+      refusal(mesh),
+      "Interactions/Wall: the surface \"bottom\" starts in or below the wall, least gap -0.015 at node 3 of "
+      "the mesh at (2, -0.515); all gaps must be positive");
+}
+
 TEST(UnsoundMeshesTest, EmptySetsAreRefusedWhereSomethingActsOnThem) {
   Mesh mesh = strip();
   mesh.side_sets.push_back({"nowhere", {}});

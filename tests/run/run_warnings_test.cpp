@@ -1,5 +1,7 @@
 #include "run/run_warnings.hpp"
 
+#include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "run/restart_fixture.hpp"
