@@ -157,13 +157,27 @@ class ElasticTerm final : public Elasticity {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Nodal nodal;
       batches_.gather(b, u, nodal);
-      const auto means = Kernel::means(material_, geometry_[b], nodal);
+      const auto means =
+          Kernel::mean(material_, geometry_[b], nodal, [&](const auto& h) { return invariants(material_, h); });
       for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane) {
         const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
         fields.stress_invariant[cell] = means[0][lane] / youngs_modulus_;
         fields.jacobian[cell] = means[1][lane];
         fields.energy_density[cell] = means[2][lane];
       }
+    }
+  }
+
+  void cell_stress(const double* u, std::vector<SymmetricTensor>& stress) const override {
+    stress.resize(batches_.cells());
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      Nodal nodal;
+      batches_.gather(b, u, nodal);
+      const auto mean =
+          Kernel::mean(material_, geometry_[b], nodal, [&](const auto& h) { return cauchy_stress(material_, h); });
+      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+        for (std::size_t i = 0; i < mean.size(); ++i)
+          stress[b * static_cast<std::size_t>(pack_width) + lane][i] = mean[i][lane];
     }
   }
 

@@ -171,6 +171,18 @@ class ViscousTerm final : public Viscosity {
     }
   }
 
+  void add_cell_stress(const double* u, const double* v, std::vector<SymmetricTensor>& stress) const override {
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+      const Gradients displacement(*this, b, u), velocity(*this, b, v);
+      const auto mean = mean_over_points(
+          geometry_[b].points, [](std::size_t q) { return q; },
+          [&](std::size_t q) { return viscous_cauchy_stress(law_, displacement(q), velocity(q)); });
+      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+        for (std::size_t i = 0; i < mean.size(); ++i)
+          stress[b * static_cast<std::size_t>(pack_width) + lane][i] += mean[i][lane];
+    }
+  }
+
  private:
   /// Gradients of a local array at the points of a batch.
   class Gradients {
