@@ -94,7 +94,7 @@ TEST(CostsTest, FieldsThatAreNotListedAreNotEvaluated) {
   EXPECT_EQ(usual.calls.pressure, 0);
   EXPECT_EQ(usual.calls.nodal_gap, 0);
   const auto listed = [&](const std::string& names) {
-    return fly("", frames + R"(<Parameter name="Fields" type="Array(string)" value = "{)" + names + R"(}"/>)");
+    return fly("", frames + "<Parameter name=\"Fields\" type=\"Array(string)\" value=\"{" + names + "}\"/>");
   };
   const Flight gap = listed("displacement, gap");
   EXPECT_EQ(gap.calls.pressure, 0);
