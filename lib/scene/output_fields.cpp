@@ -31,7 +31,7 @@ NodalValues vector_of_owned(const Model& model, std::vector<double> local) {
   return vector_field(model, local);
 }
 
-/// The same of numbers by local node. The exchange knows degrees of freedom, so they take the place of a component.
+/// Does the same for numbers by local node. The exchange knows degrees of freedom, so they stand in for a component.
 NodalValues scalar_of_owned(const Model& model, const std::vector<double>& by_node) {
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   std::vector<double> local(static_cast<std::size_t>(model.space().local()), 0.0);
@@ -78,7 +78,7 @@ CellValues of_stress(FieldFrame& frame, std::size_t count, const Function& funct
 
 bool has_interactions(const Model& model) { return model.has_interactions(); }
 bool has_viscosity(const Model& model) { return model.has_viscosity(); }
-/// Constraints are those of the rank's own nodes and ghosts.
+/// Asks all ranks: some may see no constrained node.
 bool has_prescribed(const Model& model) { return model.space().maximum(model.constraints().empty() ? 0 : 1) > 0; }
 
 std::vector<OutputField> nodal_fields() {
@@ -112,7 +112,13 @@ std::vector<OutputField> nodal_fields() {
                     "Force that holds or drives a node whose displacement is prescribed. Its sum over a node set is "
                     "the reaction in history.csv.",
                     "E0 L0^(D-1)", FieldShape::Axes, false, "a prescribed displacement", has_prescribed});
-  fields.back().nodal = [](FieldFrame& frame) { return vector_of_owned(frame.model(), frame.state().reaction); };
+  fields.back().nodal = [](FieldFrame& frame) {
+    const LocalMesh& mesh = frame.model().mesh();
+    std::vector<double> forces = frame.state().reaction;
+    for (std::size_t dof = 0; dof < forces.size(); ++dof)  // those of derivative nodes are moments
+      if (mesh.is_derivative(dof / static_cast<std::size_t>(mesh.dimension))) forces[dof] = 0;
+    return vector_of_owned(frame.model(), std::move(forces));
+  };
   return fields;
 }
 
