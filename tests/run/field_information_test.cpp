@@ -16,7 +16,9 @@ using test::number;
 using test::word;
 
 std::vector<std::string> information(const std::string& scene, const std::string& file = "") {
-  const Simulation simulation(test::scene(scene), test::world());
+  const bool lasts = scene.find("Time Integrator") != std::string::npos;
+  const Simulation simulation(test::scene(scene + (lasts ? "" : test::time_integrator("Newmark", 0.1, 1))),
+                              test::world());
   return field_information(simulation, file, chosen_fields({"displacement", "stress"}, simulation.model()));
 }
 
