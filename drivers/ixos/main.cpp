@@ -185,6 +185,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   ixos::RunOptions options;
   options.folder = results_folder(arguments);
+  options.scene_file = arguments.scene;
   options.restart = arguments.restart;
   if (speaks) options.tell = [](const std::string& line) { ixos::console::say("{}\n", ixos::printable(line)); };
   if (speaks)

@@ -2,6 +2,7 @@
 
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
+#include "scene/output_fields.hpp"
 
 namespace ixos {
 namespace {
@@ -44,6 +45,7 @@ const Options<OutputOptions>& options() {
                   {{"Exodus", FieldsFormat::Exodus}, {"HDF5", FieldsFormat::Hdf5}},
                   "Format of fields.e. Exodus writes one file per rank; HDF5 writes one file that all ranks share "
                   "(Exodus on HDF5).")
+          .add("Fields", &OutputOptions::fields, output_fields_documentation())
           .add("History Time Interval", &OutputOptions::history_time_interval,
                "Time between rows of history.csv [T0]. It replaces History Interval unless it is 0.", at_least(0))
           .add("Fields Time Interval", &OutputOptions::fields_time_interval,
@@ -73,6 +75,10 @@ std::vector<double> OutputOptions::time_intervals() const {
 
 void declare_output(Teuchos::ParameterList& list) { options().declare(list); }
 
-OutputOptions read_output(const SceneNode& output) { return options().read(output); }
+OutputOptions read_output(const SceneNode& output) {
+  OutputOptions result = options().read(output);
+  check_field_names(output, "Fields", result.fields);
+  return result;
+}
 
 }  // namespace ixos

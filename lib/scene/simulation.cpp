@@ -22,6 +22,7 @@
 #include "scene/materials.hpp"
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
+#include "scene/output_fields.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/symmetry.hpp"
@@ -134,6 +135,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
       throw InputError("Output/Reactions: no displacement of the node set \"" + name +
                        "\" is prescribed, so it has no reaction");
   }
+  chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
 }
 
 /// See ProblemSize.

@@ -169,6 +169,23 @@ class CurvedSurfaceTerm final : public Interaction {
 
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
 
+  void add_nodal_pressure(const double* u, double* force) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Ends ends(sides_, b, {nullptr, nullptr, u});
+      std::array<Pack, N> sums{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack traction = sides_.measure(b)[q] * law_.traction(obstacle_->at(ends.to(q)).gap);
+        for (std::size_t a = 0; a < N; ++a) sums[a] += sides_.quadrature().value[q][a] * traction;
+      }
+      sides_.add_nodal(b, sums, force);
+    }
+  }
+
+  void lower_nodal_gap(const double* u, double* gap) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b)
+      sides_.lower_nodal(b, sides_.nodal_gaps(b, u, [&](const PackPoint& x) { return obstacle_->at(x); }), gap);
+  }
+
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     report.measure += sum_over_points(u, [&](const PackPoint&, const Sight& sight, const Pack& weight) {

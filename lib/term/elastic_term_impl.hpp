@@ -126,13 +126,24 @@ class ElasticTerm final : public Elasticity {
     for (std::vector<double>* field : {&fields.stress_invariant, &fields.jacobian, &fields.energy_density})
       field->resize(cells_.batches.cells());
     for (std::size_t b = 0; b < cells_.size(); ++b) {
-      const auto means = Kernel::means(material_, cells_.geometry[b], cells_.gathered(b, u));
+      const auto means = Kernel::mean(material_, cells_.geometry[b], cells_.gathered(b, u),
+                                      [&](const auto& h) { return invariants(material_, h); });
       for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane) {
         const std::size_t cell = Cells::number(b, lane);
         fields.stress_invariant[cell] = means[0][lane] / youngs_modulus_;
         fields.jacobian[cell] = means[1][lane];
         fields.energy_density[cell] = means[2][lane];
       }
+    }
+  }
+
+  void cell_stress(const double* u, std::vector<SymmetricTensor>& stress) const override {
+    stress.resize(cells_.batches.cells());
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      const auto mean = Kernel::mean(material_, cells_.geometry[b], cells_.gathered(b, u),
+                                     [&](const auto& h) { return cauchy_stress(material_, h); });
+      for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane)
+        for (std::size_t i = 0; i < mean.size(); ++i) stress[Cells::number(b, lane)][i] = mean[i][lane];
     }
   }
 

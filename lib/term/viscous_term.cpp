@@ -152,6 +152,17 @@ class ViscousTerm final : public Viscosity {
     }
   }
 
+  void add_cell_stress(const double* u, const double* v, std::vector<SymmetricTensor>& stress) const override {
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      const Gradients displacement(cells_, b, u), velocity(cells_, b, v);
+      const auto mean = mean_over_points(
+          cells_.geometry[b].points, [](std::size_t q) { return q; },
+          [&](std::size_t q) { return viscous_cauchy_stress(law_, displacement(q), velocity(q)); });
+      for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane)
+        for (std::size_t i = 0; i < mean.size(); ++i) stress[cells_.number(b, lane)][i] += mean[i][lane];
+    }
+  }
+
  private:
   /// Calls visit(point number, point) for the points of a batch at the displacement u of the stage's end.
   template <class Visit>

@@ -122,6 +122,7 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
           "did you mean \"body\"?");
   refused({"Output/Probes/P/Point={0, 0}"}, "Output/Probes/P/Point: the point (0, 0) lies outside the body");
   refused({"Output/Probes/P/Point={0}"}, "Output/Probes/P/Point has 1 elements, not 2");
+  refused({"Output/Fields={default, gpa}"}, "Output/Fields: field \"gpa\" does not exist; did you mean \"gap\"?");
   refused({"Output/Reactions={rihgt}"}, "Output/Reactions: node set \"rihgt\" does not exist; did you mean \"right\"?");
   refused({"Time Integrator/Stop/Peeled/Probe/Name=Q"}, "Time Integrator/Stop/Peeled/Probe/Name: probe \"Q\"");
   refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the mesh has 2 dimensions");
