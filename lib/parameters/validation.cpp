@@ -79,7 +79,7 @@ std::map<std::string, LeftOut> left_out(const List& user, const List& valid, con
   std::vector<std::string> kept;
   for (const auto& [name, entry] : entries(valid)) {
     const Choice* choice = choice_behind(entry.validator());
-    if (choice == nullptr) continue;
+    if (choice == nullptr || result.count(name) > 0) continue;  // an earlier choice leaves out this one
     List checked;
     check_entry(name, user.isParameter(name) ? user.getEntry(name) : entry, entry, join(path, name), checked);
     const auto& word = checked.get<std::string>(name);

@@ -14,6 +14,7 @@
 #include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 #include "study/study.hpp"
 
 namespace ixos {
@@ -184,7 +185,7 @@ Study read(const std::string& path) {
 
 List complete_scene(List scene, const Assignments& settings) {
   for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
-  return validated(scene, scene_parameters());
+  return complete_scene(scene);
 }
 
 }  // namespace
