@@ -7,6 +7,7 @@
 
 #include "base/tpetra.hpp"
 #include "mesh/quality.hpp"
+#include "scene/characteristic_numbers.hpp"
 #include "scene/interactions.hpp"
 #include "scene/output_options.hpp"
 #include "scene/probes.hpp"
@@ -45,6 +46,7 @@ class Simulation {
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
+  const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<std::string>& warnings() const { return warnings_; }
   double setup_seconds() const { return setup_seconds_; }
@@ -69,6 +71,7 @@ class Simulation {
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
+  CharacteristicNumbers numbers_;
   std::vector<std::string> warnings_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
