@@ -41,12 +41,14 @@ class Options {
         });
   }
 
-  /// A number that the user must give.
+  /// A number that the user must give, unless the validation leaves it out.
   template <class B>
   Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
     return entry(
         name, [=](List& list) { set_required(list, name, documentation, validator); },
-        [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
+        [=](const SceneNode& node, S& target) {
+          if (node.list().isParameter(name)) target.*member = node.number(name);
+        });
   }
 
   /// A choice among words that stand for the values of an enumeration.

@@ -7,6 +7,7 @@
 
 #include "base/pack.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "scene/si_explanation.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -138,7 +139,7 @@ std::string left_out(const Simulation& simulation) {
 
 std::string explain(const Simulation& simulation) {
   return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
-         left_out(simulation);
+         left_out(simulation) + explain_numbers(simulation);
 }
 
 }  // namespace ixos

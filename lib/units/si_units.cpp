@@ -40,8 +40,12 @@ const std::vector<Entry>& without_prefix() {
   return table;
 }
 
-const std::vector<std::pair<char, int>> prefixes{{'f', -15}, {'p', -12}, {'n', -9}, {'u', -6}, {'m', -3}, {'c', -2},
-                                                 {'d', -1},  {'h', 2},   {'k', 3},  {'M', 6},  {'G', 9},  {'T', 12}};
+struct Prefix {
+  char symbol;
+  int exponent;
+};
+constexpr Prefix prefixes[] = {{'f', -15}, {'p', -12}, {'n', -9}, {'u', -6}, {'m', -3}, {'c', -2},
+                               {'d', -1},  {'h', 2},   {'k', 3},  {'M', 6},  {'G', 9},  {'T', 12}};
 
 }  // namespace
 
@@ -49,7 +53,7 @@ std::optional<Unit> si_unit(const std::string& symbol) {
   for (const auto* table : {&without_prefix(), &with_prefix()})
     for (const Entry& entry : *table)
       if (symbol == entry.symbol) return entry.unit;
-  for (const auto& [prefix, exponent] : prefixes)
+  for (const auto [prefix, exponent] : prefixes)
     for (const Entry& entry : with_prefix())
       if (symbol == prefix + std::string(entry.symbol))
         return Unit{entry.unit.factor * Ratio(1, exponent), entry.unit.dimension};

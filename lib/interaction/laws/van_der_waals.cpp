@@ -9,12 +9,10 @@ namespace {
 
 enum class Constants { Ratios, Hamaker, Adhesion };
 
-/// Defaults: the same law, whichever constants a scene gives.
 struct Parameters {
   Constants constants = Constants::Ratios;
   double gamma_length = 2.5, gamma_energy = 25;
-  double hamaker = 0.0505323744, length = 0.4;
-  double work = 0.01549567, strength = 0.0624428;
+  double hamaker = 0, length = 0, work = 0, strength = 0;
 };
 
 /// Returns the law with A_H = 2 pi^2 r0^3 W0 (Israelachvili 2011, table 13.1, for the attraction -A_H/(12 pi r^2)).
@@ -56,13 +54,14 @@ LawEntry van_der_waals_law() {
            "Van der Waals: ratio L0/r0, where r0 is the length scale of the law [-].", greater_than(0))
       .add("Gamma W", &Parameters::gamma_energy,
            "Van der Waals: ratio E0/W0, where W0 is the energy density scale of the law [-].", greater_than(0))
-      .add("Hamaker Constant", &Parameters::hamaker,
-           "Van der Waals: Hamaker's constant A_H = 2 pi^2 r0^3 W0 [E0 L0^3].", greater_than(0))
-      .add("Length Scale", &Parameters::length,
-           "Van der Waals: length scale r0 of the law [L0]. No traction acts at a gap of 15^(-1/6) r0 = 0.637 r0.",
-           greater_than(0))
-      .add("Work of Adhesion", &Parameters::work, "Van der Waals: depth W of the potential [E0 L0].", greater_than(0))
-      .add("Strength", &Parameters::strength, "Van der Waals: largest attraction s0 [E0].", greater_than(0));
+      .require("Hamaker Constant", &Parameters::hamaker,
+               "Van der Waals: Hamaker's constant A_H = 2 pi^2 r0^3 W0 [E0 L0^3].", greater_than(0))
+      .require("Length Scale", &Parameters::length,
+               "Van der Waals: length scale r0 of the law [L0]. No traction acts at a gap of 15^(-1/6) r0 = 0.637 r0.",
+               greater_than(0))
+      .require("Work of Adhesion", &Parameters::work, "Van der Waals: depth W of the potential [E0 L0].",
+               greater_than(0))
+      .require("Strength", &Parameters::strength, "Van der Waals: largest attraction s0 [E0].", greater_than(0));
   return {"Van der Waals",
           "Van der Waals integrates the Lennard-Jones potential over the half-space: at a gap r the traction is T(r) = "
           "c1/r^9 - c2/r^3.",
