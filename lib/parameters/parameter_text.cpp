@@ -85,7 +85,7 @@ void set_double(Teuchos::ParameterList& list, const std::string& name, const std
     refuse(text, "double");
 }
 
-/// The same for an array.
+/// Sets an array of doubles as set_double() sets one.
 void set_doubles(Teuchos::ParameterList& list, const std::string& name, const std::string& text) {
   const std::string type = "Array(double)", body = trimmed(text);
   const auto end = body.find('}');

@@ -56,31 +56,35 @@ std::vector<DocumentedUnit> applicable(const std::vector<DocumentedUnit>& all, c
 class Conversion {
  public:
   Conversion(const UnitSystem& units, const std::string& documentation, const std::set<std::string>& uses)
-      : units_(units), documented_(documented_units(documentation)), targets_(applicable(documented_, uses)) {
-    if (documented_.empty()) targets_.push_back({"-", ""});
+      : documented_(documented_units(documentation)) {
+    for (const DocumentedUnit& unit : applicable(documented_, uses))
+      targets_.push_back({units.unit(unit.expression), unit.use});
+    if (documented_.empty()) targets_.push_back({});
   }
 
   /// Throws InputError without a path.
   double operator()(const Quantity& quantity, const std::string& text) const {
     if (targets_.empty()) refuse_use(text);
-    for (const DocumentedUnit& target : targets_) {
-      const Dimension wanted = units_.unit(target.expression).dimension;
-      if (quantity.has_unit && quantity.magnitude.dimension != wanted)
-        refuse(text, quantity.magnitude.dimension, wanted, target.use);
-    }
+    for (const Target& target : targets_)
+      if (quantity.has_unit && quantity.magnitude.dimension != target.unit.dimension)
+        refuse(text, quantity.magnitude.dimension, target);
     try {
-      return in_unit(quantity, quantity.has_unit ? units_.unit(targets_.front().expression) : Unit{});
+      return in_unit(quantity, quantity.has_unit ? targets_.front().unit : Unit{});
     } catch (const InputError& error) {
-      throw InputError('"' + text + "\": " + error.what());
+      throw InputError(in_quotes(text) + ": " + error.what());
     }
   }
 
  private:
-  [[noreturn]] static void refuse(const std::string& text, const Dimension& found, const Dimension& wanted,
-                                  const std::string& use) {
-    const DimensionName needed = dimension_name(wanted);
-    throw InputError(fmt::format("\"{}\" is {}; {} is needed{}{}", text, dimension_name(found).name, needed.name,
-                                 use.empty() ? "" : " for a " + use,
+  struct Target {
+    Unit unit;
+    std::string use;
+  };
+
+  [[noreturn]] static void refuse(const std::string& text, const Dimension& found, const Target& target) {
+    const DimensionName needed = dimension_name(target.unit.dimension);
+    throw InputError(fmt::format("{} is {}; {} is needed{}{}", in_quotes(text), dimension_name(found).name, needed.name,
+                                 target.use.empty() ? "" : " for a " + target.use,
                                  needed.example.empty() ? "" : ", as in \"" + needed.example + '"'));
   }
 
@@ -88,13 +92,13 @@ class Conversion {
     std::string known;
     for (const DocumentedUnit& unit : documented_) known += (known.empty() ? "" : ", ") + unit.use;
     throw InputError(
-        fmt::format("\"{}\": its unit depends on what the scene leaves open ({}). If the dimension of the "
-                    "mesh is not known, state it: Mesh/Exodus/Dimension",
-                    text, known));
+        fmt::format("{}: its unit depends on what the scene leaves open ({}). If the dimension of the mesh "
+                    "is not known, state it: Mesh/Exodus/Dimension",
+                    in_quotes(text), known));
   }
 
-  const UnitSystem& units_;
-  std::vector<DocumentedUnit> documented_, targets_;
+  std::vector<DocumentedUnit> documented_;
+  std::vector<Target> targets_;
 };
 
 void convert(List& list, const std::string& name, const Teuchos::ParameterEntry& valid, const Conversion& conversion) {

@@ -1,4 +1,4 @@
-/// What the parameters of a scene are used for, where their units depend on it.
+/// The uses of a scene's parameters whose units depend on their use.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <map>

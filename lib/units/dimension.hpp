@@ -28,7 +28,7 @@ inline Dimension power(const Dimension& a, int exponent) {
   return result;
 }
 
-/// What people call a dimension.
+/// The usual name of a dimension.
 struct DimensionName {
   std::string name;     ///< with its article: "a density"; "a quantity in kg^2" if it has no name
   std::string example;  ///< "1000 kg/m^3"; empty if it has no name

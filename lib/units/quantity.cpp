@@ -80,7 +80,7 @@ Quantity quoted(const std::string& text) {
   try {
     return parse(text);
   } catch (const InputError& error) {
-    throw InputError('"' + text + "\": " + error.what());
+    throw InputError(in_quotes(text) + ": " + error.what());
   }
 }
 
@@ -99,7 +99,7 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
   const std::string body = trimmed(text);
   const auto end = body.find('}');
   if (body.empty() || body[0] != '{' || end == std::string::npos)
-    throw InputError('"' + body + "\" is no list of numbers, as in {1, 2} nm");
+    throw InputError(in_quotes(body) + " is no list of numbers, as in {1, 2} nm");
   const std::string unit = trimmed(body.substr(end + 1));
   std::vector<Quantity> quantities;
   for (std::size_t start = 1; start <= end; start = std::min(body.find(',', start), end) + 1) {
@@ -107,13 +107,13 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
     if (element.empty() && start == 1 && body.find(',') > end) break;
     quantities.push_back(quoted(unit.empty() ? element : element + " " + unit));
     if (!unit.empty() && quoted(element).has_unit)
-      throw InputError('"' + body + "\": give each element its unit, or one unit after the brace");
+      throw InputError(in_quotes(body) + ": give each element its unit, or one unit after the brace");
   }
   const auto lacks = [](const Quantity& q) { return !q.has_unit && !q.magnitude.factor.is_zero(); };
   const auto has = [](const Quantity& q) { return q.has_unit; };
   if (std::any_of(quantities.begin(), quantities.end(), has) &&
       std::any_of(quantities.begin(), quantities.end(), lacks))
-    throw InputError('"' + body + "\": some elements have a unit and some have none");
+    throw InputError(in_quotes(body) + ": some elements have a unit and some have none");
   return quantities;
 }
 

@@ -88,7 +88,7 @@ class Parser {
     return negative ? -value : value;
   }
 
-  [[noreturn]] void refuse(const std::string& why) const { throw InputError("unit \"" + text_ + "\": " + why); }
+  [[noreturn]] void refuse(const std::string& why) const { throw InputError("unit " + in_quotes(text_) + ": " + why); }
 
   [[noreturn]] void refuse_symbol(const std::string& symbol) const {
     std::string letters = symbol;
@@ -119,6 +119,10 @@ class Parser {
 };
 
 }  // namespace
+
+std::string in_quotes(const std::string& text) {
+  return '"' + (text.size() > longest_unit ? text.substr(0, longest_unit) + "..." : text) + '"';
+}
 
 Unit parse_unit(const std::string& text, const SymbolTable& table) { return Parser(text, table).parse(); }
 

@@ -33,6 +33,9 @@ Unit parse_unit(const std::string& text, const SymbolTable& table);
 /// m, c, d, h, k, M, G, T) or none, and deg, min, h, Angstrom. The characters µ and Å count as u and Angstrom.
 std::optional<Unit> si_unit(const std::string& symbol);
 
+/// Returns the text in double quotes for a message; a long one is cut.
+std::string in_quotes(const std::string& text);
+
 /// Returns the text with micro, angstrom, middle dots, raised digits and minus signs spelt in ASCII.
 std::string ascii_units(std::string text);
 

@@ -21,10 +21,10 @@ Unit scale(const std::string& name, const std::string& text, const Dimension& wa
   }
   const DimensionName needed = dimension_name(wanted);
   if (quantity.magnitude.dimension != wanted)
-    throw InputError(fmt::format("Units/{}: \"{}\" is {}; {} is needed, as in \"{}\"", name, text,
+    throw InputError(fmt::format("Units/{}: {} is {}; {} is needed, as in \"{}\"", name, in_quotes(text),
                                  dimension_name(quantity.magnitude.dimension).name, needed.name, needed.example));
   if (quantity.negative || quantity.magnitude.factor.is_zero())
-    throw InputError(fmt::format("Units/{}: \"{}\" must be greater than 0", name, text));
+    throw InputError(fmt::format("Units/{}: {} must be greater than 0", name, in_quotes(text)));
   return quantity.magnitude;
 }
 
