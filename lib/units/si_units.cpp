@@ -1,4 +1,5 @@
 // The table of units. The SI brochure (BIPM 2019) defines them; e is exact since then.
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -44,8 +45,18 @@ struct Prefix {
   char symbol;
   int exponent;
 };
-constexpr Prefix prefixes[] = {{'f', -15}, {'p', -12}, {'n', -9}, {'u', -6}, {'m', -3}, {'c', -2},
-                               {'d', -1},  {'h', 2},   {'k', 3},  {'M', 6},  {'G', 9},  {'T', 12}};
+constexpr std::array<Prefix, 12> prefixes{{{'f', -15},
+                                           {'p', -12},
+                                           {'n', -9},
+                                           {'u', -6},
+                                           {'m', -3},
+                                           {'c', -2},
+                                           {'d', -1},
+                                           {'h', 2},
+                                           {'k', 3},
+                                           {'M', 6},
+                                           {'G', 9},
+                                           {'T', 12}}};
 
 }  // namespace
 

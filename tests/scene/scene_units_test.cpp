@@ -109,6 +109,9 @@ TEST(SceneUnitsTest, UnitsOfTheSceneAreScaleFactors) {
   const std::string values = values_in_si(left, scene_units(left));
   test::expect_contains(values, "Materials/Ball/Density: 5e-07 E0 T0^2/L0^2 = 1 kg/m^3\n");
   test::expect_contains(values, "Materials/Ball/Young's Modulus: 1 E0 = 2 MPa\n");
+  const ParameterList mistaken = complete("ball.xml", {"Materials/Ball/Density=1000"});
+  test::expect_contains(values_in_si(mistaken, scene_units(mistaken)),
+                        "Materials/Ball/Density: 1000 E0 T0^2/L0^2 = 2e+12 kg/m^3\n");
 }
 
 TEST(SceneUnitsTest, FilesMayHaveUnitsInStringsAndInNumbers) {
