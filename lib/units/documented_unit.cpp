@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 namespace ixos {
 
@@ -16,8 +17,8 @@ std::vector<DocumentedUnit> documented_units(const std::string& documentation) {
     if (const auto at = unit.expression.find(use); at != std::string::npos) {
       unit.use = unit.expression.substr(at + use.size());
       unit.expression.resize(at);
-      for (const std::string article : {"a ", "an "})
-        if (unit.use.rfind(article, 0) == 0) unit.use.erase(0, article.size());
+      for (const char* article : {"a ", "an "})
+        if (unit.use.rfind(article, 0) == 0) unit.use.erase(0, std::strlen(article));
     }
     units.push_back(unit);
     start = end + separator.size();
