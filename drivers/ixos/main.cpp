@@ -25,7 +25,6 @@
 #include "io/hdf5_file.hpp"
 #include "ixos/mpi_errors.hpp"
 #include "parameters/parameter_entries.hpp"
-#include "parameters/validation.hpp"
 #include "progress_line.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
@@ -34,6 +33,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
+#include "scene/scene_units.hpp"
 #include "shell_word.hpp"
 #include "solve/factorization.hpp"
 #include "solve/klu2_repair.hpp"
@@ -112,7 +112,7 @@ std::string scene_folder(const Arguments& arguments) {
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
-  Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
+  Teuchos::ParameterList complete = ixos::complete_scene(scene);
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
   return 0;

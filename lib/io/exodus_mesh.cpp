@@ -31,12 +31,16 @@ MeshEntry exodus_mesh() {
   struct Parameters {
     std::string file = required;
     int dimension = 0;
+    double length_unit = 1;
   };
   Options<Parameters> options;
   options
       .add("File", &Parameters::file, "Path of the mesh file, relative to the scene's folder or to the working folder.")
       .add("Dimension", &Parameters::dimension, "Dimension that the mesh must have: 2 or 3. With 0, both are accepted.",
-           between(0, 3));
+           between(0, 3))
+      .add("Length Unit", &Parameters::length_unit,
+           "Unit of the coordinates in the file [L0], for example \"1 um\". Ixos multiplies them by it.",
+           greater_than(0));
   return {"Exodus", "A mesh of QUAD4 (2D) or HEX8 (3D) elements, read from an Exodus file.", "", options.list(),
           [options](const SceneNode& node) {
             const Parameters p = options.read(node);
@@ -45,6 +49,8 @@ MeshEntry exodus_mesh() {
             if (p.dimension != 0 && p.dimension != mesh.dimension)
               node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
                                               mesh.dimension, p.dimension));
+            if (p.length_unit != 1)
+              for (double& coordinate : mesh.coordinates) coordinate *= p.length_unit;
             return mesh;
           }};
 }

@@ -8,6 +8,7 @@
 #include "base/pack.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "scene/output_fields.hpp"
+#include "scene/si_explanation.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -154,7 +155,7 @@ std::string left_out(const Simulation& simulation) {
 
 std::string explain(const Simulation& simulation) {
   return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
-         frames(simulation) + left_out(simulation);
+         frames(simulation) + left_out(simulation) + explain_numbers(simulation);
 }
 
 }  // namespace ixos

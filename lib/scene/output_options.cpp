@@ -12,7 +12,7 @@ Options<CheckpointOptions> checkpoint_options() {
       .add("Interval", &CheckpointOptions::interval,
            "Number of steps between checkpoints. 0: only Wall-Clock Interval counts.", between(0, 1000000000))
       .add("Wall-Clock Interval", &CheckpointOptions::clock_interval,
-           "Seconds between checkpoints. 0: only Interval counts.", at_least(0))
+           "Wall-clock time between checkpoints [s]. 0: only Interval counts.", at_least(0))
       .add("Keep", &CheckpointOptions::keep, "Number of latest checkpoints that are kept. 0: the run writes none.",
            between(0, 1000));
 }

@@ -14,7 +14,6 @@
 #include "io/history_file.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
-#include "parameters/validation.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
@@ -23,8 +22,8 @@
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
 #include "scene/output_fields.hpp"
-#include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
+#include "scene/scene_units.hpp"
 #include "scene/symmetry.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
@@ -46,7 +45,8 @@ void check_resolution(const StepControlOptions& control, const std::string& path
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
-    : parameters_(validated(scene, scene_parameters())),
+    : parameters_(complete_scene(scene)),
+      units_(scene_units(parameters_)),
       output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
       time_integrator_(read_time_integrator(SceneNode(parameters_, "").sublist("Time Integrator"), output_)),
       newton_(read_newton(SceneNode(parameters_, "").sublist("Nonlinear Solver"))) {
@@ -108,6 +108,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   });
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
+  numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty()) warnings_.push_back(std::move(bad));
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
@@ -119,7 +120,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
-  add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
+  add_conditions(scene.sublist("Boundary Conditions"), histories, materials_, *model_);
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {

@@ -7,6 +7,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -48,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace ixos;
   try {
     const ParameterList user = read_scene_text(fuzz::text(data, size), "input");
-    const ParameterList complete = validated(user, scene_parameters());
+    const ParameterList complete = complete_scene(user);
     expect_all(user, complete);
     const ParameterList again = validated(read_scene_text(scene_text(complete), "again"), scene_parameters());
     fuzz::expect(scene_changes(complete, again).empty(), "a scene changes when it is written and read");

@@ -21,6 +21,15 @@ Teuchos::ParameterList mesh_list(const std::string& type) {
   return list;
 }
 
+TEST(SceneMeshTest, AMeshFileMayHaveAUnitOfLength) {
+  Teuchos::ParameterList list = mesh_list("Exodus");
+  list.sublist("Exodus").set("File", std::string(IXOS_TEST_DIRECTORY) + "/../meshes/ball.e");
+  const Mesh own = scene_mesh(list, ".");
+  list.sublist("Exodus").set("Length Unit", 1000.0);
+  const Mesh larger = scene_mesh(list, ".");
+  for (std::size_t k = 0; k < own.coordinates.size(); ++k) ASSERT_EQ(larger.coordinates[k], 1000 * own.coordinates[k]);
+}
+
 TEST(SceneMeshTest, SpatulaTakesEveryParameterOfItsList) {
   Teuchos::ParameterList list = mesh_list("Spatula");
   Teuchos::ParameterList& own = list.sublist("Spatula");

@@ -1,0 +1,180 @@
+#include "scene/characteristic_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "interaction/catalogue.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Point = std::array<double, 3>;
+
+Point point_of(const Mesh& mesh, int node) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  Point x{};
+  for (std::size_t i = 0; i < d; ++i) x[i] = mesh.coordinates[static_cast<std::size_t>(node) * d + i];
+  return x;
+}
+
+/// Calls visit(node) for the corners of all cells of the block; returns whether there is one.
+template <class Visit>
+bool for_each_corner(const Mesh& mesh, const std::string& name, const Visit& visit) {
+  bool found = false;
+  for (const ElementBlock& block : mesh.blocks) {
+    if (block.name != name) continue;
+    const int all = nodes_per_cell(block.type), corners = nodes_per_cell(plain_type(block.type));
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (int a = 0; a < corners; ++a) visit(block.nodes[cell_entry(cell, all, a)]);
+    found = found || block.cells() > 0;
+  }
+  return found;
+}
+
+std::optional<BodyNumbers> body_numbers(const std::string& name, const Material& material, const Mesh& mesh) {
+  Point lower, upper;
+  lower.fill(infinity);
+  upper.fill(-infinity);
+  const bool found = for_each_corner(mesh, material.block, [&](int node) {
+    const Point x = point_of(mesh, node);
+    for (std::size_t i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], x[i]);
+      upper[i] = std::max(upper[i], x[i]);
+    }
+  });
+  if (!found) return std::nullopt;
+  const Lame lame = material.law->lame();
+  const double ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
+  BodyNumbers body;
+  body.name = name;
+  body.modulus = youngs_modulus(lame);
+  body.plane_modulus = body.modulus / (1 - ratio * ratio);
+  body.density = material.density;
+  body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
+  body.thickness = infinity;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i) {
+    body.size = std::max(body.size, upper[i] - lower[i]);
+    body.thickness = std::min(body.thickness, upper[i] - lower[i]);
+  }
+  body.crossing_time = body.size / body.wave_speed;
+  return body;
+}
+
+/// Returns the corners of a side.
+std::vector<Point> corners_of(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const std::vector<int>& local = side_nodes(block.type, side.side);
+  std::vector<Point> corners;
+  for (std::size_t a = 0; a < (mesh.dimension == 2 ? 2U : 4U); ++a)
+    corners.push_back(point_of(mesh, block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), local[a])]));
+  return corners;
+}
+
+/// Returns the length of a side, in 3D its area: half the product of its diagonals.
+double measure_of(const std::vector<Point>& corners) {
+  const auto minus = [](const Point& x, const Point& y) { return Point{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
+  if (corners.size() == 2) {
+    const Point d = minus(corners[1], corners[0]);
+    return std::hypot(d[0], d[1]);
+  }
+  const Point a = minus(corners[2], corners[0]), b = minus(corners[3], corners[1]);
+  return 0.5 * std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+}
+
+Sight sight_of(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
+
+/// Returns the curvature 1/R of a sphere's surface that has the obstacle's mean curvature below x: on parallel surfaces
+/// a sphere's distance g from R bends by 1/(R + g) in each direction.
+double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) {
+  const Sight sight = sight_of(obstacle, x);
+  double bend = 0;
+  for (std::size_t i = 0; i < 3; ++i) bend += sight.bend[i][i][0] / (dimension - 1);
+  return bend == 0 ? 0 : 1 / (1 / bend - sight.gap[0]);
+}
+
+void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
+  const GapLaw& law = *interaction.law;
+  numbers.equilibrium_gap = law.equilibrium_gap();
+  const Pack near = law.equilibrium_gap(), far = law.adhesion_gap();
+  const bool cut = interaction.cutoff > law.adhesion_gap();
+  const Pack energy = cut ? law.cut_off(interaction.cutoff)->energy(near) : law.energy(near);
+  numbers.work = std::max(0.0, -static_cast<double>(energy[0]));
+  numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(far)[0]));
+}
+
+/// Adds what the sides of the set show; `nearest` becomes the corner of least gap.
+void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
+               Point& nearest) {
+  double measure = 0;
+  numbers.least_gap = infinity;
+  for (const Side& side : set.sides) {
+    const std::vector<Point> corners = corners_of(mesh, side);
+    measure += measure_of(corners) / static_cast<double>(set.sides.size());
+    for (const Point& corner : corners) {
+      const double gap = sight_of(obstacle, corner).gap[0];
+      if (!(gap < numbers.least_gap)) continue;
+      numbers.least_gap = gap;
+      nearest = corner;
+    }
+  }
+  numbers.face_length = mesh.dimension == 2 ? measure : std::sqrt(measure);
+}
+
+}  // namespace
+
+double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness) {
+  if (!(peak_traction > 0)) return 0;
+  const double bulk = plane_modulus * work / (peak_traction * peak_traction);
+  return std::min(bulk, std::pow(2.0 / 3 * bulk * thickness * thickness * thickness, 0.25));
+}
+
+CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,
+                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh) {
+  CharacteristicNumbers all;
+  std::vector<std::size_t> body_of(materials.size(), std::string::npos);
+  const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (auto body = body_numbers(lists[i].name(), materials[i], mesh)) {
+      body_of[i] = all.bodies.size();
+      all.bodies.push_back(*body);
+    }
+  const SceneNode shape = scene.sublist("Mesh");
+  const bool disk = shape.text("Type") == "Disk";
+  for (const SceneInteraction& interaction : interactions) {
+    const auto set = std::find_if(mesh.side_sets.begin(), mesh.side_sets.end(),
+                                  [&](const SideSet& own) { return own.name == interaction.side_set; });
+    if (set == mesh.side_sets.end() || set->sides.empty()) continue;
+    const std::string& block = mesh.blocks[static_cast<std::size_t>(set->sides.front().block)].name;
+    const auto material =
+        std::find_if(materials.begin(), materials.end(), [&](const Material& own) { return own.block == block; });
+    if (material == materials.end()) continue;
+    SurfaceNumbers numbers;
+    numbers.name = interaction.node.name();
+    numbers.body = body_of[static_cast<std::size_t>(material - materials.begin())];
+    const BodyNumbers& body = all.bodies[numbers.body];
+    const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
+    Point nearest{};
+    add_law(interaction, numbers);
+    add_sides(mesh, *set, *obstacle, numbers, nearest);
+    numbers.elastic_length = numbers.work / body.modulus;
+    numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, body.thickness);
+    const double curvature = curvature_below(*obstacle, nearest, mesh.dimension) +
+                             (disk ? 2 / shape.sublist("Disk").number("Diameter") : 0.0);
+    if (curvature > 0) {
+      numbers.radius = 1 / curvature;
+      const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;
+      numbers.tabor = std::cbrt(numbers.radius * elastic * elastic / std::pow(numbers.equilibrium_gap, 3));
+    }
+    numbers.attraction_speed = std::sqrt(2 * numbers.work / (body.density * body.thickness));
+    numbers.gap_crossing_time = numbers.equilibrium_gap / numbers.attraction_speed;
+    all.surfaces.push_back(std::move(numbers));
+  }
+  return all;
+}
+
+}  // namespace ixos
