@@ -16,10 +16,11 @@
 #include "io/disk_file.hpp"
 #include "io/exodus_handle.hpp"
 #include "io/exodus_mesh.hpp"
+#include "io/exodus_topology.hpp"
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
-#include "io/mesh_file.hpp"
 #include "mesh/normalize.hpp"
+#include "parameters/scene_node.hpp"
 
 namespace ixos {
 namespace {
@@ -27,24 +28,6 @@ namespace {
 template <class... Values>
 [[noreturn]] void refuse(const std::string& path, fmt::format_string<Values...> text, Values&&... values) {
   throw InputError(path + ": " + fmt::format(text, std::forward<Values>(values)...));
-}
-
-/// Returns the dimension of an element type of the Exodus standard, by the beginning of its name; `otherwise` for types
-/// that are not listed here.
-int dimension_of(const std::string& topology, int otherwise) {
-  constexpr std::array<std::pair<const char*, int>, 10> types{{{"SPHERE", 0},
-                                                               {"CIRCLE", 0},
-                                                               {"POINT", 0},
-                                                               {"BAR", 1},
-                                                               {"BEAM", 1},
-                                                               {"TRUSS", 1},
-                                                               {"EDGE", 1},
-                                                               {"LINE", 1},
-                                                               {"QUAD", 2},
-                                                               {"TRI", 2}}};
-  for (const auto& [beginning, dimension] : types)
-    if (topology.rfind(beginning, 0) == 0) return dimension;
-  return otherwise;
 }
 
 /// NetCDF's three formats begin with CDF or with HDF5's signature; other files do not reach the library.
@@ -100,13 +83,6 @@ class Reader {
  private:
   static constexpr int name_length = 255;
 
-  struct Block {
-    int id;
-    std::string name, topology;
-    int64_t cells, nodes_per_cell;
-    int dimension;
-  };
-
   const std::string& path() const { return file_.path(); }
 
   void require(int status, const char* what) const {
@@ -155,38 +131,26 @@ class Reader {
       block.id = id;
       block.type = EX_ELEM_BLOCK;
       require(ex_get_block_param(file_, &block), "a block");
-      Block here{
-          id, name(EX_ELEM_BLOCK, id, "block", taken), block.topology, block.num_entry, block.num_nodes_per_entry, 0};
+      ExodusBlock here{id, name(EX_ELEM_BLOCK, id, "block", taken), block.topology, block.num_entry,
+                       block.num_nodes_per_entry};
       std::transform(here.topology.begin(), here.topology.end(), here.topology.begin(),
                      [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-      here.dimension = dimension_of(here.topology, mesh_.dimension);
       first_cell_.push_back(cells);
       cells += here.cells;
       if (here.cells < 0 || cells > header_.num_elem) refuse(path(), "its blocks hold more elements than it has");
-      if (here.cells > 0) cell_dimension_ = std::max(cell_dimension_, here.dimension);
+      if (here.cells > 0) cell_dimension_ = std::max(cell_dimension_, dimension_of(here, mesh_.dimension));
       blocks_.push_back(std::move(here));
     }
     if (cells != header_.num_elem) refuse(path(), "its blocks hold {} elements, not {}", cells, header_.num_elem);
   }
 
-  CellType cell_type(const Block& block) const {
-    const bool quad = block.topology.rfind("QUAD", 0) == 0 && block.nodes_per_cell == 4;
-    const bool hex = block.topology.rfind("HEX", 0) == 0 && block.nodes_per_cell == 8;
-    if (quad) return CellType::Quad4;
-    if (hex && mesh_.dimension == 3) return CellType::Hex8;
-    refuse(
-        path(),
-        "block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 in 2 and HEX8 in 3 are allowed. {}",
-        block.name, block.topology, block.nodes_per_cell, mesh_.dimension, recombining_recipe(cell_dimension_));
-  }
-
   void read_blocks() {
     std::vector<char> used(static_cast<std::size_t>(header_.num_nodes), 0);
     std::vector<std::string> left_out;
-    for (const Block& block : blocks_) {
-      const bool kept = block.dimension >= cell_dimension_;
+    for (const ExodusBlock& block : blocks_) {
+      const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
       ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};
-      if (kept && block.cells > 0) here.type = cell_type(block);
+      if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
       here.nodes = read_nodes(block);
       for (int node : here.nodes) used[static_cast<std::size_t>(node)] = 1;
       block_place_.push_back(kept ? static_cast<int>(mesh_.blocks.size()) : -1);
@@ -202,7 +166,7 @@ class Reader {
   }
 
   /// Returns the nodes of a block's elements, from 0.
-  std::vector<int> read_nodes(const Block& block) const {
+  std::vector<int> read_nodes(const ExodusBlock& block) const {
     if (block.cells == 0) return {};
     if (block.nodes_per_cell < 1 || block.nodes_per_cell > most_ / block.cells)
       refuse(path(), "is damaged: block \"{}\" claims {} nodes per element", block.name, block.nodes_per_cell);
@@ -290,7 +254,7 @@ class Reader {
   int64_t set_entries_ = 0;  ///< of the sets read so far, together
   Mesh mesh_;
   int cell_dimension_ = 0;
-  std::vector<Block> blocks_;
+  std::vector<ExodusBlock> blocks_;
   std::vector<int64_t> first_cell_;  ///< number of each block's first cell
   std::vector<int> block_place_;     ///< of each block in the mesh; -1: left out
 };

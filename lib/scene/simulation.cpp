@@ -111,6 +111,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     warnings_ = inspect_mesh(SceneNode(parameters_, ""), mesh);
     enrich_surfaces(interactions_, mesh);
   });
+  notes_ = mesh.notes;
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty()) warnings_.push_back(std::move(bad));

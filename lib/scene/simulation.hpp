@@ -45,6 +45,8 @@ class Simulation {
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Returns what Ixos left out of a mesh file, in sentences.
+  const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -66,7 +68,7 @@ class Simulation {
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> warnings_, notes_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };
