@@ -58,9 +58,12 @@ void MshSource::end_section() {
 }
 
 void MshSource::skip_section() {
-  place_ = bytes_.find("$End" + section_, place_);
-  if (place_ == std::string::npos) refuse_end();
-  line();
+  const std::string end = "$End" + section_;
+  for (std::size_t found = bytes_.find(end, place_); found != std::string::npos; found = bytes_.find(end, found + 1)) {
+    place_ = found;
+    if (line() == end) return;
+  }
+  refuse_end();
 }
 
 std::string_view MshSource::line() {
