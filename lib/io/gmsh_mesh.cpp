@@ -61,7 +61,7 @@ class Builder {
   static std::string new_name(std::string name, const char* kind, std::set<std::string>& taken) {
     if (!taken.insert(name).second)
       throw InputError(
-          fmt::format("two physical groups make the {} \"{}\"; give each group a name of its own", kind, name));
+          fmt::format("two physical groups make the {} \"{}\"; each group needs its own name", kind, name));
     return name;
   }
 

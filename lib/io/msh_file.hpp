@@ -1,4 +1,4 @@
-/// What a file of gmsh's format MSH 4.1 holds.
+/// Contents of files of gmsh's format MSH 4.1.
 #pragma once
 #include <map>
 #include <string>

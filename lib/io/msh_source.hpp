@@ -15,7 +15,7 @@ class MshSource {
  public:
   /// Reads the whole file. Throws InputError if it is no readable file.
   explicit MshSource(const std::string& path);
-  /// The same of bytes that are in memory; `path` is the name in messages.
+  /// Reads bytes that are in memory; messages name `path`.
   MshSource(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
 
   /// Lets the numbers of later sections be binary, or text.
@@ -38,7 +38,7 @@ class MshSource {
   std::uint64_t size(const char* what);    ///< a size_t of the format
   double number(const char* what);         ///< finite
 
-  /// What each entry of a list holds at least.
+  /// The least numbers of values in each entry of a list.
   struct Entry {
     std::size_t integers = 0, sizes = 0, numbers = 0;
   };

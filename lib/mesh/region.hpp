@@ -7,7 +7,7 @@
 
 namespace ixos {
 
-/// What all conditions that are given have in common; without any, all of space. Every list has D coordinates, or is
+/// The intersection of all conditions that are given; without any, all of space. Every list has D coordinates, or is
 /// empty. Points on a boundary count as inside, to 1e-9 of the mesh's size.
 struct Region {
   std::vector<double> lower{};          ///< an axis-parallel box: its least coordinates [L0]; empty: no bound
