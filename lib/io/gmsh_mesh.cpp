@@ -126,7 +126,7 @@ class Builder {
                                    type.name, type.nodes, dimension_ == 2 ? "quadrilaterals" : "hexahedra"));
     const auto nodes = static_cast<std::size_t>(type.nodes);
     for (auto first = elements.nodes.begin(); first != elements.nodes.end(); first += type.nodes) {
-      const SideCorners corners = side_corners({first, first + type.nodes});
+      const SideCorners corners = sorted_corners({first, first + type.nodes});
       const auto [begin, end] = sides_with(sides, corners);
       const double* place = &mesh_.coordinates[3 * static_cast<std::size_t>(*first)];
       const std::string where = fmt::format("({:.6g}, {:.6g}, {:.6g})", place[0], place[1], place[2]);

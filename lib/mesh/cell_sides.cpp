@@ -5,7 +5,7 @@
 
 namespace ixos {
 
-SideCorners side_corners(const std::vector<int>& nodes) {
+SideCorners sorted_corners(const std::vector<int>& nodes) {
   SideCorners corners;
   corners.fill(-1);
   std::copy(nodes.begin(), nodes.end(), corners.begin());
@@ -13,7 +13,7 @@ SideCorners side_corners(const std::vector<int>& nodes) {
   return corners;
 }
 
-SideCorners side_corners(const Mesh& mesh, const Side& side) {
+SideCorners sorted_corners(const Mesh& mesh, const Side& side) {
   const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
   const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
   SideCorners corners;
@@ -31,7 +31,7 @@ std::vector<CellSide> sorted_sides(const Mesh& mesh) {
     for (int cell = 0; cell < b.cells(); ++cell, ++number)
       for (int k = 0; k < sides_per_cell(b.type); ++k) {
         const Side side{block, cell, k};
-        sides.push_back({side_corners(mesh, side), number, side});
+        sides.push_back({sorted_corners(mesh, side), number, side});
       }
     ++block;
   }

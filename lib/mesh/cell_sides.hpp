@@ -23,8 +23,8 @@ struct CellSide {
 using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
 
 /// Returns the corners of a side, of 2 or 4 nodes.
-SideCorners side_corners(const std::vector<int>& nodes);
-SideCorners side_corners(const Mesh& mesh, const Side& side);
+SideCorners sorted_corners(const std::vector<int>& nodes);
+SideCorners sorted_corners(const Mesh& mesh, const Side& side);
 
 /// Returns every side of every cell, sorted by corners: neighbours share theirs. Among sides with the same corners that
 /// of the first cell comes first.

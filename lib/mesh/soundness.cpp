@@ -90,7 +90,7 @@ void require_outer_sides(const Mesh& mesh, const SideSet& set) {
   std::vector<int> first{0};
   for (const ElementBlock& block : mesh.blocks) first.push_back(first.back() + block.cells());
   for (const Side& side : set.sides) {
-    const auto [begin, end] = sides_with(sides, side_corners(mesh, side));
+    const auto [begin, end] = sides_with(sides, sorted_corners(mesh, side));
     const int cell = first[static_cast<std::size_t>(side.block)] + side.cell;
     if (end - begin > 1)
       throw InputError(fmt::format(

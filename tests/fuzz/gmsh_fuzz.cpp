@@ -19,9 +19,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const SideSet& set : mesh.side_sets)
       for (const Side& side : set.sides) {
         const ElementBlock& block = mesh.blocks.at(static_cast<std::size_t>(side.block));
-        fuzz::expect(side.cell >= 0 && side.cell < block.cells() && side.side >= 0 &&
-                         side.side < sides_per_cell(block.type),
-                     "a set has a side that there is not");
+        fuzz::expect(
+            side.cell >= 0 && side.cell < block.cells() && side.side >= 0 && side.side < sides_per_cell(block.type),
+            "a set has a side that there is not");
       }
     check_cells(mesh);
   } catch (const InputError& error) {

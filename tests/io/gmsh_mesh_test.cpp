@@ -43,7 +43,7 @@ std::set<std::array<double, 3>> places(const Mesh& mesh, const std::vector<int>&
 std::set<std::array<double, 3>> places(const Mesh& mesh, const SideSet& set) {
   std::vector<int> nodes;
   for (const Side& side : set.sides)
-    for (int corner : side_corners(mesh, side))
+    for (int corner : sorted_corners(mesh, side))
       if (corner >= 0) nodes.push_back(corner);
   return places(mesh, nodes);
 }

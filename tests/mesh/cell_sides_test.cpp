@@ -19,7 +19,7 @@ Mesh bricks(int dimension, int x, int y, int z) {
 
 std::set<SideCorners> corners(const Mesh& mesh, const std::vector<Side>& sides) {
   std::set<SideCorners> result;
-  for (const Side& side : sides) result.insert(side_corners(mesh, side));
+  for (const Side& side : sides) result.insert(sorted_corners(mesh, side));
   return result;
 }
 
@@ -53,13 +53,13 @@ TEST(CellSidesTest, NeighboursShareTheCornersOfTheirSide) {
   const Mesh mesh = bricks(2, 2, 1, 1);  // nodes 0 1 2 below, 3 4 5 above
   const std::vector<CellSide> sides = sorted_sides(mesh);
   ASSERT_EQ(sides.size(), 8U);
-  const auto [begin, end] = sides_with(sides, side_corners({4, 1}));
+  const auto [begin, end] = sides_with(sides, sorted_corners({4, 1}));
   ASSERT_EQ(end - begin, 2);
   EXPECT_EQ(begin->cell, 0);  // the first cell's comes first
   EXPECT_EQ(begin->side.side, 1);
   EXPECT_EQ((begin + 1)->cell, 1);
   EXPECT_EQ((begin + 1)->side.side, 3);
-  const auto [none, same] = sides_with(sides, side_corners({0, 2}));
+  const auto [none, same] = sides_with(sides, sorted_corners({0, 2}));
   EXPECT_EQ(none, same);
 }
 
