@@ -20,8 +20,8 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, 
            between(0, 3));
   return {name, sentence, "", options.list(), [options, read](const SceneNode& node) {
             const Parameters p = options.read(node);
-            Mesh mesh = at("Mesh", [&] { return read(p.file); });
-            at("Mesh: " + p.file, [&] { refuse_repeated_cells(mesh); });
+            Mesh mesh = read(p.file);
+            at(p.file, [&] { refuse_repeated_cells(mesh); });
             if (p.dimension != 0 && p.dimension != mesh.dimension)
               node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
                                               mesh.dimension, p.dimension));
