@@ -168,6 +168,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
+  for (const std::string& note : simulation.notes())
+    if (speaks) ixos::console::say("Note: {}\n", ixos::printable(note));
   for (const std::string& warning : simulation.warnings())
     if (speaks) ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning));
   if (arguments.explain) {

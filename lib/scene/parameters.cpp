@@ -8,6 +8,7 @@
 #include "parameters/validation.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
+#include "scene/mesh_sets.hpp"
 #include "scene/newton_options.hpp"
 #include "scene/output_options.hpp"
 #include "scene/scene_mesh.hpp"
@@ -28,12 +29,8 @@ void add_units(List& list) {
 
 void add_mesh(List& list) {
   meshes().declare(list);
-  List& set = list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
-                  .sublist(any_name);
-  set.set("Kind", "Sides", "Kind of set: sides of elements, or nodes.", one_of({"Sides", "Nodes"}));
-  set.set("From", "", "Set to select from. Sides need one; if it is empty, nodes are selected from the whole mesh.");
-  set.set("Lower", Numbers(), "Smallest coordinates of the region [L0]. If empty, there is no bound.", any_number());
-  set.set("Upper", Numbers(), "Largest coordinates of the region [L0]. If empty, there is no bound.", any_number());
+  declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
+                  .sublist(any_name));
 }
 
 void add_condition(List& list) {

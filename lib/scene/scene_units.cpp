@@ -93,7 +93,7 @@ class Conversion {
     for (const DocumentedUnit& unit : documented_) known += (known.empty() ? "" : ", ") + unit.use;
     throw InputError(
         fmt::format("{}: its unit depends on what the scene leaves open ({}). If the dimension of the mesh "
-                    "is not known, state it: Mesh/Exodus/Dimension",
+                    "is not known, state it as Dimension beside File",
                     in_quotes(text), known));
   }
 

@@ -106,6 +106,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     warnings_ = inspect_mesh(SceneNode(parameters_, ""), mesh);
     enrich_surfaces(interactions_, mesh);
   });
+  notes_ = mesh.notes;
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);

@@ -49,6 +49,8 @@ class Simulation {
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Returns what Ixos left out of a mesh file, in sentences.
+  const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -72,7 +74,7 @@ class Simulation {
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
   CharacteristicNumbers numbers_;
-  std::vector<std::string> warnings_;
+  std::vector<std::string> warnings_, notes_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };

@@ -18,7 +18,7 @@ using Teuchos::ParameterList;
 /// At most, roughly: what takes long to build is not built.
 double cells(const ParameterList& mesh) {
   const auto type = mesh.get<std::string>("Type");
-  if (type == "Exodus") return 1e9;  // exodus_fuzz.cpp
+  if (type == "Exodus" || type == "Gmsh") return 1e9;  // exodus_fuzz.cpp, gmsh_fuzz.cpp
   if (type == "Disk") {
     const double n = mesh.sublist("Disk").get<int>("Core Divisions");
     return n * n + 4 * n * mesh.sublist("Disk").get<int>("Rings");
