@@ -25,7 +25,6 @@
 #include "io/hdf5_file.hpp"
 #include "ixos/mpi_errors.hpp"
 #include "parameters/parameter_entries.hpp"
-#include "parameters/validation.hpp"
 #include "progress_line.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
@@ -34,6 +33,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
+#include "scene/scene_units.hpp"
 #include "shell_word.hpp"
 #include "solve/factorization.hpp"
 #include "solve/klu2_repair.hpp"
@@ -112,7 +112,7 @@ std::string scene_folder(const Arguments& arguments) {
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
-  Teuchos::ParameterList complete = ixos::validated(scene, ixos::scene_parameters());
+  Teuchos::ParameterList complete = ixos::complete_scene(scene);
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
   return 0;
@@ -163,6 +163,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
   ixos::Simulation simulation(scene, comm, scene_folder(arguments));
   if (speaks) describe(simulation);
+  for (const std::string& note : simulation.notes())
+    if (speaks) ixos::console::say("Note: {}\n", ixos::printable(note));
   if (speaks) warn(simulation.warnings());
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
@@ -179,6 +181,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   ixos::RunOptions options;
   options.folder = results_folder(arguments);
+  options.scene_file = arguments.scene;
   options.restart = arguments.restart;
   if (speaks) options.tell = [](const std::string& line) { ixos::console::say("{}\n", ixos::printable(line)); };
   if (speaks)

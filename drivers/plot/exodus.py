@@ -67,7 +67,7 @@ class Fields:
         self.cell_types = np.array(types)[self._order]
 
     def _gather(self, frame, name, data):
-        """An array of all blocks; VTK joins the components name_x, name_y to one array 'name_'."""
+        """An array of all blocks. VTK joins the components nameX, nameY; files of earlier versions have 'name_'."""
         arrays = []
         for grid in self._grids(frame):
             attributes = getattr(grid, data)()
@@ -80,8 +80,9 @@ class Fields:
         return np.concatenate(arrays)
 
     def nodal(self, name, frame):
-        """A nodal vector (displacement, velocity, acceleration, interaction_traction): a row a node."""
-        return self._gather(frame, name, "GetPointData")[self._first, :self.dimension]
+        """A nodal vector (displacement, velocity, ..., reaction): a row a node; of a scalar (gap) a value a node."""
+        values = self._gather(frame, name, "GetPointData")[self._first]
+        return values if values.ndim == 1 else values[:, :self.dimension]
 
     def displacement(self, frame):
         """Displacements: a row a node."""
@@ -90,6 +91,20 @@ class Fields:
     def element(self, name, frame):
         """An element field: a value a cell."""
         return self._gather(frame, name, "GetCellData")[self._order]
+
+    def information(self):
+        """The file's records by key: scene, units, what wrote it."""
+        array = self._grids(0)[0].GetFieldData().GetArray("Info_Records")
+        if array is None:
+            return {}
+        texts = [bytes(row).split(b"\0")[0].decode() for row in vtk_to_numpy(array).astype(np.uint8)]
+        lines = []
+        for text in texts:
+            if text.startswith("  ") and lines:
+                lines[-1] += text[2:]
+            else:
+                lines.append(text)
+        return dict(line.split(": ", 1) for line in lines if ": " in line)
 
     def total(self, name, frame):
         """A global variable, such as total_energy, at a frame; VTK gives all frames at once."""

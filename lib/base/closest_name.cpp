@@ -83,6 +83,7 @@ std::string closest_name(const std::string& name, const std::vector<std::string>
 
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& names,
                     const std::string& there) {
+  if (names.empty()) return what + " \"" + name + "\" does not exist. " + there + " none";
   return what + " \"" + name + "\" does not exist; did you mean \"" + closest_name(name, names) + "\"? " + there + " " +
          quoted_list(names);
 }

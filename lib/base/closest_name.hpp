@@ -11,7 +11,7 @@ namespace ixos {
 std::string closest_name(const std::string& name, const std::vector<std::string>& candidates);
 
 /// Returns `what "name" does not exist; did you mean "..."?`, followed by `there` and the names: "The mesh has" "a",
-/// "b".
+/// "b". Without names it is `what "name" does not exist.`, followed by `there` and "none".
 std::string no_such(const std::string& what, const std::string& name, const std::vector<std::string>& names,
                     const std::string& there);
 

@@ -7,6 +7,7 @@
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
+#include "element/cell_means.hpp"
 #include "element/node_pairs.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
@@ -79,11 +80,11 @@ struct ElasticKernel {
     return sum;
   }
 
-  /// Returns means over the reference volume: tr(sigma) [E0], J, W [E0], in this order. tr(sigma) = P:F/J, and in plane
-  /// strain also the stress out of the plane.
-  template <class T>
-  static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
-    return means_of(material, geometry, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); });
+  /// Returns the mean over the reference volume of value(H), an array of numbers, see cell_means.hpp.
+  template <class T, class Value>
+  static auto mean(const Material& /*material*/, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
+    return mean_over_points(
+        geometry.points, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); }, value);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane
@@ -216,32 +217,6 @@ struct ElasticKernel {
   }
 
  protected:
-  /// Returns means() of the displacement gradients that gradient_at(q) gives for the quadrature points.
-  template <class T, class GradientAt>
-  static std::array<T, 3> means_of(const Material& material, const Geometry<T>& geometry,
-                                   const GradientAt& gradient_at) {
-    std::array<T, 3> sums{T(0.0), T(0.0), T(0.0)};
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Small<T, D> h = gradient_at(q);
-      const T& weight = geometry.points[q].weight;
-      Small<T, D> p;
-      const T jacobian = material.stress(h, p);
-      T trace(0.0);
-      for (std::size_t i = 0; i < D; ++i) {
-        trace += p[i][i];
-        for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
-      }
-      trace = trace / jacobian;
-      if constexpr (D == 2) trace += material.out_of_plane_stress(h);
-      sums[0] += weight * trace;
-      sums[1] += weight * jacobian;
-      sums[2] += weight * material.energy(h);
-    }
-    const T reference = volume(geometry);
-    for (T& sum : sums) sum = sum / reference;
-    return sums;
-  }
-
   /// Returns the reference volume.
   template <class T>
   static T volume(const Geometry<T>& geometry) {

@@ -73,11 +73,12 @@ struct EnhancedKernel : ElasticKernel<Element, Material> {
     return select(state.found > 0.0, sum, T(std::numeric_limits<double>::quiet_NaN()));
   }
 
-  /// See ElasticKernel::means().
-  template <class T>
-  static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+  /// See ElasticKernel::mean(). H includes the enhanced modes.
+  template <class T, class Value>
+  static auto mean(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
     const Relaxed<T> state(material, geometry, u);
-    return Base::means_of(material, geometry, [&](std::size_t q) { return state.gradient[q]; });
+    return mean_over_points(
+        geometry.points, [&](std::size_t q) -> const Small<T, D>& { return state.gradient[q]; }, value);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; 0 in

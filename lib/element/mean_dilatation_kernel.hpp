@@ -45,12 +45,12 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     return sum;
   }
 
-  /// Returns ElasticKernel::means() of F~, so the second is Jm (1 for a linear law).
-  template <class T>
-  static std::array<T, 3> means(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+  /// See ElasticKernel::mean(). H is H~, so the mean J is Jm (1 for a linear law).
+  template <class T, class Value>
+  static auto mean(const Material& /*material*/, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
     const T mean = mean_dilatation(geometry, u);
-    return Base::means_of(material, geometry,
-                          [&](std::size_t q) { return State<T>(gradient_at(geometry, q, u), mean).scaled; });
+    return mean_over_points(
+        geometry.points, [&](std::size_t q) { return State<T>(gradient_at(geometry, q, u), mean).scaled; }, value);
   }
 
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane; if it

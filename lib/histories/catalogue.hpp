@@ -15,7 +15,7 @@ using HistoryEntry = CatalogueEntry<std::shared_ptr<const TimeFunction>>;
 /// Returns the catalogue; its choice is "Type".
 const Catalogue<HistoryEntry>& histories();
 
-/// Returns the documentation of a history's value, whose unit depends on its use.
+/// Returns the documentation of a history's value, whose unit depends on its use. `what` has no full stop.
 std::string history_value(const std::string& what);
 
 }  // namespace ixos

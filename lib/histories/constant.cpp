@@ -22,7 +22,7 @@ std::shared_ptr<const TimeFunction> constant(double value) { return std::make_sh
 
 HistoryEntry constant_history() {
   Options<Parameters> options;
-  options.add("Value", &Parameters::value, history_value("Value of the function."), any_number());
+  options.add("Value", &Parameters::value, history_value("Value of the function"), any_number());
   return {"Constant", "A value that does not change over time.", "", options.list(),
           [options](const SceneNode& node) { return constant(options.read(node).value); }};
 }

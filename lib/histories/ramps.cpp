@@ -88,7 +88,7 @@ std::shared_ptr<const TimeFunction> rate_ramp(double rate, double start, double 
 
 HistoryEntry ramp_history() {
   Options<Parameters> options;
-  options.require("Value", &Parameters::height, history_value("Value reached at Start + Length."), any_number())
+  options.require("Value", &Parameters::height, history_value("Value reached at Start + Length"), any_number())
       .add("Start", &Parameters::start, "Time at which the ramp starts [T0].", any_number())
       .require("Length", &Parameters::length, "Duration of the ramp [T0]. For a motion it must be greater than 0.",
                at_least(0))
@@ -103,7 +103,7 @@ HistoryEntry ramp_history() {
 HistoryEntry rate_ramp_history() {
   Options<RateParameters> options;
   options
-      .require("Rate", &RateParameters::height, "Rate reached at Start + Length [1/T0; L0/T0 for a motion].",
+      .require("Rate", &RateParameters::height, "Rate reached at Start + Length [L0/T0 for a motion, 1/T0 for a load].",
                any_number())
       .add("Start", &RateParameters::start, "Time at which the ramp of the rate starts [T0].", any_number())
       .require("Length", &RateParameters::length,

@@ -32,9 +32,9 @@ std::shared_ptr<const TimeFunction> sine(double offset, double amplitude, double
 
 HistoryEntry sine_history() {
   Options<Parameters> options;
-  options.add("Offset", &Parameters::offset, history_value("Mean value."), any_number())
-      .add("Amplitude", &Parameters::amplitude, history_value("Amplitude."), any_number())
-      .require("Frequency", &Parameters::frequency, "Number of cycles per T0.", greater_than(0))
+  options.add("Offset", &Parameters::offset, history_value("Mean value"), any_number())
+      .add("Amplitude", &Parameters::amplitude, history_value("Amplitude"), any_number())
+      .require("Frequency", &Parameters::frequency, "Number of cycles per time [1/T0].", greater_than(0))
       .add("Phase", &Parameters::phase, "Phase [rad].", any_number());
   return {"Sine", "Offset + Amplitude sin(2 pi Frequency t + Phase).", "", options.list(),
           [options](const SceneNode& node) {

@@ -60,12 +60,18 @@ std::shared_ptr<const TimeFunction> sine(double offset, double amplitude, double
 /// increasing, and as many values, finite.
 std::shared_ptr<const TimeFunction> interpolated(std::vector<double> times, const std::vector<double>& values);
 
+/// Units of the argument and of the value of expressions.
+struct ExpressionUnits {
+  double time = 1;   ///< [T0]
+  double value = 1;  ///< [L0 for a motion]
+};
+
 /// Returns a function of muParser expressions in the variable t, with the constants _pi and _e. A load needs the value
 /// only: an empty `rate` or `acceleration` gives 0. Evaluation stores t in the object: use it from one thread at a
 /// time. Throws InputError, quoting the expression and muParser's message (positions count from 0), for one that is
 /// malformed, uses an unknown name, assigns, or is several separated by commas.
 std::shared_ptr<const TimeFunction> expression(const std::string& value, const std::string& rate,
-                                               const std::string& acceleration);
+                                               const std::string& acceleration, const ExpressionUnits& units = {});
 
 /// Checks whether a load can follow the function from `from` to `to` (finite, from <= to) or, with `derivatives`, a
 /// motion. Throws InputError naming

@@ -97,7 +97,7 @@ HistoryEntry table_history() {
   options
       .add("Times", &Parameters::times, "Times of the table [T0]. They must increase strictly and cover the whole run.",
            any_number())
-      .add("Values", &Parameters::values, history_value("Values of the table, one for each of Times."), any_number());
+      .add("Values", &Parameters::values, history_value("Values of the table, one for each of Times"), any_number());
   return {"Table", "Quintic interpolation of a table, twice continuously differentiable.", "", options.list(),
           [options](const SceneNode& node) {
             const Parameters p = options.read(node);

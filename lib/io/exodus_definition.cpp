@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -69,6 +70,15 @@ void put_sets(const ExodusHandle& file, const Mesh& mesh) {
   }
 }
 
+void put_information(const ExodusHandle& file, const std::vector<std::string>& lines) {
+  const std::vector<std::string> records = exodus_records(lines);
+  std::vector<char*> words;
+  words.reserve(records.size());
+  for (const std::string& record : records) words.push_back(const_cast<char*>(record.c_str()));
+  if (!words.empty())
+    require_written(ex_put_info(file, static_cast<int>(words.size()), words.data()), file, "information records");
+}
+
 /// Writes the description that ParaView needs to join the files of a series.
 void put_share(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share) {
   char kind[] = "p";
@@ -104,14 +114,31 @@ int create_exodus(const std::string& path, ExodusFormat format) {
   return ex_create(path.c_str(), EX_CLOBBER | kind, &word, &stored);
 }
 
-void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share,
-                        const std::string& title) {
+std::vector<std::string> exodus_records(const std::vector<std::string>& lines) {
+  std::vector<std::string> records;
+  for (const std::string& line : lines) {
+    std::size_t start = 0;
+    do {
+      const std::string indent = start == 0 ? "" : "  ";
+      std::size_t end = std::min(line.size(), start + MAX_LINE_LENGTH - indent.size());
+      while (end < line.size() && end > start + 1 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U)
+        --end;  // not inside a character of UTF-8
+      records.push_back(indent + line.substr(start, end - start));
+      start = end;
+    } while (start < line.size());
+  }
+  return records;
+}
+
+void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title,
+                        const std::vector<std::string>& information) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   ex_set_max_name_length(file, 80);
   require_written(ex_put_init(file, title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension, mesh.nodes(),
                               mesh.cells(), static_cast<int64_t>(mesh.blocks.size()),
                               static_cast<int64_t>(mesh.node_sets.size()), static_cast<int64_t>(mesh.side_sets.size())),
                   file, "the header");
+  put_information(file, information);
   if (share.ranks > 1) put_share(file, mesh, share);
   std::array<std::vector<double>, 3> axes;
   for (std::size_t i = 0; i < mesh.coordinates.size(); ++i) axes[i % d].push_back(mesh.coordinates[i]);

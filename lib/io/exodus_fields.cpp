@@ -27,6 +27,7 @@ class ExodusFields final : public FieldFile {
       : output_(std::move(contents.output)),
         names_(std::move(contents.names)),
         title_(std::move(contents.title)),
+        information_(std::move(contents.information)),
         path_(file_name(path, comm->getRank(), comm->getSize())) {}
 
   void create() override;
@@ -48,6 +49,7 @@ class ExodusFields final : public FieldFile {
   OutputMesh output_;
   FieldNames names_;
   std::string title_;
+  std::vector<std::string> information_;
   std::string path_;
   std::unique_ptr<DiskFile> file_;
   ClassicLayout layout_;
@@ -64,7 +66,7 @@ void ExodusFields::define_here(const std::string& path) const {
   const int id = create_exodus(path);
   require_created(id, path);
   ExodusHandle file(id, path);
-  define_exodus_mesh(file, output_.mesh, output_.description, title_);
+  define_exodus_mesh(file, output_.mesh, output_.description, title_, information_);
   define_variables(file, names_, has_cells());
   if (has_cells() && !names_.cell.empty()) {
     // Otherwise the library makes the variables of cells at the first frame, and moves everything behind them.

@@ -1,15 +1,11 @@
 #include "io/exodus_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <numeric>
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_definition.hpp"
-#include "mesh/soundness.hpp"
-#include "parameters/range_validator.hpp"
-#include "parameters/validation.hpp"
+#include "io/mesh_file.hpp"
 
 namespace ixos {
 
@@ -28,25 +24,8 @@ void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::str
 }
 
 MeshEntry exodus_mesh() {
-  struct Parameters {
-    std::string file = required;
-    int dimension = 0;
-  };
-  Options<Parameters> options;
-  options
-      .add("File", &Parameters::file, "Path of the mesh file, relative to the scene's folder or to the working folder.")
-      .add("Dimension", &Parameters::dimension, "Dimension that the mesh must have: 2 or 3. With 0, both are accepted.",
-           between(0, 3));
-  return {"Exodus", "A mesh of QUAD4 (2D) or HEX8 (3D) elements, read from an Exodus file.", "", options.list(),
-          [options](const SceneNode& node) {
-            const Parameters p = options.read(node);
-            Mesh mesh = at("Mesh", [&] { return read_exodus_mesh(p.file); });
-            at("Mesh: " + p.file, [&] { refuse_repeated_cells(mesh); });
-            if (p.dimension != 0 && p.dimension != mesh.dimension)
-              node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
-                                              mesh.dimension, p.dimension));
-            return mesh;
-          }};
+  return mesh_file_entry("Exodus", "A mesh of QUAD4 (2D) or HEX8 (3D) elements, read from an Exodus file.",
+                         read_exodus_mesh);
 }
 
 }  // namespace ixos

@@ -11,12 +11,16 @@
 #include <set>
 #include <utility>
 
+#include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_handle.hpp"
 #include "io/exodus_mesh.hpp"
+#include "io/exodus_topology.hpp"
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
+#include "mesh/normalize.hpp"
+#include "parameters/scene_node.hpp"
 
 namespace ixos {
 namespace {
@@ -65,16 +69,20 @@ class Reader {
       refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
     mesh_.dimension = static_cast<int>(header_.num_dim);
     read_coordinates();
+    read_block_headers();
     read_blocks();
     read_node_sets();
     read_side_sets();
     check_id_map(EX_NODE_MAP, header_.num_nodes, "node");
     check_id_map(EX_ELEM_MAP, header_.num_elem, "element");
+    if (block_place_.size() > mesh_.blocks.size()) drop_unused_nodes(mesh_);
+    if (mesh_.dimension > cell_dimension_) at(path(), [&] { flatten(mesh_); });
     return std::move(mesh_);
   }
 
  private:
   static constexpr int name_length = 255;
+
   const std::string& path() const { return file_.path(); }
 
   void require(int status, const char* what) const {
@@ -114,49 +122,63 @@ class Reader {
     return result;
   }
 
-  CellType cell_type(const ex_block& block, const std::string& block_name) const {
-    std::string word(block.topology);
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-    const bool quad = word.rfind("QUAD", 0) == 0 && block.num_nodes_per_entry == 4;
-    const bool hex = word.rfind("HEX", 0) == 0 && block.num_nodes_per_entry == 8;
-    if (mesh_.dimension == 2 && quad) return CellType::Quad4;
-    if (mesh_.dimension == 3 && hex) return CellType::Hex8;
-    refuse(path(),
-           "block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 in 2 and HEX8 in 3 are allowed",
-           block_name, word, block.num_nodes_per_entry, mesh_.dimension);
-  }
-
-  void read_blocks() {
+  /// Reads what the blocks are. The cells of the mesh are those of the highest dimension.
+  void read_block_headers() {
     std::set<std::string> taken;
-    std::vector<char> used(static_cast<std::size_t>(header_.num_nodes), 0);
     int64_t cells = 0;
     for (int id : ids(EX_ELEM_BLOCK, header_.num_elem_blk, "block")) {
       ex_block block{};
       block.id = id;
       block.type = EX_ELEM_BLOCK;
       require(ex_get_block_param(file_, &block), "a block");
-      ElementBlock here{name(EX_ELEM_BLOCK, id, "block", taken), CellType::Quad4, {}};
+      ExodusBlock here{id, name(EX_ELEM_BLOCK, id, "block", taken), block.topology, block.num_entry,
+                       block.num_nodes_per_entry};
+      std::transform(here.topology.begin(), here.topology.end(), here.topology.begin(),
+                     [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
       first_cell_.push_back(cells);
-      cells += block.num_entry;
-      if (block.num_entry < 0 || cells > header_.num_elem) refuse(path(), "its blocks hold more elements than it has");
-      here.type = mesh_.dimension == 2 ? CellType::Quad4 : CellType::Hex8;
-      if (block.num_entry > 0) {
-        here.type = cell_type(block, here.name);
-        here.nodes.resize(static_cast<std::size_t>(block.num_entry * block.num_nodes_per_entry));
-        require(ex_get_conn(file_, EX_ELEM_BLOCK, id, here.nodes.data(), nullptr, nullptr), "connectivity");
-      }
-      for (int& node : here.nodes) {
-        if (node == 0) refuse(path(), "block \"{}\" refers to node 0: the file seems to be truncated", here.name);
-        if (node < 1 || node > header_.num_nodes)
-          refuse(path(), "block \"{}\" refers to node {}, but there are {}", here.name, node, header_.num_nodes);
-        used[static_cast<std::size_t>(--node)] = 1;
-      }
-      mesh_.blocks.push_back(std::move(here));
+      cells += here.cells;
+      if (here.cells < 0 || cells > header_.num_elem) refuse(path(), "its blocks hold more elements than it has");
+      if (here.cells > 0) cell_dimension_ = std::max(cell_dimension_, dimension_of(here, mesh_.dimension));
+      blocks_.push_back(std::move(here));
     }
     if (cells != header_.num_elem) refuse(path(), "its blocks hold {} elements, not {}", cells, header_.num_elem);
+  }
+
+  void read_blocks() {
+    std::vector<char> used(static_cast<std::size_t>(header_.num_nodes), 0);
+    std::vector<std::string> left_out;
+    for (const ExodusBlock& block : blocks_) {
+      const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
+      ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};
+      if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
+      here.nodes = read_nodes(block);
+      for (int node : here.nodes) used[static_cast<std::size_t>(node)] = 1;
+      block_place_.push_back(kept ? static_cast<int>(mesh_.blocks.size()) : -1);
+      if (kept)
+        mesh_.blocks.push_back(std::move(here));
+      else
+        left_out.push_back(block.name);
+    }
     const auto lonely = std::find(used.begin(), used.end(), 0);
     if (lonely != used.end()) refuse(path(), "node {} belongs to no element", lonely - used.begin() + 1);
+    if (!left_out.empty())
+      mesh_.notes.push_back("the mesh's blocks of points, lines or faces are left out: " + quoted_list(left_out));
+  }
+
+  /// Returns the nodes of a block's elements, from 0.
+  std::vector<int> read_nodes(const ExodusBlock& block) const {
+    if (block.cells == 0) return {};
+    if (block.nodes_per_cell < 1 || block.nodes_per_cell > most_ / block.cells)
+      refuse(path(), "is damaged: block \"{}\" claims {} nodes per element", block.name, block.nodes_per_cell);
+    std::vector<int> nodes(static_cast<std::size_t>(block.cells * block.nodes_per_cell));
+    require(ex_get_conn(file_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr), "connectivity");
+    for (int& node : nodes) {
+      if (node == 0) refuse(path(), "block \"{}\" refers to node 0: the file seems to be truncated", block.name);
+      if (node < 1 || node > header_.num_nodes)
+        refuse(path(), "block \"{}\" refers to node {}, but there are {}", block.name, node, header_.num_nodes);
+      --node;
+    }
+    return nodes;
   }
 
   /// Returns the entries of a set, and for side sets the side numbers.
@@ -202,14 +224,17 @@ class Reader {
       for (std::size_t i = 0; i < cells.size(); ++i) {
         const int cell = cells[i] - 1;
         const auto after = std::upper_bound(first_cell_.begin(), first_cell_.end(), cell);
-        const auto block = static_cast<int>(after - first_cell_.begin()) - 1;
+        const auto place = static_cast<std::size_t>(after - first_cell_.begin()) - 1;
+        const int block = block_place_[place];
+        if (block < 0)
+          refuse(path(), "side set \"{}\" refers to element {} of block \"{}\", which is no cell of the mesh", set.name,
+                 cell + 1, blocks_[place].name);
         const CellType type = mesh_.blocks[static_cast<std::size_t>(block)].type;
         if (sides[i] < 1 || sides[i] > sides_per_cell(type))
           refuse(path(), "side set \"{}\" refers to side {} of element {}", set.name, sides[i], cell + 1);
         if (!distinct.insert({cell, sides[i]}).second)
           refuse(path(), "side set \"{}\" holds side {} of element {} twice", set.name, sides[i], cell + 1);
-        set.sides.push_back(
-            {block, static_cast<int>(cell - first_cell_[static_cast<std::size_t>(block)]), sides[i] - 1});
+        set.sides.push_back({block, static_cast<int>(cell - first_cell_[place]), sides[i] - 1});
       }
       mesh_.side_sets.push_back(std::move(set));
     }
@@ -228,7 +253,10 @@ class Reader {
   int64_t most_ = 0;         ///< entries of any kind that a file of this length may have
   int64_t set_entries_ = 0;  ///< of the sets read so far, together
   Mesh mesh_;
+  int cell_dimension_ = 0;
+  std::vector<ExodusBlock> blocks_;
   std::vector<int64_t> first_cell_;  ///< number of each block's first cell
+  std::vector<int> block_place_;     ///< of each block in the mesh; -1: left out
 };
 
 }  // namespace

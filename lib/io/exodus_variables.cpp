@@ -71,7 +71,7 @@ void define_variables(const ExodusHandle& file, const FieldNames& names, bool ha
 void require_frames(const std::string& path, ExodusFormat format, const ExodusSize& size, const FieldNames& names,
                     const FieldLength& keep) {
   const std::string misfit = fmt::format(
-      "{}: cannot resume: the file should have this mesh and {} frames. Choose another --output to start "
+      "{}: cannot resume: the file should have this mesh, these fields and {} frames. Choose another --output to start "
       "new files",
       path, keep.frames);
   if (!is_file(path) || format_of(path) != format || bytes_of(path) < keep.bytes) throw InputError(misfit);

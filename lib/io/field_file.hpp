@@ -44,11 +44,13 @@ class FieldFile {
   virtual void close() = 0;  ///< after the last frame; throws FileError
 };
 
-/// The mesh, the names and the title of a file of fields.
+/// The mesh, the names and the title of a file of fields, and lines for whoever reads it. Title and lines are written
+/// when a file is made; a file that is resumed keeps those that it has.
 struct FieldContents {
   OutputMesh output;
   FieldNames names;
   std::string title;
+  std::vector<std::string> information{};  ///< see exodus_records()
 };
 
 /// Makes a file in Exodus, in the classic format of netCDF. On a single rank, `path` holds everything. On several

@@ -91,7 +91,7 @@ void Hdf5Fields::define(const std::string& path) const {
       require_created(id, path);
       ExodusHandle file(id, path);
       DiskFile(path, DiskFile::Mode::Change).reserve(room);
-      define_exodus_mesh(file, whole.mesh, whole.description, contents_.title);
+      define_exodus_mesh(file, whole.mesh, whole.description, contents_.title, contents_.information);
       define_variables(file, contents_.names, true);
       require_written(file.close(), file, "the mesh");
     });

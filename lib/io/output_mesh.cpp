@@ -166,7 +166,11 @@ void OutputMesh::add_sets(const LocalMesh& local) {
     }
   }
   for (std::size_t s = 0; s < local.node_sets.size(); ++s) {
-    mesh.node_sets.push_back({local.node_set_names[s], {}});
+    // Readers on IOSS refuse files in which a node set and a side set have one name.
+    const std::string& name = local.node_set_names[s];
+    const auto& sides = local.side_set_names;
+    const bool taken = std::find(sides.begin(), sides.end(), name) != sides.end();
+    mesh.node_sets.push_back({taken ? name + "_nodes" : name, {}});
     for (int node : local.node_sets[s])
       if (number_[static_cast<std::size_t>(node)] >= 0)
         mesh.node_sets.back().nodes.push_back(number_[static_cast<std::size_t>(node)]);

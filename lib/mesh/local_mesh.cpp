@@ -1,21 +1,17 @@
 #include "mesh/local_mesh.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
 
 std::size_t index_of(const std::string& name, const std::vector<std::string>& names, const char* what) {
   const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) {
-    if (names.empty()) throw InputError(fmt::format("{} \"{}\" does not exist; the mesh has none", what, name));
-    throw InputError(no_such(what, name, names, "The mesh has"));
-  }
+  if (found == names.end()) throw InputError(no_such_set(what, name, names));
   return static_cast<std::size_t>(found - names.begin());
 }
 

@@ -54,6 +54,8 @@ struct Mesh {
   std::vector<SideSet> side_sets;
   std::vector<NodeSet> node_sets;
 
+  std::vector<std::string> notes;  ///< what a file holds beside the mesh and Ixos left out, in sentences for the user
+
   int plain_nodes = -1;  ///< number of nodes before enrich() appended some; -1: none were added
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }

@@ -10,22 +10,13 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "mesh/cell_sides.hpp"
 
 namespace ixos {
 namespace {
 
-/// Nodes in ascending order, -1 for missing ones.
-template <std::size_t Most>
-using Key = std::array<int, Most>;
-
-template <std::size_t Most>
-Key<Most> key(const int* nodes, const std::vector<int>& places) {
-  Key<Most> result;
-  result.fill(-1);
-  for (std::size_t i = 0; i < places.size(); ++i) result[i] = nodes[places[i]];
-  std::sort(result.begin(), result.end());
-  return result;
-}
+/// A cell's nodes in ascending order, -1 for missing ones.
+using CellNodes = std::array<int, 8>;
 
 const int* nodes_of(const ElementBlock& block, int cell) {
   return block.nodes.data() + static_cast<std::ptrdiff_t>(cell) * nodes_per_cell(block.type);
@@ -37,23 +28,6 @@ void for_each_cell(const Mesh& mesh, const Call& call) {
   int cell = 0;
   for (const ElementBlock& block : mesh.blocks)
     for (int c = 0; c < block.cells(); ++c) call(cell++, plain_type(block.type), nodes_of(block, c));
-}
-
-struct CellSide {
-  Key<4> nodes;
-  int cell;
-  bool operator<(const CellSide& other) const { return nodes < other.nodes; }
-};
-
-/// Every side of every cell; equal ones are neighbours.
-std::vector<CellSide> sorted_sides(const Mesh& mesh) {
-  std::vector<CellSide> sides;
-  for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
-    for (int side = 0; side < sides_per_cell(type); ++side)
-      sides.push_back({key<4>(nodes, side_nodes(type, side)), cell});
-  });
-  std::sort(sides.begin(), sides.end());
-  return sides;
 }
 
 std::vector<double> place(const Mesh& mesh, int node) {
@@ -91,11 +65,13 @@ struct Part {
 }  // namespace
 
 void refuse_repeated_cells(const Mesh& mesh) {
-  std::vector<std::pair<Key<8>, int>> cells;
+  std::vector<std::pair<CellNodes, int>> cells;
   for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
-    std::vector<int> all(static_cast<std::size_t>(nodes_per_cell(type)));
-    std::iota(all.begin(), all.end(), 0);
-    cells.emplace_back(key<8>(nodes, all), cell);
+    CellNodes sorted;
+    sorted.fill(-1);
+    std::copy_n(nodes, nodes_per_cell(type), sorted.begin());
+    std::sort(sorted.begin(), sorted.end());
+    cells.emplace_back(sorted, cell);
   });
   std::sort(cells.begin(), cells.end());
   const auto twice =
@@ -114,18 +90,13 @@ void require_outer_sides(const Mesh& mesh, const SideSet& set) {
   std::vector<int> first{0};
   for (const ElementBlock& block : mesh.blocks) first.push_back(first.back() + block.cells());
   for (const Side& side : set.sides) {
-    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    const int* nodes = nodes_of(block, side.cell);
-    const CellSide wanted{key<4>(nodes, side_nodes(plain_type(block.type), side.side)), 0};
-    const auto [begin, end] = std::equal_range(sides.begin(), sides.end(), wanted);
+    const auto [begin, end] = sides_with(sides, sorted_corners(mesh, side));
+    const int cell = first[static_cast<std::size_t>(side.block)] + side.cell;
     if (end - begin > 1)
-      throw InputError(
-          fmt::format("the side set \"{}\" has side {} of element {}, which lies inside the body: "
-                      "element {} is on its other side",
-                      set.name, side.side + 1, first[static_cast<std::size_t>(side.block)] + side.cell + 1,
-                      (begin->cell == first[static_cast<std::size_t>(side.block)] + side.cell ? std::next(begin)->cell
-                                                                                              : begin->cell) +
-                          1));
+      throw InputError(fmt::format(
+          "the side set \"{}\" has side {} of element {}, which lies inside the body: "
+          "element {} is on its other side",
+          set.name, side.side + 1, cell + 1, (begin->cell == cell ? std::next(begin)->cell : begin->cell) + 1));
   }
 }
 
@@ -159,7 +130,7 @@ std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& 
   Parts parts(mesh.cells());
   const std::vector<CellSide> sides = sorted_sides(mesh);
   for (std::size_t i = 1; i < sides.size(); ++i)
-    if (sides[i].nodes == sides[i - 1].nodes) parts.join(sides[i].cell, sides[i - 1].cell);
+    if (sides[i].corners == sides[i - 1].corners) parts.join(sides[i].cell, sides[i - 1].cell);
 
   std::map<int, Part> found;
   std::vector<int> part_of_node(static_cast<std::size_t>(mesh.nodes()), -1);

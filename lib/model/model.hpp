@@ -24,7 +24,7 @@ struct Material {
   double density = 0;            ///< [E0 T0^2/L0^2]
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
-  double viscosity = 0;          ///< over Lame's constants, see KelvinVoigt [T0]
+  double viscosity = 0;          ///< over Lame's constants, see make_viscous_term() [T0]
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
 };
@@ -119,7 +119,7 @@ class Model {
                            double* values) const;
   void add_rate_row_sums(const double* u, double* sums) const;
   /// Returns whether some block has a viscosity.
-  bool has_viscosity() const;
+  bool has_viscosity() const { return largest_viscosity() > 0; }
   /// Returns the largest viscosity of a block [T0].
   double largest_viscosity() const;
 
@@ -154,6 +154,16 @@ class Model {
   /// Returns the traction of all interactions on the bodies, their nodal force over int N_a dA: a local array, valid
   /// for owned nodes, zero away from interacting surfaces and at derivative nodes [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
+  /// Returns the mean Cauchy stress over each cell's reference volume, by block and local cell: that of elasticity and
+  /// of Kelvin-Voigt viscosity, without Rayleigh damping [E0]. Not collective.
+  std::vector<std::vector<SymmetricTensor>> cell_stress(const double* u, const double* v) const;
+  /// Returns, by local node and valid for owned nodes, the gap to the nearest obstacle of an interaction [L0]; NaN away
+  /// from interacting surfaces. Derivative nodes have the gap's derivative. Not collective.
+  std::vector<double> nodal_gap(const double* u) const;
+  /// Returns, by local node and valid for owned nodes, the traction of all interactions along the obstacles' normals,
+  /// int N_a T dA over int N_a dA: positive where an obstacle pushes; zero away from interacting surfaces and at
+  /// derivative nodes [E0]. Not collective.
+  std::vector<double> contact_pressure(const double* u) const;
 
   /// Sets result[r] = sum of K_rp x_p over constrained columns p, for free owned rows r, 0 for constrained ones; K in
   /// the layout of Pattern::create_matrix, x local.

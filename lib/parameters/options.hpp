@@ -26,7 +26,7 @@ class Options {
   using Words = std::vector<std::pair<std::string, E>>;
 
   /// A member, of S or of a base of it, of type double, int, bool, std::string, or std::vector of double, int or
-  /// std::string.
+  /// std::string. If the validation has left it out (see exclusive_choice_of()), the member keeps its value in S{}.
   template <class B, class V>
   Options& add(const char* name, V B::*member, const std::string& documentation,
                const Validator& validator = Teuchos::null) {
@@ -36,21 +36,33 @@ class Options {
           list.set(name, stored(S{}.*member), documentation);
           if (nonnull(validator)) list.getEntry(name).setValidator(validator);
         },
-        [=](const SceneNode& node, S& target) { target.*member = loaded(node, name, target.*member); });
+        [=](const SceneNode& node, S& target) {
+          if (node.list().isParameter(name)) target.*member = loaded(node, name, target.*member);
+        });
   }
 
-  /// A number that the user must give.
+  /// A number that the user must give, unless the validation leaves it out.
   template <class B>
   Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
     return entry(
         name, [=](List& list) { set_required(list, name, documentation, validator); },
-        [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
+        [=](const SceneNode& node, S& target) {
+          if (node.list().isParameter(name)) target.*member = node.number(name);
+        });
   }
 
   /// A choice among words that stand for the values of an enumeration.
   template <class B, class E>
   Options& choose(const char* name, E B::*member, const Words<E>& words, const std::string& documentation) {
     return choice(name, member, words, documentation, one_of(names_of(words)));
+  }
+
+  /// A choice to which other entries of the list belong: the validation refuses what belongs to other words, see
+  /// exclusive_choice_of().
+  template <class B, class E>
+  Options& choose_one(const char* name, E B::*member, const Words<E>& words,
+                      const std::vector<Choice::Word>& belongings, const std::string& documentation) {
+    return choice(name, member, words, documentation, exclusive_choice_of(belongings));
   }
 
   /// A choice among words that may also be names of sublists: the validation completes only the sublist of the chosen

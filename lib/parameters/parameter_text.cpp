@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "units/quantity.hpp"
 
 namespace ixos {
 namespace {
@@ -31,14 +33,22 @@ std::string trimmed(const std::string& text) {
   throw InputError("\"" + text + "\" is not of type " + type);
 }
 
+/// Returns the number that the whole text spells, or nothing.
 template <class Number>
-Number number(const std::string& text, const std::string& type) {
+std::optional<Number> plain_number(const std::string& text) {
   std::string digits = trimmed(text);
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
   Number value{};
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size()) refuse(text, type);
+  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
   return value;
+}
+
+template <class Number>
+Number number(const std::string& text, const std::string& type) {
+  const std::optional<Number> value = plain_number<Number>(text);
+  if (!value) refuse(text, type);
+  return *value;
 }
 
 bool boolean(const std::string& text) {
@@ -65,6 +75,39 @@ void for_elements(const std::string& text, const std::string& type, const Functi
   }
 }
 
+/// Sets a double; a number with a unit is kept as a string. Throws InputError.
+void set_double(Teuchos::ParameterList& list, const std::string& name, const std::string& text) {
+  if (const std::optional<double> value = plain_number<double>(text))
+    list.set(name, *value);
+  else if (begins_with_number(text) && parse_quantity(text).has_unit)
+    list.set(name, trimmed(text));
+  else
+    refuse(text, "double");
+}
+
+/// Sets an array of doubles as set_double() sets one.
+void set_doubles(Teuchos::ParameterList& list, const std::string& name, const std::string& text) {
+  const std::string type = "Array(double)", body = trimmed(text);
+  const auto end = body.find('}');
+  bool plain = end + 1 == body.size(), numbers = true;
+  Teuchos::Array<double> values;
+  for_elements(end == std::string::npos ? body : body.substr(0, end + 1), type, [&](const std::string& element) {
+    const std::optional<double> value = plain_number<double>(element);
+    plain = plain && value;
+    numbers = numbers && begins_with_number(element);
+    if (!value && !numbers) refuse(element, "double");
+    values.push_back(value.value_or(0));
+  });
+  if (plain) {
+    list.set(name, values);
+    return;
+  }
+  const std::vector<Quantity> quantities = parse_quantities(body);
+  if (std::none_of(quantities.begin(), quantities.end(), [](const Quantity& q) { return q.has_unit; }))
+    refuse(text, type + ", as in {1, 2} or {1, 2} nm");
+  list.set(name, body);
+}
+
 const std::string& checked_string(const std::string& text) {
   if (const auto place = first_unfit_byte(text); place != std::string::npos)
     refuse(printable(text), fmt::format("string: byte {} is a control character, or not UTF-8", place + 1));
@@ -88,7 +131,7 @@ void set_from_text(Teuchos::ParameterList& list, const std::string& name, const 
                    const std::string& text) {
   check_name(name);
   if (type == "double") {
-    list.set(name, number<double>(text, type));
+    set_double(list, name, text);
   } else if (type == "int") {
     list.set(name, number<int>(text, type));
   } else if (type == "bool") {
@@ -96,9 +139,7 @@ void set_from_text(Teuchos::ParameterList& list, const std::string& name, const 
   } else if (type == "string") {
     list.set(name, checked_string(text));
   } else if (type == "Array(double)") {
-    Teuchos::Array<double> values;
-    for_elements(text, type, [&](const std::string& element) { values.push_back(number<double>(element, "double")); });
-    list.set(name, values);
+    set_doubles(list, name, text);
   } else if (type == "Array(int)") {
     Teuchos::Array<int> values;
     for_elements(text, type, [&](const std::string& element) { values.push_back(number<int>(element, "int")); });

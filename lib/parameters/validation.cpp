@@ -76,17 +76,14 @@ struct LeftOut {
 /// Returns the choices of a list by the names that they leave out.
 std::map<std::string, LeftOut> left_out(const List& user, const List& valid, const std::string& path) {
   std::map<std::string, LeftOut> result;
-  std::vector<std::string> kept;
   for (const auto& [name, entry] : entries(valid)) {
     const Choice* choice = choice_behind(entry.validator());
-    if (choice == nullptr) continue;
+    if (choice == nullptr || result.count(name) > 0) continue;  // an earlier choice leaves out this one
     List checked;
     check_entry(name, user.isParameter(name) ? user.getEntry(name) : entry, entry, join(path, name), checked);
     const auto& word = checked.get<std::string>(name);
     for (const std::string& other : choice->left_out(word)) result.insert({other, {name, choice, word}});
-    for (const std::string& own : choice->belongings(word)) kept.push_back(own);
   }
-  for (const std::string& name : kept) result.erase(name);
   return result;
 }
 

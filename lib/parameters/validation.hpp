@@ -12,7 +12,7 @@ namespace ixos {
 /// - a sublist marked by mark_free_form() takes anything: another library checks it;
 /// - a string with the validator choice_of() chooses among sublists: only the chosen one is filled in with defaults;
 /// - a string with the validator exclusive_choice_of() chooses what else the list holds: what belongs to other words is
-///   refused, and not filled in;
+///   refused, and not filled in; such a choice may itself belong to a word of a choice before it;
 /// - a string whose default is `required`, and a double whose default is NaN, must be given.
 extern const char* const required;
 void mark_free_form(Teuchos::ParameterList& list);

@@ -1,42 +1,33 @@
 #include "run/field_recorder.hpp"
 
-#include <limits>
-
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
+#include "run/field_information.hpp"
 
 namespace ixos {
 namespace {
 
-FieldNames field_names(const Model& model) {
+FieldNames field_names(const std::vector<const OutputField*>& fields, int dimension) {
   FieldNames names;
-  std::vector<std::string> vectors{"displacement", "velocity", "acceleration"};
-  if (model.has_interactions()) vectors.emplace_back("interaction_traction");
-  for (const std::string& vector : vectors)
-    for (int i = 0; i < model.mesh().dimension; ++i) names.nodal.push_back(vector + "_" + "xyz"[i]);
-  names.cell = {"first_stress_invariant", "jacobian", "energy_density"};
-  if (model.has_viscosity()) names.cell.emplace_back("dissipated_energy_density");
-  names.global = {"kinetic_energy", "elastic_energy",    "contact_energy",
-                  "external_work",  "dissipated_energy", "total_energy"};
+  for (const OutputField* field : fields)
+    for (const std::string& component : field->components(dimension))
+      (field->nodal ? names.nodal : names.cell).push_back(component);
+  names.global = frame_energies();
   return names;
-}
-
-/// A running simulation does not end because of an acceleration that only the output needs.
-std::vector<double> acceleration_or_nan(Integrator& integrator) {
-  try {
-    return integrator.acceleration();
-  } catch (const InputError&) {
-    return std::vector<double>(integrator.state().u.size(), std::numeric_limits<double>::quiet_NaN());
-  }
 }
 
 }  // namespace
 
-FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path)
-    : simulation_(simulation), comm_(simulation.model().space().comm()) {
-  const Model& model = simulation.model();
+FieldRecorder::FieldRecorder(Simulation& simulation, const std::string& path, const std::string& scene_file)
+    : simulation_(simulation),
+      comm_(simulation.model().space().comm()),
+      fields_(chosen_fields(simulation.output().fields, simulation.model())) {
+  const LocalMesh& mesh = simulation.model().mesh();
   file_ = (simulation.output().fields_format == FieldsFormat::Hdf5 ? hdf5_fields : exodus_fields)(
-      path, {OutputMesh(model.mesh(), comm_->getSize()), field_names(model), simulation.parameters().name()}, comm_);
+      path,
+      {OutputMesh(mesh, comm_->getSize()), field_names(fields_, mesh.dimension), simulation.parameters().name(),
+       field_information(simulation, scene_file, fields_)},
+      comm_);
 }
 
 void FieldRecorder::create() {
@@ -63,36 +54,16 @@ void FieldRecorder::record() {
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
   Integrator& integrator = simulation_.integrator();
-  const std::vector<double> a = acceleration_or_nan(integrator);
+  FieldFrame frame(integrator);
+  NodalValues nodal;
+  CellValues cell;
+  for (const OutputField* field : fields_) {
+    if (field->nodal)
+      for (auto& component : field->nodal(frame)) nodal.push_back(std::move(component));
+    else
+      for (auto& component : field->cell(frame)) cell.push_back(std::move(component));
+  }
   const State& state = integrator.state();
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  const auto nodes = static_cast<std::size_t>(model.mesh().nodes());
-
-  std::vector<std::vector<double>> nodal;
-  const auto add = [&](const std::vector<double>& field) {
-    for (std::size_t i = 0; i < d; ++i) {
-      nodal.emplace_back(nodes);
-      for (std::size_t n = 0; n < nodes; ++n) nodal.back()[n] = field[n * d + i];
-    }
-  };
-  add(state.u);
-  add(state.v);
-  add(a);
-  if (model.has_interactions()) {
-    std::vector<double> traction = model.interaction_traction(state.u.data());
-    model.space().update_ghosts(traction.data());
-    add(traction);
-  }
-  std::vector<std::vector<std::vector<double>>> cell(model.has_viscosity() ? 4 : 3);
-  for (CellFields& fields : model.cell_fields(state.u.data())) {
-    cell[0].push_back(std::move(fields.stress_invariant));
-    cell[1].push_back(std::move(fields.jacobian));
-    if (cell.size() > 3) {
-      fields.dissipated.resize(fields.energy_density.size());
-      cell[3].push_back(std::move(fields.dissipated));
-    }
-    cell[2].push_back(std::move(fields.energy_density));
-  }
   const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
   const double elastic = model.energy(Part::Elastic, state.u.data());
   const double contact = model.energy(Part::Interaction, state.u.data());

@@ -2,17 +2,19 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "io/field_file.hpp"
+#include "scene/output_fields.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
 
-/// Frames of displacement, velocity, acceleration, interaction traction (nodal), first stress invariant over E, J,
-/// energy density (cells) and energies (global). Collective.
+/// Frames of the fields that the list "Output" chooses, and of the energies (global). Collective.
 class FieldRecorder {
  public:
-  FieldRecorder(Simulation& simulation, const std::string& path);
+  /// `scene_file`: the path of the scene, for the file's records; may be empty.
+  FieldRecorder(Simulation& simulation, const std::string& path, const std::string& scene_file = "");
   void create();                               ///< throws FileError
   void verify(const FieldLength& keep) const;  ///< see FieldFile; throws InputError
   void resume(const FieldLength& keep);
@@ -24,6 +26,7 @@ class FieldRecorder {
  private:
   Simulation& simulation_;
   const Comm& comm_;
+  std::vector<const OutputField*> fields_;
   std::unique_ptr<FieldFile> file_;
 };
 

@@ -29,7 +29,7 @@ class Run {
         control_(times_),
         stop_(simulation.stop_criteria()),
         checkpoints_(simulation, options.folder),
-        files_(simulation, options.folder),
+        files_(simulation, options.folder, options.scene_file),
         watch_(simulation),
         run_watch_(simulation) {
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };

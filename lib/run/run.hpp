@@ -22,6 +22,7 @@ struct Progress {
 
 struct RunOptions {
   std::string folder;                            ///< results go here; made where it does not exist
+  std::string scene_file;                        ///< the scene's path, for the records of fields.e; may be empty
   std::string restart;                           ///< a checkpoint to go on from; may be empty
   std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
   std::function<void(const std::string&)> warn;  ///< the same of warnings

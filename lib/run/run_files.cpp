@@ -16,7 +16,7 @@ bool Recording::due(long step, double before, double now) const {
   return std::floor((now - start_ + slack) / interval_) > std::floor((before - start_ + slack) / interval_);
 }
 
-RunFiles::RunFiles(Simulation& simulation, const std::string& folder)
+RunFiles::RunFiles(Simulation& simulation, const std::string& folder, const std::string& scene_file)
     : simulation_(simulation),
       folder_(folder),
       history_(simulation),
@@ -24,7 +24,7 @@ RunFiles::RunFiles(Simulation& simulation, const std::string& folder)
             simulation.step_control().initial_time),
       frames_(simulation.output().fields_interval, simulation.output().fields_time_interval,
               simulation.step_control().initial_time) {
-  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, folder + "/fields.e");
+  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, folder + "/fields.e", scene_file);
 }
 
 void RunFiles::open_folder(bool goes_on) {

@@ -26,7 +26,8 @@ class Recording {
 /// Records the states of a run as the scene's list "Output" says. Everything throws FileError; collective.
 class RunFiles {
  public:
-  RunFiles(Simulation& simulation, const std::string& folder);
+  /// `scene_file`: the path of the scene, for the records of fields.e; may be empty.
+  RunFiles(Simulation& simulation, const std::string& folder, const std::string& scene_file = "");
 
   /// Makes the folder and effective.xml; what an earlier run left is not this one's, but for frames that are gone on
   /// with.

@@ -9,6 +9,7 @@
 
 #include "base/agreement.hpp"
 #include "io/disk_file.hpp"
+#include "units/result_units.hpp"
 
 namespace ixos {
 namespace {
@@ -25,6 +26,14 @@ const char* name(RunStatus status) {
   if (status == RunStatus::Completed) return "completed";
   if (status == RunStatus::Stopped) return "stopped";
   return status == RunStatus::Diverged ? "diverged" : "interrupted";
+}
+
+/// Returns, for each kind of result, the symbol of its unit, its value in SI units and the SI unit.
+nlohmann::ordered_json units_of_results(const UnitSystem& units, int dimension) {
+  nlohmann::ordered_json json;
+  for (const ResultUnit& unit : result_units(dimension))
+    json[unit.quantity] = {{"symbol", unit.expression}, {"si", units.si(unit.expression)}, {"unit", unit.si}};
+  return json;
 }
 
 }  // namespace
@@ -72,6 +81,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)
       json["warnings"].push_back({{"name", warning.name}, {"message", warning.message}});
+  json["units"] = units_of_results(simulation.units(), model.mesh().dimension);
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   on_first_rank(

@@ -49,8 +49,22 @@ void add_displacement(const SceneNode& node, const Histories& histories, Model& 
   });
 }
 
+/// Adds int N_a dV over a block, times its density for Gravity.
+void add_block(const LocalMesh& mesh, const LocalBlock& block, const std::string& type,
+               const std::vector<Material>& materials, std::vector<double>& measure) {
+  if (type != "Gravity") {
+    add_block_measure(mesh, block, measure);
+    return;
+  }
+  std::vector<double> volume(measure.size(), 0.0);
+  add_block_measure(mesh, block, volume);
+  for (const Material& material : materials)
+    if (material.block == block.name)
+      for (std::size_t a = 0; a < measure.size(); ++a) measure[a] += material.density * volume[a];
+}
+
 /// Returns int N_a over the surface or body on which the load acts, or 1 at the nodes of a set.
-std::vector<double> distribution(const SceneNode& node, const LocalMesh& mesh) {
+std::vector<double> distribution(const SceneNode& node, const std::vector<Material>& materials, const LocalMesh& mesh) {
   std::vector<double> measure(static_cast<std::size_t>(mesh.nodes()), 0.0);
   const auto type = node.text("Type");
   if (type == "Traction") {
@@ -64,22 +78,22 @@ std::vector<double> distribution(const SceneNode& node, const LocalMesh& mesh) {
   } else {
     const auto& name = node.text("Block");
     if (name.empty())
-      for (const LocalBlock& block : mesh.blocks) add_block_measure(mesh, block, measure);
+      for (const LocalBlock& block : mesh.blocks) add_block(mesh, block, type, materials, measure);
     else
       for (std::size_t b : at(node.path_of("Block"), [&] { return mesh.blocks_named(name); }))
-        add_block_measure(mesh, mesh.blocks[b], measure);
+        add_block(mesh, mesh.blocks[b], type, materials, measure);
   }
   return measure;
 }
 
-void add_load(const SceneNode& node, const Histories& histories, Model& model) {
+void add_load(const SceneNode& node, const Histories& histories, const std::vector<Material>& materials, Model& model) {
   const LocalMesh& mesh = model.mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const auto vector = node.numbers("Vector", d, {});
   const auto& name = node.text("History");
   const auto history =
       name.empty() ? constant(1.0) : at(node.path_of("History"), [&] { return histories.get(name, HistoryUse::Load); });
-  const std::vector<double> measure = distribution(node, mesh);
+  const std::vector<double> measure = distribution(node, materials, mesh);
   std::vector<double> forces(measure.size() * d);
   for (std::size_t a = 0; a < measure.size(); ++a)
     for (std::size_t i = 0; i < d; ++i) forces[a * d + i] = measure[a] * vector[i];
@@ -88,18 +102,19 @@ void add_load(const SceneNode& node, const Histories& histories, Model& model) {
 
 }  // namespace
 
-void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model) {
+void add_conditions(const SceneNode& conditions, const Histories& histories, const std::vector<Material>& materials,
+                    Model& model) {
   for (const SceneNode& node : conditions.sublists()) {
     const std::string& type = node.text("Type");
     const bool displacement = type == "Displacement";
     require_given(node, "Node Set", displacement || type == "Point Force");
     require_given(node, "Side Set", type == "Traction");
     require_given(node, "Vector", !displacement);
-    if (type != "Body Force") require_given(node, "Block", false);
+    if (type != "Body Force" && type != "Gravity") require_given(node, "Block", false);
     if (displacement)
       add_displacement(node, histories, model);
     else
-      add_load(node, histories, model);
+      add_load(node, histories, materials, model);
   }
 }
 

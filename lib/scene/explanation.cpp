@@ -7,6 +7,8 @@
 
 #include "base/pack.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "scene/output_fields.hpp"
+#include "scene/si_explanation.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
 
@@ -111,6 +113,21 @@ std::string memory(const Simulation& simulation) {
       megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
 }
 
+std::string frames(const Simulation& simulation) {
+  const OutputOptions& output = simulation.output();
+  if (!output.has_frames()) return "";
+  std::string text;
+  for (const bool nodal : {true, false}) {
+    std::string names;
+    for (const OutputField* field : chosen_fields(output.fields, simulation.model()))
+      if ((field->nodal != nullptr) == nodal)
+        names += fmt::format("{}{} [{}]", names.empty() ? "" : ", ", field->name,
+                             unit_in(simulation.model().mesh().dimension, field->unit));
+    if (!names.empty()) text += fmt::format("Fields of {}: {}\n", nodal ? "nodes" : "cells", names);
+  }
+  return text;
+}
+
 std::string left_out(const Simulation& simulation) {
   std::vector<std::string> absent;
   if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
@@ -138,7 +155,7 @@ std::string left_out(const Simulation& simulation) {
 
 std::string explain(const Simulation& simulation) {
   return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
-         left_out(simulation);
+         frames(simulation) + left_out(simulation) + explain_numbers(simulation);
 }
 
 }  // namespace ixos

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "io/mesh_file.hpp"
 #include "mesh/soundness.hpp"
+#include "scene/scene_mesh.hpp"
 
 namespace ixos {
 namespace {
@@ -54,7 +56,7 @@ class Inspection {
 }  // namespace
 
 std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
-  const bool read = scene.sublist("Mesh").text("Type") == "Exodus";
+  const bool read = reads_file(meshes().chosen(scene.sublist("Mesh")));
   Inspection inspection(mesh, read);
   for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {

@@ -2,6 +2,7 @@
 
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
+#include "scene/output_fields.hpp"
 
 namespace ixos {
 namespace {
@@ -11,7 +12,7 @@ Options<CheckpointOptions> checkpoint_options() {
       .add("Interval", &CheckpointOptions::interval,
            "Number of steps between checkpoints. 0: only Wall-Clock Interval counts.", between(0, 1000000000))
       .add("Wall-Clock Interval", &CheckpointOptions::clock_interval,
-           "Seconds between checkpoints. 0: only Interval counts.", at_least(0))
+           "Wall-clock time between checkpoints [s]. 0: only Interval counts.", at_least(0))
       .add("Keep", &CheckpointOptions::keep, "Number of latest checkpoints that are kept. 0: the run writes none.",
            between(0, 1000));
 }
@@ -23,7 +24,8 @@ Options<WatchOptions> watch_options() {
                {"Warn", WatchAction::Warn},
                {"Stop", WatchAction::Stop},
                {"Resume", WatchAction::Resume}},
-              "What a row does that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes back to "
+              "The consequence of a row that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes "
+              "back to "
               "the last checkpoint, and ends the run if that does not help.")
       .add("Tolerance", &WatchOptions::tolerance,
            "Largest change of the energy balance in a step, as a share of the largest energy so far [-]. 0: what the "
@@ -43,6 +45,7 @@ const Options<OutputOptions>& options() {
                   {{"Exodus", FieldsFormat::Exodus}, {"HDF5", FieldsFormat::Hdf5}},
                   "Format of fields.e. Exodus writes one file per rank; HDF5 writes one file that all ranks share "
                   "(Exodus on HDF5).")
+          .add("Fields", &OutputOptions::fields, output_fields_documentation())
           .add("History Time Interval", &OutputOptions::history_time_interval,
                "Time between rows of history.csv [T0]. It replaces History Interval unless it is 0.", at_least(0))
           .add("Fields Time Interval", &OutputOptions::fields_time_interval,
@@ -72,6 +75,10 @@ std::vector<double> OutputOptions::time_intervals() const {
 
 void declare_output(Teuchos::ParameterList& list) { options().declare(list); }
 
-OutputOptions read_output(const SceneNode& output) { return options().read(output); }
+OutputOptions read_output(const SceneNode& output) {
+  OutputOptions result = options().read(output);
+  check_field_names(output, "Fields", result.fields);
+  return result;
+}
 
 }  // namespace ixos

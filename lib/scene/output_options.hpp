@@ -31,8 +31,9 @@ struct OutputOptions {
   int history_interval = 1;  ///< steps between rows
   int fields_interval = 0;   ///< steps between frames; 0: no frames
   FieldsFormat fields_format = FieldsFormat::Exodus;
-  double history_time_interval = 0;  ///< between rows [T0]; 0: history_interval counts
-  double fields_time_interval = 0;   ///< between frames [T0]; 0: fields_interval counts
+  std::vector<std::string> fields{};  ///< names of chosen_fields(); empty: the usual ones
+  double history_time_interval = 0;   ///< between rows [T0]; 0: history_interval counts
+  double fields_time_interval = 0;    ///< between frames [T0]; 0: fields_interval counts
   CheckpointOptions checkpoint{};
   WatchOptions watch{};
   bool energies = true;                  ///< whether history.csv has these columns
@@ -48,7 +49,7 @@ struct OutputOptions {
 /// Adds the parameters of OutputOptions to a valid list.
 void declare_output(Teuchos::ParameterList& list);
 
-/// Returns the options of the validated list "Output".
+/// Returns the options of the validated list "Output". Throws InputError if a name is no field.
 OutputOptions read_output(const SceneNode& output);
 
 }  // namespace ixos

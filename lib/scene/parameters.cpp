@@ -8,6 +8,7 @@
 #include "parameters/validation.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
+#include "scene/mesh_sets.hpp"
 #include "scene/newton_options.hpp"
 #include "scene/output_options.hpp"
 #include "scene/scene_mesh.hpp"
@@ -21,34 +22,31 @@ using List = Teuchos::ParameterList;
 using Numbers = Teuchos::Array<double>;
 
 void add_units(List& list) {
-  list.set("Length", "1 nm", "Name of the unit of length, L0. It is a label only: nothing is converted.");
-  list.set("Energy Density", "2 GPa", "Name of the unit of energy density and stress, E0.");
-  list.set("Time", "1 ns", "Name of the unit of time, T0.");
+  list.set("Length", "1 nm", "Unit of length, L0.");
+  list.set("Energy Density", "2 GPa", "Unit of energy density and stress, E0.");
+  list.set("Time", "1 ns", "Unit of time, T0.");
 }
 
 void add_mesh(List& list) {
   meshes().declare(list);
-  List& set = list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
-                  .sublist(any_name);
-  set.set("Kind", "Sides", "Kind of set: sides of elements, or nodes.", one_of({"Sides", "Nodes"}));
-  set.set("From", "", "Set to select from. Sides need one; if it is empty, nodes are selected from the whole mesh.");
-  set.set("Lower", Numbers(), "Smallest coordinates of the region [L0]. If empty, there is no bound.", any_number());
-  set.set("Upper", Numbers(), "Largest coordinates of the region [L0]. If empty, there is no bound.", any_number());
+  declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
+                  .sublist(any_name));
 }
 
 void add_condition(List& list) {
   list.set("Type", "Displacement",
            "Kind of condition. Displacement prescribes a displacement; Traction is a force per reference length (2D) "
-           "or area (3D), Body Force a force per reference volume, Point Force a force on each node of a set.",
-           one_of({"Displacement", "Traction", "Body Force", "Point Force"}));
+           "or area (3D), Body Force a force per reference volume, Gravity an acceleration that the density "
+           "multiplies, Point Force a force on each node of a set. In 2D all forces are per depth.",
+           one_of({"Displacement", "Traction", "Body Force", "Gravity", "Point Force"}));
   list.set("Node Set", "", "Node set of a Displacement or of a Point Force.");
   list.set("Side Set", "", "Side set of a Traction.");
-  list.set("Block", "", "Block of a Body Force. If empty, the force acts on all blocks.");
+  list.set("Block", "", "Block of a Body Force or of Gravity. If empty, the load acts on all blocks.");
   list.set("Components", "all", "Directions of a Displacement.",
            one_of({"x", "y", "z", "xy", "xz", "yz", "xyz", "all"}));
   list.set("Vector", Numbers(),
-           "Load for a history value of 1 [E0 for a Traction, E0/L0 for a Body Force, E0 L0^(D-1) for a Point Force "
-           "in D dimensions].",
+           "Load for a history value of 1 [E0 for a Traction, E0/L0 for a Body Force, L0/T0^2 for Gravity, E0 L0 for a "
+           "Point Force in 2D, E0 L0^2 for a Point Force in 3D].",
            any_number());
   list.set("History", "",
            "Name of a list of Histories that gives the value over time. If empty, a Displacement is held at 0 and a "
@@ -82,7 +80,10 @@ void add_output(List& list) {
 
 List make_scene_parameters() {
   List scene("Scene");
-  add_units(scene.sublist("Units", false, "Names of the units. Every value of a scene is in L0, E0 and T0."));
+  add_units(scene.sublist("Units", false,
+                          "Units that plain numbers refer to. Defaults of other parameters are plain numbers: they "
+                          "change with these units. A number with a unit, such as \"10 nm\", is "
+                          "converted."));
   add_mesh(scene.sublist("Mesh", false, "Mesh of the bodies."));
   declare_material(scene.sublist("Materials", false, "One list for each block of the mesh.").sublist(any_name));
   declare_interaction(scene.sublist("Interactions", false, "One list for each adhesive surface.").sublist(any_name));

@@ -1,7 +1,10 @@
 #include "scene/scene_changes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/digest.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
 
@@ -62,7 +65,29 @@ void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList*
   }
 }
 
+/// Adds a line for each parameter of the list at `path` that determines the motion.
+void describe(const Teuchos::ParameterList& list, const std::string& path, std::string& lines) {
+  for (const auto& [name, entry] : entries(list)) {
+    const std::string here = path.empty() ? name : path + '/' + name;
+    if (entry.isList()) {
+      describe(list.sublist(name), here, lines);
+      continue;
+    }
+    const Bearing effect = bearing(here);
+    // The fingerprint of a mesh leaves out its sets.
+    if (effect == Bearing::Motion || effect == Bearing::State || starts_with(here, "Mesh/"))
+      lines += here + " = " + text(&entry) + '\n';
+  }
+}
+
 }  // namespace
+
+std::string scene_digest(const Teuchos::ParameterList& scene, const std::string& mesh_fingerprint) {
+  std::string lines = "mesh " + mesh_fingerprint + '\n';
+  describe(scene, "", lines);
+  const Checksum sum = checksum(lines.data(), lines.size());
+  return fmt::format("{:016x}{:016x}", sum[0], sum[1]);
+}
 
 std::string SceneChange::text() const { return path + ": " + before + ", now " + now; }
 

@@ -23,6 +23,10 @@ struct SceneChange {
   std::string text() const;
 };
 
+/// Returns XXH3 (128 bits), as 32 hexadecimal digits, of the parameters of a complete scene that determine its motion,
+/// and of the fingerprint of its mesh. Output, Stop, Final Time, solvers and the names of units do not count.
+std::string scene_digest(const Teuchos::ParameterList& scene, const std::string& mesh_fingerprint);
+
 /// Returns the differences of two complete scenes, in the order of the second's lists.
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 

@@ -2,34 +2,19 @@
 
 #include <filesystem>
 
-#include "io/exodus_mesh.hpp"
+#include "io/mesh_file.hpp"
 #include "mesh/quality.hpp"
-#include "mesh/selection.hpp"
+#include "scene/mesh_sets.hpp"
 
 namespace ixos {
-namespace {
-
-void add_sets(const SceneNode& sets, Mesh& mesh) {
-  for (const SceneNode& own : sets.sublists()) {
-    const Region region{own.numbers("Lower"), own.numbers("Upper")};
-    at(own.path(), [&] {
-      if (own.text("Kind") == "Sides")
-        add_side_set(mesh, own.name(), own.text("From"), region);
-      else
-        add_node_set(mesh, own.name(), own.text("From"), region);
-    });
-  }
-}
-
-}  // namespace
-
 #define ENTRY(name) MeshEntry name();
 #include "scene/mesh_entries.def"
 #undef ENTRY
 
 const Catalogue<MeshEntry>& meshes() {
 #define ENTRY(name) name(),
-  static const Catalogue<MeshEntry> catalogue("Type", "Selects a mesh generator, or a mesh file (Exodus).",
+  static const Catalogue<MeshEntry> catalogue("Type",
+                                              "Selects a mesh generator, or the format of a mesh file (Exodus, Gmsh).",
                                               {
 #include "scene/mesh_entries.def"
                                               });
@@ -38,16 +23,18 @@ const Catalogue<MeshEntry>& meshes() {
 }
 
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
-  if (list.get<std::string>("Type") == "Exodus") {
-    std::string& path = list.sublist("Exodus").get<std::string>("File");
+  const SceneNode node(list, "Mesh");
+  const MeshEntry& chosen = meshes().chosen(node);
+  if (reads_file(chosen)) {
+    std::string& path = list.sublist(chosen.name).get<std::string>("File");
     const auto beside = std::filesystem::path(scene_folder) / path;
     path = std::filesystem::absolute(std::filesystem::exists(beside) ? beside : std::filesystem::path(path))
                .lexically_normal()
                .string();
   }
-  Mesh mesh = meshes().make(SceneNode(list, "Mesh"));
+  Mesh mesh = meshes().make(node);
   at("Mesh", [&] { check_cells(mesh); });
-  add_sets(SceneNode(list.sublist("Sets"), "Mesh/Sets"), mesh);
+  add_sets(node.sublist("Sets"), mesh);
   return mesh;
 }
 

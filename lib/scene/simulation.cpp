@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -15,7 +14,6 @@
 #include "io/history_file.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
-#include "parameters/validation.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
 #include "scene/histories.hpp"
@@ -23,9 +21,10 @@
 #include "scene/materials.hpp"
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
-#include "scene/parameters.hpp"
+#include "scene/output_fields.hpp"
 #include "scene/scene_facts.hpp"
 #include "scene/scene_mesh.hpp"
+#include "scene/scene_units.hpp"
 #include "scene/symmetry.hpp"
 #include "scene/warnings.hpp"
 #include "solve/linear_solver_defaults.hpp"
@@ -36,12 +35,6 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-bool all_have_actions(const std::vector<Material>& materials) {
-  return std::all_of(materials.begin(), materials.end(), [](const Material& material) {
-    return material.viscosity == 0 && has_action(*material.law, material.formulation);
-  });
-}
-
 /// Times are doubles: at 1e12 they are 1e-4 apart. A step or an interval has to be much longer than that.
 void check_resolution(const StepControlOptions& control, const std::string& path, double interval) {
   const double coarsest = std::max(std::abs(control.initial_time), std::abs(control.final_time));
@@ -51,17 +44,11 @@ void check_resolution(const StepControlOptions& control, const std::string& path
                                  path, interval, control.initial_time, control.final_time, least));
 }
 
-/// Returns the scales of the default units; names of others are not understood.
-std::optional<Scales> scales(const SceneNode& units) {
-  if (units.text("Length") == "1 nm" && units.text("Energy Density") == "2 GPa" && units.text("Time") == "1 ns")
-    return Scales{1e-9, 2e9, 1e-9};
-  return std::nullopt;
-}
-
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
-    : parameters_(validated(scene, scene_parameters())),
+    : parameters_(complete_scene(scene)),
+      units_(scene_units(parameters_)),
       output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
       time_integrator_(read_time_integrator(SceneNode(parameters_, "").sublist("Time Integrator"), output_)),
       newton_(read_newton(SceneNode(parameters_, "").sublist("Nonlinear Solver"))) {
@@ -122,6 +109,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
       warnings_.push_back({"mesh", std::move(message)});
     enrich_surfaces(interactions_, mesh);
   });
+  notes_ = mesh.notes;
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);
@@ -137,9 +125,9 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
-  add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
+  add_conditions(scene.sublist("Boundary Conditions"), histories, materials_, *model_);
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, histories, control, inertia);
-  facts.scales = scales(scene.sublist("Units"));
+  facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
@@ -156,6 +144,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
       throw InputError("Output/Reactions: no displacement of the node set \"" + name +
                        "\" is prescribed, so it has no reaction");
   }
+  chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
 }
 
 /// See ProblemSize.
@@ -177,10 +166,12 @@ double Simulation::stiffness(const Table& table) const {
 void Simulation::build_integrator(Table table) {
   const NamedScope scope("solver set-up");
   const SceneNode scene(parameters_, "");
-  const std::string unsymmetric = asymmetry(scene, materials_, *model_, table);
-  check_linear_solver(scene, materials_, unsymmetric);
-  const ProblemSize size{model_->mesh().dimension, model_->space().global(),     model_->space().comm()->getSize(),
-                         unsymmetric.empty(),      all_have_actions(materials_), level_width_,
+  const ProblemSize size{model_->mesh().dimension,
+                         model_->space().global(),
+                         model_->space().comm()->getSize(),
+                         asymmetry(scene, materials_, *model_, table),
+                         matrix_only(scene, materials_),
+                         level_width_,
                          stiffness(table)};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");

@@ -17,20 +17,22 @@
 #include "solve/newton.hpp"
 #include "time/integrator.hpp"
 #include "time/step_control.hpp"
+#include "units/unit_system.hpp"
 
 namespace ixos {
 
 /// The objects that a scene asks for, built and at their initial state. Collective.
 class Simulation {
  public:
-  /// `scene` is as a user writes it; the constructor validates it. `folder` is the folder of the scene's file, for mesh
-  /// files named relative to it. Throws InputError with the list path.
+  /// `scene` is as a user writes it; the constructor converts units and validates it. `folder` is the folder of the
+  /// scene's file, for mesh files named relative to it. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
 
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, every default filled in
+  const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, in plain numbers
+  const UnitSystem& units() const { return units_; }                        ///< what the plain numbers refer to
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<SceneInteraction>& interactions() const { return interactions_; }
   const Model& model() const { return *model_; }
@@ -48,6 +50,8 @@ class Simulation {
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<Warning>& warnings() const { return warnings_; }
+  /// Returns what Ixos left out of a mesh file, in sentences.
+  const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -59,6 +63,7 @@ class Simulation {
   void set_initial_state();
 
   Teuchos::ParameterList parameters_;
+  const UnitSystem units_;
   const OutputOptions output_;
   const TimeIntegratorOptions time_integrator_;
   const NewtonOptions newton_;
@@ -71,6 +76,7 @@ class Simulation {
   MeshQuality mesh_quality_;
   CharacteristicNumbers numbers_;
   std::vector<Warning> warnings_;
+  std::vector<std::string> notes_;
   double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };

@@ -35,7 +35,8 @@ Options<ProbeLimit> probe_options() {
            one_of({"x", "y", "z", "ux", "uy", "uz", "vx", "vy", "vz"}))
       .choose("Side", &ProbeLimit::above, {{"Above", true}, {"Below", false}},
               "Side of the limit on which the run ends.")
-      .require("Limit", &ProbeLimit::limit, "Limit of the quantity, in its unit [L0 or L0/T0].", any_number());
+      .require("Limit", &ProbeLimit::limit,
+               "Limit of the quantity [L0 for a coordinate or displacement, L0/T0 for a velocity].", any_number());
 }
 
 const Options<Parameters>& options() {

@@ -14,6 +14,7 @@
 #include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 #include "study/study.hpp"
 
 namespace ixos {
@@ -182,15 +183,15 @@ Study read(const std::string& path) {
   return study;
 }
 
-List complete_scene(List scene, const Assignments& settings) {
+List changed_scene(List scene, const Assignments& settings) {
   for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
-  return validated(scene, scene_parameters());
+  return complete_scene(scene);
 }
 
 }  // namespace
 
 std::string scene_text(const Study& study, const Assignments& settings) {
-  return scene_text(complete_scene(read_scene_file(study.scene), settings));
+  return scene_text(changed_scene(read_scene_file(study.scene), settings));
 }
 
 Study read_study(const std::string& path) {
@@ -205,7 +206,7 @@ Study read_study(const std::string& path) {
   }
   const auto check = [&](const std::string& run, const Assignments& settings) {
     try {
-      complete_scene(scene, settings);
+      changed_scene(scene, settings);
     } catch (const InputError& error) {
       throw InputError(path + ": run " + run + ": " + error.what());
     }

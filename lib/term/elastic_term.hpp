@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/symmetric_tensor.hpp"
 #include "discretization/pattern.hpp"
 #include "material/elastic_law.hpp"
 #include "mesh/local_mesh.hpp"
@@ -33,6 +34,9 @@ class Elasticity : public ForceTerm {
   virtual void add_diagonal(const Segment& segment, double* diagonal) const = 0;
   /// Fills in the fields of the block.
   virtual void cell_fields(const double* u, CellFields& fields) const = 0;
+  /// Sets, for each local cell of the block, the mean Cauchy stress over the reference volume [E0]. That of a block
+  /// with mean dilatation is the stress of F~, that of an enhanced block includes the modes.
+  virtual void cell_stress(const double* u, std::vector<SymmetricTensor>& stress) const = 0;
 };
 
 /// Returns whether a block of that law and formulation can be applied without a matrix, by Term::create_action().

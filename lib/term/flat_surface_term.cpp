@@ -150,6 +150,20 @@ class FlatSurfaceTerm final : public Interaction {
 
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
 
+  void add_nodal_pressure(const double* u, double* force) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Gaps gaps(sides_, b, {nullptr, nullptr, u});
+      Nodal along{};
+      Kernel::add_force(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), end_rule(), along);
+      for (Pack& value : along) value = -value;  // internal forces point into the wall
+      sides_.add_nodal(b, along, force);
+    }
+  }
+
+  void lower_nodal_gap(const double* u, double* gap) const override {
+    for (std::size_t b = 0; b < sides_.size(); ++b) sides_.lower_nodal(b, sides_.gaps_of(b, u), gap);
+  }
+
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     for (std::size_t b = 0; b < sides_.size(); ++b) {

@@ -54,6 +54,14 @@ class Interaction : public ForceTerm {
 
   /// Adds, per local node, int N_a dA over the surface [L0^(D-1)].
   virtual void add_nodal_measure(double* measure) const = 0;
+
+  /// Adds, per local node, int N_a T dA with the law's traction T, which is positive where the obstacle pushes the body
+  /// away [E0 L0^(D-1)].
+  virtual void add_nodal_pressure(const double* u, double* force) const = 0;
+
+  /// Lowers the numbers by local node to the gaps of the surface's nodes [L0]; NaN stands for no gap yet. At derivative
+  /// nodes it is the gap's derivative.
+  virtual void lower_nodal_gap(const double* u, double* gap) const = 0;
 };
 
 }  // namespace ixos

@@ -73,6 +73,20 @@ class SurfaceSides {
   }
   /// Returns nodal reference coordinates [L0]; those of a Hermite side's derivative nodes are derivatives.
   const Vectors& reference(std::size_t b) const { return reference_[b]; }
+  /// Adds numbers that the nodes of a batch received through their shape functions to an array by local node.
+  void add_nodal(std::size_t b, const std::array<Pack, N>& values, double* by_node) const {
+    for_each_node(b, [&](std::size_t a, std::size_t lane, std::size_t node) {
+      by_node[node] += batches_.scale(b, a, lane) * values[a][lane];
+    });
+  }
+  /// Lowers an array by local node to the values of a batch's nodes; NaN stands for no value yet. A derivative node
+  /// takes the value of the last side.
+  void lower_nodal(std::size_t b, const std::array<Pack, N>& values, double* by_node) const {
+    for_each_node(b, [&](std::size_t a, std::size_t lane, std::size_t node) {
+      const double value = values[a][lane] / batches_.scale(b, a, lane);
+      if (a >= places || !(by_node[node] <= value)) by_node[node] = value;
+    });
+  }
   /// Adds, per local node, int N_a dA [L0^(D-1)].
   void add_nodal_measure(double* measure_by_node) const {
     for (std::size_t b = 0; b < size(); ++b)
@@ -88,6 +102,18 @@ class SurfaceSides {
   static constexpr std::size_t places = IsHermite<SideElement>::value ? std::size_t{1} << (D - 1) : N;
 
  private:
+  /// Calls visit(node of the side, lane, local node). Leaves out nodes of tied edges, whose shape functions are zero:
+  /// other nodes stand in their places.
+  template <class Visit>
+  void for_each_node(std::size_t b, const Visit& visit) const {
+    for (std::size_t a = 0; a < N; ++a) {
+      bool counts = false;
+      for (std::size_t q = 0; q < quadrature_.size(); ++q) counts = counts || quadrature_.value[q][a] != 0;
+      for (std::size_t lane = 0; counts && lane < batches_.lanes(b); ++lane)
+        visit(a, lane, static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D);
+    }
+  }
+
   static std::array<int, D - 1> counts(int points) {
     std::array<int, D - 1> result;
     const int own = SideElement::default_points[0] > 3 ? 8 : 5;  // beyond order 2 more

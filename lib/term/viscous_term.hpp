@@ -3,8 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/symmetric_tensor.hpp"
 #include "discretization/pattern.hpp"
-#include "material/kelvin_voigt.hpp"
+#include "material/hooke.hpp"
 #include "mesh/local_mesh.hpp"
 #include "term/rate_term.hpp"
 
@@ -15,10 +16,13 @@ class Viscosity : public RateTerm {
  public:
   /// Sets, for each local cell of the block, the mean density of the energy dissipated so far [E0].
   virtual void cell_dissipation(std::vector<double>& density) const = 0;
+  /// Adds, for each local cell of the block, the mean viscous Cauchy stress J^-1 F S F^T of a displacement and a
+  /// velocity over the reference volume [E0].
+  virtual void add_cell_stress(const double* u, const double* v, std::vector<SymmetricTensor>& stress) const = 0;
 };
 
 /// Returns the Kelvin-Voigt viscosity of one block of Standard elements; `points` as for make_elastic_term().
 std::unique_ptr<Viscosity> make_viscous_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-                                             const KelvinVoigt& law, int points = 0);
+                                             const Hooke& law, int points = 0);
 
 }  // namespace ixos

@@ -48,6 +48,19 @@ TEST_F(DriverRefusalTest, BadValuesAreRefused) {
                          "Linear Solver: Stratimikos refuses the list");
 }
 
+TEST_F(DriverRefusalTest, BadUnitsAreRefused) {
+  expect_refused_setting(
+      "Materials/Ball/Density=1000 kg/m^2",
+      "ball.xml: Materials/Ball/Density: \"1000 kg/m^2\" is a mass per area; a density is needed, as "
+      "in \"1000 kg/m^3\"");
+  expect_refused_setting("Materials/Ball/Young's Modulus=2 mpa",
+                         "--set Materials/Ball/Young's Modulus: \"2 mpa\": unit \"mpa\" does not exist; did you mean "
+                         "\"MPa\"?");
+  expect_refused_setting("Units/Energy Density=2 m", "Units/Energy Density: \"2 m\" is a length; a stress or energy");
+  expect_refused_setting("Interactions/Wall/Hamaker Constant=1e-19 J",
+                         "\"Hamaker Constant\" belongs to Constants \"Hamaker\", but Constants is \"Ratios\"");
+}
+
 TEST_F(DriverRefusalTest, SolversForSymmetricMatricesAreRefusedForUnsymmetricTangents) {
   const auto refused = [&](const std::string& solver, const std::string& message) {
     expect_refused(2,
@@ -122,6 +135,7 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
           "did you mean \"body\"?");
   refused({"Output/Probes/P/Point={0, 0}"}, "Output/Probes/P/Point: the point (0, 0) lies outside the body");
   refused({"Output/Probes/P/Point={0}"}, "Output/Probes/P/Point has 1 elements, not 2");
+  refused({"Output/Fields={default, gpa}"}, "Output/Fields: field \"gpa\" does not exist; did you mean \"gap\"?");
   refused({"Output/Reactions={rihgt}"}, "Output/Reactions: node set \"rihgt\" does not exist; did you mean \"right\"?");
   refused({"Time Integrator/Stop/Peeled/Probe/Name=Q"}, "Time Integrator/Stop/Peeled/Probe/Name: probe \"Q\"");
   refused({"Time Integrator/Stop/Peeled/Probe/Quantity=z"}, "names z, but the mesh has 2 dimensions");

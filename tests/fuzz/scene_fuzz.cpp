@@ -7,6 +7,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -17,7 +18,7 @@ using Teuchos::ParameterList;
 /// At most, roughly: what takes long to build is not built.
 double cells(const ParameterList& mesh) {
   const auto type = mesh.get<std::string>("Type");
-  if (type == "Exodus") return 1e9;  // exodus_fuzz.cpp
+  if (type == "Exodus" || type == "Gmsh") return 1e9;  // exodus_fuzz.cpp, gmsh_fuzz.cpp
   if (type == "Disk") {
     const double n = mesh.sublist("Disk").get<int>("Core Divisions");
     return n * n + 4 * n * mesh.sublist("Disk").get<int>("Rings");
@@ -48,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace ixos;
   try {
     const ParameterList user = read_scene_text(fuzz::text(data, size), "input");
-    const ParameterList complete = validated(user, scene_parameters());
+    const ParameterList complete = complete_scene(user);
     expect_all(user, complete);
     const ParameterList again = validated(read_scene_text(scene_text(complete), "again"), scene_parameters());
     fuzz::expect(scene_changes(complete, again).empty(), "a scene changes when it is written and read");

@@ -210,6 +210,12 @@ TEST(TimeExpressionSerialTest, EvaluatesAllThree) {
   expect_value(*pieces, 4, 8, 0, 0);
 }
 
+TEST(TimeExpressionSerialTest, ArgumentAndValueMayHaveUnits) {
+  // t in 1000 T0, values in 5 L0.
+  const Function f = expression("t^3", "3*t^2", "6*t", {1000, 5});
+  expect_value(*f, 2000, 5 * 8, 5 * 12 / 1e3, 5 * 12 / 1e6);
+}
+
 TEST(TimeExpressionSerialTest, MissingDerivativesAreZero) {
   expect_value(*expression("t^2", "", ""), 3, 9, 0, 0);
   expect_value(*expression("t^2", "2*t", ""), 3, 9, 6, 0);

@@ -3,6 +3,7 @@
 #include "fem/quadrature.hpp"
 #include "support/catalogue_walk.hpp"
 #include "support/derivative.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos {
 namespace {
@@ -28,10 +29,58 @@ class LawTest : public testing::TestWithParam<std::string> {
 };
 
 TEST(LawCatalogueTest, EveryEntryIsWhole) {
-  test::walk(laws(), {}, {}, [](const Teuchos::ParameterList& list, const LawEntry&) {
+  // VanDerWaalsConstantsTest tests the other constants of this law.
+  const std::set<std::string> other{"Van der Waals/Constants", "Van der Waals/Hamaker Constant",
+                                    "Van der Waals/Length Scale", "Van der Waals/Work of Adhesion",
+                                    "Van der Waals/Strength"};
+  test::walk(laws(), {}, other, [](const Teuchos::ParameterList& list, const LawEntry&) {
     const auto law = laws().make(SceneNode(list, ""));
     return std::vector<double>{law->energy(0.3)[0], law->traction(0.5)[0], law->stiffness(0.2)[0]};
   });
+}
+
+/// The van der Waals law from other constants: those of the paper, as one knows them elsewhere.
+std::shared_ptr<const GapLaw> van_der_waals(const std::string& constants, const std::string& first, double a,
+                                            const std::string& second, double b) {
+  Teuchos::ParameterList valid, user;
+  laws().declare(valid);
+  user.set("Constants", constants);
+  user.set(first, a);
+  user.set(second, b);
+  const Teuchos::ParameterList list = validated(user, valid);
+  EXPECT_FALSE(list.isParameter("Gamma L"));
+  return laws().make(SceneNode(list, ""));
+}
+
+TEST(VanDerWaalsConstantsTest, HamakersConstantGivesTheAttraction) {
+  const double hamaker = 0.05, length = 0.3;
+  const auto law = van_der_waals("Hamaker", "Hamaker Constant", hamaker, "Length Scale", length);
+  EXPECT_NEAR(law->equilibrium_gap(), std::pow(15.0, -1.0 / 6) * length, 1e-15);
+  const double far = 50;  // the repulsion is (r0/r)^6/15 of this
+  EXPECT_NEAR(law->energy(far)[0] * -12 * M_PI * far * far, hamaker, 1e-12 * hamaker);
+}
+
+TEST(VanDerWaalsConstantsTest, WorkOfAdhesionAndStrengthAreThoseOfTheLaw) {
+  const double work = 0.02, strength = 0.07;
+  const auto law = van_der_waals("Adhesion", "Work of Adhesion", work, "Strength", strength);
+  EXPECT_NEAR(-law->energy(law->equilibrium_gap())[0], work, 1e-15);
+  EXPECT_NEAR(-law->traction(law->adhesion_gap())[0], strength, 1e-15);
+}
+
+TEST(VanDerWaalsConstantsTest, MixedAndMissingConstantsAreRefused) {
+  Teuchos::ParameterList valid, user;
+  laws().declare(valid);
+  const auto refused = [&](const std::string& words) {
+    test::expect_contains(test::refusal([&] { validated(user, valid); }), words);
+  };
+  user.set("Constants", std::string("Hamaker"));
+  refused("Hamaker Constant is missing");
+  user.set("Hamaker Constant", 0.05);
+  user.set("Gamma L", 2.5);
+  refused("\"Gamma L\" belongs to Constants \"Ratios\", but Constants is \"Hamaker\"");
+  user.remove("Gamma L");
+  user.set("Law", std::string("Morse"));
+  refused("belongs to Law \"Van der Waals\", but Law is \"Morse\"");
 }
 
 TEST_P(LawTest, TractionAndStiffnessAreDerivativesOfTheEnergy) {

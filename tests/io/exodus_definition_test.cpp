@@ -76,6 +76,44 @@ TEST_F(ExodusDefinitionTest, BlocksAndSetsAreNumberedFromOne) {
   EXPECT_TRUE(block(file, 3).second.empty());
 }
 
+TEST_F(ExodusDefinitionTest, LinesBecomeRecordsOfAtMost80Bytes) {
+  EXPECT_TRUE(exodus_records({}).empty());
+  EXPECT_EQ(exodus_records({"short", ""}), (std::vector<std::string>{"short", ""}));
+  const std::string exact(80, 'x');
+  EXPECT_EQ(exodus_records({exact}), std::vector<std::string>{exact});
+  EXPECT_EQ(exodus_records({exact + "yz"}), (std::vector<std::string>{exact, "  yz"}));
+  // Characters of two bytes stay whole.
+  std::string accents = "a", joined;
+  for (int i = 0; i < 100; ++i) accents += "\xc3\xa9";
+  const std::vector<std::string> records = exodus_records({accents});
+  ASSERT_EQ(records.size(), 3U);
+  for (const std::string& record : records) {
+    EXPECT_LE(record.size(), 80U);
+    EXPECT_NE(static_cast<unsigned char>(record.back()), 0xc3U);
+    joined += &record == &records.front() ? record : record.substr(2);
+  }
+  EXPECT_EQ(joined, accents);
+}
+
+TEST_F(ExodusDefinitionTest, InformationRecordsReadBack) {
+  for (ExodusFormat format : {ExodusFormat::Classic, ExodusFormat::Hdf5}) {
+    const Mesh mesh = two_cells();
+    {
+      ExodusHandle file(create_exodus(path("info.e"), format), path("info.e"));
+      define_exodus_mesh(file, mesh, test::whole(mesh), "title", {"scene: Ball", std::string(100, 'x')});
+      EXPECT_EQ(file.close(), 0);
+    }
+    const ExodusHandle file(open(path("info.e")), "");
+    ASSERT_EQ(ex_inquire_int(file, EX_INQ_INFO), 3);
+    std::array<std::array<char, MAX_LINE_LENGTH + 1>, 3> texts{};
+    std::array<char*, 3> records{texts[0].data(), texts[1].data(), texts[2].data()};
+    ASSERT_GE(ex_get_info(file, records.data()), 0);
+    EXPECT_STREQ(records[0], "scene: Ball");
+    EXPECT_EQ(records[1], std::string(80, 'x'));
+    EXPECT_EQ(records[2], "  " + std::string(20, 'x'));
+  }
+}
+
 TEST_F(ExodusDefinitionTest, SidesNameTheirElementByItsNumberInTheFile) {
   const Mesh mesh = two_cells();
   const ExodusHandle file(written(mesh, test::whole(mesh)), "");

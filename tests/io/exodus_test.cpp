@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "io/exodus_mesh.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "support/refusal.hpp"
@@ -169,15 +170,85 @@ void make_file(const std::string& name, int dimension, const char* type, int sec
   ex_close(id);
 }
 
+/// Two quadrilaterals as meshio writes them: three coordinates, blocks of a point and of two lines, no names and no
+/// sets. The second cell is clockwise. The last node belongs to the point alone.
+void make_meshio_file(const std::string& name, double height = 0, int block_of_side = 0) {
+  int word = 8, stored = 8;
+  const int id = ex_create(path(name).c_str(), EX_CLOBBER, &word, &stored);
+  double x[] = {0, 1, 2, 0, 1, 2, 5}, y[] = {0, 0, 0, 1, 1, 1, 5}, z[] = {0, 0, height, 0, 0, 0, 0};
+  int point[] = {7}, lines[] = {1, 2, 2, 3}, cells[] = {1, 2, 5, 4, 2, 5, 6, 3}, ends[] = {3, 6, 7};
+  ex_put_init(id, "two", 3, 7, 5, 3, 1, block_of_side > 0 ? 1 : 0);
+  ex_put_coord(id, x, y, z);
+  ex_put_block(id, EX_ELEM_BLOCK, 1, "SPHERE", 1, 1, 0, 0, 0);
+  ex_put_block(id, EX_ELEM_BLOCK, 2, "BAR2", 2, 2, 0, 0, 0);
+  ex_put_block(id, EX_ELEM_BLOCK, 3, "QUAD4", 2, 4, 0, 0, 0);
+  ex_put_conn(id, EX_ELEM_BLOCK, 1, point, nullptr, nullptr);
+  ex_put_conn(id, EX_ELEM_BLOCK, 2, lines, nullptr, nullptr);
+  ex_put_conn(id, EX_ELEM_BLOCK, 3, cells, nullptr, nullptr);
+  ex_put_set_param(id, EX_NODE_SET, 1, 3, 0);
+  ex_put_set(id, EX_NODE_SET, 1, ends, nullptr);
+  if (block_of_side > 0) {
+    int element[] = {block_of_side == 2 ? 2 : 5}, side[] = {3};  // of the last cell: nodes 6 and 3
+    ex_put_set_param(id, EX_SIDE_SET, 1, 1, 0);
+    ex_put_set(id, EX_SIDE_SET, 1, element, side);
+  }
+  ex_close(id);
+}
+
+TEST(ExodusTest, PlaneMeshesWithAThirdCoordinateAndLinesAreReadAsTwoDimensional) {
+  make_meshio_file("meshio.e");
+  const Mesh mesh = read_exodus_mesh(path("meshio.e"));
+  EXPECT_EQ(mesh.dimension, 2);
+  EXPECT_EQ(mesh.coordinates, (std::vector<double>{0, 0, 1, 0, 2, 0, 0, 1, 1, 1, 2, 1}));
+  ASSERT_EQ(mesh.blocks.size(), 1U);
+  EXPECT_EQ(mesh.blocks[0].name, "block_3");
+  EXPECT_EQ(mesh.blocks[0].nodes, (std::vector<int>{0, 1, 4, 3, 1, 2, 5, 4}));
+  EXPECT_EQ(mesh.node_sets.at(0).nodes, (std::vector<int>{2, 5}));
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{
+                            "the mesh's blocks of points, lines or faces are left out: \"block_1\", \"block_2\""});
+  EXPECT_NO_THROW(check_cells(mesh));
+
+  make_meshio_file("meshio.e", 0.5);
+  expect_contains(refusal(path("meshio.e")),
+                  "meshio.e: the quadrilaterals do not lie in the plane z = 0: a node stands "
+                  "at (2, 0, 0.5)");
+  make_meshio_file("meshio.e", 0, 3);
+  const Mesh with_side = read_exodus_mesh(path("meshio.e"));
+  const Side side = with_side.side_sets.at(0).sides.at(0);
+  EXPECT_EQ(sorted_corners(with_side, side), sorted_corners({2, 5}));
+  make_meshio_file("meshio.e", 0, 2);
+  expect_contains(refusal(path("meshio.e")),
+                  "side set \"surface_1\" refers to element 2 of block \"block_2\", which is no cell of the mesh");
+}
+
+TEST(ExodusTest, FacesBesideHexahedraAreLeftOut) {
+  int word = 8, stored = 8;
+  const int id = ex_create(path("faces.e").c_str(), EX_CLOBBER, &word, &stored);
+  double x[] = {0, 1, 1, 0, 0, 1, 1, 0}, y[] = {0, 0, 1, 1, 0, 0, 1, 1}, z[] = {0, 0, 0, 0, 1, 1, 1, 1};
+  int face[] = {1, 2, 3, 4}, cell[] = {1, 2, 3, 4, 5, 6, 7, 8};
+  ex_put_init(id, "one", 3, 8, 2, 2, 0, 0);
+  ex_put_coord(id, x, y, z);
+  ex_put_block(id, EX_ELEM_BLOCK, 1, "QUAD4", 1, 4, 0, 0, 0);
+  ex_put_block(id, EX_ELEM_BLOCK, 2, "HEX8", 1, 8, 0, 0, 0);
+  ex_put_conn(id, EX_ELEM_BLOCK, 1, face, nullptr, nullptr);
+  ex_put_conn(id, EX_ELEM_BLOCK, 2, cell, nullptr, nullptr);
+  ex_close(id);
+  const Mesh mesh = read_exodus_mesh(path("faces.e"));
+  EXPECT_EQ(mesh.dimension, 3);
+  EXPECT_EQ(mesh.cells(), 1);
+  EXPECT_EQ(mesh.notes.size(), 1U);
+}
+
 TEST(ExodusTest, ForeignFilesAreReadOrRefusedByWhatTheyHold) {
   make_file("foreign.e", 2, "quad", 20, 2);
   const Mesh mesh = read_exodus_mesh(path("foreign.e"));
   EXPECT_EQ(mesh.blocks.at(1).name, "block_20");
   EXPECT_EQ(mesh.cells(), 2);
-  make_file("shell.e", 3, "QUAD4", 20, 2);
-  expect_contains(refusal(path("shell.e")), "has elements of type QUAD4 with 4 nodes in 3 dimensions");
+  make_file("shell.e", 3, "SHELL4", 20, 2);
+  expect_contains(refusal(path("shell.e")), "has elements of type SHELL4 with 4 nodes in 3 dimensions");
   make_file("tet.e", 3, "TETRA", 20, 2);
   expect_contains(refusal(path("tet.e")), "TETRA");
+  expect_contains(refusal(path("tet.e")), "Mesh.SubdivisionAlgorithm = 2;");
   make_file("numbers.e", 2, "QUAD4", 20, 1);
   expect_contains(refusal(path("numbers.e")), "node number 1 is given twice");
 }

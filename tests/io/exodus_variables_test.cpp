@@ -60,7 +60,7 @@ std::string refusal(const std::string& path, const ExodusSize& wanted = size, co
 }
 
 std::string misfit(const std::string& path, int kept = frames) {
-  return path + ": cannot resume: the file should have this mesh and " + std::to_string(kept) +
+  return path + ": cannot resume: the file should have this mesh, these fields and " + std::to_string(kept) +
          " frames. Choose another --output to start new files";
 }
 

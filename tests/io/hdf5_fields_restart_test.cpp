@@ -95,7 +95,8 @@ TEST_F(Hdf5FieldsTest, WhatDoesNotFitIsRefused) {
     return std::string("accepted");
   };
   EXPECT_EQ(refusal(mesh, "two.e", {2, size}), "accepted");
-  EXPECT_NE(refusal(mesh, "two.e", {3, size}).find("the file should have this mesh and 3 frames"), std::string::npos);
+  EXPECT_NE(refusal(mesh, "two.e", {3, size}).find("the file should have this mesh, these fields and 3 frames"),
+            std::string::npos);
   EXPECT_NE(refusal(mesh, "two.e", {2, size + 1}).find("cannot resume: the file should have this mesh"),
             std::string::npos);
   EXPECT_NE(refusal(two_blocks(2, true), "two.e", {2, size}).find("cannot resume: the file should have this mesh"),

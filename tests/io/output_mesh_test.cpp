@@ -54,6 +54,12 @@ TEST(OutputMeshTest, EnrichedCellsBecomeRowsThatFillTheSameArea) {
     };
     EXPECT_EQ(sides("bottom"), 3U * static_cast<std::size_t>(parts));
     EXPECT_EQ(sides("left"), 2U);
+    // No two sets have one name: readers on IOSS want that.
+    std::set<std::string> sets;
+    for (const SideSet& set : output.mesh.side_sets) sets.insert(set.name);
+    for (const NodeSet& set : output.mesh.node_sets) sets.insert(set.name);
+    EXPECT_EQ(sets.size(), output.mesh.side_sets.size() + output.mesh.node_sets.size());
+    EXPECT_EQ(sets.count("bottom_nodes"), 1U);
     EXPECT_EQ(sides("top"), 3U);
   }
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 #include "io/exodus_mesh.hpp"
 #include "mesh/generators/shapes.hpp"
@@ -161,6 +162,38 @@ TEST(UnsoundMeshesTest, PartsThatHangByANodeAreWarnedOf) {
   ASSERT_EQ(found.size(), 1U);
   expect_contains(found[0], "1 of the mesh's 2 elements");
   expect_contains(found[0], "hang on it by 1 node(s)");
+}
+
+/// Two squares that have no node in common where they meet, as gmsh writes them.
+std::string torn_squares() {
+  const std::string path = testing::TempDir() + "torn.msh";
+  std::ofstream(path) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 1 \"bottom\"\n$EndPhysicalNames\n"
+                         "$Entities\n0 1 1 0\n1 0 0 0 2 0 0 1 1 0\n1 0 0 0 2 1 0 0 0\n$EndEntities\n"
+                         "$Nodes\n1 8 1 8\n2 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n"
+                         "0 0 0\n1 0 0\n1 1 0\n0 1 0\n1 0 0\n2 0 0\n2 1 0\n1 1 0\n$EndNodes\n"
+                         "$Elements\n2 4 1 4\n1 1 1 2\n1 1 2\n2 5 6\n2 1 3 2\n3 1 2 3 4\n4 5 6 7 8\n$EndElements\n";
+  return path;
+}
+
+TEST(UnsoundMeshesTest, MeshesOfGmshAreWarnedOfAndRefusedAlike) {
+  const std::string scene = list("Mesh", word("Type", "Gmsh") + list("Gmsh", word("File", torn_squares()))) +
+                            list("Materials", list("Rubber", "")) + test::time_integrator("Midpoint", 0.01, 0.02);
+  const auto with_wall = [&](const std::string& side_set) {
+    return test::scene(scene +
+                       list("Interactions", list("Wall", word("Side Set", side_set) + numbers("Point", {0, -0.5}))));
+  };
+  const std::vector<std::string> found = Simulation(with_wall("bottom"), test::self()).warnings();
+  ASSERT_EQ(found.size(), 1U);
+  expect_contains(found[0], "2 node(s) of the mesh stand where another one stands, the first at (1, 0)");
+  expect_contains(test::refusal([&] { Simulation(with_wall("bottum"), test::self()); }),
+                  "side set \"bottum\" does not exist; did you mean \"bottom\"? The mesh has \"bottom\"");
+}
+
+TEST(UnsoundMeshesTest, AMeshWithoutSideSetsHasNoNearestName) {
+  Mesh mesh = strip();
+  mesh.side_sets.clear();
+  const std::string message = refusal(mesh, "", "bottom");
+  expect_contains(message, "side set \"bottom\" does not exist. The mesh has none; Mesh/Sets can select one");
 }
 
 }  // namespace

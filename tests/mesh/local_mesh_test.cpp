@@ -190,7 +190,7 @@ TEST(LocalMeshTest, MisspeltNamesAreRefusedWithTheNearest) {
   EXPECT_EQ(test::refusal([&] { part.side_set("surfcae"); }),
             "side set \"surfcae\" does not exist; did you mean \"surface\"? The mesh has \"surface\"");
   EXPECT_EQ(test::refusal([] { LocalMesh{}.side_set("surface"); }),
-            "side set \"surface\" does not exist; the mesh has none");
+            "side set \"surface\" does not exist. The mesh has none; Mesh/Sets can select one");
 }
 
 TEST(PartitionNodesTest, PartsAreBalancedWithinTenPercent) {

@@ -149,6 +149,20 @@ TEST(ExclusiveChoiceTest, AWordThatDoesNotExistIsRefusedFirst) {
   test::expect_contains(test::refusal([&] { validated(user, valid_way()); }), "did you mean \"River\"?");
 }
 
+TEST(ExclusiveChoiceTest, AChoiceMayBelongToAWordOfAnother) {
+  ParameterList valid;
+  valid.set("Way", std::string("Road"), "Where to go.", exclusive_choice_of({{"Road", {}}, {"Sea", {"Sail", "Oars"}}}));
+  valid.set("Sail", std::string("One"), "How many.", exclusive_choice_of({{"One", {}}, {"None", {"Oars"}}}));
+  valid.set("Oars", 2, "How many.");
+  ParameterList sea = way("Sea");
+  EXPECT_EQ(names(validated({}, valid)), "Way ");
+  EXPECT_EQ(names(validated(sea, valid)), "Way Sail ");
+  sea.set("Sail", std::string("None"));
+  EXPECT_EQ(names(validated(sea, valid)), "Way Sail Oars ");
+  sea.set("Way", std::string("Road"));
+  test::expect_contains(test::refusal([&] { validated(sea, valid); }), "belongs to Way \"Sea\", but Way is \"Road\"");
+}
+
 TEST(ExclusiveChoiceTest, WhatIsCompleteIsValid) {
   for (const char* word : {"Sea", "Road"}) {
     const ParameterList complete = validated(way(word), valid_way());

@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Tests of drivers/plot on a short run of the ball: IXOS_DRIVER=.../ixos IXOS_XML=.../xml tests/plot/plot_test.py"""
 import os
-import pathlib
 import shutil
 import subprocess
 import sys
@@ -11,23 +10,14 @@ import numpy as np
 from PIL import Image
 
 sys.dont_write_bytecode = True
-from scripts import PLOT, ScriptTest  # noqa: E402 (sets the path to the others)
+from scripts import PLOT, ScriptTest, simulate  # noqa: E402 (sets the path to the others)
 from exodus import Fields  # noqa: E402
 from results import Run  # noqa: E402
 
-DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
-SCENES = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml"))
 SHORT = ["Time Integrator/Time Step Control/Final Time=0.05", "Output/Fields Interval=10"]
 CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=1"]
-
-
-def simulate(folder, settings, ranks=1, scene="ball.xml"):
-    """A run of a scene with other settings."""
-    options = [word for setting in settings for word in ("--set", setting)]
-    launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
-    subprocess.run([*launcher, DRIVER, SCENES / scene, "--quiet", "--output", folder, *options], check=True, capture_output=True)
 
 
 class PlotTest(ScriptTest):

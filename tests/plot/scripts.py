@@ -1,4 +1,5 @@
 """What the tests of drivers/plot share: the scripts' path, running them, and looking at what they write."""
+import os
 import pathlib
 import subprocess
 import sys
@@ -9,6 +10,16 @@ from PIL import Image
 
 PLOT = pathlib.Path(__file__).resolve().parents[2] / "drivers" / "plot"
 sys.path.insert(0, str(PLOT))
+DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
+SCENES = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml"))
+
+
+def simulate(folder, settings, ranks=1, scene="ball.xml"):
+    """A run of a scene with other settings."""
+    options = [word for setting in settings for word in ("--set", setting)]
+    launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
+    subprocess.run([*launcher, DRIVER, SCENES / scene, "--quiet", "--output", folder, *options], check=True,
+                   capture_output=True)
 
 
 def script(name, *arguments):

@@ -43,9 +43,9 @@ TEST(CharacteristicNumbersTest, TheTaborNumberOfASphereBeforeAFlatBody) {
   for (const auto& [radius, tabor] : {std::pair{50.0, 0.8748}, std::pair{500.0, 1.8848}}) {
     const std::string r = std::to_string(radius);
     const Simulation simulation(
-        test::scene_file("strip.xml", {"Interactions/Wall/Obstacle=Sphere", "Interactions/Wall/Sphere/Radius=" + r,
-                                       "Interactions/Wall/Sphere/Center={0, -" + r + "}",
-                                       "Mesh/Box/Divisions={40, 2}"}),
+        test::scene_file("strip.xml",
+                         {"Interactions/Wall/Obstacle=Sphere", "Interactions/Wall/Sphere/Radius=" + r,
+                          "Interactions/Wall/Sphere/Center={0, -" + r + "}", "Mesh/Box/Divisions={40, 2}"}),
         test::self());
     EXPECT_NEAR(simulation.characteristic_numbers().surfaces[0].radius, radius, 1e-9 * radius);
     EXPECT_NEAR(simulation.characteristic_numbers().surfaces[0].tabor, tabor, 1e-4);

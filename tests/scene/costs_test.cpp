@@ -22,7 +22,7 @@ using test::world;
 class CountingTerm final : public Interaction {
  public:
   struct Calls {
-    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0;
+    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, pressure = 0;
   };
   explicit CountingTerm(Calls& calls) : calls_(calls) {}
   bool add_force(const Segment&, const Rule&, double*) const override { return ++calls_.force > 0; }
@@ -43,6 +43,8 @@ class CountingTerm final : public Interaction {
   double rounding(const double*) const override { return 0; }
   LowestPoint lowest_point(const double*) const override { return {}; }
   void add_nodal_measure(double*) const override {}
+  void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
+  void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
 
  private:
   Calls& calls_;
@@ -85,6 +87,23 @@ TEST(CostsTest, ColumnsThatAreOffAreNotEvaluated) {
   EXPECT_EQ(none.calls.row_sums, 0);
   EXPECT_EQ(none.calls.force, all.calls.force);
   EXPECT_EQ(fly("", test::count("History Interval", 10)).calls.energy, 3);
+}
+
+TEST(CostsTest, FieldsThatAreNotListedAreNotEvaluated) {
+  const std::string frames = test::count("Fields Interval", 5);
+  const Flight usual = fly("", frames);
+  EXPECT_EQ(usual.calls.pressure, 0);
+  EXPECT_EQ(usual.calls.nodal_gap, 0);
+  const auto listed = [&](const std::string& names) {
+    return fly("", frames + "<Parameter name=\"Fields\" type=\"Array(string)\" value=\"{" + names + "}\"/>");
+  };
+  const Flight gap = listed("displacement, gap");
+  EXPECT_EQ(gap.calls.pressure, 0);
+  EXPECT_EQ(gap.calls.nodal_gap, 5) << "frames";
+  EXPECT_EQ(gap.calls.force, usual.calls.force - 5) << "the interaction traction is left out";
+  const Flight both = listed("default, contact_pressure");
+  EXPECT_EQ(both.calls.pressure, 5);
+  EXPECT_EQ(both.calls.force, usual.calls.force);
 }
 
 TEST(CostsTest, ExplicitSchemesMakeNoTangent) {

@@ -37,6 +37,7 @@ TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
   EXPECT_EQ(output.momenta, fresh.momenta);
   EXPECT_EQ(output.interaction, fresh.interaction);
   EXPECT_TRUE(output.reactions.empty());
+  EXPECT_TRUE(output.fields.empty());
 }
 
 TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
@@ -50,6 +51,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   user.set("Momenta", false);
   user.set("Interaction", false);
   user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
+  user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("default", "stress")));
   user.sublist("Checkpoint").set("Interval", 5);
   user.sublist("Checkpoint").set("Wall-Clock Interval", 60.0);
   user.sublist("Checkpoint").set("Keep", 7);
@@ -70,6 +72,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   EXPECT_FALSE(output.momenta);
   EXPECT_FALSE(output.interaction);
   EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(output.fields, (std::vector<std::string>{"default", "stress"}));
 }
 
 TEST(OutputOptionsTest, EitherIntervalGivesFrames) {
@@ -95,6 +98,15 @@ TEST(OutputOptionsTest, RefusalsNameTheSublist) {
   ParameterList user;
   user.sublist("Checkpoint").set("Keep", -1);
   test::expect_contains(test::refusal([&] { read(user); }), "Checkpoint/Keep: -1 is not allowed");
+}
+
+TEST(OutputOptionsTest, FieldsThatDoNotExistAreRefused) {
+  ParameterList user;
+  user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("von_misses_stress")));
+  const std::string message = test::refusal([&] { read(user); });
+  test::expect_contains(
+      message, "Output/Fields: field \"von_misses_stress\" does not exist; did you mean \"von_mises_stress\"?");
+  test::expect_contains(message, "\"default\", \"displacement\"");
 }
 
 }  // namespace

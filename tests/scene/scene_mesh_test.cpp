@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "mesh/generators/spatula.hpp"
+#include "parameters/parameter_entries.hpp"
 #include "scene/parameters.hpp"
 
 namespace ixos {
@@ -19,6 +20,15 @@ Teuchos::ParameterList mesh_list(const std::string& type) {
   list.sublist("Sets");
   list.set("Type", type);
   return list;
+}
+
+TEST(SceneMeshTest, AMeshFileMayHaveAUnitOfLength) {
+  Teuchos::ParameterList list = mesh_list("Exodus");
+  list.sublist("Exodus").set("File", std::string(IXOS_TEST_DIRECTORY) + "/../meshes/ball.e");
+  const Mesh own = scene_mesh(list, ".");
+  list.sublist("Exodus").set("Length Unit", 1000.0);
+  const Mesh larger = scene_mesh(list, ".");
+  for (std::size_t k = 0; k < own.coordinates.size(); ++k) ASSERT_EQ(larger.coordinates[k], 1000 * own.coordinates[k]);
 }
 
 TEST(SceneMeshTest, SpatulaTakesEveryParameterOfItsList) {
@@ -73,6 +83,45 @@ TEST(SceneMeshTest, RefusedShapesNameTheMesh) {
     EXPECT_STREQ(error.what(),
                  "Mesh/Spatula: tip length 140 must be at most the pad length less the widening length, 130");
   }
+}
+
+TEST(SceneMeshTest, AMeshOfGmshIsFoundBesideTheScene) {
+  Teuchos::ParameterList list = mesh_list("Gmsh");
+  list.sublist("Gmsh").set("File", std::string("io/gmsh/plates.msh"));
+  const Mesh mesh = scene_mesh(list, IXOS_TEST_DIRECTORY);
+  EXPECT_EQ(mesh.cells(), 8);
+  EXPECT_EQ(list.sublist("Gmsh").get<std::string>("File"), IXOS_TEST_DIRECTORY "/io/gmsh/plates.msh");
+  list.sublist("Gmsh").set("Dimension", 3);
+  try {
+    scene_mesh(list, IXOS_TEST_DIRECTORY);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("is a mesh of 2 dimensions, but the scene wants 3"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SceneMeshTest, SetsTakeEveryParameterOfTheirList) {
+  using Numbers = Teuchos::Array<double>;
+  const auto sides = [](const char* name, const auto& value, const char* other = nullptr, double number = 0) {
+    Teuchos::ParameterList list = mesh_list("Box");
+    list.sublist("Box").set("Divisions", Teuchos::Array<int>(Teuchos::tuple(4, 2)));
+    list.sublist("Box").set("Lengths", Numbers(Teuchos::tuple(4.0, 2.0)));
+    Teuchos::ParameterList& set = list.sublist("Sets").sublist("chosen");
+    set = scene_parameters().sublist("Mesh").sublist("Sets").sublist(any_name);
+    set.set(name, value);
+    if (other != nullptr) set.set(other, number);
+    return scene_mesh(list, ".").side_sets.back().sides.size();
+  };
+  EXPECT_EQ(sides("Kind", std::string("Sides")), 12U);  // the whole boundary
+  EXPECT_EQ(sides("From", std::string("left")), 2U);
+  EXPECT_EQ(sides("Lower", Numbers(Teuchos::tuple<double>(0, 2))), 4U);
+  EXPECT_EQ(sides("Upper", Numbers(Teuchos::tuple<double>(4, 0))), 4U);
+  EXPECT_EQ(sides("Plane Normal", Numbers(Teuchos::tuple<double>(3, 0))), 2U);
+  EXPECT_EQ(sides("Sphere Radius", 1.0), 2U);
+  EXPECT_EQ(sides("Sphere Center", Numbers(Teuchos::tuple<double>(2, 0)), "Sphere Radius", 1.0), 2U);
+  EXPECT_EQ(sides("Normal", Numbers(Teuchos::tuple<double>(1, 0))), 2U);
+  EXPECT_EQ(sides("Normal", Numbers(Teuchos::tuple<double>(1, 0)), "Normal Angle", 90.0), 10U);
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Checks that the developer guide's C++ code is compiled as it stands.
+"""Checks that the guides' code is tested as it stands.
 
     tests/structure/guide_test.py
 
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
-the suite compiles and tests, or of lib.
+the suite compiles and tests, or of lib. Each block of XML in docs/user-guide.md must stand in a scene of tests/guide.
 """
 import re
 import sys
@@ -18,7 +18,17 @@ def squeeze(text):
     return re.sub(r"\s+", "", text)
 
 
+def find_untested_scenes():
+    """Returns the blocks of XML in the user guide that are in no scene of tests/guide."""
+    scenes = [squeeze(path.read_text(encoding="utf-8")) for path in (ROOT / "tests/guide").glob("*.xml")]
+    blocks = re.findall(r"```xml\n(.*?)```", (ROOT / "docs/user-guide.md").read_text(encoding="utf-8"), re.DOTALL)
+    return [block for block in blocks if not any(squeeze(block) in scene for scene in scenes)]
+
+
 def main():
+    scenes = find_untested_scenes()
+    for block in scenes:
+        print("docs/user-guide.md: this scene is in no file of tests/guide:\n" + block)
     sources = [*(ROOT / "tests/guide").glob("*.cpp"), *(ROOT / "lib").rglob("*.[ch]pp")]
     code = [squeeze(path.read_text(encoding="utf-8")) for path in sources]
     guide = (ROOT / "docs/developer-guide.md").read_text(encoding="utf-8")
@@ -29,7 +39,7 @@ def main():
     if not blocks:
         sys.exit("docs/developer-guide.md has no C++ code: is the pattern out of date?")
     print(f"{len(blocks) - len(missing)} of {len(blocks)} blocks of the guide are compiled")
-    sys.exit(1 if missing else 0)
+    sys.exit(1 if missing or scenes else 0)
 
 
 if __name__ == "__main__":

@@ -87,7 +87,7 @@ void walk(const Catalogue<Entry>& catalogue, const Teuchos::ParameterList& texts
         own.set(name, texts.get<std::string>(name));
         continue;
       }
-      if (!is_required(parameter)) continue;
+      if (!is_required(parameter) || unused.count(entry.name + "/" + name) > 0) continue;
       own.set(name, std::nan(""));
       vary(own, name, parameter);
     }

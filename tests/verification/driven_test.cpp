@@ -164,6 +164,23 @@ TEST(DrivenTest, AFreeBodyUnderItsWeightFalls) {
   }
 }
 
+TEST(DrivenTest, GravityAcceleratesABodyOfAnyDensity) {
+  std::string heavy = block("Neo-Hooke");
+  const std::string light = number("Density", 1);
+  heavy.replace(heavy.find(light), light.size(), number("Density", 7));
+  for (const std::string& chosen : {std::string(), word("Block", "body")}) {
+    Simulation s(test::scene(heavy +
+                             list("Boundary Conditions",
+                                  list("Weight", word("Type", "Gravity") + numbers("Vector", {0.1, -0.5}) + chosen)) +
+                             test::time_integrator("Newmark", 0.1, 1)),
+                 world());
+    for (int n = 0; n < 10; ++n) ASSERT_TRUE(s.integrator().step(0.1).converged);
+    const State& state = s.integrator().state();
+    for (std::size_t i = 1; i < state.u.size(); i += 2) ASSERT_NEAR(state.u[i], -0.25, 1e-12);
+    EXPECT_NEAR(s.model().momenta(state.u.data(), state.v.data()).linear[0], 0.1 * 7 * 6, 1e-11);
+  }
+}
+
 TEST(DrivenTest, PointForcesAndTractionsAddUp) {
   // On the left end 2 long, a traction of (0.3, 0) and on its 3 nodes forces of (0, 0.1): momentum is force times time.
   Simulation s(

@@ -1,0 +1,87 @@
+/// Means over the reference volume of an element, for output.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/small_matrix.hpp"
+#include "material/strain.hpp"
+
+namespace ixos {
+
+/// Returns the mean of value(H), an array of numbers, over an element's quadrature points. `gradient_at`(q) is what
+/// `value` takes of a point, usually the displacement gradient H that the material sees.
+template <class Point, class GradientAt, class Value>
+auto mean_over_points(const std::vector<Point>& points, const GradientAt& gradient_at, const Value& value) {
+  auto sums = value(gradient_at(0));
+  for (auto& sum : sums) sum *= points[0].weight;
+  auto volume = points[0].weight;
+  for (std::size_t q = 1; q < points.size(); ++q) {
+    const auto values = value(gradient_at(q));
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += points[q].weight * values[i];
+    volume += points[q].weight;
+  }
+  for (auto& sum : sums) sum = sum / volume;
+  return sums;
+}
+
+/// Returns tr(sigma) [E0], J and W [E0] of a displacement gradient. tr(sigma) = P:F/J, and in plane strain also the
+/// stress out of the plane.
+template <class Material, class T, std::size_t D>
+std::array<T, 3> invariants(const Material& material, const Small<T, D>& h) {
+  Small<T, D> p;
+  const T jacobian = material.stress(h, p);
+  T trace(0.0);
+  for (std::size_t i = 0; i < D; ++i) {
+    trace += p[i][i];
+    for (std::size_t j = 0; j < D; ++j) trace += p[i][j] * h[i][j];
+  }
+  trace = trace / jacobian;
+  if constexpr (D == 2) trace += material.out_of_plane_stress(h);
+  return {trace, jacobian, material.energy(h)};
+}
+
+/// Returns the Cauchy stress J^-1 P F^T of a displacement gradient, xx, yy, zz, xy, yz, zx [E0]. Laws of small strains
+/// give it themselves.
+template <class Material, class T, std::size_t D>
+std::array<T, 6> cauchy_stress(const Material& material, const Small<T, D>& h) {
+  Small<T, D> p;
+  const T jacobian = material.stress(h, p);
+  Small<T, 3> sigma{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = i; j < D; ++j) {
+      sigma[i][j] = p[i][j];
+      if constexpr (Material::can_invert) {
+        for (std::size_t k = 0; k < D; ++k) sigma[i][j] += p[i][k] * h[j][k];
+        sigma[i][j] = sigma[i][j] / jacobian;
+      }
+    }
+  if constexpr (D == 2) sigma[2][2] = material.out_of_plane_stress(h);
+  return {sigma[0][0], sigma[1][1], sigma[2][2], sigma[0][1], sigma[1][2], sigma[0][2]};
+}
+
+/// Returns the viscous Cauchy stress J^-1 F S F^T of a displacement gradient H and that of the velocity, G, where the
+/// law gives S of the rate of Green's strain, sym(F^T G): xx, yy, zz, xy, yz, zx. In plane strain the rate has no
+/// components out of the plane, but S has one.
+template <class Law, class T, std::size_t D>
+std::array<T, 6> viscous_cauchy_stress(const Law& law, const Small<T, D>& h, const Small<T, D>& g) {
+  Small<T, 3> f{}, rate{};
+  f[2][2] = T(1.0);  // in plane strain
+  const Small<T, D> in_space = deformation_gradient(h);
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) {
+      f[i][j] = in_space[i][j];
+      for (std::size_t k = 0; k < D; ++k) rate[i][j] += 0.5 * (in_space[k][i] * g[k][j] + in_space[k][j] * g[k][i]);
+    }
+  const Small<T, 3> s = law.stress(rate);
+  const T jacobian = determinant(f);
+  const auto component = [&](std::size_t i, std::size_t j) {
+    T sum(0.0);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t l = 0; l < 3; ++l) sum += f[i][k] * s[k][l] * f[j][l];
+    return T(sum / jacobian);
+  };
+  return {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)};
+}
+
+}  // namespace ixos

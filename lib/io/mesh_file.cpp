@@ -1,0 +1,49 @@
+#include "io/mesh_file.hpp"
+
+#include <fmt/format.h>
+
+#include "mesh/soundness.hpp"
+#include "parameters/range_validator.hpp"
+#include "parameters/validation.hpp"
+
+namespace ixos {
+
+MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, Mesh (*read)(const std::string& path)) {
+  struct Parameters {
+    std::string file = required;
+    int dimension = 0;
+    double length_unit = 1;
+  };
+  Options<Parameters> options;
+  options
+      .add("File", &Parameters::file, "Path of the mesh file, relative to the scene's folder or to the working folder.")
+      .add("Dimension", &Parameters::dimension, "Dimension that the mesh must have: 2 or 3. With 0, both are accepted.",
+           between(0, 3))
+      .add("Length Unit", &Parameters::length_unit,
+           "Unit of the coordinates in the file [L0], for example \"1 um\". Ixos multiplies them by it.",
+           greater_than(0));
+  return {name, sentence, "", options.list(), [options, read](const SceneNode& node) {
+            const Parameters p = options.read(node);
+            Mesh mesh = read(p.file);
+            at(p.file, [&] { refuse_repeated_cells(mesh); });
+            if (p.dimension != 0 && p.dimension != mesh.dimension)
+              node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
+                                              mesh.dimension, p.dimension));
+            if (p.length_unit != 1)
+              for (double& coordinate : mesh.coordinates) coordinate *= p.length_unit;
+            return mesh;
+          }};
+}
+
+std::string recombining_recipe(int dimension) {
+  if (dimension == 2)
+    return "In gmsh, put these lines into the .geo file and mesh it again: Mesh.ElementOrder = 1; "
+           "Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;";
+  return "In gmsh, extrude recombined quadrilaterals (Extrude {...} { Surface{...}; Layers{n}; Recombine; }), or use "
+         "Transfinite Volume with Recombine Surface, or put these lines into the .geo file and mesh it again: "
+         "Mesh.ElementOrder = 1; Mesh.SubdivisionAlgorithm = 2;";
+}
+
+bool reads_file(const MeshEntry& entry) { return entry.parameters.isParameter("File"); }
+
+}  // namespace ixos

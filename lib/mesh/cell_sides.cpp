@@ -1,0 +1,62 @@
+#include "mesh/cell_sides.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ixos {
+
+SideCorners sorted_corners(const std::vector<int>& nodes) {
+  SideCorners corners;
+  corners.fill(-1);
+  std::copy(nodes.begin(), nodes.end(), corners.begin());
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+SideCorners sorted_corners(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
+  SideCorners corners;
+  corners.fill(-1);
+  auto corner = corners.begin();
+  for (int place : side_nodes(plain_type(block.type), side.side)) *corner++ = nodes[place];
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+std::vector<CellSide> sorted_sides(const Mesh& mesh) {
+  std::vector<CellSide> sides;
+  int number = 0, block = 0;
+  for (const ElementBlock& b : mesh.blocks) {
+    for (int cell = 0; cell < b.cells(); ++cell, ++number)
+      for (int k = 0; k < sides_per_cell(b.type); ++k) {
+        const Side side{block, cell, k};
+        sides.push_back({sorted_corners(mesh, side), number, side});
+      }
+    ++block;
+  }
+  std::stable_sort(sides.begin(), sides.end());
+  return sides;
+}
+
+EqualSides sides_with(const std::vector<CellSide>& sorted, const SideCorners& corners) {
+  return std::equal_range(sorted.begin(), sorted.end(), CellSide{corners, 0, {}});
+}
+
+std::vector<Side> boundary_sides(const Mesh& mesh) {
+  const std::vector<CellSide> sides = sorted_sides(mesh);
+  std::vector<CellSide> outer;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto next = std::upper_bound(first, sides.end(), *first);
+    if (next - first == 1) outer.push_back(*first);
+    first = next;
+  }
+  std::sort(outer.begin(), outer.end(), [](const CellSide& a, const CellSide& b) {
+    return std::pair(a.cell, a.side.side) < std::pair(b.cell, b.side.side);
+  });
+  std::vector<Side> result;
+  std::transform(outer.begin(), outer.end(), std::back_inserter(result), [](const CellSide& s) { return s.side; });
+  return result;
+}
+
+}  // namespace ixos

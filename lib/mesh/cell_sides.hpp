@@ -1,0 +1,39 @@
+/// The sides of a mesh's cells, found by their corners.
+#pragma once
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// The corners of a side in ascending order; -1 comes first where a side has two corners.
+using SideCorners = std::array<int, 4>;
+
+/// A side of a cell. Enriched cells have the sides of plain ones.
+struct CellSide {
+  SideCorners corners;
+  int cell;   ///< number of the cell over all blocks, from 0
+  Side side;  ///< the same cell by block, and its side
+  bool operator<(const CellSide& other) const { return corners < other.corners; }
+};
+
+/// A range of sides with the same corners.
+using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
+
+/// Returns the corners of a side, of 2 or 4 nodes.
+SideCorners sorted_corners(const std::vector<int>& nodes);
+SideCorners sorted_corners(const Mesh& mesh, const Side& side);
+
+/// Returns every side of every cell, sorted by corners: neighbours share theirs. Among sides with the same corners that
+/// of the first cell comes first.
+std::vector<CellSide> sorted_sides(const Mesh& mesh);
+
+/// Returns the sides with these corners: none, one (on the boundary), or two.
+EqualSides sides_with(const std::vector<CellSide>& sorted, const SideCorners& corners);
+
+/// Returns the sides that only one cell has, in the order of the cells: the boundary of the mesh.
+std::vector<Side> boundary_sides(const Mesh& mesh);
+
+}  // namespace ixos

@@ -1,0 +1,81 @@
+#include "mesh/normalize.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns twice the signed area of a quadrilateral with nodes in the plane.
+double doubled_area(const std::vector<double>& coordinates, const int* nodes) {
+  const auto x = [&](int a, std::size_t i) { return coordinates[2 * static_cast<std::size_t>(nodes[a]) + i]; };
+  return (x(2, 0) - x(0, 0)) * (x(3, 1) - x(1, 1)) - (x(3, 0) - x(1, 0)) * (x(2, 1) - x(0, 1));
+}
+
+std::vector<double> plane_coordinates(const std::vector<double>& space) {
+  if (space.empty()) return {};
+  const auto [low, high] = std::minmax_element(space.begin(), space.end());
+  const double slack = 1e-9 * (*high - *low);
+  std::vector<double> plane;
+  plane.reserve(space.size() / 3 * 2);
+  for (std::size_t k = 0; k + 2 < space.size(); k += 3) {
+    if (!(std::abs(space[k + 2]) <= slack))
+      throw InputError(
+          fmt::format("the quadrilaterals do not lie in the plane z = 0: a node stands at ({:.6g}, {:.6g}, {:.6g}). A "
+                      "mesh in two dimensions has z = 0 everywhere, a mesh in three has hexahedra",
+                      space[k], space[k + 1], space[k + 2]));
+    plane.insert(plane.end(), {space[k], space[k + 1]});
+  }
+  return plane;
+}
+
+}  // namespace
+
+int drop_unused_nodes(Mesh& mesh) {
+  std::vector<int> number(static_cast<std::size_t>(mesh.nodes()), -1);
+  for (const ElementBlock& block : mesh.blocks)
+    for (int node : block.nodes) number[static_cast<std::size_t>(node)] = 0;
+  const auto dimension = static_cast<std::size_t>(mesh.dimension);
+  int kept = 0;
+  for (std::size_t node = 0; node < number.size(); ++node) {
+    if (number[node] < 0) continue;
+    std::copy_n(&mesh.coordinates[node * dimension], dimension,
+                &mesh.coordinates[static_cast<std::size_t>(kept) * dimension]);
+    number[node] = kept++;
+  }
+  mesh.coordinates.resize(static_cast<std::size_t>(kept) * dimension);
+  const auto renumber = [&](std::vector<int>& nodes) {
+    for (int& node : nodes) node = number[static_cast<std::size_t>(node)];
+  };
+  for (ElementBlock& block : mesh.blocks) renumber(block.nodes);
+  for (NodeSet& set : mesh.node_sets) {
+    renumber(set.nodes);
+    set.nodes.erase(std::remove(set.nodes.begin(), set.nodes.end(), -1), set.nodes.end());
+  }
+  return static_cast<int>(number.size()) - kept;
+}
+
+void flatten(Mesh& mesh) {
+  mesh.coordinates = plane_coordinates(mesh.coordinates);
+  mesh.dimension = 2;
+  std::vector<std::vector<bool>> turned;
+  for (ElementBlock& block : mesh.blocks) {
+    turned.emplace_back(static_cast<std::size_t>(block.cells()));
+    for (int cell = 0; cell < block.cells(); ++cell) {
+      int* nodes = &block.nodes[cell_entry(cell, 4)];
+      if (doubled_area(mesh.coordinates, nodes) >= 0) continue;
+      std::swap(nodes[1], nodes[3]);
+      turned.back()[static_cast<std::size_t>(cell)] = true;
+    }
+  }
+  for (SideSet& set : mesh.side_sets)
+    for (Side& side : set.sides)
+      if (turned[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)]) side.side = 3 - side.side;
+}
+
+}  // namespace ixos

@@ -1,0 +1,17 @@
+/// Sets of a mesh that a scene selects by place.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+
+#include "mesh/mesh.hpp"
+#include "parameters/scene_node.hpp"
+
+namespace ixos {
+
+/// Adds the parameters of a set to a valid list.
+void declare_set(Teuchos::ParameterList& list);
+
+/// Adds the sets of the validated list "Mesh/Sets", in their order: a set may be selected from an earlier one. Throws
+/// InputError with the list path.
+void add_sets(const SceneNode& sets, Mesh& mesh);
+
+}  // namespace ixos

@@ -1,0 +1,16 @@
+/// The numbers of a scene in its own units and in SI units, for the user.
+#pragma once
+#include <string>
+
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+/// Returns lines with the units of the scene, every value that has a dimension, and the numbers that follow from them
+/// (see CharacteristicNumbers, gravity_length()).
+std::string explain_numbers(const Simulation& simulation);
+
+/// Returns the height at which a body's weight equals its Young's modulus [L0]; `weight` per volume [E0/L0], positive.
+inline double gravity_length(double modulus, double weight) { return modulus / weight; }
+
+}  // namespace ixos

@@ -1,0 +1,19 @@
+/// Units of results.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace ixos {
+
+/// The unit of one kind of result.
+struct ResultUnit {
+  std::string quantity;    ///< "force"
+  std::string expression;  ///< in units of the scene, see UnitSystem::unit(): "E0 L0^2"
+  std::string si;          ///< the SI unit: "N"
+};
+
+/// Returns the units of all results of a run in 2 or 3 dimensions. In 2 dimensions forces, energies and momenta are per
+/// depth.
+std::vector<ResultUnit> result_units(int dimension);
+
+}  // namespace ixos

@@ -1,0 +1,125 @@
+#!/usr/bin/python3
+"""Tests of the fields of fields.e as VTK reads them: IXOS_DRIVER=.../ixos IXOS_XML=.../xml tests/plot/fields_test.py"""
+import sys
+import unittest
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+from scripts import ScriptTest, simulate  # noqa: E402 (sets the path to the others)
+from exodus import Fields, open_file  # noqa: E402
+from results import Run  # noqa: E402
+
+try:
+    from vtkmodules.vtkIOIOSS import vtkIOSSReader
+except ImportError:
+    vtkIOSSReader = None
+
+LISTED = "Output/Fields={default, gap, contact_pressure, reaction, stress, von_mises_stress, principal_stress}"
+# A strip that is pulled off a wall, its right edge prescribed: 81 x 3 nodes, 40 of 80 sides before the wall.
+STRIP = ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}", "Interactions/Wall/Contact Element=Q1C1",
+         "Time Integrator/Type=Static", "Time Integrator/Time Step Control/Time Step=1", "Histories/Pull/Rate Ramp/Length=4",
+         "Time Integrator/Time Step Control/Final Time=4", "Output/Fields Time Interval=2", LISTED]
+CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
+        "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
+        "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=3"]
+
+
+class FieldsTest(ScriptTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.strips = []
+        for ranks, form in ((1, "Exodus"), (2, "Exodus"), (2, "HDF5")):
+            folder = cls.folder / f"strip-{ranks}-{form}"
+            simulate(folder, [*STRIP, f"Output/Fields Format={form}"], ranks, "strip.xml")
+            cls.strips.append((Fields(folder), Run(folder)))
+
+    def test_reactions_of_a_set_sum_to_the_column(self):
+        for fields, run in self.strips:
+            edge = fields.coordinates[:, 0] == fields.coordinates[:, 0].max()
+            self.assertEqual(np.count_nonzero(edge), 3)
+            for frame, row in enumerate((0, 2, 4)):
+                reaction = fields.nodal("reaction", frame)
+                self.assertEqual(np.abs(reaction[~edge]).max(), 0.0)
+                for i, axis in enumerate("xy"):
+                    self.assertAlmostEqual(reaction[edge, i].sum(), run[f"reaction_right_{axis}"][row], delta=1e-15)
+            self.assertGreater(abs(run["reaction_right_y"][4]), 1e-6)
+
+    def test_pressure_times_area_is_the_force_of_the_wall(self):
+        for fields, run in self.strips:
+            for frame, row in enumerate((0, 2, 4)):
+                gap, pressure = fields.nodal("gap", frame), fields.nodal("contact_pressure", frame)
+                surface = np.flatnonzero(~np.isnan(gap))
+                self.assertEqual(len(surface), 41)
+                place = fields.coordinates[surface]
+                np.testing.assert_allclose(gap[surface], place[:, 1] + fields.displacement(frame)[surface, 1], atol=1e-7)
+                area = np.zeros(len(gap))
+                line = surface[np.argsort(place[:, 0])]
+                lengths = np.diff(fields.coordinates[line, 0])
+                area[line[1:]] += lengths / 2
+                area[line[:-1]] += lengths / 2
+                self.assertAlmostEqual(pressure @ area, run["contact_force_y"][row], delta=1e-13)
+                np.testing.assert_allclose(pressure, fields.nodal("interaction_traction", frame)[:, 1], atol=1e-14)
+                self.assertEqual(np.abs(np.delete(pressure, surface)).max(), 0.0)
+
+    def test_stresses_agree_with_each_other(self):
+        for fields, _ in self.strips:
+            for frame in (1, 2):
+                xx, yy, zz, xy = (fields.element("stress" + ending, frame) for ending in ("XX", "YY", "ZZ", "XY"))
+                np.testing.assert_allclose(xx + yy + zz, fields.element("first_stress_invariant", frame), atol=1e-14)
+                tensors = np.zeros((len(xx), 3, 3))
+                tensors[:, 0, 0], tensors[:, 1, 1], tensors[:, 2, 2] = xx, yy, zz
+                tensors[:, 0, 1] = tensors[:, 1, 0] = xy
+                principal = np.linalg.eigvalsh(tensors)[:, ::-1]
+                for i in range(3):
+                    np.testing.assert_allclose(fields.element(f"principal_stress{i + 1}", frame), principal[:, i], atol=1e-14)
+                mises = np.sqrt(0.5 * sum((principal[:, i] - principal[:, i - 1]) ** 2 for i in range(3)))
+                np.testing.assert_allclose(fields.element("von_mises_stress", frame), mises, atol=1e-14)
+                self.assertGreater(mises.max(), 1e-4)
+
+    def test_two_ranks_write_the_fields_of_one(self):
+        one = self.strips[0][0]
+        for other, _ in self.strips[1:]:
+            for frame in range(len(one.times)):
+                for name in ("gap", "contact_pressure", "reaction"):
+                    np.testing.assert_allclose(other.nodal(name, frame), one.nodal(name, frame), atol=1e-9)
+                for name in ("stressXX", "stressXY", "von_mises_stress"):
+                    np.testing.assert_allclose(other.element(name, frame), one.element(name, frame), atol=1e-9)
+
+    def test_the_records_tell_scene_and_units(self):
+        records = [fields.information() for fields, _ in self.strips]
+        for record in records:
+            self.assertTrue(record["written by"].startswith("Ixos "))
+            self.assertEqual(record["scene"], "Strip")
+            self.assertTrue(record["scene file"].endswith("strip.xml"))
+            self.assertEqual((record["unit of reaction"], record["unit of total_energy"]), ("E0 L0", "E0 L0^2"))
+            self.assertEqual(record["unit of von_mises_stress"], "E0")
+            self.assertEqual((record["L0"], record["T0"]), ("1 nm", "1 ns"))
+            self.assertEqual(len(record["digest of the scene"]), 32)
+        self.assertEqual(records[0], records[1])
+        self.assertEqual(records[0], records[2])
+
+    def test_vtk_joins_components_to_names_without_underscore(self):
+        path = self.strips[0][0].path
+        reader = open_file(path)
+        vectors = {reader.GetPointResultArrayName(i) for i in range(reader.GetNumberOfPointResultArrays())}
+        self.assertEqual(vectors, {"displacement", "velocity", "acceleration", "interaction_traction", "gap",
+                                   "contact_pressure", "reaction"})
+
+    @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
+    def test_the_reader_on_ioss_joins_tensors_too(self):
+        simulate(self.folder / "cube", [*CUBE, "Output/Fields={displacement, stress, principal_stress}"])
+        for path, name in ((self.folder / "cube" / "fields.e", "cube"), (self.strips[0][0].path, "strip")):
+            reader = vtkIOSSReader()
+            reader.AddFileName(str(path))
+            reader.UpdateInformation()
+            cells, nodes = reader.GetElementBlockFieldSelection(), reader.GetNodeBlockFieldSelection()
+            names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
+            self.assertTrue({"stress", "principal_stress"} <= names, f"{name}: {names}")
+            self.assertIn("displacement", {nodes.GetArrayName(i) for i in range(nodes.GetNumberOfArrays())}, name)
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(exit=False).result
+    sys.exit(1 if not outcome.wasSuccessful() else 77 if outcome.skipped else 0)  # 77: some were skipped
