@@ -1,4 +1,4 @@
-/// What a user is told about a scene or a run that is allowed, but may be a mistake.
+/// Warnings to a user about something that is allowed, but may be a mistake.
 #pragma once
 #include <string>
 

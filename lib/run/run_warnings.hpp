@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// What a run has shown.
+/// Measures of a finished run.
 struct RunFacts {
   bool has_inertia = true;
   double energy_error = 0;    ///< see History::max_energy_error [E0 L0^D]

@@ -1,4 +1,4 @@
-/// What a run looks at for its warnings.
+/// The measures that a run takes for its warnings.
 #pragma once
 #include "run/contact_watch.hpp"
 #include "run/history.hpp"

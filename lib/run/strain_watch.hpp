@@ -5,7 +5,7 @@
 
 namespace ixos {
 
-/// The extremes of what cells have gone through.
+/// The extremes of the deformation of cells over a run.
 struct StrainExtremes {
   double least_jacobian = 1;         ///< J, a cell's mean [-]
   double largest_jacobian = 1;       ///< [-]

@@ -1,4 +1,4 @@
-/// What is known of a scene before its run, for the warnings.
+/// Measures of a scene before its run, for the warnings.
 #pragma once
 #include <limits>
 #include <optional>
@@ -28,7 +28,7 @@ struct Motion {
   double in_one_step = 0;  ///< its largest change in a fixed step [L0]
 };
 
-/// What pulls a body, seen from one obstacle: the sum of the motions of one node set, or a load.
+/// The directions in which a body is pulled, seen from one obstacle: the sum of the motions of one node set, or a load.
 struct Pull {
   std::string path;  ///< of a condition
   double along = 0;  ///< largest magnitude along the obstacle's surface

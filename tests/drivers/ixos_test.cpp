@@ -132,6 +132,24 @@ TEST_F(DriverTest, CheckTellsTheQualityOfTheMeshAndVeryBadCellsAreWarnedOf) {
   EXPECT_NE(summary.find("\"least_scaled_jacobian\": 1.0"), std::string::npos) << summary;
 }
 
+TEST_F(DriverTest, WarningsArePrintedOnceAndListedInTheSummary) {
+  const std::vector<std::string> heavy{ball, "--set", "Materials/Ball/Density=1000"};
+  std::vector<std::string> check = heavy, run = heavy;
+  check.emplace_back("--check");
+  run.insert(run.end(), {"--set", "Time Integrator/Time Step Control/Final Time=0.002", "--output", "heavy"});
+  const std::string line = "ixos: warning: Materials/Ball: the density is 2e+12 kg/m^3, but known materials have 2 to";
+  for (const auto& arguments : {check, run}) {
+    const Outcome outcome = ixos(arguments, folder_);
+    EXPECT_EQ(outcome.status, 0) << outcome.output;
+    const auto first = outcome.output.find(line);
+    EXPECT_NE(first, std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find(line, first + 1), std::string::npos) << outcome.output;
+  }
+  const std::string summary = contents(folder_ + "/heavy/summary.json");
+  EXPECT_NE(summary.find("\"name\": \"material\""), std::string::npos) << summary;
+  EXPECT_NE(summary.find("\"name\": \"wave and run\""), std::string::npos) << summary;
+}
+
 TEST_F(DriverTest, HelpBeginsWithIxos) {
   EXPECT_EQ(ixos({"--help"}, folder_).output.find("Ixos simulates dynamic adhesion."), 0U);
 }

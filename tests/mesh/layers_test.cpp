@@ -37,7 +37,7 @@ TEST(SingleLayerTest, TwoLayersAreNone) {
 }
 
 TEST(SingleLayerTest, ASurfaceAllAroundCountsOnlyItsThinSides) {
-  // Of 8 + 8 long and 1 + 1 short sides, the 16 long ones have an opposite side at the surface.
+  // There are 8 + 8 sides along the slab and 1 + 1 across its ends. Cells at the ends have neighbours behind them.
   const Mesh mesh = slab(2, 1);
   const SingleLayer layer = single_layer(mesh, side_set_named(mesh, "surface"));
   EXPECT_DOUBLE_EQ(layer.share, 16.0 / 18);

@@ -15,7 +15,7 @@ std::unique_ptr<Model> block() {
   BoxShape shape;
   shape.lengths = {3, 2, 1};
   shape.divisions = {3, 2, 1};
-  return test::model_of(box(shape), test::elastic(linear_elastic, 0.0), Inertia::None);
+  return test::model_of(box(shape), test::elastic(neo_hooke, 0.0), Inertia::None);
 }
 
 /// u = (a X + b Y, c Y).

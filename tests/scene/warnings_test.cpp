@@ -99,7 +99,7 @@ TEST(WarningsTest, ASoftMaterialInItsUnitsDrawsNone) {
   EXPECT_EQ(all_of("strip.xml", silicone, {1e-6, 1e6, 1e-6}), "");
 }
 
-TEST(WarningsTest, MaterialsThatNobodyKnows) {
+TEST(WarningsTest, MaterialsBeyondAllKnownOnes) {
   // 1000 E0 T0^2/L0^2 are 2e12 kg/m^3.
   expect_warning("ball.xml", {"Materials/Ball/Density=1000"}, "material",
                  "Materials/Ball: the density is 2e+12 kg/m^3, but known materials have 2 to 3e+04 kg/m^3");
