@@ -21,6 +21,7 @@ double finest_face(const Simulation& simulation) {
 RunWatch::RunWatch(const Simulation& simulation)
     : simulation_(simulation),
       contact_(simulation.model().mesh().dimension == 2 ? finest_face(simulation) : 0),
+      interval_(is_explicit(simulation.integrator().table()) ? 500 : 20),
       face_measure_(std::pow(finest_face(simulation), simulation.model().mesh().dimension - 1)) {
   for (const SceneInteraction& interaction : simulation.interactions()) {
     const GapLaw& law = *interaction.law;
@@ -35,7 +36,7 @@ void RunWatch::look_at_cells() {
 }
 
 void RunWatch::step(long steps, bool recorded, const History& history) {
-  if (steps % StrainWatch::interval == 0) look_at_cells();
+  if (steps % interval_ == 0) look_at_cells();
   if (scale_ > 0)
     deepest_ = std::min(deepest_, least_free_gap(simulation_.model(), simulation_.integrator().state().u.data()));
   if (recorded) contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());

@@ -28,6 +28,7 @@ class RunWatch {
   const Simulation& simulation_;
   StrainWatch strains_;
   ContactWatch contact_;
+  long interval_;     ///< steps between looks at cells, which so cost less than 1 % of the run
   double scale_ = 0;  ///< see RunFacts
   double face_measure_ = 0;
   long crossings_ = 0;

@@ -14,12 +14,9 @@ struct StrainExtremes {
   double time = 0;                   ///< at which a cell came to be the most deformed, by the last of these [T0]
 };
 
-/// Looks at the cells now and then: a look costs about as much as one evaluation of the elastic forces, so that looks
-/// after every 20th step cost little.
+/// Looks at the cells now and then. A look costs a few evaluations of the elastic forces.
 class StrainWatch {
  public:
-  static constexpr long interval = 20;  ///< steps between looks
-
   /// Looks at the local displacement u at a time. Collective.
   void look(const Model& model, const double* u, double time);
   const StrainExtremes& extremes() const { return extremes_; }

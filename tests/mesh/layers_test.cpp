@@ -37,7 +37,7 @@ TEST(SingleLayerTest, TwoLayersAreNone) {
 }
 
 TEST(SingleLayerTest, ASurfaceAllAroundCountsOnlyItsThinSides) {
-  // There are 8 + 8 sides along the slab and 1 + 1 across its ends. Cells at the ends have neighbours behind them.
+  // The slab has 16 sides along it and 2 across its ends, whose cells have neighbours behind them.
   const Mesh mesh = slab(2, 1);
   const SingleLayer layer = single_layer(mesh, side_set_named(mesh, "surface"));
   EXPECT_DOUBLE_EQ(layer.share, 16.0 / 18);
