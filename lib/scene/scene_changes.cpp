@@ -1,9 +1,14 @@
 #include "scene/scene_changes.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "base/error.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
+#include "parameters/validation.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_file.hpp"
 
 namespace ixos {
 namespace {
@@ -28,6 +33,20 @@ Bearing bearing(const std::string& path) {
   if (starts_with(path, "Linear Solver/") || starts_with(path, "Nonlinear Solver/")) return Bearing::Solution;
   if (path == control + "Maximum Cuts" || path == control + "Minimum Time Step") return Bearing::Solution;
   return Bearing::Motion;
+}
+
+/// A restart recognises its mesh by other means, and its state by numbers without units.
+bool changes_problem(const SceneChange& change) {
+  return change.bearing == Bearing::Motion || change.bearing == Bearing::State || starts_with(change.path, "Mesh/") ||
+         starts_with(change.path, "Units/");
+}
+
+Teuchos::ParameterList with_defaults(const Teuchos::ParameterList& scene) {
+  try {
+    return validated(scene, scene_parameters());
+  } catch (const InputError&) {
+    return scene;
+  }
 }
 
 std::string text(const Teuchos::ParameterEntry* entry) {
@@ -69,6 +88,14 @@ std::string SceneChange::text() const { return path + ": " + before + ", now " +
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now) {
   std::vector<SceneChange> changes;
   compare(&before, &now, "", changes);
+  return changes;
+}
+
+std::vector<SceneChange> changes_of_problem(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now) {
+  // As it would be read back, so that both are spelt alike.
+  std::vector<SceneChange> changes =
+      scene_changes(with_defaults(before), read_scene_text(scene_text(now), "the scene"));
+  changes.erase(std::remove_if(changes.begin(), changes.end(), std::not_fn(changes_problem)), changes.end());
   return changes;
 }
 

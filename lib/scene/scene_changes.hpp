@@ -23,6 +23,11 @@ struct SceneChange {
   std::string text() const;
 };
 
+/// Returns the differences that make `now`, a complete scene, another problem than `before`, a scene as read from a
+/// file: all but those of Output, Stop, Final Time and the solvers' settings. Fills in the defaults of `before`, unless
+/// this version refuses it.
+std::vector<SceneChange> changes_of_problem(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
+
 /// Returns the differences of two complete scenes, in the order of the second's lists.
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 

@@ -198,7 +198,8 @@ TEST_F(RestartDriverTest, AnExpressionWithAPoleEndsTheRunWithReadableResults) {
     </ParameterList></ParameterList></ParameterList>)xml";
   for (const char* scheme : {"Newmark", "Central Difference", "Average Vector Field"}) {
     const Outcome outcome =
-        ixos({"pole.xml", "--output", "out", "--set", std::string("Time Integrator/Type=") + scheme}, folder_);
+        ixos({"pole.xml", "--output", "out", "--overwrite", "--set", std::string("Time Integrator/Type=") + scheme},
+             folder_);
     EXPECT_EQ(outcome.status, 3) << scheme << outcome.output;
     EXPECT_NE(
         outcome.output.find("a prescribed motion or a load is not a finite number between t = 0.09876 and 0.12345"),
