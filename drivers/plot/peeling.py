@@ -9,6 +9,7 @@ from matplotlib.ticker import MaxNLocator
 import curves
 import options
 import style
+import units
 from results import ResultsError, Run, common
 from style import plt
 
@@ -185,7 +186,10 @@ def main():
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: peeling, speed or "
                         "kinetic, in FOLDER or, for several runs, in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folders[0])
     for name, needed, given in (("probe", "--speed", arguments.speed),
                                 ("displacement", "--against displacement", arguments.against == "displacement"),
                                 ("reaction", "a force, not --speed", not arguments.speed),
