@@ -12,6 +12,8 @@ from scene_file import ResultsError, existing, find, read_scene
 # The outline of a plane cell: its nodes in turn (VTK's cell type: order; None as numbered).
 OUTLINES = {5: None, 9: None, 22: [0, 3, 1, 4, 2, 5], 23: [0, 4, 1, 5, 2, 6, 3, 7], 28: [0, 4, 1, 5, 2, 6, 3, 7]}
 
+NODE_SETS = 7  # VTK's block of them
+
 # Pieces of a plane cell's side by contact element: fields.e has a cell for each.
 PIECES = {"Q1C2": 2, "Q1C3": 3, "Q1C4": 4, "Q1CH": 4}
 
@@ -69,7 +71,7 @@ class Fields:
         self.dimension = max(grid.GetCell(0).GetCellDimension() for grid in grids)
         node_ids = np.concatenate([vtk_to_numpy(grid.GetPointData().GetArray("GlobalNodeId")) for grid in grids])
         cell_ids = np.concatenate([vtk_to_numpy(grid.GetCellData().GetArray("GlobalElementId")) for grid in grids])
-        _, self._first, place = np.unique(node_ids, return_index=True, return_inverse=True)
+        self._node_ids, self._first, place = np.unique(node_ids, return_index=True, return_inverse=True)
         self._order = np.argsort(cell_ids)
         points = np.concatenate([vtk_to_numpy(grid.GetPoints().GetData()) for grid in grids])
         self.coordinates = points[self._first, :self.dimension].astype(float) * self._factor("length")
@@ -126,6 +128,19 @@ class Fields:
     def of_wholes(self, values):
         """Values of cells, a value for each whole cell: its pieces have the same."""
         return values[[whole[0] for whole in self.wholes]]
+
+    def node_set(self, name, frame):
+        """Deformed places of the nodes of a set, a row a node; none where no file has nodes of it."""
+        numbers = []
+        for reader in self._readers:
+            reader.SetObjectStatus(reader.NODE_SET, name, 1)
+            reader.UpdateTimeStep(self._steps[frame])
+            sets = reader.GetOutput().GetBlock(NODE_SETS)
+            for i in range(sets.GetNumberOfBlocks()):
+                if sets.GetBlock(i) is not None and sets.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) == name:
+                    numbers.append(vtk_to_numpy(sets.GetBlock(i).GetPointData().GetArray("GlobalNodeId")))
+        there = np.isin(self._node_ids, np.concatenate(numbers)) if numbers else np.zeros(len(self._node_ids), bool)
+        return (self.coordinates + self.displacement(frame))[there]
 
     def total(self, name, frame):
         """A global variable, such as total_energy, at a frame; VTK gives all frames at once."""
