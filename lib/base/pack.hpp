@@ -88,7 +88,7 @@ inline void interleave(const Pack& x, const Pack& y, const Pack& z, double* rows
 #endif
 }
 
-/// The same with two packs: rows[2 lane + j].
+/// Sets rows[2 lane + j] of two packs.
 inline void interleave(const Pack& x, const Pack& y, double* rows) {
 #if defined(__AVX512F__) && defined(__GNUC__) && !defined(__clang__)
   using V = double __attribute__((vector_size(64)));

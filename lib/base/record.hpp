@@ -2,6 +2,7 @@
 #pragma once
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -52,7 +53,9 @@ class Record {
   virtual void share(const char* name, std::vector<double>& values) = 0;
   /// Reads the arrays of all ranks that wrote with share(), one after the other. Loading only, on any partition. Throws
   /// InputError if a value is not finite.
-  virtual void all_shares(const char* name, std::vector<double>& values) = 0;
+  virtual void all_shares(const char* /*name*/, std::vector<double>& /*values*/) {
+    throw std::logic_error("all_shares() is for loading");
+  }
 
   /// A guard: names used during its life belong to its group.
   class Section {

@@ -51,4 +51,23 @@ Small<T, 3> inverse(const Small<T, 3>& m, const T& det) {
   return inv;
 }
 
+/// Returns A B.
+template <std::size_t D, class T>
+Small<T, D> product(const Small<T, D>& a, const Small<T, D>& b) {
+  Small<T, D> result{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j)
+      for (std::size_t k = 0; k < D; ++k) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+/// Returns the sum of products of all entries.
+template <std::size_t D, class T>
+T contraction(const Small<T, D>& a, const Small<T, D>& b) {
+  T sum(0.0);
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) sum += a[i][j] * b[i][j];
+  return sum;
+}
+
 }  // namespace ixos

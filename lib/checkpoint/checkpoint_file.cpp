@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 #include "base/agreement.hpp"
 #include "checkpoint/seal.hpp"
@@ -50,10 +49,6 @@ std::vector<long long> owned_nodes(const LocalMesh& mesh) {
 
 }  // namespace
 
-void CheckpointSize::all_shares(const char*, std::vector<double>&) {
-  throw std::logic_error("all_shares() is for loading");
-}
-
 CheckpointWriter::CheckpointWriter(const std::string& path, const DofSpace& space, const LocalMesh& mesh, double bytes)
     : path_(path), space_(space) {
   double all = bytes + 8.0 * mesh.owned_nodes;
@@ -83,10 +78,6 @@ void CheckpointWriter::share(const char* name, std::vector<double>& values) {
   const auto rank = static_cast<unsigned long long>(comm->getRank());
   file_->put(lengths_name(name).c_str(), &lengths[rank], Slab{rank, 1, lengths.size()});
   file_->put(name, values.data(), share_slab(lengths, comm->getRank()));
-}
-
-void CheckpointWriter::all_shares(const char*, std::vector<double>&) {
-  throw std::logic_error("all_shares() is for loading");
 }
 
 void CheckpointWriter::publish() {

@@ -21,7 +21,6 @@ class CheckpointSize final : public Record {
   void text(const char*, std::string& value) override { add(value.size()); }
   void field(const char*, std::vector<double>& values, Extent) override { add(8 * values.size()); }
   void share(const char*, std::vector<double>& values) override { add(8 * values.size()); }
-  void all_shares(const char*, std::vector<double>&) override;
 
   /// Returns an upper bound of the size of this rank's data and of HDF5's additions.
   double bytes() const { return bytes_; }
@@ -49,7 +48,6 @@ class CheckpointWriter final : public Record {
   void text(const char* name, std::string& value) override { file_->put(name, value); }
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
-  void all_shares(const char* name, std::vector<double>& values) override;
 
   /// Throws FileError, on all ranks, if anything since the beginning could not be written.
   void publish();

@@ -1,5 +1,6 @@
 /// The sparsity of the tangent, and the places of an element's entries in it.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "base/tpetra.hpp"
@@ -30,31 +31,30 @@ class Pattern {
   /// Returns the distance between the rows of the blocks of that owned node.
   int stride(int row) const { return dimension_ * (row_start_[row_index(row) + 1] - row_start_[row_index(row)]); }
 
-  /// Walks over the matrix values, row by row in the order of memory: calls visit(r, entries) for each owned degree of
-  /// freedom r, in which entries(f) calls f(c, value) for each entry of that row, c the local column.
-  template <class Value, class Visit>
-  void for_each_row(Value* values, const Visit& visit) const {
+  /// Walks over the matrix, row by row in the order of memory: calls visit(r, entries) for each owned degree of freedom
+  /// r, in which entries(f) calls f(c, place) for each entry of that row, c the local column, place that of its value.
+  template <class Visit>
+  void for_each_row(const Visit& visit) const {
+    std::size_t place = 0;
     for (int row = 0; row < rows(); ++row) {
       const int* const first = columns_.data() + row_start_[row_index(row)];
       const int* const last = columns_.data() + row_start_[row_index(row) + 1];
       for (int i = 0; i < dimension_; ++i) {
-        Value* value = values;
-        visit(row * dimension_ + i, [&](const auto& f) {
+        visit(row * dimension_ + i, [&, start = place](const auto& f) {
+          std::size_t here = start;
           for (const int* column = first; column != last; ++column)
-            for (int j = 0; j < dimension_; ++j) f(*column * dimension_ + j, *value++);
+            for (int j = 0; j < dimension_; ++j) f(*column * dimension_ + j, here++);
         });
-        values += (last - first) * dimension_;
+        place += static_cast<std::size_t>((last - first) * dimension_);
       }
     }
   }
-
-  /// Calls visit(r, c) for each entry of the matrix, in the order of memory.
-  template <class Visit>
-  void for_each_place(const Visit& visit) const {
-    for (int row = 0; row < rows(); ++row)
-      for (int i = 0; i < dimension_; ++i)
-        for (int p = row_start_[row_index(row)]; p < row_start_[row_index(row) + 1]; ++p)
-          for (int j = 0; j < dimension_; ++j) visit(row * dimension_ + i, columns_[row_index(p)] * dimension_ + j);
+  /// Does the same with the matrix values: entries(f) calls f(c, value).
+  template <class Value, class Visit>
+  void for_each_row(Value* values, const Visit& visit) const {
+    for_each_row([&](int row, const auto& places) {
+      visit(row, [&](const auto& f) { places([&](int column, std::size_t place) { f(column, values[place]); }); });
+    });
   }
 
   /// Returns a matrix of this sparsity, fill-complete, values zero.

@@ -4,7 +4,7 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/rate_form.hpp"
-#include "material/kelvin_voigt.hpp"
+#include "material/hooke.hpp"
 
 namespace ixos {
 
@@ -22,7 +22,7 @@ template <std::size_t D, class T>
 struct ViscousPoint {
   using Matrix = Small<T, D>;
 
-  const KelvinVoigt& law;
+  const Hooke& law;  ///< of rates [E0 T0]
   RateForm form;
   double unknown;     ///< s; 1 for Middle
   double inverse_dt;  ///< 1/dt [1/T0]
@@ -31,16 +31,9 @@ struct ViscousPoint {
   Matrix known;       ///< of the row for strains; 0 for Middle
 
   /// Returns P [E0].
-  Matrix stress() const {
-    const Matrix f = deformation(form == RateForm::End ? 1.0 : 0.5), s = law.stress(rate());
-    Matrix p{};
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j)
-        for (std::size_t k = 0; k < D; ++k) p[i][j] += f[i][k] * s[k][j];
-    return p;
-  }
+  Matrix stress() const { return product(deformation(form == RateForm::End ? 1.0 : 0.5), law.stress(rate())); }
 
-  /// Adds weight times the symmetric part of dP/dF, see KelvinVoigt::add_moduli. For End this is dP/dF. For Middle the
+  /// Adds weight times the symmetric part of dP/dF, see Hooke::add_moduli. For End this is dP/dF. For Middle the
   /// rest is smaller by the strain of one step.
   void add_moduli(const T& weight, Small<T, D * D>& moduli) const {
     const Matrix f = deformation(1.0), s = law.stress(rate());

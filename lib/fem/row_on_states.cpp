@@ -18,9 +18,9 @@ void evaluate_known(const Row& row, const std::vector<KnownState>& states, doubl
   }
 }
 
-void evaluate(const Row& row, const double* u, const double* u0, const std::vector<double>& known,
+void evaluate(double s, const double* u, const double* u0, const std::vector<double>& known,
               std::vector<double>& result) {
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = row.unknown * (u[i] - u0[i]) + known[i];
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = s * (u[i] - u0[i]) + known[i];
 }
 
 }  // namespace ixos

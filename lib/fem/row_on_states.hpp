@@ -19,8 +19,8 @@ struct KnownState {
 /// exact. All arrays are local and of the size of `result`.
 void evaluate_known(const Row& row, const std::vector<KnownState>& states, double dt, std::vector<double>& result);
 
-/// Sets result = s (u - u_0) + known.
-void evaluate(const Row& row, const double* u, const double* u0, const std::vector<double>& known,
+/// Sets result = s (u - u_0) + known, s the row's coefficient of the unknown.
+void evaluate(double s, const double* u, const double* u0, const std::vector<double>& known,
               std::vector<double>& result);
 
 }  // namespace ixos

@@ -45,4 +45,26 @@ Small<T, D> deformation_gradient(const Small<T, D>& h) {
   return f;
 }
 
+/// Returns the symmetric part of F^T G.
+template <std::size_t D, class T>
+Small<T, D> symmetric_product(const Small<T, D>& f, const Small<T, D>& g) {
+  Small<T, D> result;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = i; j < D; ++j) {
+      T sum = f[0][i] * g[0][j] + f[0][j] * g[0][i];
+      for (std::size_t k = 1; k < D; ++k) sum += f[k][i] * g[k][j] + f[k][j] * g[k][i];
+      result[i][j] = result[j][i] = 0.5 * sum;
+    }
+  return result;
+}
+
+/// Returns E(H0 + dH) - E(H0) from the change dH of the displacement gradient, without loss of digits if it is small.
+template <std::size_t D, class T>
+Small<T, D> change_of_strain(const Small<T, D>& h0, const Small<T, D>& dh) {
+  Small<T, D> middle = deformation_gradient(h0);
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) middle[i][j] += 0.5 * dh[i][j];
+  return symmetric_product(middle, dh);
+}
+
 }  // namespace ixos

@@ -6,15 +6,16 @@ namespace ixos {
 
 ConstrainedEntries::ConstrainedEntries(const Pattern& pattern, const Constraints& constraints)
     : constraints_(constraints.dofs().size()), rows_(pattern.rows() * pattern.dimension()) {
-  std::size_t place = 0;
-  pattern.for_each_place([&](int row, int column) {
-    const bool row_held = constraints.holds(row), column_held = constraints.holds(column);
-    if (row_held && row == column)
-      diagonal_.push_back(place);
-    else if (row_held || column_held)
-      zeros_.push_back(place);
-    if (column_held && !row_held) columns_.push_back({place, row, column});
-    ++place;
+  pattern.for_each_row([&](int row, const auto& entries) {
+    const bool row_held = constraints.holds(row);
+    entries([&](int column, std::size_t place) {
+      const bool column_held = constraints.holds(column);
+      if (row_held && row == column)
+        diagonal_.push_back(place);
+      else if (row_held || column_held)
+        zeros_.push_back(place);
+      if (column_held && !row_held) columns_.push_back({place, row, column});
+    });
   });
 }
 

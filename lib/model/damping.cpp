@@ -54,7 +54,7 @@ void Damping::begin_stage(const StageStart& start) {
 }
 
 void Damping::evaluate_row(const double* u) const {
-  for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = unknown_ * (u[i] - from_[i]) + known_[i];
+  evaluate(unknown_, u, from_, known_, row_);
   if (driven_ == nullptr) return;
   for (int dof : *driven_) row_[static_cast<std::size_t>(dof)] = dt_ * driven_velocity_[dof];
 }
@@ -102,7 +102,7 @@ double Damping::accept(const AcceptedStep& step) {
   std::vector<double> du(end.u, end.u + rest_.size());
   for (std::size_t i = 0; i < du.size(); ++i) du[i] -= start.u[i];
   if (step.work->form == WorkSum::Form::EndMean) return (work(du, start.v) + work(du, end.v)) / 2;
-  for (std::size_t i = 0; i < row_.size(); ++i) row_[i] = unknown_ * (end.u[i] - start.u[i]) + known_[i];
+  evaluate(unknown_, end.u, start.u, known_, row_);
   return work(du, row_.data()) / dt_;
 }
 

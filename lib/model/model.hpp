@@ -24,7 +24,7 @@ struct Material {
   double density = 0;            ///< [E0 T0^2/L0^2]
   double mass_damping = 0;       ///< alpha_1 [1/T0]
   double stiffness_damping = 0;  ///< alpha_2 [T0]
-  double viscosity = 0;          ///< over Lame's constants, see KelvinVoigt [T0]
+  double viscosity = 0;          ///< over Lame's constants, see make_viscous_term() [T0]
   int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
 };
@@ -119,7 +119,7 @@ class Model {
                            double* values) const;
   void add_rate_row_sums(const double* u, double* sums) const;
   /// Returns whether some block has a viscosity.
-  bool has_viscosity() const;
+  bool has_viscosity() const { return largest_viscosity() > 0; }
   /// Returns the largest viscosity of a block [T0].
   double largest_viscosity() const;
 

@@ -31,7 +31,7 @@ struct CatalogueEntry {
   bool in_place = false;
 };
 
-/// What a catalogue declares of an entry.
+/// An entry as a catalogue declares it.
 struct DeclaredEntry {
   std::string name;
   std::string documentation;

@@ -6,23 +6,13 @@
 #include <cmath>
 
 namespace ixos {
-namespace {
-
-bool damped(const std::vector<Material>& materials) {
-  return std::any_of(materials.begin(), materials.end(), [](const Material& m) {
-    return m.mass_damping != 0 || m.stiffness_damping != 0 || m.viscosity != 0;
-  });
-}
-
-}  // namespace
-
 EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time_integrator().scheme) {
   const WatchOptions& options = simulation.output().watch;
   if (options.action == WatchAction::Off || !simulation.output().energies) return;
   action_ = options.action;
   allowed_ = options.tolerance;
   const double promise = simulation.integrator().table().energy_promise;
-  if (allowed_ > 0 || promise == 0 || damped(simulation.materials())) return;
+  if (allowed_ > 0 || promise == 0 || !simulation.model().dissipation_names().empty()) return;
   by_scheme_ = true;
   // Each step of Newton's method leaves a residual that does work.
   allowed_ = promise + 10 * simulation.newton().tolerance;

@@ -83,11 +83,12 @@ void FieldRecorder::record() {
     model.space().update_ghosts(traction.data());
     add(traction);
   }
-  std::vector<std::vector<std::vector<double>>> cell(model.has_viscosity() ? 4 : 3);
+  const bool viscous = model.has_viscosity();
+  std::vector<std::vector<std::vector<double>>> cell(viscous ? 4 : 3);
   for (CellFields& fields : model.cell_fields(state.u.data())) {
     cell[0].push_back(std::move(fields.stress_invariant));
     cell[1].push_back(std::move(fields.jacobian));
-    if (cell.size() > 3) {
+    if (viscous) {
       fields.dissipated.resize(fields.energy_density.size());
       cell[3].push_back(std::move(fields.dissipated));
     }

@@ -23,7 +23,8 @@ Options<WatchOptions> watch_options() {
                {"Warn", WatchAction::Warn},
                {"Stop", WatchAction::Stop},
                {"Resume", WatchAction::Resume}},
-              "What a row does that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes back to "
+              "The consequence of a row that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes "
+              "back to "
               "the last checkpoint, and ends the run if that does not help.")
       .add("Tolerance", &WatchOptions::tolerance,
            "Largest change of the energy balance in a step, as a share of the largest energy so far [-]. 0: what the "

@@ -33,12 +33,6 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-bool all_have_actions(const std::vector<Material>& materials) {
-  return std::all_of(materials.begin(), materials.end(), [](const Material& material) {
-    return material.viscosity == 0 && has_action(*material.law, material.formulation);
-  });
-}
-
 /// Times are doubles: at 1e12 they are 1e-4 apart. A step or an interval has to be much longer than that.
 void check_resolution(const StepControlOptions& control, const std::string& path, double interval) {
   const double coarsest = std::max(std::abs(control.initial_time), std::abs(control.final_time));
@@ -161,10 +155,12 @@ double Simulation::stiffness(const Table& table) const {
 void Simulation::build_integrator(Table table) {
   const NamedScope scope("solver set-up");
   const SceneNode scene(parameters_, "");
-  const std::string unsymmetric = asymmetry(scene, materials_, *model_, table);
-  check_linear_solver(scene, materials_, unsymmetric);
-  const ProblemSize size{model_->mesh().dimension, model_->space().global(),     model_->space().comm()->getSize(),
-                         unsymmetric.empty(),      all_have_actions(materials_), level_width_,
+  const ProblemSize size{model_->mesh().dimension,
+                         model_->space().global(),
+                         model_->space().comm()->getSize(),
+                         asymmetry(scene, materials_, *model_, table),
+                         matrix_only(scene, materials_),
+                         level_width_,
                          stiffness(table)};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");

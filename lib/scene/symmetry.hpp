@@ -1,4 +1,4 @@
-/// Checks that a scene's linear solver suits its tangents.
+/// Properties of a scene's tangents on which its linear solver depends.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,9 +15,9 @@ namespace ixos {
 std::string asymmetry(const SceneNode& scene, const std::vector<Material>& materials, const Model& model,
                       const Table& table);
 
-/// Throws InputError, with the list path and the cause, if the list "Linear Solver" asks for a solver of symmetric
-/// matrices and the tangents are not symmetric, or for matrix-free tangents that a material does not offer. `asymmetry`
-/// is the result of asymmetry().
-void check_linear_solver(const SceneNode& scene, const std::vector<Material>& materials, const std::string& asymmetry);
+/// Returns the first entry of a material because of which tangents cannot be applied without a matrix:
+/// "Materials/Rubber/Element Formulation "Enhanced"", "Materials/Rubber/Viscosity". Returns an empty string if there is
+/// none.
+std::string matrix_only(const SceneNode& scene, const std::vector<Material>& materials);
 
 }  // namespace ixos

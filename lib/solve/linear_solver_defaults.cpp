@@ -20,13 +20,13 @@ bool factorize_on_first_rank(const ProblemSize& size) {
 /// A spatula of 403,000 degrees of freedom (width 320): MUMPS in single precision takes a fifth of MueLu's time. A cube
 /// of 108,000 (width 1089): twice as much.
 bool factorize_on_all_ranks(const ProblemSize& size) {
-  return size.symmetric && size.dimension == 3 && size.width <= 600 && size.dofs <= 2000000;
+  return size.asymmetry.empty() && size.dimension == 3 && size.width <= 600 && size.dofs <= 2000000;
 }
 
 bool factorize(const ProblemSize& size) { return factorize_on_first_rank(size) || factorize_on_all_ranks(size); }
 
 std::string preconditioning_factorization(const ProblemSize& size) {
-  if (!size.symmetric) return "KLU";
+  if (!size.asymmetry.empty()) return "KLU";
   // CHOLMOD's way with indefinite matrices, the simplicial L D L^T, is slow in three dimensions.
   const bool alone = size.ranks == 1 && size.dimension == 3;
   return alone || !factorize_on_first_rank(size) ? "MUMPS Single" : first_rank_factorization();
@@ -34,23 +34,18 @@ std::string preconditioning_factorization(const ProblemSize& size) {
 
 /// KLU, used in builds without CHOLMOD, fills in too much in three dimensions.
 std::string direct_factorization(const ProblemSize& size) {
-  if (!size.symmetric) return "KLU";
+  if (!size.asymmetry.empty()) return "KLU";
   return first_rank_factorization() == "KLU" && size.dimension == 3 ? "MUMPS" : first_rank_factorization();
 }
 
 /// A cube of 108,000 degrees of freedom: Chebyshev's polynomial takes a fifth of MueLu's time at a stiffness of 3, half
 /// at 72, as much at 1,150; one of 2,200 takes 0.6 of MUMPS' at 140.
 bool has_short_steps(const ProblemSize& size) {
-  return size.symmetric && size.matrix_free && size.dimension == 3 && size.stiffness <= 250;
+  return size.asymmetry.empty() && size.matrix_only.empty() && size.dimension == 3 && size.stiffness <= 250;
 }
 
 /// If a factorisation costs many Krylov iterations, it pays to keep it.
 bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
-
-void refuse_symmetric(const std::string& place, const std::string& solver, const std::string& instead) {
-  throw InputError("Linear Solver/Linear Solver Types/" + place + "/Solver Type: \"" + solver +
-                   "\" needs a symmetric matrix, and this scene's tangent is not symmetric; use " + instead);
-}
 
 void complete_direct(ParameterList& list, const ProblemSize& size) {
   ParameterList& direct = list.sublist("Linear Solver Types").sublist("Direct");
@@ -59,17 +54,12 @@ void complete_direct(ParameterList& list, const ProblemSize& size) {
     throw InputError(
         "Linear Solver/Linear Solver Types/Direct/Solver Type: \"MUMPS Single\" can only be a preconditioner; use "
         "\"MUMPS\"");
-  if (!size.symmetric && type != "KLU") refuse_symmetric("Direct", type, "\"KLU\"");
 }
 
 void complete_belos(ParameterList& list, const ProblemSize& size) {
   ParameterList& belos = list.sublist("Linear Solver Types").sublist("Belos");
   const std::string type =
-      belos.get("Solver Type", std::string(size.symmetric ? "Pseudo Block CG" : "Pseudo Block GMRES"));
-  const std::vector<std::string> conjugate{"Block CG", "Pseudo Block CG", "Pseudo Block Stochastic CG", "CG", "RCG",
-                                           "PCPG",     "MINRES"};
-  if (!size.symmetric && std::find(conjugate.begin(), conjugate.end(), type) != conjugate.end())
-    refuse_symmetric("Belos", type, "\"Pseudo Block GMRES\"");
+      belos.get("Solver Type", std::string(size.asymmetry.empty() ? "Pseudo Block CG" : "Pseudo Block GMRES"));
   ParameterList& solver = belos.sublist("Solver Types").sublist(type);
   solver.get("Maximum Iterations", 300);
   solver.get("Verbosity", 0);
@@ -104,6 +94,48 @@ std::string choice(ParameterList& list, const char* name, const std::string& fal
   return value;
 }
 
+/// Throws InputError if the list asks for a solver of symmetric matrices.
+void refuse_symmetric_solvers(ParameterList& list, const std::string& asymmetry) {
+  if (asymmetry.empty()) return;
+  const auto refuse = [&](const std::string& entry, const std::string& value, const std::string& instead) {
+    throw InputError("Linear Solver/" + entry + ": \"" + value + "\" needs a symmetric matrix; because of " +
+                     asymmetry + ", the tangent is not symmetric; use " + instead);
+  };
+  struct Symmetric {
+    std::string type;
+    std::vector<std::string> solvers;
+    std::string instead;
+  };
+  static const std::vector<Symmetric> all{
+      {"Direct", {"CHOLMOD", "MUMPS"}, "\"KLU\""},
+      {"Belos",
+       {"Block CG", "Pseudo Block CG", "Pseudo Block Stochastic CG", "CG", "RCG", "PCPG", "MINRES"},
+       "\"Pseudo Block GMRES\""},
+      {"Amesos2", {"CHOLMOD"}, "\"KLU2\""}};
+  const auto chosen = list.get<std::string>("Linear Solver Type");
+  for (const Symmetric& symmetric : all) {
+    const std::string types = "Linear Solver Types";
+    if (chosen != "Automatic" && chosen != symmetric.type) continue;
+    if (!list.isSublist(types) || !list.sublist(types).isSublist(symmetric.type)) continue;
+    const ParameterList& asked = list.sublist(types).sublist(symmetric.type);
+    if (!asked.isType<std::string>("Solver Type")) continue;
+    const auto& solver = asked.get<std::string>("Solver Type");
+    if (std::find(symmetric.solvers.begin(), symmetric.solvers.end(), solver) != symmetric.solvers.end())
+      refuse(types + "/" + symmetric.type + "/Solver Type", solver, symmetric.instead);
+  }
+  if (list.get<std::string>("Preconditioner Type") == "Chebyshev")
+    refuse("Preconditioner Type", "Chebyshev", "\"MueLu\", \"Ifpack2\" or \"Direct\"");
+}
+
+void refuse_matrix_free(const ProblemSize& size) {
+  if (!size.asymmetry.empty())
+    throw InputError("Linear Solver/Operator: \"Matrix-Free\" needs a symmetric tangent; because of " + size.asymmetry +
+                     ", the tangent is not symmetric; use \"Assembled\"");
+  if (!size.matrix_only.empty())
+    throw InputError("Linear Solver/Operator: \"Matrix-Free\" is not offered for " + size.matrix_only +
+                     "; use \"Assembled\"");
+}
+
 ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   ParameterList list(user);
   std::string type = choice(list, "Linear Solver Type", "Automatic", {"Automatic", "Direct", "Belos", "Amesos2"});
@@ -111,6 +143,8 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   std::string preconditioner =
       choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2", "Direct", "Chebyshev"});
   const std::string op = choice(list, "Operator", "Automatic", {"Automatic", "Assembled", "Matrix-Free"});
+  if (op == "Matrix-Free") refuse_matrix_free(size);
+  refuse_symmetric_solvers(list, size.asymmetry);
   if (type == "Automatic") {
     const bool direct = factorize(size) && !asks;
     type = direct && !keep_factorization(size) ? "Direct" : "Belos";
@@ -121,17 +155,10 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   }
   if (type == "Belos" && !asks) preconditioner = "MueLu";
   const bool large = size.dimension == 3 && (!factorize_on_first_rank(size) || preconditioner == "Chebyshev");
-  const bool can = size.symmetric && size.matrix_free && type == "Belos";
-  if (op == "Matrix-Free" && !size.matrix_free)
-    throw InputError(
-        "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation, elastic law or "
-        "viscosity; use \"Assembled\"");
+  const bool can = size.asymmetry.empty() && size.matrix_only.empty() && type == "Belos";
   if (op == "Matrix-Free" && !can)
-    throw InputError(std::string("Linear Solver/Operator: ") +
-                     (size.symmetric ? "\"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +
-                                           "\"; or use \"Assembled\""
-                                     : "\"Matrix-Free\" needs a symmetric tangent, and this scene's tangent is not "
-                                       "symmetric; use \"Assembled\""));
+    throw InputError("Linear Solver/Operator: \"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +
+                     "\"; or use \"Assembled\"");
   list.set("Operator", op == "Matrix-Free" || (op == "Automatic" && can && large) ? "Matrix-Free" : "Assembled");
   if (type != "Belos" && preconditioner != "None")
     throw InputError("Linear Solver/Preconditioner Type: \"" + preconditioner +

@@ -10,10 +10,10 @@ struct ProblemSize {
   int dimension = 2;
   long long dofs = 0;
   int ranks = 1;
-  bool symmetric = true;     ///< the tangent
-  bool matrix_free = true;   ///< whether all terms can apply it without a matrix
-  double width = 1e300;      ///< mean_level_width() of the mesh; asked for in three dimensions only
-  double stiffness = 1e300;  ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
+  std::string asymmetry{};    ///< what makes the tangent unsymmetric, in words; empty if it is symmetric
+  std::string matrix_only{};  ///< what cannot be applied without a matrix, in words; empty if there is no such part
+  double width = 1e300;       ///< mean_level_width() of the mesh; asked for in three dimensions only
+  double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
 };
 
 /// Fills in a scene's "Linear Solver" list if its "Linear Solver Type" is "Automatic" or missing. Same on all ranks.
@@ -26,8 +26,9 @@ struct ProblemSize {
 /// - Large tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in
 ///   single precision.
 /// - If the list asks for Belos or MueLu, fills in its missing entries with settings that suit elasticity.
-/// - An unsymmetric tangent gets LU in place of Cholesky and GMRES in place of CG. Throws InputError if the list then
-///   asks for CHOLMOD or a CG method; as a preconditioner CHOLMOD is accepted.
+/// - An unsymmetric tangent gets LU in place of Cholesky and GMRES in place of CG.
+/// Throws InputError, with the list path and the cause, if the list asks for a solver of symmetric matrices and the
+/// tangent is not symmetric (as a preconditioner CHOLMOD is accepted), or for "Matrix-Free" that is not possible.
 Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
 
 /// Returns a completed list in words: "Belos (Pseudo Block CG), preconditioner Direct (CHOLMOD), tangents assembled".

@@ -14,14 +14,14 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
       elastic_(model.actions(Part::Elastic)),
       interactions_(model.actions(Part::Interaction)),
       mass_in_elastic_(model.mass() != nullptr && !model.mass()->is_lumped()) {
-  if (model.has_viscosity())
-    throw InputError("Linear Solver/Operator: \"Matrix-Free\" is not offered with viscosity; use \"Assembled\"");
+  bool possible = !model.has_viscosity();
   for (const auto* actions : {&elastic_, &interactions_})
-    if (std::any_of(actions->begin(), actions->end(), [](const auto& action) { return !action; }))
-      throw InputError(
-          "Linear Solver/Operator: \"Matrix-Free\" is not offered for this scene's element formulation or elastic law; "
-          "use "
-          "\"Assembled\"");
+    possible = possible && std::all_of(actions->begin(), actions->end(), [](const auto& action) { return !!action; });
+  if (!possible)
+    throw InputError(
+        "Linear Solver/Operator: \"Matrix-Free\" is not offered for the model's viscosity, element formulation or "
+        "elastic "
+        "law; use \"Assembled\"");
   for (const auto& action : elastic_) mass_in_elastic_ = mass_in_elastic_ && action->applies_mass();
   for (std::vector<double>* array : {&x_, &result_, &part_})
     array->resize(static_cast<std::size_t>(model.space().local()));

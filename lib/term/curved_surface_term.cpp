@@ -108,7 +108,8 @@ class CurvedSurfaceTerm final : public Interaction {
   }
 
   double energy(const double* u) const override {
-    return sum_over_points(u, [&](const Sight& sight, const Pack& weight) { return weight * law_.energy(sight.gap); });
+    return sum_over_points(
+        u, [&](const PackPoint&, const Sight& sight, const Pack& weight) { return weight * law_.energy(sight.gap); });
   }
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
@@ -159,25 +160,18 @@ class CurvedSurfaceTerm final : public Interaction {
   }
 
   double rounding(const double* u) const override {
-    Pack sum = 0.0;
-    for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Ends ends(sides_, b, {nullptr, nullptr, u});
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
-        const PackPoint x = ends.to(q);
-        const Pack gap = obstacle_->at(x).gap;
-        const Pack size = law_.magnitude(gap) + std::experimental::abs(law_.stiffness(gap)) * obstacle_->size_at(x);
-        const Pack force = sides_.owned(b) * sides_.measure(b)[q] * size;
-        sum += force * force;
-      }
-    }
-    return total(sum);
+    return sum_over_points(u, [&](const PackPoint& x, const Sight& sight, const Pack& weight) {
+      const Pack force = weight * (law_.magnitude(sight.gap) +
+                                   std::experimental::abs(law_.stiffness(sight.gap)) * obstacle_->size_at(x));
+      return force * force;
+    });
   }
 
   void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
 
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
-    report.measure += sum_over_points(u, [&](const Sight& sight, const Pack& weight) {
+    report.measure += sum_over_points(u, [&](const PackPoint&, const Sight& sight, const Pack& weight) {
       report.least_gap = std::min(report.least_gap, least(sight.gap));
       const Pack force = weight * law_.traction(sight.gap);
       for (std::size_t i = 0; i < D; ++i) report.force[i] += total(Pack(force * sight.normal[i]));
@@ -274,14 +268,17 @@ class CurvedSurfaceTerm final : public Interaction {
     return convex ? select(factor * trace > 0.0, factor, Pack(0.0)) : factor;
   }
 
-  /// Returns the sum of visit(sight, weight) over the points of sides that count on this rank; `weight` is the measure.
+  /// Returns the sum of visit(place, sight, weight) over the points of sides that count on this rank; `weight` is the
+  /// measure.
   template <class Visit>
   double sum_over_points(const double* u, const Visit& visit) const {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Ends ends(sides_, b, {nullptr, nullptr, u});
-      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
-        sum += visit(obstacle_->at(ends.to(q)), Pack(sides_.owned(b) * sides_.measure(b)[q]));
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const PackPoint x = ends.to(q);
+        sum += visit(x, obstacle_->at(x), Pack(sides_.owned(b) * sides_.measure(b)[q]));
+      }
     }
     return total(sum);
   }

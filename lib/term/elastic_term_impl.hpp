@@ -5,12 +5,11 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "discretization/cell_quadrature.hpp"
-#include "discretization/element_batches.hpp"
 #include "element/elastic_action.hpp"
 #include "element/elastic_kernel.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "term/block_cells.hpp"
 
 namespace ixos {
 
@@ -32,48 +31,33 @@ class ElasticTerm final : public Elasticity {
   static constexpr std::size_t N = Kernel::N;
   static constexpr bool has_action =
       std::is_same_v<Kernel, ElasticKernel<Element, Material>> && Material::has_spatial_tangent;
-  using Nodal = typename Kernel::template Nodal<Pack>;
-  using Geometry = typename Kernel::template Geometry<Pack>;
+  using Cells = BlockCells<Kernel>;
+  using Nodal = typename Cells::Nodal;
+  using CellTangent = typename Cells::CellTangent;
+  using PointState = typename KeptState<Kernel, Kernel::keeps_points>::type;
 
  public:
   ElasticTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Material& material,
               int points)
       : material_(material),
         youngs_modulus_(youngs_modulus(material.lame)),
-        batches_(block.nodes, pattern, node_scales(block)),
-        table_(cell_points<Element>(block, points), block.tied),
-        has_default_points_(cell_points<Element>(block, points) == Element::default_points) {
-    geometry_.reserve(batches_.size());
-    owned_.reserve(batches_.size());
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      Nodal x;
-      batches_.gather(b, mesh.coordinates.data(), x);
-      geometry_.push_back(Kernel::geometry(table_, x));
-      owned_.emplace_back([&](auto lane) {
-        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
-        return lane < batches_.lanes(b) && block.owned[cell] != 0 ? 1.0 : 0.0;
-      });
-    }
-  }
+        cells_(mesh, block, pattern, points),
+        has_default_points_(cell_points<Element>(block, points) == Element::default_points) {}
 
-  void place(const Pattern& pattern) override { batches_.place(pattern); }
+  void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     if (!Kernel::has_discrete_gradient && rule.mean == Mean::DiscreteGradient)
       throw std::logic_error("this element formulation has no discrete gradient");
-    Pack least_jacobian = 1.0;
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      const Gathered ends(batches_, b, segment);
-      Nodal force{};
-      least_jacobian = smaller(least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force));
-      batches_.scatter_force(b, force, f);
-    }
-    return least(least_jacobian) > 0;
+    return for_each_force(segment, f, [&](std::size_t b, const auto& ends, Nodal& force) {
+      return Kernel::add_force(material_, cells_.geometry[b], ends, rule, force);
+    });
   }
 
   void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
-    for_each_batch(segment, rule,
-                   [&](std::size_t b, const CellTangent& tangent) { batches_.scatter_tangent(b, tangent, values); });
+    for_each_batch(segment, rule, [&](std::size_t b, const CellTangent& tangent) {
+      cells_.batches.scatter_tangent(b, tangent, values);
+    });
   }
 
   std::unique_ptr<KeptPoints> create_kept() const override {
@@ -84,18 +68,12 @@ class ElasticTerm final : public Elasticity {
   bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
     if constexpr (Kernel::keeps_points) {
       if (rule.mean != Mean::Points) return add_force(segment, rule, f);
-      const std::size_t size = table_.size() * rule.points.size();
+      const std::size_t size = cells_.table.size() * rule.points.size();
       auto& states = dynamic_cast<Kept&>(kept).states;
-      states.resize(size * batches_.size());
-      Pack least_jacobian = 1.0;
-      for (std::size_t b = 0; b < batches_.size(); ++b) {
-        const Gathered ends(batches_, b, segment);
-        Nodal force{};
-        least_jacobian = smaller(
-            least_jacobian, Kernel::add_force(material_, geometry_[b], ends.segment(), rule, force, &states[b * size]));
-        batches_.scatter_force(b, force, f);
-      }
-      return least(least_jacobian) > 0;
+      states.resize(size * cells_.size());
+      return for_each_force(segment, f, [&](std::size_t b, const auto& ends, Nodal& force) {
+        return Kernel::add_force(material_, cells_.geometry[b], ends, rule, force, &states[b * size]);
+      });
     }
     return add_force(segment, rule, f);
   }
@@ -104,12 +82,12 @@ class ElasticTerm final : public Elasticity {
                         double* values) const override {
     if constexpr (Kernel::keeps_points) {
       if (rule.mean == Mean::Points) {
-        const std::size_t size = table_.size() * rule.points.size();
+        const std::size_t size = cells_.table.size() * rule.points.size();
         const auto& states = dynamic_cast<const Kept&>(kept).states;
-        for (std::size_t b = 0; b < batches_.size(); ++b) {
+        for (std::size_t b = 0; b < cells_.size(); ++b) {
           CellTangent tangent{};
-          Kernel::add_kept_tangent(material_, geometry_[b], rule, &states[b * size], tangent);
-          batches_.scatter_tangent(b, tangent, values);
+          Kernel::add_kept_tangent(material_, cells_.geometry[b], rule, &states[b * size], tangent);
+          cells_.batches.scatter_tangent(b, tangent, values);
         }
         return;
       }
@@ -118,12 +96,8 @@ class ElasticTerm final : public Elasticity {
   }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
-      Nodal rows{};
-      for (std::size_t r = 0; r < N * D; ++r)
-        for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
-      batches_.scatter_force(b, rows, sums);
-    });
+    for_each_batch(segment, end_rule(),
+                   [&](std::size_t b, const CellTangent& tangent) { cells_.scatter_row_sums(b, tangent, sums); });
     return true;
   }
 
@@ -131,7 +105,7 @@ class ElasticTerm final : public Elasticity {
     for_each_batch(segment, end_rule(), [&](std::size_t b, const CellTangent& tangent) {
       Nodal values;
       for (std::size_t r = 0; r < N * D; ++r) values[r / D][r % D] = tangent[r][r];
-      batches_.scatter_diagonal(b, values, diagonal);
+      cells_.batches.scatter_diagonal(b, values, diagonal);
     });
   }
 
@@ -143,23 +117,18 @@ class ElasticTerm final : public Elasticity {
 
   double energy(const double* u) const override {
     Pack sum = 0.0;
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      Nodal nodal;
-      batches_.gather(b, u, nodal);
-      sum += owned_[b] * Kernel::energy(material_, geometry_[b], nodal);
-    }
+    for (std::size_t b = 0; b < cells_.size(); ++b)
+      sum += cells_.owned[b] * Kernel::energy(material_, cells_.geometry[b], cells_.gathered(b, u));
     return total(sum);
   }
 
   void cell_fields(const double* u, CellFields& fields) const override {
     for (std::vector<double>* field : {&fields.stress_invariant, &fields.jacobian, &fields.energy_density})
-      field->resize(batches_.cells());
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      Nodal nodal;
-      batches_.gather(b, u, nodal);
-      const auto means = Kernel::means(material_, geometry_[b], nodal);
-      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane) {
-        const std::size_t cell = b * static_cast<std::size_t>(pack_width) + lane;
+      field->resize(cells_.batches.cells());
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      const auto means = Kernel::means(material_, cells_.geometry[b], cells_.gathered(b, u));
+      for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane) {
+        const std::size_t cell = Cells::number(b, lane);
         fields.stress_invariant[cell] = means[0][lane] / youngs_modulus_;
         fields.jacobian[cell] = means[1][lane];
         fields.energy_density[cell] = means[2][lane];
@@ -168,21 +137,33 @@ class ElasticTerm final : public Elasticity {
   }
 
  private:
-  using CellTangent = typename Kernel::template Tangent<Pack>;
-
   /// States of the material by batch, point and time point.
   class Kept final : public KeptPoints {
    public:
-    std::vector<typename KeptState<Kernel, Kernel::keeps_points>::type> states;
+    std::vector<PointState> states;
   };
+
+  /// Calls visit(batch, segment, force), which adds to the batch's force and returns its least Jacobians, for all
+  /// cells. Returns whether all Jacobians are greater than 0.
+  template <class Visit>
+  bool for_each_force(const Segment& segment, double* f, const Visit& visit) const {
+    Pack least_jacobian = 1.0;
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      const Gathered ends(cells_.batches, b, segment);
+      Nodal force{};
+      least_jacobian = smaller(least_jacobian, visit(b, ends.segment(), force));
+      cells_.batches.scatter_force(b, force, f);
+    }
+    return least(least_jacobian) > 0;
+  }
 
   /// Calls visit(batch, tangent) for all cells.
   template <class Visit>
   void for_each_batch(const Segment& segment, const Rule& rule, const Visit& visit) const {
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-      const Gathered ends(batches_, b, segment);
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      const Gathered ends(cells_.batches, b, segment);
       CellTangent tangent{};
-      Kernel::add_tangent(material_, geometry_[b], ends.segment(), rule, tangent);
+      Kernel::add_tangent(material_, cells_.geometry[b], ends.segment(), rule, tangent);
       visit(b, tangent);
     }
   }
@@ -196,11 +177,11 @@ class ElasticTerm final : public Elasticity {
 
     void linearize(const Segment& segment, const Rule& rule, Tangent, const LinearPart& linear) override {
       layout_ = Layout(term_.material_, rule, linear.rest, linear.inertia);
-      size_ = term_.table_.size() * layout_.point_size();
-      data_.resize(size_ * term_.batches_.size());
-      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
-        const Gathered ends(term_.batches_, b, segment);
-        Kept::linearize(term_.material_, term_.geometry_[b], ends.segment(), rule, linear.rest, linear.inertia,
+      size_ = term_.cells_.table.size() * layout_.point_size();
+      data_.resize(size_ * term_.cells_.size());
+      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
+        const Gathered ends(term_.cells_.batches, b, segment);
+        Kept::linearize(term_.material_, term_.cells_.geometry[b], ends.segment(), rule, linear.rest, linear.inertia,
                         &data_[b * size_]);
       }
     }
@@ -209,20 +190,20 @@ class ElasticTerm final : public Elasticity {
     bool applies_mass() const override { return term_.has_default_points_; }
 
     void add_product(const double* x, double* y) const override {
-      typename Kept::template Scratch<Pack> scratch(term_.table_.size());
-      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+      typename Kept::template Scratch<Pack> scratch(term_.cells_.table.size());
+      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
         Nodal u, f{};
-        term_.batches_.gather(b, x, u);
-        Kept::add_product(term_.table_, layout_, &data_[b * size_], u, scratch, f);
-        term_.batches_.scatter_force(b, f, y);
+        term_.cells_.batches.gather(b, x, u);
+        Kept::add_product(term_.cells_.table, layout_, &data_[b * size_], u, scratch, f);
+        term_.cells_.batches.scatter_force(b, f, y);
       }
     }
 
     void add_diagonal(double* d) const override {
-      for (std::size_t b = 0; b < term_.batches_.size(); ++b) {
+      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
         Nodal diagonal{};
-        Kept::add_diagonal(term_.table_, layout_, &data_[b * size_], diagonal);
-        term_.batches_.scatter_diagonal(b, diagonal, d);
+        Kept::add_diagonal(term_.cells_.table, layout_, &data_[b * size_], diagonal);
+        term_.cells_.batches.scatter_diagonal(b, diagonal, d);
       }
     }
 
@@ -253,11 +234,8 @@ class ElasticTerm final : public Elasticity {
 
   Material material_;
   double youngs_modulus_;
-  ElementBatches<N, D> batches_;
-  typename Kernel::Table table_;
+  Cells cells_;
   bool has_default_points_;
-  std::vector<Geometry> geometry_;
-  std::vector<Pack> owned_;  ///< 1 for cells whose energy counts here
 };
 
 /// Returns the term of Kernel<Element, law> for a law that is compiled into the kernels.
@@ -271,9 +249,8 @@ std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalB
   throw std::logic_error("the elastic law is not compiled into the kernels");
 }
 
-/// These functions make elastic terms, each in a file of its own, so that they compile apart: one formulation for laws
-/// that are compiled into the kernels, and those of all formulations for any other law. An enhanced block is not
-/// enriched.
+/// Each of these functions has a file of its own, so that they compile apart: make_any_term() serves laws that are not
+/// compiled into the kernels, the others one formulation of those that are. An enhanced block is not enriched.
 std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "discretization/pattern.hpp"
-#include "material/kelvin_voigt.hpp"
+#include "material/hooke.hpp"
 #include "mesh/local_mesh.hpp"
 #include "term/rate_term.hpp"
 
@@ -19,6 +19,6 @@ class Viscosity : public RateTerm {
 
 /// Returns the Kelvin-Voigt viscosity of one block of Standard elements; `points` as for make_elastic_term().
 std::unique_ptr<Viscosity> make_viscous_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
-                                             const KelvinVoigt& law, int points = 0);
+                                             const Hooke& law, int points = 0);
 
 }  // namespace ixos

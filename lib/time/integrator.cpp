@@ -39,6 +39,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
                           table_.predictor == Predictor::Newmark),
       newton_(newton),
       balance_(model, linear_solver_),
+      version_(model.discretization().version()),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
@@ -59,7 +60,6 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
 
 /// Makes operators and preconditioners for the present version of the discretization.
 void Integrator::make_solvers() {
-  version_ = model_.discretization().version();
   solvers_.clear();
   solver_of_.clear();
   std::vector<const Stage*> first;  // of each solver
@@ -183,7 +183,7 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
     known_.resize(u.size());
     result.resize(u.size());
     evaluate_known(form, known, dt, known_);
-    evaluate(form, u.data(), known[0].u, known_, result);
+    evaluate(form.unknown, u.data(), known[0].u, known_, result);
     for (double& value : result) value /= scale;
   };
   derive(row.velocity, dt, end.v);

@@ -52,14 +52,15 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   kept_of_ = imported_for_ = nullptr;
   tangent_at_.clear();
   has_potential_ = is_symmetric(model_, *stage_) && model_.rates_are_gradients(stage_->rate_form);
-  if (has_mass_) evaluate_known(stage_->inertia, known_states(known, stage + 1), dt, known_inertia_);
+  const std::vector<KnownState> states = known_states(known, stage + 1);
+  if (has_mass_) evaluate_known(stage_->inertia, states, dt, known_inertia_);
   const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
   path_velocity_.resize(path_velocity ? u_.size() : 0);
   for (std::size_t i = 0; i < path_velocity_.size(); ++i) path_velocity_[i] = stage_->end * dt * known[0].v[i];
   if (!model_.constraints().empty())
     model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
-  begin_stage(stage, known);
+  begin_stage(states);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
@@ -95,9 +96,9 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
 }
 
-void StageProblem::begin_stage(std::size_t stage, const std::vector<State>& known) {
+void StageProblem::begin_stage(const std::vector<KnownState>& known) {
   StageStart start;
-  start.known = known_states(known, stage + 1);
+  start.known = known;
   start.velocity = &stage_->velocity;
   start.damping = &stage_->damping;
   start.rate_form = stage_->rate_form;
@@ -138,7 +139,7 @@ void StageProblem::clip(const std::vector<double>& base, std::vector<double>& gu
 }
 
 void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_->inertia, u.data(), from_->data(), known_inertia_, bracket);
+  evaluate(stage_->inertia.unknown, u.data(), from_->data(), known_inertia_, bracket);
   if (!exact_rates_) return;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);

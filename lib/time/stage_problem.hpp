@@ -58,7 +58,7 @@ class StageProblem final : public NonlinearProblem {
 
  private:
   Segment segment(const Rule& rule) const;
-  void begin_stage(std::size_t stage, const std::vector<State>& known);
+  void begin_stage(const std::vector<KnownState>& known);
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   /// Sets the tangent's values at u_, constraints apart.
   void assemble(double* values) const;

@@ -7,6 +7,7 @@
 
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "material/strain.hpp"
 #include "support/automatic_differentiation.hpp"
 
 namespace ixos {
@@ -65,12 +66,6 @@ struct Sample {
   double mean = 0.15;
 };
 
-template <std::size_t D>
-Small<double, D> plus_identity(Small<double, D> h) {
-  for (std::size_t i = 0; i < D; ++i) h[i][i] += 1;
-  return h;
-}
-
 template <class S>
 class MeanDilatationPointTest : public testing::Test {};
 using Samples =
@@ -83,7 +78,7 @@ TYPED_TEST(MeanDilatationPointTest, TheScaledDeformationHasTheMeanDilatation) {
   const auto s = at.state();
   EXPECT_NEAR(TypeParam::Point::dilatation(s.scaled), at.mean, 1e-14);
   // A multiple of F; for a linear law, F and a multiple of I.
-  const auto f = plus_identity<D>(at.h), scaled = plus_identity<D>(s.scaled);
+  const auto f = deformation_gradient<D>(at.h), scaled = deformation_gradient<D>(s.scaled);
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) {
       const double shift = TypeParam::Point::finite || i != j ? 0.0 : s.scaled[0][0] - at.h[0][0];
@@ -95,7 +90,7 @@ TYPED_TEST(MeanDilatationPointTest, QuantitiesOfALinearLawAreThoseAtRest) {
   constexpr std::size_t D = TypeParam::D;
   const TypeParam at;
   const auto s = at.state();
-  const auto f = plus_identity<D>(TypeParam::Point::finite ? at.h : Small<double, D>{});
+  const auto f = deformation_gradient<D>(TypeParam::Point::finite ? at.h : Small<double, D>{});
   EXPECT_NEAR(s.jacobian, determinant(f), 1e-14);
   if (!TypeParam::Point::finite) {
     EXPECT_EQ(s.scale, 1.0);
@@ -135,7 +130,7 @@ TYPED_TEST(MeanDilatationPointTest, AProductIsThatWithTheScaledDeformation) {
   constexpr std::size_t D = TypeParam::D;
   const TypeParam at;
   const auto s = at.state();
-  const auto f = plus_identity<D>(TypeParam::Point::finite ? s.scaled : Small<double, D>{});
+  const auto f = deformation_gradient<D>(TypeParam::Point::finite ? s.scaled : Small<double, D>{});
   Small<double, D> m{};
   double phase = 0.4, expected = 0;
   for (std::size_t i = 0; i < D; ++i)

@@ -17,7 +17,7 @@ Small<double, D> wave(double size, double phase) {
   return m;
 }
 
-const KelvinVoigt law{{0.7, 0.4}};
+const Hooke law{{0.7, 0.4}};
 constexpr double dt = 0.25;
 
 /// A finite change of a strained body.

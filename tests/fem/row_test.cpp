@@ -32,7 +32,7 @@ TEST(RowSerialTest, EvaluationOnStatesIsTheLinearForm) {
                   0.5 * velocity(1) + acceleration(1);
   std::vector<double> known(1), result(1);
   evaluate_known(row, states, dt, known);
-  evaluate(row, &u, states[0].u, known, result);
+  evaluate(row.unknown, &u, states[0].u, known, result);
   EXPECT_NEAR(result[0], 3 * 7.0 - 1 - 2 * 4 + dt * 2 - 0.5 * dt * 5 + dt * dt * 6, 1e-14);
 }
 
@@ -43,7 +43,7 @@ TEST(RowSerialTest, SmallIncrementsKeepTheirDigits) {
   const Row row = 4.0 * (unknown_displacement() - displacement(0));
   std::vector<double> known(1), result(1);
   evaluate_known(row, states, 1e-3, known);
-  evaluate(row, &u, states[0].u, known, result);
+  evaluate(row.unknown, &u, states[0].u, known, result);
   EXPECT_EQ(result[0], 4 * 0x1p-30);
 }
 

@@ -35,7 +35,8 @@ trap 'rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch LLVM_PROFILE_FILE=$scratch/unused.profraw
 [ ! -d /dev/shm ] || TMPDIR=/dev/shm
 # A larger allocation fails: libraries say so, and ours ends as a finding, an exception that nobody expects.
-export ASAN_OPTIONS=detect_odr_violation=0:allocator_may_return_null=1:max_allocation_size_mb=64
+sanitizer=detect_odr_violation=0:allocator_may_return_null=1:max_allocation_size_mb=64
+export ASAN_OPTIONS=$sanitizer
 export UBSAN_OPTIONS=print_stacktrace=1
 export LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0
 # Names and words that scenes and studies may use.
@@ -52,21 +53,29 @@ options_of() {
   esac
 }
 
-# Where a finding happens: the first frame of a library or of ours in each of the report's stacks (where it happened,
-# and who made the memory that it misused): one of ours where there is one, for a library that overruns what we gave it
-# is our finding. Nothing where there is none; "alone" where the input alone does no harm.
-place_of() {
-  local frames log=$scratch/finding.log
-  if "$work/tests/fuzz/fuzz_$1" -timeout=60 -rss_limit_mb=2048 "$2" > "$log" 2>&1; then
-    echo alone
-    return
-  fi
-  frames=$(awk -v ours="$root/(lib|tests)/|libixos" '
+# Where a report's fault is: the first frame of a library or of ours in each of its stacks (where it happened, and who
+# made the memory that it misused): one of ours where there is one, for a library that overruns what we gave it is our
+# finding. Nothing where there is none.
+place_in() {
+  awk -v ours="$root/(lib|tests)/|libixos" '
     !/^ *#[0-9]+ / { taken = 0; next }
     taken || /libc\.so|libstdc\+\+|libm\.so|ld-linux|sanitizer|crtstuff|interceptor/ { next }
     $0 ~ ours { print 0, $0; taken = 1; next }
-    /\.so/ { print 1, $0; taken = 1 }' "$log" | sort -s -n -k1,1)
-  echo "$frames" | head -1 | sed -E 's/^[01] *#[0-9]+ 0x[0-9a-f]+ *(in )?//; s/ \(BuildId.*//'
+    /\.so/ { print 1, $0; taken = 1 }' "$1" | sort -s -n -k1,1 | head -1 |
+    sed -E 's/^[01] *#[0-9]+ 0x[0-9a-f]+ *(in )?//; s/ \(BuildId.*//'
+}
+
+# Where a finding happens. An input that alone does no harm failed in a process whose libraries earlier inputs had
+# damaged: then the reports of those processes tell, of which one of ours counts most; "alone" if there is none.
+place_of() {
+  local log=$scratch/finding.log report
+  if ! ASAN_OPTIONS=$sanitizer "$work/tests/fuzz/fuzz_$1" -timeout=60 -rss_limit_mb=2048 "$2" > "$log" 2>&1; then
+    place_in "$log"
+    return
+  fi
+  for report in "$scratch/$1.report".*; do [ ! -f "$report" ] || place_in "$report"; done |
+    awk '/libixos/ || !/\.so/ { ours = $0 } { any = $0 }
+      END { print ours != "" ? ours : any != "" ? any ", after other inputs" : "alone" }'
 }
 
 if $coverage; then
@@ -90,7 +99,7 @@ for target in "${chosen[@]}"; do
   mark=$scratch/$target.mark
   touch "$mark"
   # Children of -fork write what was slow where they stand.
-  (cd "$scratch" && "$work/tests/fuzz/fuzz_$target" $(options_of "$target") "$limit" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
+  (cd "$scratch" && ASAN_OPTIONS=$sanitizer:log_path=$scratch/$target.report "$work/tests/fuzz/fuzz_$target" $(options_of "$target") "$limit" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
     -artifact_prefix="$work/findings/$target-" "$work/corpus/$target" "$here/corpus/$target" \
     > "$scratch/$target.log" 2>&1) && failed=false || failed=true
   awk -v target="$target" '
@@ -107,7 +116,7 @@ for target in "${chosen[@]}"; do
       */*libixos*) echo "  a finding: $place ($finding)"; status=1 ;;
       *.so*)
         # Outside of what a child process tries first it would end a run.
-        grep -q try_reading "$scratch/finding.log" && tried=", tried in a child first" || tried=""
+        grep -qs try_reading "$scratch/finding.log" "$scratch/$target.report".* && tried=", tried in a child first" || tried=""
         echo "  in a distribution library$tried: $place ($finding)" ;;
       *) echo "  a finding: $place ($finding)"; status=1 ;;
     esac

@@ -11,26 +11,17 @@
 #include "base/error.hpp"
 #include "support/file_limit.hpp"
 #include "support/files.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos {
 namespace {
 
 using Mode = DiskFile::Mode;
 using test::contents;
-
-/// The message of the FileError that `action` throws; empty if it throws none.
-template <class Action>
-std::string failure(const Action& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::file_failure;
 
 std::string failure_to_open(const std::string& path, Mode mode) {
-  return failure([&] { DiskFile file(path, mode); });
+  return file_failure([&] { DiskFile file(path, mode); });
 }
 
 class DiskFileTest : public testing::Test {
@@ -73,7 +64,7 @@ TEST_F(DiskFileTest, OneModeKeepsWhatIsThereAndAnotherEmptiesIt) {
   EXPECT_EQ(contents(old), "odd");
   const DiskFile read(old, Mode::Read);
   EXPECT_EQ(read.length(), 3U);
-  EXPECT_EQ(failure([&] { DiskFile(old, Mode::Read).write_at(0, "x", 1); }),
+  EXPECT_EQ(file_failure([&] { DiskFile(old, Mode::Read).write_at(0, "x", 1); }),
             old + ": cannot be written: " + std::strerror(EBADF));
   DiskFile(old, Mode::Create).close();
   EXPECT_EQ(contents(old), "");
@@ -105,7 +96,7 @@ TEST_F(DiskFileTest, WhatIsNoFileIsRefused) {
   }
   EXPECT_FALSE(is_file(folder_));
   EXPECT_EQ(failure_to_open(folder_, Mode::Read), "");
-  EXPECT_EQ(failure([&] { sync_to_disk(folder_); }), "");
+  EXPECT_EQ(file_failure([&] { sync_to_disk(folder_); }), "");
   const std::string is_folder = std::string(": ") + std::strerror(EISDIR);
   EXPECT_EQ(failure_to_open(folder_, Mode::Change), folder_ + ": cannot be opened" + is_folder);
   EXPECT_EQ(failure_to_open(folder_, Mode::Create), folder_ + ": cannot be written" + is_folder);
@@ -119,7 +110,7 @@ TEST_F(DiskFileTest, WhatIsMissingIsNamed) {
   EXPECT_EQ(failure_to_open(none, Mode::Read), none + ": cannot be opened" + missing);
   EXPECT_EQ(failure_to_open(none, Mode::Change), none + ": cannot be opened" + missing);
   EXPECT_EQ(failure_to_open(deep, Mode::Create), deep + ": cannot be written" + missing);
-  EXPECT_EQ(failure([&] { sync_to_disk(none); }), none + ": cannot be opened" + missing);
+  EXPECT_EQ(file_failure([&] { sync_to_disk(none); }), none + ": cannot be opened" + missing);
   EXPECT_FALSE(std::filesystem::exists(none)) << "nothing was made";
 }
 
@@ -153,7 +144,8 @@ TEST_F(DiskFileTest, NamesAreThoseInTheFolder) {
   EXPECT_TRUE(names_in(path("none")).empty());
   EXPECT_TRUE(names_in(path("a")).empty()) << "a file";
   std::filesystem::create_symlink("circle", path("circle"));
-  EXPECT_EQ(failure([&] { names_in(path("circle")); }), path("circle") + ": cannot be read: " + std::strerror(ELOOP));
+  EXPECT_EQ(file_failure([&] { names_in(path("circle")); }),
+            path("circle") + ": cannot be read: " + std::strerror(ELOOP));
 }
 
 TEST_F(DiskFileTest, WholeFilesReplaceTheOldOne) {
@@ -176,7 +168,7 @@ TEST_F(DiskFileTest, AFailureLeavesTheOldFileAndNothingUnfinished) {
   {
     // The first four bytes can be written, the others cannot.
     const test::FileLimit limit(4);
-    message = failure([&] { write_whole_file(name, "a longer text"); });
+    message = file_failure([&] { write_whole_file(name, "a longer text"); });
   }
   EXPECT_EQ(message, beside(name) + ": cannot be written: " + std::strerror(EFBIG));
   EXPECT_EQ(contents(name), "old");
@@ -184,7 +176,8 @@ TEST_F(DiskFileTest, AFailureLeavesTheOldFileAndNothingUnfinished) {
 
   const std::string taken = path("taken");
   std::filesystem::create_directory(taken);
-  EXPECT_EQ(failure([&] { write_whole_file(taken, "text"); }), taken + ": cannot be written: " + std::strerror(EISDIR));
+  EXPECT_EQ(file_failure([&] { write_whole_file(taken, "text"); }),
+            taken + ": cannot be written: " + std::strerror(EISDIR));
   EXPECT_TRUE(std::filesystem::is_directory(taken));
   EXPECT_FALSE(std::filesystem::exists(beside(taken)));
 }
@@ -194,7 +187,8 @@ TEST_F(DiskFileTest, AFinishedFileIsRenamed) {
   replace_file(finished, name);
   EXPECT_EQ(contents(name), "new");
   EXPECT_FALSE(std::filesystem::exists(finished));
-  EXPECT_EQ(failure([&] { replace_file(finished, name); }), name + ": cannot be written: " + std::strerror(ENOENT));
+  EXPECT_EQ(file_failure([&] { replace_file(finished, name); }),
+            name + ": cannot be written: " + std::strerror(ENOENT));
   EXPECT_EQ(contents(name), "new");
 }
 

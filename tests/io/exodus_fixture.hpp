@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "io/exodus_definition.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos::test {
 
@@ -31,17 +32,6 @@ inline ExodusShare whole(const Mesh& mesh) {
   std::iota(share.node_ids.begin(), share.node_ids.end(), 1);
   std::iota(share.cell_ids.begin(), share.cell_ids.end(), 1);
   return share;
-}
-
-/// Returns the message of the FileError that `action` throws; empty if it throws none.
-template <class Action>
-std::string file_failure(const Action& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// A folder for the files of a test.

@@ -18,6 +18,7 @@
 namespace ixos {
 namespace {
 
+using test::file_failure;
 using test::world;
 using Mode = Hdf5Series::Mode;
 
@@ -228,20 +229,9 @@ long long open_in_hdf5() {
   return static_cast<long long>(H5Fget_obj_count(static_cast<hid_t>(H5F_OBJ_ALL), H5F_OBJ_ALL));
 }
 
-/// Returns the message of the FileError that `action` throws; empty if it throws none.
-template <class Action>
-std::string failure(const Action& action) {
-  try {
-    action();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 // The disk's words, and not that HDF5 cannot open the file. A folder opens, but cannot be read.
 TEST_F(Hdf5SeriesTest, ADiskThatCannotReadIsNoDamagedFile) {
-  EXPECT_EQ(failure([&] { Hdf5Series(testing::TempDir(), world(), sets, Mode::Read); }),
+  EXPECT_EQ(file_failure([&] { Hdf5Series(testing::TempDir(), world(), sets, Mode::Read); }),
             testing::TempDir() + ": cannot be read: Is a directory");
 }
 
@@ -270,7 +260,7 @@ TEST_F(Hdf5SeriesTest, SetsThatCannotGrowAreAFailureOfTheFile) {
   const auto append_to = [&](bool chunked) {
     on_first_rank(world(), [&] { replace_times(path_, chunked); });
     Hdf5Series series(path_, world(), sets, Mode::Write);
-    return failure([&] { append(series, 0, 1); });
+    return file_failure([&] { append(series, 0, 1); });
   };
   EXPECT_EQ(append_to(false), path_ + ": time cannot grow");
   EXPECT_EQ(append_to(true), path_ + ": a frame's place cannot be found");

@@ -61,9 +61,9 @@ Options<Paint> options() {
       .choose("Colour", &Paint::colour, {{"Red", Colour::Red}, {"Green", Colour::Green}, {"Blue", Colour::Blue}},
               "How it looks.")
       .choose_list("Shop", &Paint::shop, {{"Near", Shop::Near}, {"Far", Shop::Far}}, "Where it is sold.")
-      .sublist("Brush", &Paint::brush, brush_options(), "What it is applied with.")
+      .sublist("Brush", &Paint::brush, brush_options(), "The brush for this paint.")
       .sublist("Far", &Paint::far, brush_options(), "The brush that the far shop sells.")
-      .free_form("Recipe", &Paint::recipe, "What the maker knows.");
+      .free_form("Recipe", &Paint::recipe, "Entries for the maker.");
   return all;
 }
 
@@ -112,8 +112,8 @@ TEST(OptionsTest, TheListIsDocumentedInTheOrderOfTheEntries) {
                        "Thickness: Thickness of a layer.", "Layers: Number of layers.", "Glossy: Whether it shines.",
                        "Maker: Who makes it.", "Mixture: Parts.", "Codes: Numbers on the tin.",
                        "Shades: Names of the shades.", "Price: Price of a tin.", "Colour: How it looks.",
-                       "Shop: Where it is sold.", "Brush: What it is applied with.",
-                       "Far: The brush that the far shop sells.", "Recipe: What the maker knows."}));
+                       "Shop: Where it is sold.", "Brush: The brush for this paint.",
+                       "Far: The brush that the far shop sells.", "Recipe: Entries for the maker."}));
 }
 
 TEST(OptionsTest, DeclarationsAddToAList) {

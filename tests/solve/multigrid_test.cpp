@@ -215,8 +215,8 @@ TEST(LinearSolverDefaultsSerialTest, ShortStepsNeedNoMatrixInThreeDimensions) {
   EXPECT_EQ(choice({3, 3000000, 4}, 1), "Chebyshev Matrix-Free");
   EXPECT_EQ(choice({3, 2000, 1}, 1), "None Assembled");
   EXPECT_EQ(choice({2, 30000, 1}, 1), "Direct Assembled");
-  EXPECT_EQ(choice({3, 3000, 1, false}, 1), "Direct Assembled") << "unsymmetric";
-  EXPECT_EQ(choice({3, 3000, 1, true, false}, 1), "Direct Assembled") << "enhanced elements";
+  EXPECT_EQ(choice({3, 3000, 1, "a scheme"}, 1), "Direct Assembled") << "unsymmetric";
+  EXPECT_EQ(choice({3, 3000, 1, "", "a material"}, 1), "Direct Assembled") << "enhanced elements";
 }
 
 TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {

@@ -18,7 +18,7 @@ using test::world;
 /// Value and derivative of the equation of unknown `id` at x; NaN where x is inadmissible.
 using Equation = std::function<std::pair<double, double>(double id, double x)>;
 
-/// The same equation for each unknown.
+/// A system of equations that are all alike.
 class Equations final : public test::DiagonalProblem {
  public:
   explicit Equations(Equation equation) : equation_(std::move(equation)) {}

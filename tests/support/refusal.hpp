@@ -19,6 +19,17 @@ std::string refusal(const Action& action) {
   return "";
 }
 
+/// The message of the FileError that `action` throws; empty where it throws none.
+template <class Action>
+std::string file_failure(const Action& action) {
+  try {
+    action();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 inline void expect_contains(const std::string& message, const std::string& words) {
   EXPECT_NE(message.find(words), std::string::npos) << "message: " << message << "\nexpected: " << words;
 }

@@ -5,10 +5,7 @@
 
 #include <type_traits>
 
-#include "mesh/enrichment/enrich.hpp"
-#include "mesh/generators/shapes.hpp"
-#include "mesh/partition.hpp"
-#include "support/scene_text.hpp"
+#include "term/box_part.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -32,19 +29,7 @@ const Affine end{{{0.2, 0.4, -0.1}, {-0.25, 0.1, 0.3}, {0.05, -0.1, -0.2}}, {0.7
 
 /// The surface of a box, on this rank.
 struct Body {
-  Body(int dimension, ContactElement element) : mesh(part(dimension, element)), pattern(mesh) {}
-
-  static LocalMesh part(int dimension, ContactElement element) {
-    BoxShape shape;
-    shape.dimension = dimension;
-    shape.lower = {0.1, -0.4, 0.3};
-    shape.lengths = {2.0, 1.5, 1.0};
-    shape.divisions = {3, 2, 2};
-    Mesh whole = box(shape);
-    enrich(whole, "bottom", element);
-    const Comm comm = test::world();
-    return localize(whole, partition_nodes(whole, comm->getSize()), comm->getRank(), comm->getSize());
-  }
+  Body(int dimension, ContactElement element) : mesh(test::box_part(dimension, element)), pattern(mesh) {}
 
   /// Returns the field's nodal values, a local array. A derivative node's coordinates are derivatives.
   std::vector<double> nodal(const Affine& field) const {

@@ -5,10 +5,7 @@
 #include <cmath>
 #include <type_traits>
 
-#include "mesh/enrichment/enrich.hpp"
-#include "mesh/generators/shapes.hpp"
-#include "mesh/partition.hpp"
-#include "support/scene_text.hpp"
+#include "term/box_part.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -16,22 +13,10 @@ namespace {
 
 /// The surface of a box before a tilted wall, on this rank.
 struct Body {
-  Body(int dimension, ContactElement element) : mesh(part(dimension, element)), pattern(mesh) {
+  Body(int dimension, ContactElement element) : mesh(test::box_part(dimension, element)), pattern(mesh) {
     wall.point = {0.3, -0.7, 0.2};
     wall.normal = {0.48, 0.6, 0.64};
     if (dimension == 2) wall.normal = {0.6, -0.8, 0.0};
-  }
-
-  static LocalMesh part(int dimension, ContactElement element) {
-    BoxShape shape;
-    shape.dimension = dimension;
-    shape.lower = {0.1, -0.4, 0.3};
-    shape.lengths = {2.0, 1.5, 1.0};
-    shape.divisions = {3, 2, 2};
-    Mesh whole = box(shape);
-    enrich(whole, "bottom", element);
-    const Comm comm = test::world();
-    return localize(whole, partition_nodes(whole, comm->getSize()), comm->getRank(), comm->getSize());
   }
 
   /// Calls visit(sides, group) for each kind of side, with the sides of that kind.

@@ -1,4 +1,5 @@
 #include "material/catalogue.hpp"
+#include "material/hooke.hpp"
 #include "material/strain.hpp"
 
 namespace ixos {
@@ -58,48 +59,22 @@ struct SaintVenantKirchhoff {
       for (std::size_t j = 0; j < D; ++j) result[i][j] = 0.5 * (h0[i][j] + h1[i][j]);
     return result;
   }
-  template <std::size_t D>
-  static Small<Pack, D> product(const Small<Pack, D>& f, const Small<Pack, D>& s) {
-    Small<Pack, D> result{};
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j)
-        for (std::size_t k = 0; k < D; ++k) result[i][j] += f[i][k] * s[k][j];
-    return result;
-  }
-  /// Returns S for A.
+  /// Returns S for A = 2 E.
   template <std::size_t D>
   Small<Pack, D> second(const Small<Pack, D>& a) const {
-    Small<Pack, D> s;
-    const Pack pressure = lame.lambda / 2 * trace(a);
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) {
-        s[i][j] = lame.mu * a[i][j];
-        if (i == j) s[i][j] += pressure;
-      }
-    return s;
+    return Hooke{{lame.mu / 2, lame.lambda / 2}}.stress(a);
   }
   template <std::size_t D>
   Small<Pack, D> mean_stress(const Small<Pack, D>& h0, const Small<Pack, D>& h1) const {
     return second(middle(green_strain_doubled(h0), green_strain_doubled(h1)));
   }
 
-  /// Sets the moduli of P = G S, S at the mean of strains of which `share` changes with F: share (delta_ik S_LJ + mu
-  /// [(G F^T)_ik delta_JL + G_iL F_kJ] + lambda G_iJ F_kL).
+  /// Sets the moduli of P = G S, S at the mean of strains of which `share` changes with F.
   template <std::size_t D>
   void fill(const Small<Pack, D>& g, const Small<Pack, D>& f, const Small<Pack, D>& s, double share,
             Small<Pack, D * D>& moduli) const {
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t k = 0; k < D; ++k) {
-        Pack both = 0.0;
-        for (std::size_t m = 0; m < D; ++m) both += g[i][m] * f[k][m];
-        for (std::size_t j = 0; j < D; ++j)
-          for (std::size_t l = 0; l < D; ++l) {
-            Pack value = lame.mu * (g[i][l] * f[k][j]) + lame.lambda * (g[i][j] * f[k][l]);
-            if (i == k) value += s[l][j];
-            if (j == l) value += lame.mu * both;
-            moduli[i * D + j][k * D + l] = share * value;
-          }
-      }
+    moduli = {};
+    Hooke{lame}.add_moduli(g, f, s, Pack(share), Pack(share), moduli);
   }
 };
 

@@ -1,5 +1,5 @@
 // Kelvin and Voigt's stress: its frame indifference, its derivative, and the digits of small changes of strain.
-#include "material/kelvin_voigt.hpp"
+#include "material/hooke.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace ixos {
 namespace {
 
-const KelvinVoigt law{{0.7, 0.4}};
+const Hooke law{{0.7, 0.4}};
 
 Small<double, 3> rotation(double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
@@ -37,7 +37,7 @@ Small<double, 3> stress(const Small<double, 3>& f, const Small<double, 3>& g) {
   return product(f, law.stress(symmetric_product(f, g)));
 }
 
-TEST(KelvinVoigtTest, AStretchRateHasTheStressOfTheModuli) {
+TEST(HookeTest, AStretchRateHasTheStressOfTheModuli) {
   const Small<double, 3> s = law.stress(Small<double, 3>{{{2, 0.5, 0}, {0.5, 0, 0}, {0, 0, 0}}});
   EXPECT_DOUBLE_EQ(s[0][0], 2 * 0.7 * 2 + 0.4 * 2);
   EXPECT_DOUBLE_EQ(s[1][1], 0.4 * 2);
@@ -45,14 +45,14 @@ TEST(KelvinVoigtTest, AStretchRateHasTheStressOfTheModuli) {
 }
 
 // x = R(t) X: F = R, F' = W R with W antisymmetric.
-TEST(KelvinVoigtTest, ARigidRotationHasNoStress) {
+TEST(HookeTest, ARigidRotationHasNoStress) {
   const Small<double, 3> r = rotation(1.1), w{{{0, -3, 2}, {3, 0, -1}, {-2, 1, 0}}};
   const Small<double, 3> s = law.stress(symmetric_product(r, product(w, r)));
   for (const auto& row : s)
     for (double value : row) EXPECT_NEAR(value, 0, 1e-15);
 }
 
-TEST(KelvinVoigtTest, ARotatedMotionHasTheRotatedStress) {
+TEST(HookeTest, ARotatedMotionHasTheRotatedStress) {
   Small<double, 3> f = wave(0.3, 1), g = wave(0.8, 2);
   for (std::size_t i = 0; i < 3; ++i) f[i][i] += 1;
   const Small<double, 3> q = rotation(0.8), expected = product(q, stress(f, g)),
@@ -62,7 +62,7 @@ TEST(KelvinVoigtTest, ARotatedMotionHasTheRotatedStress) {
 }
 
 // P = F S(F^T G): the derivative by G with rate 1, and that by F with held 1 and G in place of the second factor.
-TEST(KelvinVoigtTest, ModuliAreTheDerivativesOfTheStress) {
+TEST(HookeTest, ModuliAreTheDerivativesOfTheStress) {
   Small<double, 3> f = wave(0.3, 1), g = wave(0.8, 2);
   for (std::size_t i = 0; i < 3; ++i) f[i][i] += 1;
   const Small<double, 3> s = law.stress(symmetric_product(f, g));
@@ -89,7 +89,7 @@ TEST(KelvinVoigtTest, ModuliAreTheDerivativesOfTheStress) {
   }
 }
 
-TEST(KelvinVoigtTest, ASmallChangeOfStrainKeepsItsDigits) {
+TEST(HookeTest, ASmallChangeOfStrainKeepsItsDigits) {
   const Small<double, 2> h0{{{1e3, 0}, {0, 1e3}}}, dh{{{1e-12, 0}, {0, 0}}};
   const Small<double, 2> e = change_of_strain(h0, dh);
   EXPECT_DOUBLE_EQ(e[0][0], 1001 * 1e-12);  // (F dF + dF F)/2; the differences of squares have lost all digits

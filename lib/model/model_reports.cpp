@@ -1,0 +1,97 @@
+// Sums over all terms that steps, histories and field files ask for.
+#include <algorithm>
+
+#include "model/model.hpp"
+
+namespace ixos {
+
+double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
+  if (interactions_.empty()) return 1.0;
+  double step = 1.0;
+  for (const Interaction* term : interactions_)
+    step = std::min(step, term->admissible_step(segment, interaction, direction));
+  return space_.minimum(step);
+}
+
+double Model::local_mean_potential(const Segment& segment) const {
+  double sum = 0;
+  for (const Interaction* term : interactions_) sum += term->mean_potential(segment);
+  return sum;
+}
+
+double Model::gap_ratio(const double* from, const double* to) const {
+  double largest = 1;
+  for (const Interaction* term : interactions_) largest = std::max(largest, term->gap_ratio(from, to));
+  return space_.maximum(largest);
+}
+
+double Model::local_rounding(const double* u) const {
+  double sum = 0;
+  for (const Interaction* term : interactions_) sum += term->rounding(u);
+  return sum;
+}
+
+InteractionReport Model::interaction_report(const double* u) const {
+  InteractionReport report;
+  report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
+  for (const Interaction* term : interactions_) term->report(u, report);
+  std::vector<double> sums = report.force;
+  sums.push_back(report.measure);
+  space_.sum(sums.data(), static_cast<int>(sums.size()));
+  report.measure = sums.back();
+  sums.pop_back();
+  report.force = sums;
+  report.least_gap = space_.minimum(report.least_gap);
+  return report;
+}
+
+Momenta Model::momenta(const double* u, const double* v) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> momentum(static_cast<std::size_t>(space_.owned()), 0.0);
+  if (mass_) mass_->multiply(v, momentum.data());
+  std::vector<double> sums(1 + d + (d == 2 ? 1 : 3), 0.0);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
+    const double* p = &momentum[node * d];
+    double x[3] = {};
+    for (std::size_t i = 0; i < d; ++i) {
+      x[i] = mesh_.coordinates[node * d + i] + u[node * d + i];
+      sums[0] += 0.5 * v[node * d + i] * p[i];
+      if (!mesh_.is_derivative(node)) sums[1 + i] += p[i];
+    }
+    if (d == 2) {
+      sums[3] += x[0] * p[1] - x[1] * p[0];
+    } else {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+        sums[4 + i] += x[j] * p[k] - x[k] * p[j];
+      }
+    }
+  }
+  space_.sum(sums.data(), static_cast<int>(sums.size()));
+  const auto first = sums.begin() + 1;
+  const auto middle = first + static_cast<std::ptrdiff_t>(d);
+  return {sums[0], {first, middle}, {middle, sums.end()}};
+}
+
+std::vector<CellFields> Model::cell_fields(const double* u) const {
+  std::vector<CellFields> fields(mesh_.blocks.size());
+  for (const Body& body : bodies_) {
+    body.term->cell_fields(u, fields[body.block]);
+    if (body.viscosity != nullptr) body.viscosity->cell_dissipation(fields[body.block].dissipated);
+  }
+  return fields;
+}
+
+std::vector<double> Model::interaction_traction(const double* u) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> traction(static_cast<std::size_t>(space_.local()), 0.0);
+  if (interactions_.empty()) return traction;
+  force(Part::Interaction, {nullptr, nullptr, u}, end_rule(), traction.data());
+  std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
+  for (const Interaction* term : interactions_) term->add_nodal_measure(measure.data());
+  for (std::size_t i = 0; i < traction.size(); ++i)
+    traction[i] = measure[i / d] > 0 && !mesh_.is_derivative(i / d) ? -traction[i] / measure[i / d] : 0.0;
+  return traction;
+}
+
+}  // namespace ixos
