@@ -175,7 +175,7 @@ class Fields:
 
 
 def pieces_of_sides(folder):
-    """How many pieces enriched cells have by effective.xml; 1, and so each piece for itself, where that is not known."""
+    """Returns the number of pieces of enriched cells by effective.xml; 1, which joins nothing, if they have several."""
     interactions = find(read_scene(folder), "Interactions")
     elements = [find(entry, "Contact Element") for entry in ([] if interactions is None else interactions)]
     counts = {PIECES.get(element.get("value"), 1) for element in elements if element is not None} - {1}

@@ -51,7 +51,7 @@ class Run:
         raise ResultsError(f"{self.folder / 'history.csv'} has {complaint}")
 
     def factor(self, quantity):
-        """What a number of the scene is multiplied by for the axes."""
+        """Returns the factor from numbers of the scene to those of the axes."""
         return units.factor(self._scales, quantity, self.dimension)
 
     def has(self, name):

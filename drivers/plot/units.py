@@ -128,7 +128,7 @@ def name(quantity, dimension):
 
 
 def factor(scales, quantity, dimension):
-    """What numbers of a folder with these scales are multiplied by for the axes; 1 where nothing is converted."""
+    """Returns the factor from a folder's numbers to those of the axes: 1 if nothing is converted."""
     return scales.si(quantity, dimension) / prefix(quantity, dimension)[1] if converts() else 1.0
 
 
