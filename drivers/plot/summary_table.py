@@ -54,8 +54,12 @@ def peak(run, arguments):
 
 
 def event(run, arguments):
-    """The event at the largest force."""
-    contact = np.interp(peak(run, arguments)[0], run["time"], run["contact_measure"])
+    """The event at the largest force; None if that is of a step without a row."""
+    time, value = peak(run, arguments)
+    _, times, values = run.reaction(arguments.reaction)
+    if not value <= values[times == time].max(initial=-np.inf):
+        return None
+    contact = np.interp(time, run["time"], run["contact_measure"])
     return measures.event(contact, np.nanmax(run["contact_measure"], initial=0.0))
 
 
