@@ -1,12 +1,11 @@
 #!/usr/bin/python3
-"""Draws what a run is looked at first for: configurations with the force that pulls, the force or else the energies over
-time, and the gap. As a command: ixos-plot RESULTS."""
+"""Draws a first picture of a run: configurations with the force that pulls, the force or else the energies over time, and
+the gap. As a command: ixos-plot RESULTS."""
 import sys
 
 import numpy as np
 
 import curves
-import fields as configurations
 import measures
 import options
 import pull
@@ -29,7 +28,7 @@ PANELS = 4  # configurations
 def read_fields(folder):
     """The fields, or None with a note where there are none or they cannot be read."""
     try:
-        from exodus import Fields  # VTK is needed only where there are fields
+        from exodus import Fields  # VTK is loaded only where it is needed
         return Fields(folder)
     except (ResultsError, ImportError) as error:
         print(f"no configurations: {error}", file=sys.stderr)
@@ -69,6 +68,7 @@ def draw_arrow(axes, arrow):
 
 def draw_configurations(figure, run, fields):
     """A row of configurations. The first and the last frame, and those between at equal distances."""
+    import fields as configurations  # VTK, too
     frames = configurations.chosen_frames(fields, None, PANELS)
     values = [fields.element("first_stress_invariant", frame) for frame in frames]
     colors = style.color_scale("first_stress_invariant", np.array(values))
@@ -175,7 +175,10 @@ def main():
     parts = figure.subfigures(2 if fields and rows else 1, 1, squeeze=False,
                               height_ratios=[2.1, sum(heights) + 0.6] if fields and rows else None)[:, 0]
     if fields:
-        draw_configurations(parts[0], run, fields)
+        try:
+            draw_configurations(parts[0], run, fields)
+        except ResultsError as error:  # a body in space needs a display
+            print(f"no configurations: {error}", file=sys.stderr)
     if rows:
         grid = parts[-1].subplots(len(rows), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0]
         for axes, (_, draw) in zip(grid, rows):

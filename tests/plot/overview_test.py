@@ -2,8 +2,8 @@
 """Tests of overview.py (ixos-plot), and of cells in pieces, on short runs: IXOS_DRIVER=.../ixos IXOS_XML=.../xml
 tests/plot/overview_test.py"""
 import os
-import pathlib
 import shutil
+import subprocess
 import sys
 import unittest
 
@@ -11,7 +11,7 @@ import numpy as np
 from PIL import Image
 
 sys.dont_write_bytecode = True
-from scripts import ScriptTest, script  # noqa: E402 (sets the path to the others)
+from scripts import PLOT, ScriptTest, script  # noqa: E402 (sets the path to the others)
 from plot_test import CUBE, SHORT, simulate  # noqa: E402
 from synthetic import peel  # noqa: E402
 
@@ -75,6 +75,13 @@ class OverviewTest(ScriptTest):
         simulate(self.folder / "cube", CUBE)
         png, = self.draw("overview.py", self.folder / "cube")
         self.assert_picture(png, "PNG", 1300, 1700)
+
+    def test_without_a_display_the_curves_remain(self):
+        simulate(self.folder / "blind", CUBE)
+        done = subprocess.run(["/usr/bin/python3", "-B", PLOT / "overview.py", self.folder / "blind"], check=False,
+                              text=True, capture_output=True, env={"PATH": "", "HOME": os.environ.get("HOME", "/")})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
+        self.assertIn("no configurations: VTK cannot render", done.stderr)
 
     def test_pieces_of_enriched_cells_are_one_outline(self):
         for ranks in (1, 2):
