@@ -7,6 +7,9 @@ install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHI
         PATTERN "element_batches.hpp" EXCLUDE)
 install(DIRECTORY drivers/plot DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos USE_SOURCE_PERMISSIONS
         PATTERN "__pycache__" EXCLUDE)
+# A script in its folder, called by a name on the path.
+install(CODE "file(CREATE_LINK ../${CMAKE_INSTALL_DATADIR}/ixos/plot/overview.py
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/ixos-plot\" SYMBOLIC)")
 install(DIRECTORY xml DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos)
 install(EXPORT IxosTargets NAMESPACE Ixos:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
 configure_package_config_file(cmake/IxosConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake

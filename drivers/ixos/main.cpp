@@ -52,6 +52,7 @@ struct Arguments {
   std::string restart;
   std::string template_name;
   std::string mesh_file;
+  bool overwrite = false;
   bool check = false;
   bool explain = false;
   bool parameters = false;
@@ -183,6 +184,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   options.folder = results_folder(arguments);
   options.scene_file = arguments.scene;
   options.restart = arguments.restart;
+  options.overwrite = arguments.overwrite;
   if (speaks) options.tell = [](const std::string& line) { ixos::console::say("{}\n", ixos::printable(line)); };
   if (speaks)
     options.warn = [](const std::string& line) {
@@ -240,8 +242,8 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 
 /// Carries out the options that need no scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
-  if (arguments.check || arguments.explain || !arguments.mesh_file.empty() || !arguments.assignments.empty() ||
-      !arguments.output.empty() || !arguments.restart.empty())
+  if (arguments.check || arguments.explain || arguments.overwrite || !arguments.mesh_file.empty() ||
+      !arguments.assignments.empty() || !arguments.output.empty() || !arguments.restart.empty())
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (comm->getRank() != 0) return 0;
   if (arguments.version) print_version();
@@ -277,6 +279,7 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
+  app.add_flag("--overwrite", arguments.overwrite, "replace the results of another scene in the results folder");
   app.add_option("--restart", arguments.restart,
                  "resume from this checkpoint, or from the newest sound checkpoint of this folder")
       ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });

@@ -8,6 +8,7 @@ from PIL import Image
 
 import options
 import style
+import units
 from exodus import Fields
 from fields import draw_body
 from results import ResultsError, Run, wall_height, within
@@ -72,7 +73,7 @@ def draw_energies(axes, run, times):
         curves.append((line, point, values))
     low, high = min(np.nanmin(v) for *_, v in curves), max(np.nanmax(v) for *_, v in curves)
     margin = 0.06 * (high - low or 1)
-    axes.set(xlim=(times[0], times[-1]), ylim=(low - margin, high + margin), xlabel="time [T₀]",
+    axes.set(xlim=(times[0], times[-1]), ylim=(low - margin, high + margin), xlabel=f"time {style.unit('time', 2)}",
              ylabel=f"energy {style.unit('energy', 2)}")
     axes.legend(ncol=2, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, handlelength=1.4)
     return curves
@@ -87,7 +88,10 @@ def main():
                         help="take every K-th frame of the run (default: the smallest K that gives at most 250 frames)")
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to show (default: all)")
     parser.add_argument("--output", metavar="NAME.gif", help="output file (default: FOLDER/animation.gif)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folder)
 
     fields = Fields(arguments.folder)
     if fields.dimension != 2:
@@ -98,19 +102,20 @@ def main():
     if len(frames) < 2:
         raise ResultsError(f"{fields.path} has fewer than two frames to show")
 
-    values = [fields.element("first_stress_invariant", frame) for frame in frames]
+    values = [fields.of_wholes(fields.element("first_stress_invariant", frame)) for frame in frames]
     outlines = [fields.polygons(frame) for frame in frames]
     # One rare peak would pale all else: the colours end at the stress that a cell in a thousand exceeds.
-    bound = float(np.quantile(np.abs(values), 0.999)) or 1.0
-    colors = style.color_scale("stress", np.array(values), (-bound, bound))
+    bound = float(np.quantile(np.abs(values), 0.999))
+    noise = style.is_noise("first_stress_invariant", np.array(values)) or not bound
+    colors = style.color_scale("first_stress_invariant", np.array(values), None if noise else (-bound, bound))
     wall = wall_height(arguments.folder)
     limits = style.box(np.concatenate([polygon for frame in outlines for polygon in frame]), wall)
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(6.4, 4.0), layout="constrained", width_ratios=[1.15, 1])
     body = draw_body(left, outlines[0], values[0], colors, limits, wall)
-    left.set(xlabel="x [L₀]", ylabel="y [L₀]")
+    left.set(xlabel=f"x {style.unit('length', 2)}", ylabel=f"y {style.unit('length', 2)}")
     left.tick_params(direction="out")
-    clock = left.set_title("t = 0.00 T₀")
+    clock = left.set_title(f"t = 0.00 {units.name('time', 2)}")
     bar = figure.colorbar(body, ax=left, location="bottom", aspect=30, shrink=0.9, extend="both",
                           label=style.FIELD_LABELS["first_stress_invariant"].replace("\n", " "))
     bar.outline.set_linewidth(0.5)
@@ -127,7 +132,7 @@ def main():
                 time = fields.times[frame]
                 body.set_verts(polygons)
                 body.set_array(value)
-                clock.set_text(f"t = {time:.2f} T₀")
+                clock.set_text(f"t = {time:.2f} {units.name('time', 2)}")
                 rows = np.searchsorted(run["time"], time * (1 + 1e-12), side="right")
                 for line, point, energy in curves:
                     line.set_data(run["time"][:rows], energy[:rows])

@@ -2,20 +2,29 @@
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkIOExodus import vtkExodusIIReader
 
-from results import ResultsError, existing
+import units
+from scene_file import ResultsError, existing, find, read_scene
 
 # The outline of a plane cell: its nodes in turn (VTK's cell type: order; None as numbered).
 OUTLINES = {5: None, 9: None, 22: [0, 3, 1, 4, 2, 5], 23: [0, 4, 1, 5, 2, 6, 3, 7], 28: [0, 4, 1, 5, 2, 6, 3, 7]}
+
+NODE_SETS = 7  # VTK's block of them
+
+# Pieces of a plane cell's side by contact element: fields.e has a cell for each.
+PIECES = {"Q1C2": 2, "Q1C3": 3, "Q1C4": 4, "Q1CH": 4}
 
 
 class Fields:
     """The mesh and its fields over time, numbered as the whole mesh is, whatever the number of ranks.
 
     times: time of each frame; dimension: 2 or 3; coordinates: a row a node (VTK reads them in single precision, the
-    fields in double); cells: nodes of each cell (a list of arrays, VTK's order); cell_types: VTK's types."""
+    fields in double); cells: nodes of each cell (a list of arrays, VTK's order); cell_types: VTK's types; wholes: for
+    each cell of the scene's mesh its pieces in the file, more than one where a plane cell's side is enriched. All is
+    in the units of the axes."""
 
     def __init__(self, folder):
         vtkObject.GlobalWarningDisplayOff()
@@ -31,31 +40,41 @@ class Fields:
         steps = min(reader.GetNumberOfTimeSteps() for reader in self._readers)
         information = self._readers[0].GetOutputInformation(0)
         key = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
-        self.times = np.array([information.Get(key, i) for i in range(steps)])
+        self._steps = [information.Get(key, i) for i in range(steps)]
+        self._scales = units.scales(folder)
+        self.times = np.array(self._steps) * self._factor("time")
         if not steps:
             raise ResultsError(f"{self.path} has no frames")
         self._frame = -1
         self._read_mesh()
 
     def _grids(self, frame):
-        """The element blocks of all files at a frame."""
+        """The element blocks of all files at a frame, those with cells."""
         if frame != self._frame:
             for reader in self._readers:
-                reader.UpdateTimeStep(self.times[frame])
+                reader.UpdateTimeStep(self._steps[frame])
             self._frame = frame
-        blocks = [reader.GetOutput().GetBlock(0) for reader in self._readers]
-        return [block.GetBlock(i) for block in blocks for i in range(block.GetNumberOfBlocks())
-                if block.GetBlock(i) is not None and block.GetBlock(i).GetNumberOfCells()]
+        return [grid for _, grid in self._named_grids()]
+
+    def _named_grids(self):
+        """The names and the blocks."""
+        files = [reader.GetOutput().GetBlock(0) for reader in self._readers]
+        return [(file.GetMetaData(i).Get(vtkCompositeDataSet.NAME()), file.GetBlock(i)) for file in files
+                for i in range(file.GetNumberOfBlocks())
+                if file.GetBlock(i) is not None and file.GetBlock(i).GetNumberOfCells()]
+
+    def _factor(self, quantity):
+        return units.factor(self._scales, quantity, 2) if quantity else 1.0
 
     def _read_mesh(self):
         grids = self._grids(0)
         self.dimension = max(grid.GetCell(0).GetCellDimension() for grid in grids)
         node_ids = np.concatenate([vtk_to_numpy(grid.GetPointData().GetArray("GlobalNodeId")) for grid in grids])
         cell_ids = np.concatenate([vtk_to_numpy(grid.GetCellData().GetArray("GlobalElementId")) for grid in grids])
-        _, self._first, place = np.unique(node_ids, return_index=True, return_inverse=True)
+        self._node_ids, self._first, place = np.unique(node_ids, return_index=True, return_inverse=True)
         self._order = np.argsort(cell_ids)
         points = np.concatenate([vtk_to_numpy(grid.GetPoints().GetData()) for grid in grids])
-        self.coordinates = points[self._first, :self.dimension].astype(float)
+        self.coordinates = points[self._first, :self.dimension].astype(float) * self._factor("length")
         cells, types, offset = [], [], 0
         for grid in grids:
             nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -65,6 +84,21 @@ class Fields:
             offset += grid.GetNumberOfPoints()
         self.cells = [cells[i] for i in self._order]
         self.cell_types = np.array(types)[self._order]
+        self.wholes = self._join_pieces()
+
+    def _join_pieces(self):
+        """The cells of the file by cell of the scene's mesh: pieces have consecutive numbers in their block."""
+        pieces = pieces_of_sides(self.path.parent) if self.dimension == 2 else 1
+        ids = {}
+        for name, grid in self._named_grids():
+            ids.setdefault(name, []).append(vtk_to_numpy(grid.GetCellData().GetArray("GlobalElementId")))
+        wholes, start = [], 0
+        for name, parts in sorted(ids.items(), key=lambda item: min(map(np.min, item[1]))):
+            count = sum(map(len, parts))
+            size = pieces if "_contact" in name and count % pieces == 0 else 1
+            wholes += list(np.arange(start, start + count).reshape(-1, size))
+            start += count
+        return wholes
 
     def _gather(self, frame, name, data):
         """An array of all blocks. VTK joins the components nameX, nameY; files of earlier versions have 'name_'."""
@@ -86,11 +120,28 @@ class Fields:
 
     def displacement(self, frame):
         """Displacements: a row a node."""
-        return self.nodal("displacement", frame)
+        return self.nodal("displacement", frame) * self._factor("length")
 
     def element(self, name, frame):
         """An element field: a value a cell."""
-        return self._gather(frame, name, "GetCellData")[self._order]
+        return self._gather(frame, name, "GetCellData")[self._order] * self._factor(units.field_quantity(name))
+
+    def of_wholes(self, values):
+        """Values of cells, a value for each whole cell: its pieces have the same."""
+        return values[[whole[0] for whole in self.wholes]]
+
+    def node_set(self, name, frame):
+        """Deformed places of the nodes of a set, a row a node; none where no file has nodes of it."""
+        numbers = []
+        for reader in self._readers:
+            reader.SetObjectStatus(reader.NODE_SET, name, 1)
+            reader.UpdateTimeStep(self._steps[frame])
+            sets = reader.GetOutput().GetBlock(NODE_SETS)
+            for i in range(sets.GetNumberOfBlocks()):
+                if sets.GetBlock(i) is not None and sets.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) == name:
+                    numbers.append(vtk_to_numpy(sets.GetBlock(i).GetPointData().GetArray("GlobalNodeId")))
+        there = np.isin(self._node_ids, np.concatenate(numbers)) if numbers else np.zeros(len(self._node_ids), bool)
+        return (self.coordinates + self.displacement(frame))[there]
 
     def information(self):
         """The file's records by key: scene, units, what wrote it."""
@@ -111,15 +162,22 @@ class Fields:
         array = self._grids(frame)[0].GetFieldData().GetArray(name)
         if array is None:
             raise ResultsError(f"{self.path} has no global variable '{name}'")
-        return float(vtk_to_numpy(array)[frame])
+        return float(vtk_to_numpy(array)[frame]) * units.factor(self._scales, "energy", self.dimension)
 
     def polygons(self, frame):
-        """Outlines of the cells of a plane body, deformed: an array (corners, 2) a cell."""
+        """Outlines of the whole cells of a plane body, deformed: an array (corners, 2) a cell."""
         if self.dimension != 2:
             raise ResultsError(f"{self.path}: the body is not plane")
         positions = self.coordinates + self.displacement(frame)
-        outlines = [OUTLINES.get(kind) for kind in self.cell_types]
-        return [positions[cell if outline is None else cell[outline]] for cell, outline in zip(self.cells, outlines)]
+        return [positions[self._outline(whole)] for whole in self.wholes]
+
+    def _outline(self, whole):
+        """The nodes around a whole cell. The first side of its pieces is the enriched one, the third the one opposite."""
+        cells = [self.cells[piece] for piece in whole]
+        if len(cells) == 1:
+            order = OUTLINES.get(self.cell_types[whole[0]])
+            return cells[0] if order is None else cells[0][order]
+        return np.array([cell[0] for cell in cells] + [cells[-1][1], cells[-1][2]] + [cell[3] for cell in cells[::-1]])
 
     def nearest_frame(self, time):
         """The frame at a time, at most half a frame's interval away."""
@@ -129,6 +187,14 @@ class Fields:
             raise ResultsError(f"{self.path} has no frame near time {time:g}: its {len(self.times)} frames go from "
                                f"{self.times[0]:g} to {self.times[-1]:g}")
         return frame
+
+
+def pieces_of_sides(folder):
+    """Returns the number of pieces of enriched cells by effective.xml; 1, which joins nothing, if they have several."""
+    interactions = find(read_scene(folder), "Interactions")
+    elements = [find(entry, "Contact Element") for entry in ([] if interactions is None else interactions)]
+    counts = {PIECES.get(element.get("value"), 1) for element in elements if element is not None} - {1}
+    return counts.pop() if len(counts) == 1 else 1
 
 
 def open_file(path):

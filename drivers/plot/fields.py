@@ -5,6 +5,7 @@ from matplotlib.collections import PolyCollection
 
 import options
 import style
+import units
 from exodus import Fields
 from results import ResultsError, wall_height
 from style import plt
@@ -42,6 +43,11 @@ def draw_body(axes, polygons, values, colors, limits, wall):
     return body
 
 
+def clock(fields, frame):
+    """The time of a frame as a title."""
+    return f"t = {fields.times[frame]:.4g} {units.name('time', 2)}"
+
+
 def layout(count, width_to_height):
     """Rows, columns and figure size for `count` panels of that shape: wide rather than high, as pages are."""
     columns = min(range(1, count + 1), key=lambda n: abs(np.log(n * width_to_height / -(-count // n) / 2.2)))
@@ -59,13 +65,13 @@ def draw_plane(fields, frames, values, colors, wall, _):
     figure, grid = plt.subplots(rows, columns, sharex=True, sharey=True, squeeze=False, figsize=size,
                                 layout="compressed")
     for axes, frame, polygons, value in zip(grid.flat, frames, outlines, values):
-        body = draw_body(axes, polygons, value, colors, limits, wall)
-        axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
+        body = draw_body(axes, polygons, fields.of_wholes(value), colors, limits, wall)
+        axes.set_title(clock(fields, frame), pad=3)
         axes.tick_params(direction="out")
         if axes.get_subplotspec().is_first_col():
-            axes.set_ylabel("y [L₀]")
+            axes.set_ylabel(f"y {style.unit('length', 2)}")
     for axes in grid[-1]:
-        axes.set_xlabel("x [L₀]")
+        axes.set_xlabel(f"x {style.unit('length', 2)}")
     return figure, grid, body
 
 
@@ -77,7 +83,7 @@ def draw_space(fields, frames, values, colors, wall, view):
     figure, grid = plt.subplots(rows, columns, squeeze=False, figsize=size, layout="compressed")
     for axes, frame, picture in zip(grid.flat, frames, pictures):
         axes.imshow(picture, interpolation="antialiased")
-        axes.set_title(f"t = {fields.times[frame]:.4g} T₀", pad=3)
+        axes.set_title(clock(fields, frame), pad=3)
         axes.set_axis_off()
     return figure, grid, plt.cm.ScalarMappable(norm=colors[1], cmap=colors[0])
 
@@ -100,7 +106,10 @@ def main():
                         help="direction from a body in space to the viewer (default: 0.6,-1,0.4)")
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: FOLDER/fields)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folder)
 
     fields = Fields(arguments.folder)
     wall = arguments.wall
@@ -115,7 +124,9 @@ def main():
     figure, grid, body = draw(fields, frames, values, colors, wall, arguments.view)
     for axes in grid.flat[len(frames):]:
         axes.set_visible(False)
-    label = style.FIELD_LABELS.get(arguments.field, arguments.field.replace("_", " "))
+    label = style.field_label(arguments.field)
+    if not arguments.range and style.is_noise(arguments.field, np.array(values)):
+        figure.suptitle("only rounding errors: drawn in one colour", fontsize=8)
     ends = "both" if arguments.range else "neither"
     bar = figure.colorbar(body, ax=grid, label=label, extend=ends, aspect=30, pad=0.02)
     bar.formatter.set_powerlimits((-3, 4))

@@ -4,6 +4,7 @@ force, reactions and Newton iterations over time. Columns that a run did not wri
 import curves
 import options
 import style
+import units
 from results import ResultsError, Run
 from style import plt
 
@@ -40,7 +41,7 @@ def panels(runs, relative):
         (several and has("kinetic_energy"), 1.2, f"kinetic energy\n{energy}", False, column("kinetic_energy")),
         (has("total_energy"), 1.2, f"energy error\n{over}", True,
          lambda axes: curves.draw_errors(axes, runs, relative)),
-        (several and has("angular_momentum_z"), 0.9, "angular\nmomentum z", False, column("angular_momentum_z")),
+        (several and has("angular_momentum_z"), 0.9, f"angular mo-\nmentum z\n{style.unit('angular momentum', dimension)}", False, column("angular_momentum_z")),
         (has("min_gap"), 1.0, f"least gap\n{style.unit('length', dimension)}", True, column("min_gap")),
         (has(contact), 1.2, f"contact force {contact[-1]}\n{force}", False, column(contact)),
         (any(run.reactions() for run in runs), 1.2, f"reaction\n{force}", False,
@@ -60,7 +61,10 @@ def main():
     parser.add_argument("--relative", type=options.scale, metavar="initial|SCALE",
                         help="divide energy errors by the initial energy or by a number")
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folders[0])
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
     curves.dress(runs)

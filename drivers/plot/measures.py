@@ -24,6 +24,23 @@ def peak(times, values):
     return times[row], values[row]
 
 
+PARTS = (0.5, "start of peeling"), (0.1, "peeling"), (0.0, "snap-off")
+
+
+def event(contact, largest):
+    """The event at a contact measure: with half of the largest contact left, peeling starts; the last tenth snaps off."""
+    if not largest > 0 or np.isnan(contact):
+        return None
+    return next((name for share, name in PARTS if contact > share * largest), "detached")
+
+
+def event_peak(name, times, values, row_times, contact):
+    """Time and value of the largest value while the contact is in that event; NaN where it never is."""
+    largest = np.nanmax(contact, initial=0.0)
+    there = [event(part, largest) == name for part in np.interp(times, row_times, contact)]
+    return peak(times[there], values[there]) if any(there) else (np.nan, np.nan)
+
+
 def detachment(times, contact):
     """First time from which on the contact measure is zero until the end; NaN where it never was more, or ends so."""
     touching = np.flatnonzero(contact > 0)

@@ -95,6 +95,11 @@ class Parser(argparse.ArgumentParser):
     def __init__(self, description, epilog):
         super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
 
+    def add_si(self):
+        """Adds --si. If it is given, the script calls units.use_si()."""
+        self.add_argument("--si", action="store_true", help="draw in SI units; numbers of other options are in the "
+                          "units of the axes then (default: L0, E0 and T0 of the scene)")
+
     def error(self, message):
         self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")
 

@@ -8,7 +8,9 @@ from matplotlib.ticker import MaxNLocator
 
 import curves
 import options
+import pull
 import style
+import units
 from results import ResultsError, Run, common
 from style import plt
 
@@ -21,6 +23,7 @@ EPILOG = """examples:
   peeling.py a.results b.results --kinetic --zoom 330,350       -> kinetic.png
   peeling.py strip.results --marks 0,20,40,130                  letters at the times that fields.py draws
 
+If the scene moves a set along an oblique line, the force is the component of its reaction along that line.
 Reactions of Gautam-Sauer Composite, Average Vector Field, Energy-Momentum and Midpoint are means over a step and are
 drawn at its middle. If several runs are compared, a cross marks where one diverged; the panels fit the other runs."""
 
@@ -40,8 +43,7 @@ class Curve:
             self.times, self.y = run["time"], run["kinetic_energy"]
             self.y_label = f"kinetic energy {style.unit('energy', run.dimension)}"
         else:
-            name, self.times, self.y = run.reaction(arguments.reaction)
-            kind = "pull-off force" if name.endswith("_" + run.up) else name.replace("_", " ")
+            kind, self.times, self.y = pull.force(run, arguments.reaction)
             self.y_label = f"{kind} {style.unit('force', run.dimension)}"
         self.x, self.x_label = self.times, f"time {style.unit('time', run.dimension)}"
         if arguments.against == "displacement":
@@ -168,8 +170,8 @@ def main():
                         help="the abscissa: time, a probe's displacement, or the scene's driven motion (default: time)")
     parser.add_argument("--displacement", metavar="PROBE", help="probe whose displacement normal to the wall is the "
                         "abscissa of --against displacement (default: edge, or the only one)")
-    parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: the first reaction_*_y, in "
-                        "3D _z)")
+    parser.add_argument("--reaction", metavar="NAME", help="column of the force (default: along an oblique pull its "
+                        "component along the pull, else the first reaction_*_y, in 3D _z)")
     kind = parser.add_mutually_exclusive_group()
     kind.add_argument("--speed", action="store_true", help="draw the speed of a probe instead of the force")
     kind.add_argument("--kinetic", action="store_true", help="draw the kinetic energy instead of the force")
@@ -185,7 +187,10 @@ def main():
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: peeling, speed or "
                         "kinetic, in FOLDER or, for several runs, in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folders[0])
     for name, needed, given in (("probe", "--speed", arguments.speed),
                                 ("displacement", "--against displacement", arguments.against == "displacement"),
                                 ("reaction", "a force, not --speed", not arguments.speed),

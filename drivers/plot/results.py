@@ -3,9 +3,11 @@ import csv
 import functools
 import json
 import pathlib
-import xml.etree.ElementTree
 
 import numpy as np
+
+import units
+from scene_file import ResultsError, existing, find, read_scene
 
 UNDAMPED = "no damping"
 
@@ -13,16 +15,17 @@ UNDAMPED = "no damping"
 STEP_MEAN_SCHEMES = {"Gautam-Sauer Composite", "Average Vector Field", "Energy-Momentum", "Midpoint"}
 
 
-class ResultsError(Exception):
-    """Requested data are missing or damaged. The message has one line."""
-
-
 class Run:
-    """history.csv as columns (NaN where a cell is empty; of `interval` in time only) and summary.json."""
+    """history.csv as columns (NaN where a cell is empty; of `interval` in time only) in the units of the axes, and
+    summary.json."""
 
     def __init__(self, folder, interval=None):
         self.folder = existing(folder)
         self.columns = read_history(self.folder / "history.csv")
+        self.dimension = 3 if "linear_momentum_z" in self.columns else 2
+        self.up = "z" if self.dimension == 3 else "y"
+        self._scales = units.scales(self.folder)
+        units.convert_history(self.columns, self._scales, self.dimension)
         self.initial_energy = self["total_energy"][0]
         self._first = {name: values[0] for name, values in self.columns.items()}
         self.whole = not interval or interval[1] >= self["time"][-1]  # nothing cut off the end
@@ -38,8 +41,6 @@ class Run:
         except ValueError as error:
             raise ResultsError(f"{summary}: {error}") from None
         self.scheme = self.summary.get("scheme", self.folder.resolve().name)
-        self.dimension = 3 if "linear_momentum_z" in self.columns else 2
-        self.up = "z" if self.dimension == 3 else "y"
 
     def __getitem__(self, name):
         if name not in self.columns:
@@ -48,6 +49,10 @@ class Run:
 
     def _refuse(self, complaint):
         raise ResultsError(f"{self.folder / 'history.csv'} has {complaint}")
+
+    def factor(self, quantity):
+        """Returns the factor from numbers of the scene to those of the axes."""
+        return units.factor(self._scales, quantity, self.dimension)
 
     def has(self, name):
         """Whether the column holds anything."""
@@ -126,7 +131,11 @@ class Run:
     def damping(self):
         """The stiffness damping of the scene's first material as words, or None where it names none."""
         value = self.setting("Materials/*/Stiffness Damping")
-        return value and (f"α₂ = {float(value):g} T₀" if float(value) else UNDAMPED)
+        return value and (f"α₂ = {self._time(float(value))}" if float(value) else UNDAMPED)
+
+    def _time(self, value):
+        """A time of the scene as text."""
+        return f"{value * self.factor('time'):g} {units.name('time', self.dimension)}"
 
     def applied(self, times):
         """The displacement that the scene's driven motion, a Rate Ramp, has at some times."""
@@ -138,11 +147,12 @@ class Run:
             raise ResultsError(f"{self.folder / 'effective.xml'} has no motion that follows a Rate Ramp")
         path = f"Histories/{name}/Rate Ramp"
         rate, start, length = (float(self.setting(f"{path}/{word}") or 0) for word in ("Rate", "Start", "Length"))
-        return rate * ramp_integral(np.asarray(times) - start, length, self.setting(f"{path}/Shape") or "Cosine")
+        times = np.asarray(times) / self.factor("time") - start
+        return self.factor("length") * rate * ramp_integral(times, length, self.setting(f"{path}/Shape") or "Cosine")
 
     def traits(self):
         """The traits that tell runs apart, as words: scheme, contact element, time step, damping."""
-        return self.scheme, self.element, self.time_step and f"Δt = {self.time_step:g} T₀", self.damping
+        return self.scheme, self.element, self.time_step and f"Δt = {self._time(self.time_step)}", self.damping
 
 
 def ramp_integral(times, length, shape):
@@ -157,14 +167,6 @@ def within(times, interval):
     """Tells for each time whether it lies in the interval, up to round-off."""
     slack = 1e-9 * (interval[1] - interval[0])
     return (times >= interval[0] - slack) & (times <= interval[1] + slack)
-
-
-def existing(folder):
-    """The folder as a path, when it is one."""
-    folder = pathlib.Path(folder)
-    if not folder.is_dir():
-        raise ResultsError(f"the folder {folder} does not exist")
-    return folder
 
 
 def read_history(path):
@@ -200,28 +202,9 @@ def common(runs):
     return ", ".join(values[0] for values in columns if values[0] not in (None, UNDAMPED) and len(set(values)) == 1)
 
 
-def read_scene(folder):
-    """effective.xml as a tree, or None where there is no such file."""
-    path = pathlib.Path(folder) / "effective.xml"
-    if not path.is_file():
-        return None
-    try:
-        return xml.etree.ElementTree.parse(path).getroot()
-    except xml.etree.ElementTree.ParseError as error:
-        raise ResultsError(f"{path}: {error}") from None
-
-
-def find(node, path):
-    """The list or parameter at a path of names below a list ('*': the first list), or None."""
-    for word in path.split("/"):
-        entries = [] if node is None else list(node)
-        node = next((entry for entry in entries
-                     if entry.get("name") == word or (word == "*" and entry.tag == "ParameterList")), None)
-    return node
-
-
 def wall_height(folder):
-    """Height of the scene's flat wall by effective.xml. 0 if it is unknown, None if there is no such wall."""
+    """Height of the scene's flat wall by effective.xml, in the units of the axes. 0 if it is unknown, None if there is
+    no such wall."""
     scene = read_scene(folder)
     if scene is None:
         return 0.0
@@ -236,5 +219,5 @@ def wall_height(folder):
         except ValueError as error:
             raise ResultsError(f"{pathlib.Path(folder) / 'effective.xml'}: {error}") from None
         if not any(normal[:-1]):
-            return point[-1] if point else 0.0
+            return point[-1] * units.factor(units.scales(folder), "length", 2) if point else 0.0
     return None

@@ -8,7 +8,8 @@ import matplotlib.pyplot as plt  # noqa: E402 (after the choice of the backend)
 import numpy as np  # noqa: E402
 from matplotlib.colors import ListedColormap  # noqa: E402
 
-from results import ResultsError  # noqa: E402
+import units  # noqa: E402
+from scene_file import ResultsError  # noqa: E402
 
 # Okabe and Ito's colours, told apart by all eyes, the strongest first.
 COLORS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#6A3D9A", "#8C510A", "#8A8A8A"]
@@ -17,8 +18,10 @@ INK, FAINT = "#303030", "#D9D9D9"
 FIELD_LABELS = {
     "first_stress_invariant": "first stress invariant /\nYoung's modulus",
     "jacobian": "volume ratio",
-    "energy_density": "energy density [E₀]",
 }
+
+# The value of a field at rest, and what differs less from it is rounding: both fields have no unit.
+NOISE = {"first_stress_invariant": (0.0, 1e-9), "jacobian": (1.0, 1e-9)}
 
 
 def use_style():
@@ -37,17 +40,35 @@ def use_style():
 
 
 def unit(quantity, dimension):
-    """The unit of a quantity, ready for a label; plane bodies are counted a unit of thickness."""
-    plain = {"time": "[T₀]", "length": "[L₀]", "speed": "[L₀/T₀]"}
-    powers = {"energy": dimension, "force": dimension - 1}
-    return plain.get(quantity) or "[E₀ L₀" + ["", "", "²", "³"][powers[quantity]] + "]"
+    """The unit of a quantity, ready for a label; forces and energies of plane bodies are per depth."""
+    return f"[{units.name(quantity, dimension)}]"
+
+
+def field_label(field):
+    """The label of an element field."""
+    if field in FIELD_LABELS:
+        return FIELD_LABELS[field]
+    quantity = units.field_quantity(field)
+    return field.replace("_", " ") + (f" {unit(quantity, 2)}" if quantity else "")
+
+
+def is_noise(field, values):
+    """Whether values differ from those at rest by rounding only."""
+    rest, floor = NOISE.get(field, (None, 0.0))
+    if rest is None:
+        rest, floor = float(np.mean(values)), 1e-12 * float(np.nanmax(np.abs(values)))
+    return bool(np.nanmax(np.abs(values - rest)) <= floor)
 
 
 def color_scale(field, values, limits=None):
     """The colour map of an element field and its limits: stress diverges about zero, other fields are sequential.
 
-    Zero stress stays white, and shades mean the same on both sides of it, where limits are not even about it."""
+    Zero stress stays white, and shades mean the same on both sides of it, where limits are not even about it. Without
+    limits, rounding errors are drawn in one colour."""
     low, high = limits or (float(np.nanmin(values)), float(np.nanmax(values)))
+    if limits is None and is_noise(field, values):
+        rest, floor = NOISE.get(field, (0.5 * (low + high), 1e-9 * (abs(low) or 1)))
+        low, high = rest - 1e3 * floor, rest + 1e3 * floor
     if "stress" in field and limits is None:
         high = max(abs(low), abs(high))
         low = -high

@@ -11,7 +11,8 @@ from results import ResultsError, Run
 
 SETS = {
     "energy": "scheme,status,end,error,error-initial,error-scale,iterations,iteration,seconds",
-    "peeling": "scheme,element,dt,steps,iterations,increment,iteration,peak,peak-time,contact,detachment,status",
+    "peeling": "scheme,element,dt,steps,iterations,increment,iteration,peak,peak-time,event,contact,detachment,status",
+    "peaks": "scheme,element,dt,start,start-time,snap-off,snap-off-time,detachment",
 }
 
 EPILOG = """examples:
@@ -22,7 +23,9 @@ EPILOG = """examples:
 
 Names for --columns are those of columns and these sets of columns:
 """ + "\n".join(f"  {name:9}{columns}" for name, columns in SETS.items()) + """
-A dash stands for a value that is not known.
+A dash stands for a value that is not known. The events go by the contact measure, of which the largest counts: until
+half of it is left, peeling starts; the last tenth snaps off. The columns peak and event may therefore compare different
+events of several runs; --columns peaks does not.
 
 --oscillation T0,T1,W prints the root mean square, from time T0 to T1, of the force minus its smooth part. The smooth
 part at a time t is a parabola fitted to the force from t - W/2 to t + W/2; W should be at least five periods of the
@@ -50,6 +53,22 @@ def peak(run, arguments):
     return time, max(value, (run.summary.get("max_force") or {}).get(name) or value)
 
 
+def event(run, arguments):
+    """The event at the largest force; None if that is of a step without a row."""
+    time, value = peak(run, arguments)
+    _, times, values = run.reaction(arguments.reaction)
+    if not value <= values[times == time].max(initial=-np.inf):
+        return None
+    contact = np.interp(time, run["time"], run["contact_measure"])
+    return measures.event(contact, np.nanmax(run["contact_measure"], initial=0.0))
+
+
+def event_peak(run, arguments, name):
+    """Time and size of the largest force in an event."""
+    _, times, values = run.reaction(arguments.reaction)
+    return measures.event_peak(name, times, values, run["time"], run["contact_measure"])
+
+
 # Name: (header, format, value of a run).
 COLUMNS = {
     "scheme": ("scheme", "", lambda run, _: run.scheme),
@@ -72,6 +91,11 @@ COLUMNS = {
     "peak-time": ("peak at time", ".4g", lambda run, choice: peak(run, choice)[0]),
     "contact": ("contact at peak", ".4g",
                 lambda run, choice: np.interp(peak(run, choice)[0], run["time"], run["contact_measure"])),
+    "event": ("event at peak", "", event),
+    "start": ("force at the start of peeling", ".4g", lambda run, choice: event_peak(run, choice, "start of peeling")[1]),
+    "start-time": ("start of peeling", ".4g", lambda run, choice: event_peak(run, choice, "start of peeling")[0]),
+    "snap-off": ("force at the snap-off", ".4g", lambda run, choice: event_peak(run, choice, "snap-off")[1]),
+    "snap-off-time": ("snap-off", ".4g", lambda run, choice: event_peak(run, choice, "snap-off")[0]),
     "detachment": ("detachment time", ".4g", lambda run, _: measures.detachment(run["time"], run["contact_measure"])),
 }
 

@@ -4,6 +4,7 @@ vibrations with different damping or schemes."""
 import curves
 import options
 import style
+import units
 from results import ResultsError, Run, common
 from style import plt
 
@@ -36,7 +37,10 @@ def main():
     parser.add_argument("--output", metavar="NAME", help="output file, without ending (default: vibration, in "
                         "FOLDER or, for several runs, in the working folder)")
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
+    parser.add_si()
     arguments = parser.parse_args()
+    if arguments.si:
+        units.use_si(arguments.folders[0])
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
     curves.dress(runs)
@@ -47,7 +51,7 @@ def main():
     figure, grid = plt.subplots(len(components), 1, sharex=True, squeeze=False, layout="constrained",
                                 figsize=(7.2, 0.9 + 2.3 * len(components)))
     for axes, component in zip(grid[:, 0], components):
-        histories = [(run, place(run, probe)[component] + run[f"{probe}_u{component}"]) for run in runs]
+        histories = [(run, place(run, probe)[component] * run.factor("length") + run[f"{probe}_u{component}"]) for run in runs]
         for run, values in histories:
             curves.draw_line(axes, run, values, run.color)
         curves.fit(axes, histories)

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "run/checkpoints.hpp"
 #include "run/energy_watch.hpp"
+#include "run/replaced_results.hpp"
 #include "run/restart.hpp"
 #include "run/run_files.hpp"
 #include "run/run_watch.hpp"
@@ -111,6 +112,8 @@ void Run::begin() {
 
 /// New files, which begin with the present state.
 void Run::begin_files() {
+  const std::string replaced = replaced_results(simulation_, options_.folder, options_.overwrite);
+  if (!replaced.empty()) tell(replaced);
   files_.open_folder(false);
   const long earlier = checkpoints_.begin();
   if (earlier >= 0 && checkpoints_.on())

@@ -24,6 +24,7 @@ struct RunOptions {
   std::string folder;                            ///< results go here; made where it does not exist
   std::string scene_file;                        ///< the scene's path, for the records of fields.e; may be empty
   std::string restart;                           ///< a checkpoint to go on from; may be empty
+  bool overwrite = false;                        ///< replace results of another scene, see replaced_results()
   std::function<void(const std::string&)> tell;  ///< called with lines for a person, on rank 0; may be empty
   std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
@@ -58,8 +59,8 @@ struct RunResult {
 ///
 /// A step that fails, and may not be cut, ends the run with RunStatus::Diverged; a signal with Interrupted. However it
 /// ends, the last good state is checkpointed and the rows up to there are on disk. Throws FileError where something
-/// cannot be written, InputError for a checkpoint or results that cannot be gone on from: then nothing has changed.
-/// Collective.
+/// cannot be written, InputError for a checkpoint or results that cannot be gone on from, or for results in the folder
+/// that must not be replaced: then nothing has changed. Collective.
 RunResult run(Simulation& simulation, const RunOptions& options);
 
 }  // namespace ixos

@@ -6,6 +6,7 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
+#include "run/replaced_results.hpp"
 #include "scene/scene_file.hpp"
 
 namespace ixos {
@@ -34,7 +35,7 @@ void RunFiles::open_folder(bool goes_on) {
     std::filesystem::create_directories(folder_, code);
     if (code) throw FileError("the results folder cannot be used: " + folder_ + ": " + code.message());
     for (const std::string& name : names_in(folder_)) {
-      if (name != "summary.json" && (keep_fields || name.rfind("fields.e", 0) != 0)) continue;
+      if (name != "summary.json" && (keep_fields || !is_frames_file(name))) continue;
       const std::filesystem::path path = std::filesystem::path(folder_) / name;
       std::filesystem::remove(path, code);
       if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());

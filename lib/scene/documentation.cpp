@@ -98,8 +98,9 @@ const std::map<std::string, std::vector<std::string>>& template_settings() {
   static const std::map<std::string, std::vector<std::string>> settings{
       {"ball",
        {"Mesh/Type=Disk", "Mesh/Disk/Center={0, 7.254709287789268}", "Materials/Ball/Block=body",
-        "Interactions/Wall/Side Set=surface", "Time Integrator/Time Step Control/Final Time=1",
-        "Time Integrator/Time Step Control/Time Step=0.001", "Output/Fields Interval=20"}},
+        "Interactions/Wall/Side Set=surface", "Time Integrator/Type=Average Vector Field",
+        "Time Integrator/Time Step Control/Final Time=1", "Time Integrator/Time Step Control/Time Step=0.001",
+        "Output/Fields Interval=20"}},
       {"block",
        {"Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lengths={4, 4, 2}", "Mesh/Box/Divisions={8, 8, 4}",
         "Materials/Rubber/Block=body", "Materials/Rubber/Stiffness Damping=0.0001", "Interactions/Wall/Side Set=bottom",

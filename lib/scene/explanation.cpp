@@ -7,6 +7,7 @@
 
 #include "base/pack.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "scene/left_out.hpp"
 #include "scene/output_fields.hpp"
 #include "scene/si_explanation.hpp"
 #include "solve/linear_solver_defaults.hpp"
@@ -126,29 +127,6 @@ std::string frames(const Simulation& simulation) {
     if (!names.empty()) text += fmt::format("Fields of {}: {}\n", nodal ? "nodes" : "cells", names);
   }
   return text;
-}
-
-std::string left_out(const Simulation& simulation) {
-  std::vector<std::string> absent;
-  if (!simulation.model().has_interactions()) absent.emplace_back("interaction");
-  if (simulation.model().mass() == nullptr) absent.emplace_back("inertia");
-  if (simulation.model().damping() == nullptr) absent.emplace_back("damping");
-  if (!simulation.model().has_viscosity()) absent.emplace_back("viscosity");
-  bool prescribed = false;
-  const List& conditions = simulation.parameters().sublist("Boundary Conditions");
-  for (const auto& [name, entry] : entries(conditions))
-    prescribed = prescribed || conditions.sublist(name).get<std::string>("Type") == "Displacement";
-  if (!prescribed) absent.emplace_back("prescribed motion");
-  if (simulation.model().loads().empty()) absent.emplace_back("loads");
-  const OutputOptions& output = simulation.output();
-  if (!output.has_frames()) absent.emplace_back("fields.e");
-  if (!output.energies) absent.emplace_back("Energies in history.csv");
-  if (!output.momenta) absent.emplace_back("Momenta in history.csv");
-  if (!output.interaction) absent.emplace_back("Interaction in history.csv");
-  if (absent.empty()) return "Left out: nothing\n";
-  std::string text = "Left out, at no cost:";
-  for (const std::string& what : absent) text += (what == absent.front() ? " " : ", ") + what;
-  return text + "\n";
 }
 
 }  // namespace

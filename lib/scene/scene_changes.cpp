@@ -5,8 +5,11 @@
 #include <algorithm>
 
 #include "base/digest.hpp"
+#include "base/error.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
+#include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 
 namespace ixos {
 namespace {
@@ -31,6 +34,22 @@ Bearing bearing(const std::string& path) {
   if (starts_with(path, "Linear Solver/") || starts_with(path, "Nonlinear Solver/")) return Bearing::Solution;
   if (path == control + "Maximum Cuts" || path == control + "Minimum Time Step") return Bearing::Solution;
   return Bearing::Motion;
+}
+
+/// Returns whether another value of the parameter makes another problem. A restart recognises its mesh by other means,
+/// and its state by numbers without units.
+bool defines_problem(const std::string& path) {
+  const Bearing effect = bearing(path);
+  return effect == Bearing::Motion || effect == Bearing::State || starts_with(path, "Mesh/") ||
+         starts_with(path, "Units/");
+}
+
+Teuchos::ParameterList with_defaults(const Teuchos::ParameterList& scene) {
+  try {
+    return complete_scene(scene);
+  } catch (const InputError&) {
+    return scene;
+  }
 }
 
 std::string text(const Teuchos::ParameterEntry* entry) {
@@ -65,7 +84,7 @@ void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList*
   }
 }
 
-/// Adds a line for each parameter of the list at `path` that determines the motion.
+/// Adds a line for each parameter of the list at `path` that defines the problem.
 void describe(const Teuchos::ParameterList& list, const std::string& path, std::string& lines) {
   for (const auto& [name, entry] : entries(list)) {
     const std::string here = path.empty() ? name : path + '/' + name;
@@ -73,10 +92,7 @@ void describe(const Teuchos::ParameterList& list, const std::string& path, std::
       describe(list.sublist(name), here, lines);
       continue;
     }
-    const Bearing effect = bearing(here);
-    // The fingerprint of a mesh leaves out its sets.
-    if (effect == Bearing::Motion || effect == Bearing::State || starts_with(here, "Mesh/"))
-      lines += here + " = " + text(&entry) + '\n';
+    if (defines_problem(here)) lines += here + " = " + text(&entry) + '\n';
   }
 }
 
@@ -94,6 +110,15 @@ std::string SceneChange::text() const { return path + ": " + before + ", now " +
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now) {
   std::vector<SceneChange> changes;
   compare(&before, &now, "", changes);
+  return changes;
+}
+
+std::vector<SceneChange> changes_of_problem(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now) {
+  // As it would be read back, so that both are spelt alike.
+  std::vector<SceneChange> changes =
+      scene_changes(with_defaults(before), read_scene_text(scene_text(now), "the scene"));
+  const auto same = [](const SceneChange& change) { return !defines_problem(change.path); };
+  changes.erase(std::remove_if(changes.begin(), changes.end(), same), changes.end());
   return changes;
 }
 

@@ -23,9 +23,14 @@ struct SceneChange {
   std::string text() const;
 };
 
-/// Returns XXH3 (128 bits), as 32 hexadecimal digits, of the parameters of a complete scene that determine its motion,
-/// and of the fingerprint of its mesh. Output, Stop, Final Time, solvers and the names of units do not count.
+/// Returns XXH3 (128 bits), as 32 hexadecimal digits, of the parameters of a complete scene that define its problem, as
+/// for changes_of_problem(), and of the fingerprint of its mesh.
 std::string scene_digest(const Teuchos::ParameterList& scene, const std::string& mesh_fingerprint);
+
+/// Returns the differences that make `now`, a complete scene, another problem than `before`, a scene as read from a
+/// file: all but those of Output, Stop, Final Time and the solvers' settings. Fills in the defaults of `before`, unless
+/// this version refuses it.
+std::vector<SceneChange> changes_of_problem(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 
 /// Returns the differences of two complete scenes, in the order of the second's lists.
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);

@@ -158,9 +158,10 @@ class Runner {
     if (code) throw FileError(folder(run) + ": cannot be created: " + code.message());
     std::filesystem::remove(folder(run) + "/run.json");
     std::filesystem::remove(folder(run) + "/summary.json");
-    // A run that did not end is run again: it needs no checkpoints, unless the study sets some.
-    std::vector<std::string> command{
-        options_.driver, study_.scene, "--quiet", "--output", folder(run), "--set", "Output/Checkpoint/Keep=0"};
+    // A run that did not end is run again: it needs no checkpoints, unless the study sets some. The study may have
+    // changed since the results in its folder were written.
+    std::vector<std::string> command{options_.driver, study_.scene,  "--quiet", "--output",
+                                     folder(run),     "--overwrite", "--set",   "Output/Checkpoint/Keep=0"};
     for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
     return {command, folder(run) + "/log.txt"};
   }

@@ -46,6 +46,7 @@ ixos::RunResult run(const std::string& scene_path, const std::string& scheme, do
   ixos::Simulation simulation(scene, Tpetra::getDefaultComm());
   ixos::RunOptions options;
   options.folder = folder;
+  options.overwrite = true;
   return ixos::run(simulation, options);
 }
 

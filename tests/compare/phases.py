@@ -18,7 +18,7 @@ import tempfile
 from bitwise import call
 from driver_process import ROOT
 
-FORMS = {"ball": ("xml/ball.xml", []),
+FORMS = {"ball": ("xml/ball.xml", ["Time Integrator/Type=Gautam-Sauer Composite"]),
          "ball, Average Vector Field": ("xml/ball.xml", ["Time Integrator/Type=Average Vector Field"]),
          "strip": ("xml/strip.xml", ["Time Integrator/Time Step Control/Final Time=57",
                                      "Output/Fields Time Interval=0"])}

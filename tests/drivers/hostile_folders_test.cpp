@@ -44,7 +44,10 @@ TEST_F(HostileFoldersTest, WhatIsWrittenDoesNotFollowLinks) {
     for (const char* name : {"history.csv", "fields.e", "effective.xml", "effective.xml.tmp", "summary.json",
                              "summary.json.tmp", "checkpoint-2.h5", "checkpoint-2.h5.tmp", "checkpoint.h5"})
       fs::create_symlink("../precious", folder_ + "/" + out + "/" + name);
-    const Outcome outcome = ixos({"--output", out, "--set", std::string("Output/Fields Format=") + format});
+    const std::string setting = std::string("Output/Fields Format=") + format;
+    const Outcome refused = ixos({"--output", out, "--set", setting});
+    EXPECT_EQ(refused.status, 2) << refused.output;
+    const Outcome outcome = ixos({"--output", out, "--overwrite", "--set", setting});
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     EXPECT_EQ(contents(folder_ + "/precious"), "keep me") << format;
     EXPECT_GT(contents(folder_ + "/" + out + "/history.csv").size(), 100U);

@@ -89,7 +89,7 @@ TEST_F(DriverRefusalTest, BadStepControlAndCutoffsAreRefused) {
   refused({adaptive, list + "Maximum Gap Ratio=2", "Interactions/Wall/Law=Morse"},
           "Maximum Gap Ratio: 2 has no effect: Interactions/Wall/Law \"Morse\" is defined at every gap");
   refused({"Interactions/Wall/Cutoff=0.1"}, "Cutoff: 0.1 cuts off the attraction");
-  refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Gautam-Sauer Composite/Interaction Points=0"},
+  refused({"Interactions/Wall/Cutoff=2", "Time Integrator/Average Vector Field/Interaction Points=0"},
           "takes the exact mean of the interaction");
   refused({"Time Integrator/Type=Central Difference", "Interactions/Wall/Contact Element=Q1CH"}, "has no lumped mass");
   refused({"Time Integrator/Type=Central Difference", "Time Integrator/Central Difference/Safety=1.5"},

@@ -116,7 +116,7 @@ class PlotTest(ScriptTest):
 
     def test_histories_compared(self):
         other = self.folder / "other"
-        simulate(other, SHORT[:1] + ["Time Integrator/Type=Average Vector Field", "Output/Interaction=false"])
+        simulate(other, SHORT[:1] + ["Time Integrator/Type=Gautam-Sauer Composite", "Output/Interaction=false"])
         svg, = self.draw("history.py", self.ball, other, "--relative", "initial", "--output", self.folder / "two.svg")
         for label in ("Gautam-Sauer Composite", "Average Vector Field", "/ |initial energy|"):
             self.assertIn(label, svg.read_text())

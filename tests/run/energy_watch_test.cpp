@@ -24,6 +24,7 @@ class EnergyWatchTest : public RestartTest {
     Simulation simulation(test::scene(scene), world());
     RunOptions options;
     options.folder = folder(name);
+    options.overwrite = true;  // one test runs several scenes into a folder
     options.tell = [this](const std::string& line) { told_ += line + "\n"; };
     options.warn = [this](const std::string& line) { ++warnings_, told_ += line + "\n"; };
     int steps = 0;

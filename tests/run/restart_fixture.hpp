@@ -68,6 +68,7 @@ class RestartTest : public testing::Test {
     RunOptions options;
     options.folder = folder(name);
     options.restart = restart;
+    options.overwrite = true;  // one test runs several scenes into a folder
     options.interrupted = interrupted;
     options.tell = [this](const std::string& line) { told_ += line + "\n"; };
     return run(simulation, options);

@@ -27,6 +27,7 @@ class RunTest : public testing::Test {
     Simulation simulation(test::scene(scene), world());
     RunOptions options;
     options.folder = folder_;
+    options.overwrite = true;  // one test runs several scenes into a folder
     return run(simulation, options);
   }
   HistoryTable table() const { return HistoryTable(folder_ + "/history.csv"); }

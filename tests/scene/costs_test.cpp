@@ -70,6 +70,7 @@ Flight fly(const std::string& integrator, const std::string& output) {
   const_cast<Model&>(s.model()).add_interaction(std::make_unique<CountingTerm>(flight_.calls));
   RunOptions options;
   options.folder = testing::TempDir() + "costs";
+  options.overwrite = true;  // a test that was killed leaves results
   flight_.result = run(s, options);
   std::filesystem::remove_all(options.folder);
   EXPECT_EQ(flight_.result.status, RunStatus::Completed);

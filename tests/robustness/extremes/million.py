@@ -50,7 +50,8 @@ def run_all(runner, count=COUNT):
         if record.get("key") != runner.key(text):
             folder.mkdir(parents=True, exist_ok=True)
             (folder / "scene.xml").write_text(text)
-            record = watched([runner.driver, str(folder / "scene.xml"), "--quiet", "--output", str(folder / "out")])
+            record = watched([runner.driver, str(folder / "scene.xml"), "--quiet", "--overwrite", "--output",
+                              str(folder / "out")])
             record["key"] = runner.key(text)
             kept.write_text(json.dumps(record))
         outcome = runner.judged(f"million/{scheme}", Outcome(folder / "out", record))

@@ -1,0 +1,77 @@
+#include "run/replaced_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <vector>
+
+#include "base/agreement.hpp"
+#include "io/disk_file.hpp"
+#include "scene/scene_changes.hpp"
+#include "scene/scene_file.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the names in a folder that a run writes or removes, sorted.
+std::vector<std::string> names_of_results(const std::string& folder) {
+  static const std::regex written(R"(effective\.xml|history\.csv|summary\.json|checkpoint(-[0-9]+)?\.h5)");
+  std::vector<std::string> names;
+  for (const std::string& name : names_in(folder))
+    if (is_frames_file(name) || std::regex_match(name, written)) names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Returns in what the scene of the results differs from the present one; empty if it does not.
+std::string difference(const Simulation& simulation, const std::string& folder) {
+  const std::vector<SceneChange> changes =
+      changes_of_problem(read_scene_file(folder + "/effective.xml"), simulation.parameters());
+  if (changes.size() > 1) return fmt::format("{}; and {} more", changes.front().text(), changes.size() - 1);
+  if (!changes.empty()) return changes.front().text();
+  std::ifstream file = open_text(folder + "/summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+  const auto differs = [&summary](const char* key, auto now) {
+    return summary.is_object() && summary.contains(key) && summary[key] != now;
+  };
+  const Model& model = simulation.model();
+  if (differs("elements", model.mesh().global_cells) || differs("dofs", model.space().global()))
+    return "the mesh has changed";
+  return "";
+}
+
+std::string look(const Simulation& simulation, const std::string& folder, bool overwrite) {
+  const std::vector<std::string> names = names_of_results(folder);
+  if (names.empty()) return "";
+  std::string found;
+  try {
+    if (!is_file(folder + "/effective.xml"))
+      found = fmt::format("{}, but no effective.xml that tells their scene", fmt::join(names, ", "));
+    else if (const std::string change = difference(simulation, folder); !change.empty())
+      found = fmt::format("results of another scene ({})", change);
+  } catch (const InputError& error) {
+    found = fmt::format("{}, and the scene of effective.xml cannot be read ({})", fmt::join(names, ", "), error.what());
+  }
+  if (found.empty()) return folder + ": this run replaces the results of the same scene.";
+  if (overwrite) return fmt::format("{}: this run replaces {}.", folder, found);
+  throw InputError(
+      fmt::format("{}: the folder holds {}; choose another --output, or replace them with --overwrite", folder, found));
+}
+
+}  // namespace
+
+bool is_frames_file(const std::string& name) {
+  static const std::regex frames(R"(fields\.e(\.[0-9]+\.[0-9]+)?)");
+  return std::regex_match(name, frames);
+}
+
+std::string replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {
+  const Comm& comm = simulation.model().space().comm();
+  std::string note;
+  on_first_rank(comm, [&] { note = look(simulation, folder, overwrite); });
+  return from_first_rank(comm, note);
+}
+
+}  // namespace ixos

@@ -1,0 +1,60 @@
+#include "scene/left_out.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "parameters/parameter_entries.hpp"
+
+namespace ixos {
+namespace {
+
+/// An absent part, and what its absence means.
+struct Absence {
+  bool absent;
+  const char* name;
+  const char* meaning;
+};
+
+bool prescribes_displacements(const Simulation& simulation) {
+  const Teuchos::ParameterList& conditions = simulation.parameters().sublist("Boundary Conditions");
+  const auto all = entries(conditions);
+  return std::any_of(all.begin(), all.end(), [&](const auto& entry) {
+    return conditions.sublist(entry.first).template get<std::string>("Type") == "Displacement";
+  });
+}
+
+std::vector<Absence> physics(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const bool wall = model.has_interactions(), moves = model.mass() != nullptr;
+  return {{!wall, "interaction", "no wall attracts or stops the body"},
+          {wall, "friction", "Ixos has none: a wall acts along its normal only, and the body slides along it freely"},
+          {!moves, "inertia",
+           "time is a load parameter; the body passes from equilibrium to equilibrium, without vibration"},
+          {moves && model.damping() == nullptr, "damping", "no Rayleigh damping takes energy from vibrations"},
+          {moves && !model.has_viscosity(), "viscosity", "the material is elastic and dissipates nothing"},
+          {!prescribes_displacements(simulation), "prescribed motion", "nothing holds or drives the body"},
+          {model.loads().empty(), "loads", "no tractions, no point forces, no weight"},
+          {true, "a second body",
+           "Ixos has no contact between bodies, nor of a body with itself: they pass through each other"}};
+}
+
+std::vector<Absence> files(const OutputOptions& output) {
+  return {{!output.has_frames(), "fields.e", "there are no configurations to draw; see Output/Fields Interval"},
+          {!output.energies, "Energies in history.csv", "nobody sees whether the energy is kept"},
+          {!output.momenta, "Momenta in history.csv", "their columns stay empty"},
+          {!output.interaction, "Interaction in history.csv", "contact force, contact measure and gap stay empty"}};
+}
+
+}  // namespace
+
+std::string left_out(const Simulation& simulation) {
+  std::string text = "Left out, at no cost:\n";
+  for (const std::vector<Absence>& parts : {physics(simulation), files(simulation.output())})
+    for (const Absence& part : parts)
+      if (part.absent) text += fmt::format("  {}: {}\n", part.name, part.meaning);
+  return text;
+}
+
+}  // namespace ixos

@@ -1,0 +1,122 @@
+#!/usr/bin/python3
+"""Tests of overview.py (ixos-plot), and of cells in pieces, on short runs: IXOS_DRIVER=.../ixos IXOS_XML=.../xml
+tests/plot/overview_test.py"""
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from PIL import Image
+
+sys.dont_write_bytecode = True
+from scripts import PLOT, ScriptTest, script  # noqa: E402 (sets the path to the others)
+from plot_test import CUBE, SHORT, simulate  # noqa: E402
+from synthetic import peel  # noqa: E402
+
+import style  # noqa: E402
+from exodus import Fields  # noqa: E402
+
+STEPS = "Time Integrator/Time Step Control/"
+STRIP = ["Mesh/Box/Divisions={20, 2}", STEPS + "Time Step=1", STEPS + "Final Time=6", "Histories/Pull/Rate Ramp/Length=5",
+         "Output/Fields Time Interval=1"]
+
+
+def area(polygon):
+    x, y = polygon.T
+    return 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
+
+
+class OverviewTest(ScriptTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.ball, cls.strip = cls.folder / "ball", cls.folder / "strip"
+        simulate(cls.ball, SHORT)
+        simulate(cls.strip, STRIP, scene="strip.xml")
+
+    def test_a_free_body_shows_its_energies(self):
+        png, svg = self.draw("overview.py", self.ball, "--format", "png,svg")
+        self.assertEqual(png, self.ball / "overview.png")
+        self.assert_picture(png, "PNG", 1300, 1700)
+        for words in ("Average Vector Field", "first stress invariant", "kinetic", "energy", "least gap", "time [T₀]",
+                      "t = 0.05 T₀"):
+            self.assertIn(words, svg.read_text())
+
+    def test_a_pulled_body_shows_the_force(self):
+        svg, = self.draw("overview.py", self.strip, "--si", "--output", self.folder / "strip.svg")
+        for words in ("pull-off force", "[N/m]", "least gap", "[nm]", "time [ns]", "x [nm]", "t = 6 ns"):
+            self.assertIn(words, svg.read_text())
+        self.assertNotIn("kinetic", svg.read_text())
+
+    def test_the_arrow_is_the_reaction(self):
+        import overview
+        from results import Run
+        run, fields = Run(self.strip), Fields(self.strip)
+        places, forces = overview.reaction_vectors(run, fields, [0, 3, 6])
+        # The right edge, 200 L0 from the left one and held there along x, is where the probe says.
+        np.testing.assert_allclose(places[:, 0], 200, atol=1e-5)
+        np.testing.assert_allclose(places[2, 1] - places[0, 1], run["edge_uy"][-1], atol=1e-5)
+        _, times, values = run.reaction("right_y")
+        np.testing.assert_allclose(forces[1, 1], np.interp(3, times, values), rtol=1e-12)
+        arrows = overview.arrows_of((places, forces), ((0, 300), (0, 400)))
+        self.assertIsNone(arrows[0])
+        self.assertAlmostEqual(np.hypot(*(arrows[2][1] - arrows[2][0])), 500 / 6)
+
+    def test_without_fields_the_curves_remain(self):
+        done = script("overview.py", peel(self.folder / "bare"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("no configurations: the file", done.stderr)
+        self.assertEqual(done.stdout, f"{self.folder / 'bare' / 'overview.png'}\n")
+
+    @unittest.skipUnless(os.environ.get("DISPLAY") or shutil.which("xvfb-run"), "neither a display nor xvfb-run")
+    def test_a_body_in_space(self):
+        simulate(self.folder / "cube", CUBE)
+        png, = self.draw("overview.py", self.folder / "cube")
+        self.assert_picture(png, "PNG", 1300, 1700)
+
+    def test_without_a_display_the_curves_remain(self):
+        simulate(self.folder / "blind", CUBE)
+        done = subprocess.run(["/usr/bin/python3", "-B", PLOT / "overview.py", self.folder / "blind"], check=False,
+                              text=True, capture_output=True, env={"PATH": "", "HOME": os.environ.get("HOME", "/")})
+        self.assertEqual((done.returncode, len(done.stderr.splitlines())), (0, 1), done.stderr)
+        self.assertIn("no configurations: VTK cannot render", done.stderr)
+
+    def test_pieces_of_enriched_cells_are_one_outline(self):
+        for ranks in (1, 2):
+            folder = self.folder / f"enriched{ranks}"
+            simulate(folder, [*SHORT, "Interactions/Wall/Contact Element=Q1C4"], ranks)
+            fields = Fields(folder)
+            self.assertEqual((len(fields.cells), len(fields.wholes)), (32 + 16 * 4, 48))
+            self.assertEqual(sorted(i for whole in fields.wholes for i in whole), list(range(96)))
+            frame = len(fields.times) - 1
+            positions = fields.coordinates + fields.displacement(frame)
+            stress = fields.element("first_stress_invariant", frame)
+            for whole, outline in zip(fields.wholes, fields.polygons(frame)):
+                self.assertEqual(len(outline), 4 if len(whole) == 1 else 10)
+                pieces = sum(area(positions[fields.cells[i]]) for i in whole)
+                self.assertAlmostEqual(area(outline) / pieces, 1, delta=1e-12)
+                self.assertEqual(np.ptp(stress[whole]), 0)
+            np.testing.assert_array_equal(fields.of_wholes(stress), [stress[whole[-1]] for whole in fields.wholes])
+
+    def test_rounding_errors_are_not_painted(self):
+        noise = 1e-13 * np.linspace(-1, 1, 9)
+        self.assertTrue(style.is_noise("first_stress_invariant", noise))
+        self.assertTrue(style.is_noise("jacobian", 1 + noise))
+        self.assertTrue(style.is_noise("energy_density", 2 + noise))
+        self.assertFalse(style.is_noise("first_stress_invariant", 1e6 * noise))
+        self.assertFalse(style.is_noise("energy_density", noise + 1e-13))
+        for field, values in (("first_stress_invariant", noise), ("jacobian", 1 + noise)):
+            _, norm = style.color_scale(field, values)
+            self.assertLess(np.ptp(norm(values)), 1e-3, field)
+        png, = self.draw("fields.py", self.ball, "--times", "0", "--output", self.folder / "still")
+        with Image.open(png) as image:
+            colors = np.asarray(image.convert("RGB")).astype(int)
+        body = colors[:, :image.width // 2]
+        self.assertLess((np.ptp(body, axis=2) > 8).mean(), 0.001, "colours in the body at rest")
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(exit=False).result
+    sys.exit(1 if not outcome.wasSuccessful() else 77 if outcome.skipped else 0)  # 77: some were skipped

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""Tests of units.py and pull.py on made-up results: tests/plot/units_test.py"""
+import sys
+import unittest
+
+import numpy as np
+
+sys.dont_write_bytecode = True
+from scripts import ScriptTest  # noqa: E402 (sets the path to the others)
+from synthetic import peel, write_history  # noqa: E402
+
+import measures  # noqa: E402
+import pull  # noqa: E402
+import units  # noqa: E402
+from results import ResultsError, Run  # noqa: E402
+
+UNITS = """<ParameterList name="Units"><Parameter name="Length" value="{}"/>
+  <Parameter name="Energy Density" value="{}"/><Parameter name="Time" value="{}"/></ParameterList>"""
+MOTION = """<ParameterList name="{0}"><Parameter name="Node Set" value="right"/>
+  <Parameter name="Components" value="{1}"/><Parameter name="History" value="{2}"/></ParameterList>"""
+RAMP = """<ParameterList name="{0}"><Parameter name="Type" value="Rate Ramp"/>
+  <ParameterList name="Rate Ramp"><Parameter name="Rate" value="{1}"/></ParameterList></ParameterList>"""
+
+
+class UnitsTest(ScriptTest):
+    def tearDown(self):
+        units._shown = None
+
+    def scene(self, name, *lists):
+        """A peeling run whose scene has these lists too."""
+        folder = peel(self.folder / name)
+        path = folder / "effective.xml"
+        path.write_text(path.read_text().replace('<ParameterList name="Interactions">',
+                                                 "".join(lists) + '<ParameterList name="Interactions">'))
+        return folder
+
+    def test_quantities_are_read(self):
+        for text, factor, powers in (("1 nm", 1e-9, (1, 0, 0)), ("2 GPa", 2e9, (-1, 1, -2)), ("1ns", 1e-9, (0, 0, 1)),
+                                     ("1e9 J/m^3", 1e9, (-1, 1, -2)), ("3 N/mm^2", 3e6, (-1, 1, -2)),
+                                     ("5 kg/m/s^2", 5.0, (-1, 1, -2)), ("0.5 µm", 5e-7, (1, 0, 0))):
+            found = units.parse(text)
+            self.assertAlmostEqual(found[0] / factor, 1, delta=1e-14, msg=text)
+            self.assertEqual(found[1], powers)
+        for text in ("nm", "1", "1 furlong", "1..2 m", "", "-- m"):
+            self.assertIsNone(units.parse(text), text)
+
+    def test_scene_units_stay_without_the_option(self):
+        for quantity, dimension, name in (("force", 2, "E₀ L₀"), ("force", 3, "E₀ L₀²"), ("energy", 3, "E₀ L₀³"),
+                                          ("speed", 2, "L₀/T₀"), ("measure", 2, "L₀"), ("time", 2, "T₀")):
+            self.assertEqual(units.name(quantity, dimension), name)
+        folder = self.scene("plain", UNITS.format("1 nm", "2 GPa", "1 ns"))
+        self.assertEqual(Run(folder)["time"][1], 0.1)
+
+    def test_prefixes_keep_numbers_readable(self):
+        folder = self.scene("nano", UNITS.format("1 nm", "2 GPa", "1 ns"))
+        units.use_si(folder)
+        names = {(quantity, dimension): units.name(quantity, dimension) for quantity in units.QUANTITIES
+                 for dimension in (2, 3)}
+        self.assertEqual([names[q] for q in (("time", 2), ("length", 3), ("speed", 2), ("stress", 3), ("measure", 3))],
+                         ["ns", "nm", "m/s", "GPa", "nm²"])
+        # E0 L0 = 2 N/m; E0 L0^2 = 2 nJ/m, or 2 nN; E0 L0^3 = 2e-18 J; E0 L0^2 T0 = 2e-18 N s.
+        self.assertEqual([names[q] for q in (("force", 2), ("energy", 2), ("force", 3), ("energy", 3), ("momentum", 3))],
+                         ["N/m", "nJ/m", "nN", "aJ", "aN s"])
+
+    def test_columns_are_converted(self):
+        folder = self.scene("micro", UNITS.format("0.5 um", "3 MPa", "2 us"))
+        plain = Run(folder)
+        units.use_si(folder)
+        run = Run(folder)
+        # Seen in us, nm, m/s (L0/T0 = 0.25 m/s = 250 mm/s), mm/s, N/m (E0 L0 = 1.5 N/m) and uJ/m (E0 L0^2 = 0.75 uJ/m).
+        for column, factor in (("time", 2.0), ("time_step", 2.0), ("contact_measure", 500.0), ("P_uy", 500.0),
+                               ("P_vy", 250.0), ("reaction_right_y", 1.5), ("total_energy", 750.0),
+                               ("newton_iterations", 1.0)):
+            np.testing.assert_allclose(run[column], factor * plain[column], rtol=1e-13, err_msg=column)
+        self.assertEqual(units.name("length", 2), "nm")
+        self.assertEqual(units.name("energy", 2), "nJ/m")
+        self.assertIn("Δt = 0.2 µs", run.traits())
+        svg, = self.draw("peeling.py", folder, "--si", "--format", "svg")
+        self.assertIn("pull-off force [N/m]", svg.read_text())
+        self.assertIn("time [µs]", svg.read_text())
+
+    def test_units_that_are_names_only_are_refused(self):
+        for number, text in enumerate(("one cubit", "1 kg")):
+            folder = self.scene(f"odd{number}", UNITS.format(text, "2 GPa", "1 ns"))
+            with self.assertRaisesRegex(ResultsError, f'Units/Length "{text}" is no SI unit'):
+                units.use_si(folder)
+        self.assert_refused('Units/Length "" is no SI unit', "history.py", peel(self.folder / "none"), "--si")
+
+    def pulled(self, name, motions, ramps):
+        return Run(self.scene(name, '<ParameterList name="Boundary Conditions">', *motions, "</ParameterList>",
+                              '<ParameterList name="Histories">', *ramps, "</ParameterList>"))
+
+    def test_the_force_along_an_oblique_pull(self):
+        along_y = self.pulled("y", [MOTION.format("A", "y", "H")], [RAMP.format("H", 1)])
+        self.assertEqual(list(pull.direction(along_y)[1]), [0, 1])
+        self.assertEqual(pull.force(along_y)[0], "pull-off force")
+        both = self.pulled("xy", [MOTION.format("A", "xy", "H")], [RAMP.format("H", 1)])
+        kind, times, values = pull.force(both)
+        self.assertEqual(kind, "force along the pull (0.71, 0.71)")
+        # The force along x is a tenth of that along y.
+        np.testing.assert_allclose(values, 1.1 * both.reaction("right_y")[2] / 2 ** 0.5, rtol=1e-14)
+        steep = self.pulled("steep", [MOTION.format("A", "x", "G"), MOTION.format("B", "y", "H")],
+                            [RAMP.format("G", -3), RAMP.format("H", 4)])
+        np.testing.assert_allclose(pull.direction(steep)[1], [-0.6, 0.8], rtol=1e-15)
+        self.assertEqual(pull.force(steep, "right_x")[0], "reaction right x")
+        self.assertIsNone(pull.direction(self.pulled("held", [], [])))
+        unknown = RAMP.format("G", 1).replace("Rate Ramp", "Expression")
+        self.assertIsNone(pull.direction(self.pulled("curve", [MOTION.format("A", "x", "G"), MOTION.format("B", "y", "H")],
+                                                     [unknown, RAMP.format("H", 4)])))
+        svg, = self.draw("peeling.py", both.folder, "--format", "svg")
+        self.assertIn("force along the pull (0.71, 0.71) [E₀ L₀]", svg.read_text())
+
+    def test_peaks_name_their_event(self):
+        self.assertEqual([measures.event(part, 10) for part in (10, 6, 4, 0.5, 0)],
+                         ["start of peeling", "start of peeling", "peeling", "snap-off", "detached"])
+        self.assertIsNone(measures.event(0, 0))
+        folder = self.folder / "events"
+        folder.mkdir()
+        write_history(folder, {"time": np.arange(6.0), "step": np.arange(6.0), "time_step": np.ones(6),
+                               "total_energy": np.zeros(6), "contact_measure": np.array([10, 9, 5, 1, 0.5, 0]),
+                               "reaction_right_y": np.array([0, 3, 2, 1, 4, 5.0])})
+        run = Run(folder)
+        name, times, values = run.reaction()
+        for event, expected in (("start of peeling", (1, 3)), ("peeling", (2, 2)), ("snap-off", (4, 4))):
+            self.assertEqual(measures.event_peak(event, times, values, run["time"], run["contact_measure"]), expected)
+        lines = self.draw("summary_table.py", folder, "--columns", "peak,event,start,start-time,snap-off,snap-off-time")
+        self.assertEqual(str(lines[-1]), "| 5 | detached | 3 | 1 | 4 | 4 |")
+
+
+if __name__ == "__main__":
+    unittest.main()
