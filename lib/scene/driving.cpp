@@ -125,7 +125,7 @@ void Driving::add_motion(const SceneNode& node, const Histories& histories, cons
     highest = std::max(highest, now.value);
     if (k > 0 && k <= most_steps) {  // the last interval of a very long run is longer than a step
       if (fixed_) motion.in_one_step = std::max(motion.in_one_step, std::abs(now.value - before.value));
-      // What the accelerations at both ends do not explain.
+      // The accelerations at both ends explain the rest of the change.
       const double smooth = (before.acceleration + now.acceleration) / 2 * (times_[k] - times_[k - 1]);
       const double jump = std::abs(now.rate - before.rate - smooth);
       if (jump > motion.velocity_jump) {

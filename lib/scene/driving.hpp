@@ -1,4 +1,4 @@
-/// What drives a scene: its motions and loads.
+/// The motions and loads of a scene, which drive its bodies.
 #pragma once
 #include <array>
 #include <map>
@@ -31,7 +31,7 @@ struct Pull {
   double towards = 0;  ///< towards the obstacle
 };
 
-/// What drives one body, seen from one obstacle.
+/// The motions and loads of one body, seen from one obstacle.
 struct Drive {
   bool held = false;    ///< the displacement along the normal is prescribed somewhere on the body
   double approach = 0;  ///< way towards the obstacle that motions and initial velocities prescribe [L0]
@@ -49,7 +49,8 @@ class Driving {
   bool has_loads() const { return !loads_.empty(); }
   bool turns() const { return turns_; }  ///< the initial velocity has a gradient
 
-  /// Returns what drives the connected part of the mesh (see connected_parts()) before an obstacle with that normal.
+  /// Returns the motions and loads of a connected part of the mesh (see connected_parts()) before an obstacle with that
+  /// normal.
   Drive of_part(int part, const std::array<double, 3>& normal) const;
 
  private:
