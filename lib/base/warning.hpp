@@ -5,12 +5,17 @@
 #include <utility>
 #include <vector>
 
+#include "base/record.hpp"
+
 namespace ixos {
 
 struct Warning {
   std::string name;     ///< of the kind, a few words: "cohesive zone"
   std::string message;  ///< one line: the number, its limit, the remedy
 };
+
+/// For checkpoints.
+void transfer(Record& record, std::vector<Warning>& warnings);
 
 /// A kind of warning about facts.
 template <class Facts>

@@ -66,10 +66,10 @@ TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
               });
 }
 
-using RunWatchTest = RestartTest;
+using RunMeasuresTest = RestartTest;
 
 /// A ball so soft that the wall crumples it: W/E is 15 L0.
-TEST_F(RunWatchTest, ACrumpledBallIsToldOfInTheSummary) {
+TEST_F(RunMeasuresTest, ACrumpledBallIsToldOfInTheSummary) {
   Simulation simulation(scene_file("ball.xml", {"Materials/Ball/Young's Modulus=1e-3", "Output/Fields Interval=0",
                                                 "Time Integrator/Type=Average Vector Field",
                                                 "Time Integrator/Time Step Control/Final Time=0.3"}),
@@ -89,7 +89,21 @@ TEST_F(RunWatchTest, ACrumpledBallIsToldOfInTheSummary) {
     EXPECT_NE(std::find(listed.begin(), listed.end(), name), listed.end()) << name;
 }
 
-TEST_F(RunWatchTest, ABallThatBouncesHasNoFindings) {
+TEST_F(RunMeasuresTest, TheFirstAndTheLastRowCount) {
+  // Static steps, of which no other row tells.
+  Simulation simulation(scene(lifted(word("Type", "Static") + steps(0.1, 1), count("History Interval", 1000))),
+                        world());
+  RunOptions options;
+  options.folder = folder("lifted");
+  const RunResult result = run(simulation, options);
+  ASSERT_EQ(result.status, RunStatus::Completed) << result.reason;
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings[0].name, "detachment");
+  expect_contains(result.findings[0].message,
+                  "the contact fell from 2 to 0 between two rows, from t = 0 to 1 T0, 100 % of its largest value");
+}
+
+TEST_F(RunMeasuresTest, ABallThatBouncesHasNoFindings) {
   Simulation simulation(scene_file("ball.xml", {"Output/Fields Interval=0", "Time Integrator/Type=Average Vector Field",
                                                 "Time Integrator/Time Step Control/Final Time=1"}),
                         world());
