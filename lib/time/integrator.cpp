@@ -282,8 +282,9 @@ StepResult Integrator::advance(double dt) {
     close_stage(stage, dt, std::move(u));
   }
   // The forces at quadrature points do not notice a node that has crossed an obstacle.
-  result.reason = crossing(model_, states_.back().u.data());
-  result.crossed = !result.reason.empty();
+  const std::string crossed = crossing(model_, states_.back().u.data());
+  result.crossed = !crossed.empty();
+  if (result.crossed) result.reason = crossed + "; allow Maximum Cuts, or use shorter steps or smaller faces";
   result.converged = !result.crossed;
   return result;
 }
