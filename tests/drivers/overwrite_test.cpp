@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "drivers/driver_test.hpp"
 #include "support/files.hpp"
@@ -65,6 +66,22 @@ TEST_F(OverwriteTest, ARestartInItsOwnFolderReplacesNothing) {
   const Outcome other = run("--set 'Materials/Ball/Density=1e-6' --restart kept");
   EXPECT_EQ(other.status, 2) << other.output;
   EXPECT_NE(other.output.find("out: the folder holds results of another scene"), std::string::npos) << other.output;
+}
+
+TEST_F(OverwriteTest, AMeshIsWrittenToANewFileUnlessAsked) {
+  std::ofstream(folder_ + "/mine.e") << "mine";
+  for (int ranks : {1, 2}) {
+    const Outcome refused = run("--write-mesh mine.e", ranks);
+    EXPECT_EQ(refused.status, 2) << refused.output;
+    EXPECT_NE(
+        refused.output.find("ixos: --write-mesh: mine.e exists; choose another name, or replace it with --overwrite\n"),
+        std::string::npos)
+        << refused.output;
+    EXPECT_EQ(contents(folder_ + "/mine.e"), "mine");
+  }
+  EXPECT_EQ(run("--write-mesh mine.e --overwrite").status, 0);
+  EXPECT_NE(contents(folder_ + "/mine.e"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/out"));
 }
 
 TEST_F(OverwriteTest, OverwriteAloneNeedsAScene) { EXPECT_EQ(ixos({"--overwrite"}, folder_).status, 2); }
