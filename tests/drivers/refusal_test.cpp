@@ -185,24 +185,27 @@ TEST_F(DriverRefusalTest, ASurfaceBelowTheWallIsRefused) {
                          "Interactions/Wall: the surface \"surface\" starts in or below the wall, least gap");
 }
 
-TEST_F(DriverRefusalTest, ASphereBetweenTheNodesOfASideIsRefused) {
-  // One side from (0, 0) to (2, 0), whose middle is a Gauss point, 0.9 above the centre of a sphere of radius 1.
-  write(R"(<ParameterList><ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/>
-    <ParameterList name="Box"><Parameter name="Lengths" type="Array(double)" value =
-            "{2, 1}" / > <Parameter name = "Divisions" type = "Array(int)" value = "{1, 1}" /></ ParameterList>
-            </ ParameterList><ParameterList name = "Materials"><ParameterList name = "Rubber" /></ ParameterList>
-            <ParameterList name = "Interactions"><ParameterList name = "Ball">
-            <Parameter name = "Side Set" type = "string" value = "bottom" />
-            <Parameter name = "Obstacle" type = "string" value = "Sphere" /><ParameterList name = "Sphere">
-            <Parameter name = "Radius" type = "double" value = "1" />
-            <Parameter name = "Center" type = "Array(double)" value = "{1, -0.9}" /></ ParameterList></ ParameterList>
-            </ ParameterList><ParameterList name = "Time Integrator"><ParameterList name = "Time Step Control">
-            <Parameter name = "Time Step" type = "double" value = "1e-4" />
-            <Parameter name = "Final Time" type = "double" value = "1e-3" /></ ParameterList></ ParameterList>
-            </ ParameterList>) ");
-      expect_refused(
-          2, {"scene.xml", "--output", "out"},
-          "the surface \"bottom\" starts in or below the obstacle, least gap -0.1 at a quadrature point; all gaps");
+TEST_F(DriverRefusalTest, ASphereAtAQuadraturePointIsRefused) {
+  // One side from (0, 0) to (2, 0), and a small sphere that reaches 0.01 beyond the fourth of its five Gauss points.
+  write(R"xml(<ParameterList>
+    <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/><ParameterList name="Box">
+      <Parameter name="Lengths" type="Array(double)" value="{2, 1}"/>
+      <Parameter name="Divisions" type="Array(int)" value="{1, 1}"/>
+    </ParameterList></ParameterList>
+    <ParameterList name="Materials"><ParameterList name="Rubber"/></ParameterList>
+    <ParameterList name="Interactions"><ParameterList name="Grain">
+      <Parameter name="Side Set" type="string" value="bottom"/>
+      <Parameter name="Obstacle" type="string" value="Sphere"/><ParameterList name="Sphere">
+        <Parameter name="Radius" type="double" value="0.02"/>
+        <Parameter name="Center" type="Array(double)" value="{1.5384693101056831, -0.01}"/>
+    </ParameterList></ParameterList></ParameterList>
+    <ParameterList name="Time Integrator"><ParameterList name="Time Step Control">
+      <Parameter name="Time Step" type="double" value="1e-4"/><Parameter name="Final Time" type="double" value="1e-3"/>
+    </ParameterList></ParameterList>
+  </ParameterList>)xml");
+  expect_refused(2, {"scene.xml", "--output", "out"},
+                 "the surface \"bottom\" starts in or below the obstacle, least gap -0.01 at a quadrature point; all "
+                 "gaps must be positive");
 }
 
 TEST_F(DriverRefusalTest, BadFilesAreRefused) {
