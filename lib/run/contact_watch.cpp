@@ -34,12 +34,17 @@ void ContactWatch::row(double time, double measure, const std::vector<std::pair<
 
 Ripple ContactWatch::ripple() const {
   Ripple result;
-  double largest = 0;
+  // A ripple of a force that is small beside the others does not matter.
+  double rough = 0, size = 0;
   for (const Force& own : forces_) {
-    if (!(own.rough > largest)) continue;  // of the column whose ripple is largest in size
-    largest = own.rough;
-    result = {own.column, std::sqrt(own.rough / own.size), passed_ / face_};
+    size = std::max(size, own.size);
+    if (!(own.rough > rough)) continue;
+    rough = own.rough;
+    result.column = own.column;
   }
+  if (rough == 0) return result;
+  result.roughness = std::sqrt(rough / size);
+  result.faces = passed_ / face_;
   return result;
 }
 

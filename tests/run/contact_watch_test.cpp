@@ -40,6 +40,14 @@ TEST(ContactWatchTest, SmoothForcesAndFrontsAtRestHaveNone) {
   EXPECT_EQ(leaping.ripple().column, "");
 }
 
+TEST(ContactWatchTest, ARippleIsComparedWithTheLargestForce) {
+  ContactWatch watch(2);  // a column that is nothing but ripple, beside a force of 1
+  for (int row = 0; row <= 100; ++row)
+    watch.row(row, 40 - 0.4 * row, Forces{{"across", row % 2 == 0 ? 1e-3 : -1e-3}, {"along", 1}});
+  EXPECT_EQ(watch.ripple().column, "across");
+  EXPECT_NEAR(watch.ripple().roughness, 2e-3, 1e-15);  // F_k less the mean of its neighbours is 2 F_k
+}
+
 TEST(ContactWatchTest, TheLargestFallIsKept) {
   ContactWatch watch;
   const double measures[] = {10, 9, 3, 3.5, 0};
