@@ -103,7 +103,9 @@ TEST_F(RunMeasuresTest, TheFirstAndTheLastRowCount) {
                   "the contact fell from 2 to 0 between two rows, from t = 0 to 1 T0, 100 % of its largest value");
 }
 
-TEST_F(RunMeasuresTest, SoundRunsHaveNoWarnings) {
+using RunMeasuresSerialTest = RestartTest;
+
+TEST_F(RunMeasuresSerialTest, SoundRunsHaveNoWarnings) {
   const std::string step = "Time Integrator/Time Step Control/";
   const std::vector<std::pair<std::string, std::vector<std::string>>> runs = {
       {"ball.xml", {"Output/Fields Interval=0", step + "Final Time=1"}},

@@ -25,6 +25,7 @@ elsewhere = {
     "material/elastic_law.hpp": ("material/catalogue_test.cpp", "every law behind the interface"),
     "term/force_term.hpp": ("model/model_test.cpp", "an interface; forces, tangents and actions of all terms"),
     "term/rate_term.hpp": ("term/viscous_term_test.cpp", "an interface; viscosity behind it"),
+    "term/curved_points.hpp": ("term/curved_surface_term_test.cpp", "forces and tangents before obstacles"),
     "term/block_cells.hpp": ("term/elastic_term_impl_test.cpp", "terms of both kinds hold them"),
     "term/elastic_term.hpp": ("model/model_test.cpp", "forces and tangents of blocks"),
     "base/digest.hpp": ("checkpoint/seal_test.cpp", "seals hold checksums"),
