@@ -61,8 +61,7 @@ Message oscillating_force(const Facts& facts) {
   if (!(facts.ripple.roughness > limit) || facts.ripple.faces < faces) return "";
   return fmt::format(
       "{} oscillates by {:.2g} of the largest force from row to row (limit {}) while the front of the contact passes "
-      "{:.0f} "
-      "faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
+      "{:.0f} faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
       facts.ripple.column, facts.ripple.roughness, limit, facts.ripple.faces);
 }
 

@@ -31,8 +31,7 @@ TEST_F(OverwriteTest, AnotherScenesResultsAreRefusedUnlessAsked) {
     EXPECT_EQ(refused.status, 2) << refused.output;
     const std::string message =
         "ixos: out: the folder holds results of another scene (Materials/Ball/Density: 5e-07, now 1e-06); choose "
-        "another "
-        "--output, or replace them with --overwrite\n";
+        "another --output, or replace them with --overwrite\n";
     EXPECT_NE(refused.output.find(message), std::string::npos) << refused.output;
     EXPECT_EQ(refused.output.find(message), refused.output.rfind(message)) << "said by both ranks";
     EXPECT_EQ(history(), before);
