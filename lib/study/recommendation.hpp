@@ -1,4 +1,4 @@
-/// What follows from the results of a study's runs.
+/// The recommendation that a study's results lead to.
 #pragma once
 #include <string>
 #include <vector>
@@ -22,9 +22,9 @@ struct Recommendation {
 ///
 /// The error of a run counts as at least that of every finer run on its line, which may be larger if the error changes
 /// its sign: such a run is accurate by coincidence, and the sentence names it. A line holds the runs that differ only
-/// in the connecting axis, if the labels of that are numbers that rise or fall; its dearer end is the finer one. A run
-/// is within the tolerance if its error and that of the reference together are. The sentence tells the error of the
-/// reference, and whether that is more than a third of the tolerance.
+/// in the connecting axis, if the labels of that are numbers that rise or fall; its more expensive end is the finer
+/// one. A run is within the tolerance if its error and that of the reference together are. The sentence tells the error
+/// of the reference, and whether that is more than a third of the tolerance.
 Recommendation recommend(const Study& study, const std::vector<StudyResult>& results,
                          const ReferenceQuality& reference);
 

@@ -154,10 +154,10 @@ void StudyReference::find_zeros() {
   const double energy = reference_->largest_of(energy_columns);
   const auto judge = [&](const char* column, const char* what, double size, double scale, const char* scale_name) {
     if (!(size <= negligible * scale)) return;
-    quality_.notes[column] = fmt::format(
-        "{} is blank: the {} of the reference is at most {:.2g}, which is as good as zero beside the largest {}, "
-        "{:.2g}.",
-        column, what, size, scale_name, scale);
+    const std::string much = size == 0 ? "zero"
+                                       : fmt::format("at most {:.2g}, as good as zero beside the largest {}, {:.2g}",
+                                                     size, scale_name, scale);
+    quality_.notes[column] = fmt::format("{} is blank: the {} of the reference is {}.", column, what, much);
   };
   const auto largest = [&](const std::vector<std::string>& named, const std::vector<std::string>& usual) {
     return reference_->largest(named.empty() ? reference_->filled(usual) : named, from, to);

@@ -20,7 +20,7 @@ using Function = std::function<double(double)>;
 double sine(double t) { return std::sin(6 * t); }
 double zero(double) { return 0; }
 
-/// What a folder of results holds, as functions of time from 0 to 1.
+/// The columns of a results folder, as functions of time from 0 to 1.
 struct Columns {
   Function force = sine;  ///< the y component; also the reaction, at the middle of the step
   Function force_x = zero;
@@ -52,7 +52,7 @@ class StudyErrorsTest : public testing::Test {
            "value=\""
         << scheme << "\"/><ParameterList name=\"" << scheme << "\"/></ParameterList></ParameterList>";
   }
-  /// Of the results in run against those in reference.
+  /// Returns the errors of the results in run against those in reference.
   StudyErrors errors(const ErrorOptions& options) const {
     return StudyReference(folder_ + "/reference", options).errors(folder_ + "/run");
   }
@@ -123,7 +123,7 @@ TEST_F(StudyErrorsTest, PeakAndWorkAreThoseOfKnownFunctions) {
   EXPECT_NEAR(found.peak, 0.1, 1e-12);
   EXPECT_NEAR(found.external_work, 2.7, 1e-12);
   EXPECT_NEAR(found.work, 0.1, 1e-12);
-  // Of an interval: the magnitude falls from 0.75 on, and the work is that of half of the time.
+  // In the last quarter of the time the magnitude falls, and a quarter of the work is done.
   ErrorOptions options;
   options.from = 0.75;
   options.force = {"contact_force_y"};
