@@ -127,6 +127,7 @@ def pareto(study, axes):
 def usability(study):
     """Where each line stops being usable: a row a line, a column a label of the connecting axis."""
     measure, tolerance = study.data["measure"], study.data["tolerance"]
+    own = 0 if math.isnan(study.own_error(measure)) else study.own_error(measure)
 
     def cell(run):
         if run is None:
@@ -134,13 +135,14 @@ def usability(study):
         error = study.error(run, measure) if measure else math.nan
         more = f"at time {run['end_time']:.4g}" if run["status"] not in GOOD and not math.isnan(run["end_time"]) else ""
         if not math.isnan(error):
-            more = f"error {error:.2g}{', within' if tolerance and error <= tolerance else ''}"
+            more = f"error {error:.2g}{', within' if tolerance and error + own <= tolerance else ''}"
         return status(run, more)
 
     told = "Completed runs reached the final time; a criterion of the scene ended stopped runs before it."
     told = f"There is one column per {study.connect}. {told}" if study.connect else told
     told += f" The error is that of the {ERRORS[measure]}" if measure else ""
-    told += f"; within: at most the tolerance, {tolerance:g}." if measure and tolerance else "." if measure else ""
+    if measure:
+        told += f"; within: at most the tolerance, {tolerance:g}, with the reference's own error." if tolerance else "."
     return ["<h2>Which runs are usable</h2>", paragraph(told),
             table([*study.varying, *(study.labels() if study.connect else ["status"])], [],
                   [(False, [*map(text, name), *(cell(runs.get(label)) for label in study.labels())])
@@ -151,11 +153,13 @@ def all_runs(study, axes):
     """The table of all runs."""
     errors = [name for name in ERRORS if any(not math.isnan(run[name]) for run in study.runs.values())]
     values = [name for name in VALUES if any(not math.isnan(run[name]) for run in study.runs.values())]
-    numbers = [*(f"{ERRORS[name]} error" for name in errors), *(VALUES[name] for name in values), "wall-clock s", "processor s",
+    numbers = [*(f"{ERRORS[name]} error" for name in errors), *(VALUES[name] for name in values),
+               "wall-clock s", "processor s",
                *(name.replace("_", " ") for name in COUNTS), "memory MB", "end time"]
     rows = [(run is study.best, [
         text(run["run"]), *(text(run[axis]) for axis in axes), status(run), text(run["reason"], "reason"),
-        *(number(run[name]) for name in errors), *(number(run[name], ".6g") for name in values), number(run["wall_seconds"], ".4g"), number(run["cpu_seconds"], ".4g"),
+        *(number(run[name]) for name in errors), *(number(run[name], ".6g") for name in values),
+        number(run["wall_seconds"], ".4g"), number(run["cpu_seconds"], ".4g"),
         *(number(run[name], ".0f") for name in COUNTS), number(run["peak_memory_bytes"] / 1e6, ".0f"),
         number(run["end_time"], ".6g")]) for run in study.runs.values()]
     return ["<h2>All runs</h2>", table(["run", *axes, "status", "reason"], numbers, rows)]

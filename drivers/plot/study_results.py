@@ -20,7 +20,8 @@ OPTIONAL = {"connect", "measure", "tolerance", "reference", "recommendation/run"
 SHAPE = {
     "name": str, "scene": str, "command": str, "version": str, "axes": [{"name": str, "values": [str]}],
     "connect": str, "cost": str, "measure": str, "tolerance": (int, float),
-    "reference": {"description": str, "folder": str, "judgement": str, "own_errors": dict, "notes": [str]}, "pareto": dict,
+    "reference": {"description": str, "folder": str, "judgement": str, "own_errors": dict, "notes": [str]},
+    "pareto": dict,
     "recommendation": {"run": str, "settings": [str], "sentence": str}, "common": [str],
 }
 
@@ -148,5 +149,6 @@ def read_json(path):
         raise ResultsError(f"{path}: {error}") from None
     check(data, SHAPE, "")
     check(list(data["pareto"].values()), [[str]], "pareto")
-    check(list((data["reference"] or {"own_errors": {}})["own_errors"].values()), [(int, float)], "reference/own_errors")
+    for error in (data["reference"] or {"own_errors": {}})["own_errors"].values():
+        check(error, (int, float), "reference/own_errors")
     return data

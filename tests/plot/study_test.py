@@ -69,11 +69,13 @@ class StudyTest(ScriptTest):
         for svg_text, there in ((svg, True), (energy, False)):
             self.assertEqual("reference's own error" in svg_text.replace("&#39;", "'"), there)
         self.assertIn('ixos xml/strip.xml \\ --set "Time Integrator/Type=Generalized-Alpha"', page.text)
-        self.assertRegex(page.text, r"wall-clock time [\d.]+ s, processor time [\d.]+ s, Newton iterations \d+, peak force 1\.\d+, work 0,")
+        self.assertRegex(page.text, r"wall-clock time [\d.]+ s, processor time [\d.]+ s, Newton iterations \d+, "
+                                    r"peak force 1\.\d+, work 0,")
         self.assertRegex(page.text, r"error of the force 0\.00\d+ ± 0\.0007, error of the peak force 0\.00\d+\.")
         for words in ("60 runs: 46 completed, 14 diverged", "Average Vector Field, time step 0.001",
                       "strip.study/reference", "Its own errors are taken from a run with twice",
-                      "work_error is blank: nothing is pulled.", "Output/Fields Interval=0", "ixos-study strip-study.xml"):
+                      "work_error is blank: nothing is pulled.", "Output/Fields Interval=0",
+                      "ixos-study strip-study.xml"):
             self.assertIn(words, page.text)
 
     def test_tables(self):
@@ -131,11 +133,14 @@ class StudyTest(ScriptTest):
         data["recommendation"].update(sentence="<u>Take</u> this & go.", settings=['A/B="$x`" \\', "C=<1>"])
         write_data(folder, {**data, "name": "<b>&", "connect": "_step", "scene": "my <scene>.xml", "common": ["<c>&d"],
                             "command": "study <e>", "reference": {
-                                "description": "<f>", "folder": "<g>", "judgement": "<h>", "own_errors": {}, "notes": ["<j>"]}})
+                                "description": "<f>", "folder": "<g>", "judgement": "<h>", "own_errors": {},
+                                "notes": ["<j>"]}})
         _, page = self.drawn(folder)
-        self.assertEqual({tag for tag, _ in page.tags} & {"b", "i", "u", "script", "scene", "c", "e", "f", "g", "h", "j"}, set())
+        self.assertEqual({tag for tag, _ in page.tags} &
+                         {"b", "i", "u", "script", "scene", "c", "e", "f", "g", "h", "j"}, set())
         self.assertEqual([attributes for _, attributes in page.tags if "onload" in attributes], [])
-        for words in ("<u>Take</u> this & go.", "<script>alert(1)</script>", "<c>&d", "study <e>", "<f>", "<g>", "<h>", "<j>",
+        for words in ("<u>Take</u> this & go.", "<script>alert(1)</script>", "<c>&d", "study <e>", "<f>", "<g>", "<h>",
+                      "<j>",
                       '"x" onload="y', "$a_1$ $b", "# of $ & $: <b>Q1C1</b>",
                       r"""ixos 'my <scene>.xml' \ --set "A/B=\"\$x\`\" \\" \ --set "C=<1>" """):
             self.assertIn(words.strip(), page.text)
