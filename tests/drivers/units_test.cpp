@@ -25,7 +25,8 @@ class UnitsTest : public DriverTest {
       arguments.emplace_back("--set");
       arguments.push_back("Boundary Conditions/Load/" + parameter);
     }
-    write("<ParameterList/>");
+    write(R"(<ParameterList><ParameterList name="Histories"><ParameterList name="Slow">
+        <Parameter name="Type" type="string" value="Constant"/></ParameterList></ParameterList></ParameterList>)");
     const Outcome outcome = ixos(arguments, folder_);
     EXPECT_EQ(outcome.status, 0) << outcome.output;
     return outcome.output;
@@ -105,6 +106,7 @@ TEST_F(UnitsTest, GravityLengthsAreThoseOfTheLoadedBlock) {
   };
   expect_lengths({}, true, "");
   expect_lengths({"Block=soft"}, false, "");
+  expect_lengths({"Block=soft", "History=Slow"}, false, " for a value of 1 of the history \"Slow\"");
 }
 
 }  // namespace
