@@ -16,7 +16,7 @@ std::string text(const List& list, const std::string& name, const List& defaults
 /// Returns the sublist of that name; an empty list if there is none.
 List sublist(const List& list, const std::string& name) { return list.isSublist(name) ? list.sublist(name) : List(); }
 
-/// Returns the dimension of the mesh that the scene chooses; 0 if its file decides.
+/// Returns the dimension of the mesh that the scene chooses; 0 if it is not known.
 int mesh_dimension(const List& scene, const List& valid) {
   const List mesh = sublist(scene, "Mesh");
   const List& known = valid.sublist("Mesh");
@@ -24,10 +24,10 @@ int mesh_dimension(const List& scene, const List& valid) {
   for (const MeshEntry& entry : meshes().entries()) {
     if (entry.name != type) continue;
     if (entry.dimension != 0) return entry.dimension;
-    const List own = sublist(mesh, type);
-    return (own.isType<int>("Dimension") ? own : known.sublist(type)).get<int>("Dimension");
+    for (const List& own : {sublist(mesh, type), sublist(known, type)})
+      if (own.isType<int>("Dimension")) return own.get<int>("Dimension");
   }
-  return 0;  // the validation refuses the type
+  return 0;
 }
 
 }  // namespace
