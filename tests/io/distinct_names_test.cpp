@@ -33,6 +33,13 @@ TEST(DistinctNamesTest, EqualNamesTellWhatTheyBelongTo) {
   EXPECT_EQ(distinct({"base"}, {"base"}, {"base"}), (Names{"base", "base_sides", "base_nodes"}));
 }
 
+TEST(DistinctNamesTest, NamesThatReadersTakeForEqualAreEqual) {
+  EXPECT_EQ(distinct({"Base"}, {"base"}, {"BASE"}), (Names{"Base", "base_sides", "BASE_nodes"}));
+  EXPECT_EQ(distinct({"left end"}, {"left_end"}, {"left.end"}),
+            (Names{"left end", "left_end_sides", "left.end_nodes"}));
+  EXPECT_EQ(distinct({}, {"base"}, {"base", "Base_Nodes"}), (Names{"base", "base_nodes_2", "Base_Nodes"}));
+}
+
 TEST(DistinctNamesTest, NumbersFollowWhereANameIsTaken) {
   EXPECT_EQ(distinct({"rim", "rim", "rim"}, {}, {}), (Names{"rim", "rim_2", "rim_3"}));
   EXPECT_EQ(distinct({"rim", "rim", "rim_2"}, {}, {}), (Names{"rim", "rim_3", "rim_2"}));
