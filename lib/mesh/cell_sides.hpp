@@ -22,7 +22,7 @@ struct CellSide {
 /// A range of sides with the same corners.
 using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
 
-/// Returns the corners of a side in the order of a plain cell, see side_nodes(); -1 comes last where it has two.
+/// Returns the corners of a side in the order of a plain cell, see side_nodes(); if there are two, -1 follows twice.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 
 /// Returns the corners of a side, of 2 or 4 nodes.
