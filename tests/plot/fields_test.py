@@ -1,12 +1,13 @@
 #!/usr/bin/python3
 """Tests of the fields of fields.e as VTK reads them: IXOS_DRIVER=.../ixos IXOS_XML=.../xml tests/plot/fields_test.py"""
+import subprocess
 import sys
 import unittest
 
 import numpy as np
 
 sys.dont_write_bytecode = True
-from scripts import ScriptTest, simulate  # noqa: E402 (sets the path to the others)
+from scripts import DRIVER, SCENES, ScriptTest, simulate  # noqa: E402 (sets the path to the others)
 from exodus import Fields, open_file  # noqa: E402
 from results import Run  # noqa: E402
 
@@ -23,6 +24,55 @@ STRIP = ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}", "Inte
 CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=3"]
+
+# Two squares above a wall. The block, the side set and its node set are called base; another node set base_nodes.
+SQUARES = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+0 1 "corner"
+0 2 "base_nodes"
+1 1 "base"
+2 1 "base"
+$EndPhysicalNames
+$Entities
+2 1 1 0
+1 0 8 0 1 1
+2 1 8 0 1 2
+1 0 8 0 2 8 0 1 1 0
+1 0 8 0 2 9 0 1 1 0
+$EndEntities
+$Nodes
+1 6 1 6
+2 1 0 6
+1
+2
+3
+4
+5
+6
+0 8 0
+1 8 0
+2 8 0
+0 9 0
+1 9 0
+2 9 0
+$EndNodes
+$Elements
+4 6 1 6
+0 1 15 1
+1 1
+0 2 15 1
+2 2
+1 1 1 2
+3 1 2
+4 2 3
+2 1 3 2
+5 1 2 5 4
+6 2 3 6 5
+$EndElements
+"""
 
 
 class FieldsTest(ScriptTest):
@@ -118,6 +168,24 @@ class FieldsTest(ScriptTest):
             names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
             self.assertTrue({"stress", "principal_stress"} <= names, f"{name}: {names}")
             self.assertIn("displacement", {nodes.GetArrayName(i) for i in range(nodes.GetNumberOfArrays())}, name)
+
+    @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
+    def test_the_reader_on_ioss_finds_blocks_and_sets_of_equal_names(self):
+        mesh, written = self.folder / "squares.msh", self.folder / "squares.e"
+        mesh.write_text(SQUARES)
+        settings = ["Mesh/Type=Gmsh", f"Mesh/Gmsh/File={mesh}", "Materials/Ball/Block=base",
+                    "Interactions/Wall/Side Set=base", "Time Integrator/Time Step Control/Final Time=0.003"]
+        simulate(self.folder / "squares", [*settings, "Output/Fields Interval=3"])
+        subprocess.run([DRIVER, SCENES / "ball.xml", *(word for setting in settings for word in ("--set", setting)),
+                        "--write-mesh", written], check=True, capture_output=True)
+        for path in (self.folder / "squares" / "fields.e", written):
+            reader = vtkIOSSReader()
+            reader.AddFileName(str(path))
+            reader.UpdateInformation()
+            found = []
+            for chosen in (reader.GetElementBlockSelection(), reader.GetSideSetSelection(), reader.GetNodeSetSelection()):
+                found.append({chosen.GetArrayName(i) for i in range(chosen.GetNumberOfArrays())})
+            self.assertEqual(found, [{"base"}, {"base_sides"}, {"corner", "base_nodes", "base_nodes_2"}], path.name)
 
 
 if __name__ == "__main__":
