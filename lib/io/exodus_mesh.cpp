@@ -4,7 +4,6 @@
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
-#include "io/distinct_names.hpp"
 #include "io/exodus_definition.hpp"
 #include "io/mesh_file.hpp"
 
@@ -14,14 +13,12 @@ void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::str
   const int id = create_exodus(path);
   if (id < 0) throw FileError(path + ": cannot be written");
   ExodusHandle file(id, path);
-  Mesh named = mesh;
-  make_names_distinct(named);
   ExodusShare share;
   share.node_ids.resize(static_cast<std::size_t>(mesh.nodes()));
   share.cell_ids.resize(static_cast<std::size_t>(mesh.cells()));
   std::iota(share.node_ids.begin(), share.node_ids.end(), 1);
   std::iota(share.cell_ids.begin(), share.cell_ids.end(), 1);
-  define_exodus_mesh(file, named, share, title);
+  define_exodus_mesh(file, mesh, share, title);
   require_written(file.close(), file, "the mesh");
   sync_to_disk(path);
 }

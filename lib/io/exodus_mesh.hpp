@@ -20,7 +20,7 @@ Mesh read_exodus_mesh(const std::string& path);
 /// Reads a mesh as read_exodus_mesh() does, without the trial in another process.
 Mesh read_tried_exodus_mesh(const std::string& path);
 
-/// Writes blocks and sets, under names that make_names_distinct() gives them. Throws FileError.
+/// Writes blocks and sets under their own names, so that a scene finds them again. Throws FileError.
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title);
 
 /// Returns the entry of the catalogue of meshes. Its parameter "File" must be a path that this process can open.
