@@ -34,17 +34,12 @@ void ContactWatch::row(double time, double measure, const std::vector<std::pair<
 
 Ripple ContactWatch::ripple() const {
   Ripple result;
-  // A ripple of a force that is small beside the others does not matter.
-  double rough = 0, size = 0;
+  double largest = 0;
   for (const Force& own : forces_) {
-    size = std::max(size, own.size);
-    if (!(own.rough > rough)) continue;
-    rough = own.rough;
-    result.column = own.column;
+    if (!(own.size > largest)) continue;  // a small reaction across the pull vibrates
+    largest = own.size;
+    result = {own.column, std::sqrt(own.rough / own.size), passed_ / face_};
   }
-  if (rough == 0) return result;
-  result.roughness = std::sqrt(rough / size);
-  result.faces = passed_ / face_;
   return result;
 }
 

@@ -60,7 +60,7 @@ Message oscillating_force(const Facts& facts) {
   constexpr double limit = 0.06, faces = 8;
   if (!(facts.ripple.roughness > limit) || facts.ripple.faces < faces) return "";
   return fmt::format(
-      "{} oscillates by {:.2g} of the largest force from row to row (limit {}) while the front of the contact passes "
+      "{} oscillates by {:.2g} of its size from row to row (limit {}) while the front of the contact passes "
       "{:.0f} faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
       facts.ripple.column, facts.ripple.roughness, limit, facts.ripple.faces);
 }

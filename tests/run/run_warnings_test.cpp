@@ -58,7 +58,7 @@ TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
               [](RunFacts& f) { f.strains.least_scaled_jacobian = -0.3; });
   expect_only("crossed obstacle", "in 3 step(s) a surface crossed", [](RunFacts& f) { f.crossings = 3; });
   expect_only("crossed obstacle", "a surface went 0.3 L0 below its obstacle", [](RunFacts& f) { f.deepest = -0.3; });
-  expect_only("oscillating force", "reaction_right_y oscillates by 0.17 of the largest force",
+  expect_only("oscillating force", "reaction_right_y oscillates by 0.17 of its size",
               [](RunFacts& f) { f.ripple.roughness = 0.17; });
   expect_only("detachment", "the contact fell from 80 to 10 between two rows, from t = 1 to 2 T0, 70 %",
               [](RunFacts& f) {

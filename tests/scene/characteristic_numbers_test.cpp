@@ -93,6 +93,10 @@ TEST(CharacteristicNumbersTest, BlocksThatAreConnectedAreOneBody) {
   EXPECT_EQ(numbers.surfaces.at(0).interaction, 0U);
 }
 
+TEST(CharacteristicNumbersTest, AColumnOfTheGravityLengthHasTheStressEAtItsFoot) {
+  EXPECT_NEAR(gravity_length(2e6, 1000 * 9.81), 203.87, 0.01);  // soft rubber: 204 m
+}
+
 TEST(CharacteristicNumbersTest, ACutoffTakesWorkAway) {
   const auto of = [](const std::string& cutoff) {
     const Simulation simulation(

@@ -47,7 +47,7 @@ class CountingTerm final : public Interaction {
     ++calls_.lowest_point;
     return {};
   }
-  void add_nodal_measure(double*) const override {}
+  void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
   void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
 
