@@ -95,6 +95,7 @@ elsewhere = {
     "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
     "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),
     "study/study_result.hpp": ("study/study_test.cpp", "recommendation and files"),
+    "study/results_folder.hpp": ("drivers/study_test.cpp", "ResultsOfAnotherStudyStay; two processes in one folder"),
     "study/study_runner.hpp": ("drivers/study_test.cpp", "whole studies"),
     "units/dimension.hpp": ("units/unit_system_test.cpp", "DimensionTest"),
     "units/documented_unit.hpp": ("units/unit_system_test.cpp", "DocumentedUnitTest"),
