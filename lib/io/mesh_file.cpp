@@ -22,17 +22,17 @@ MeshEntry mesh_file_entry(const std::string& name, const std::string& sentence, 
       .add("Length Unit", &Parameters::length_unit,
            "Unit of the coordinates in the file [L0], for example \"1 um\". Ixos multiplies them by it.",
            greater_than(0));
-  return {name, sentence, "", options.list(), [options, read](const SceneNode& node) {
-            const Parameters p = options.read(node);
-            Mesh mesh = read(p.file);
-            at(p.file, [&] { refuse_repeated_cells(mesh); });
-            if (p.dimension != 0 && p.dimension != mesh.dimension)
-              node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
-                                              mesh.dimension, p.dimension));
-            if (p.length_unit != 1)
-              for (double& coordinate : mesh.coordinates) coordinate *= p.length_unit;
-            return mesh;
-          }};
+  return {{name, sentence, "", options.list(), [options, read](const SceneNode& node) {
+             const Parameters p = options.read(node);
+             Mesh mesh = read(p.file);
+             at(p.file, [&] { refuse_repeated_cells(mesh); });
+             if (p.dimension != 0 && p.dimension != mesh.dimension)
+               node.refuse("File", fmt::format("{} is a mesh of {} dimensions, but the scene wants {}", p.file,
+                                               mesh.dimension, p.dimension));
+             if (p.length_unit != 1)
+               for (double& coordinate : mesh.coordinates) coordinate *= p.length_unit;
+             return mesh;
+           }}};
 }
 
 std::string recombining_recipe(int dimension) {

@@ -87,7 +87,9 @@ void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList*
 /// Adds a line for each parameter of the list at `path` that defines the problem.
 void describe(const Teuchos::ParameterList& list, const std::string& path, std::string& lines) {
   for (const auto& [name, entry] : entries(list)) {
-    const std::string here = path.empty() ? name : path + '/' + name;
+    std::string here = path;
+    if (!path.empty()) here += '/';
+    here += name;
     if (entry.isList()) {
       describe(list.sublist(name), here, lines);
       continue;

@@ -113,9 +113,8 @@ Message unknown_material(const Facts& facts) {
         "Units",
         what, value, unit, lowest, highest, unit);
   };
-  const Message body = first_body(facts, [&](const BodyNumbers& own) {
-    const Message heavy =
-        facts.has_inertia ? strange("the density", own.density * density, 2, 3e4, "kg/m^3") : Message();
+  Message body = first_body(facts, [&](const BodyNumbers& own) {
+    Message heavy = facts.has_inertia ? strange("the density", own.density * density, 2, 3e4, "kg/m^3") : Message();
     return heavy.empty() ? strange("Young's modulus", own.modulus * scale.stress, 1, 2e12, "Pa") : heavy;
   });
   if (!body.empty()) return body;

@@ -108,11 +108,12 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
   const std::string unit = trimmed(body.substr(end + 1));
   std::vector<Quantity> quantities;
   for (std::size_t start = 1; start <= end; start = std::min(body.find(',', start), end) + 1) {
-    const std::string element = trimmed(body.substr(start, std::min(body.find(',', start), end) - start));
+    std::string element = trimmed(body.substr(start, std::min(body.find(',', start), end) - start));
     if (element.empty() && start == 1 && body.find(',') > end) break;
-    quantities.push_back(parse_quantity(unit.empty() ? element : element + " " + unit));
     if (!unit.empty() && parse_quantity(element).has_unit)
       throw InputError(in_quotes(body) + ": give each element its unit, or one unit after the brace");
+    if (!unit.empty()) element += ' ' + unit;
+    quantities.push_back(parse_quantity(element));
   }
   const auto lacks = [](const Quantity& q) { return !q.has_unit && !q.magnitude.factor.is_zero(); };
   const auto has = [](const Quantity& q) { return q.has_unit; };

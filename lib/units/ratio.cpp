@@ -68,7 +68,7 @@ double Ratio::nearest() const {
   if (std::abs(size) > 320) refuse();  // which also bounds the work below
   Integer n = 1, d = 1;
   const auto multiply = [&](std::uint64_t base, int exponent) {
-    (exponent > 0 ? n : d) *= pow(Integer(base), static_cast<unsigned>(std::abs(exponent)));
+    for (int i = 0; i < std::abs(exponent); ++i) (exponent > 0 ? n : d) *= base;
   };
   for (const auto& [base, exponent] : exponents_) multiply(base, exponent);
   multiply(10, ten_);

@@ -25,7 +25,7 @@ class Parser {
 
   Unit parse() {
     if (text_.size() > longest_unit) refuse("it is longer than 100 characters");
-    const Unit unit = expression();
+    Unit unit = expression();
     if (at_ < text_.size()) refuse(std::string("a unit cannot continue with \"") + text_[at_] + '"');
     return unit;
   }
@@ -55,7 +55,7 @@ class Parser {
     skip_blanks();
     if (peek() == '(') {
       ++at_;
-      const Unit unit = expression();
+      Unit unit = expression();
       if (peek() != ')') refuse("a parenthesis is not closed");
       ++at_;
       if (peek() == '^') refuse("a parenthesis cannot have an exponent");

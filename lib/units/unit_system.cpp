@@ -13,7 +13,7 @@ namespace {
 
 /// Returns the scale that an entry of "Units" gives. Throws InputError without its path.
 Quantity read_scale(const std::string& text, const Dimension& wanted) {
-  const Quantity quantity = parse_quantity(text);
+  Quantity quantity = parse_quantity(text);
   const DimensionName needed = dimension_name(wanted);
   if (quantity.magnitude.dimension != wanted)
     throw InputError(fmt::format("{} is {}; {} is needed, as in \"{}\"", in_quotes(text),

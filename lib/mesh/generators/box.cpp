@@ -104,18 +104,18 @@ MeshEntry box_mesh() {
            any_number())
       .add("Lengths", &Parameters::lengths, "Edge lengths [L0].", greater_than(0))
       .add("Divisions", &Parameters::divisions, "Number of cells along each edge.", between(1, 100000));
-  return {"Box",
-          "A box. It has the block \"body\" and the side and node sets \"left\", \"right\", \"bottom\", \"top\" and "
-          "\"surface\"; in 3D also \"front\" and \"back\".",
-          "", options.list(), [options](const SceneNode& node) {
-            const Parameters p = options.read(node);
-            BoxShape shape;
-            shape.dimension = p.dimension;
-            copy_values(node, "Lower", p.lower, p.dimension, shape.lower);
-            copy_values(node, "Lengths", p.lengths, p.dimension, shape.lengths);
-            copy_values(node, "Divisions", p.divisions, p.dimension, shape.divisions);
-            return box(shape);
-          }};
+  return {{"Box",
+           "A box. It has the block \"body\" and the side and node sets \"left\", \"right\", \"bottom\", \"top\" and "
+           "\"surface\"; in 3D also \"front\" and \"back\".",
+           "", options.list(), [options](const SceneNode& node) {
+             const Parameters p = options.read(node);
+             BoxShape shape;
+             shape.dimension = p.dimension;
+             copy_values(node, "Lower", p.lower, p.dimension, shape.lower);
+             copy_values(node, "Lengths", p.lengths, p.dimension, shape.lengths);
+             copy_values(node, "Divisions", p.divisions, p.dimension, shape.divisions);
+             return box(shape);
+           }}};
 }
 
 }  // namespace ixos

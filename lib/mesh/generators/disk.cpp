@@ -106,17 +106,15 @@ MeshEntry disk_mesh() {
       .add("Rings", &Parameters::rings, "Number of layers of cells around the core.", between(1, 10000))
       .add("Core Half Side", &Parameters::core_half_side,
            "Half the side length of the core, divided by the radius of the disk [-].", greater_and_less_than(0, 0.7));
-  return {"Disk",
-          "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
-          "\"surface\", and the node set \"center\".",
-          "",
-          options.list(),
-          [options](const SceneNode& node) {
-            Parameters shape = options.read(node);
-            copy_values(node, "Center", shape.place, 2, shape.center);
-            return disk(shape);
-          },
-          false,
+  return {{"Disk",
+           "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
+           "\"surface\", and the node set \"center\".",
+           "", options.list(),
+           [options](const SceneNode& node) {
+             Parameters shape = options.read(node);
+             copy_values(node, "Center", shape.place, 2, shape.center);
+             return disk(shape);
+           }},
           2};
 }
 

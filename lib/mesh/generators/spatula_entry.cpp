@@ -58,13 +58,10 @@ MeshEntry spatula_mesh() {
            between(1, 100))
       .add("Layer Ratio", &SpatulaShape::layer_ratio,
            "Ratio of the thickness of the pad's uppermost layer of cells to that of its lowest [-].", between(1, 100));
-  return {"Spatula",
-          "A gecko's spatula of hexahedra. It has the block \"body\", the side and node sets \"pad\" (its underside), "
-          "\"shaft end\" and \"surface\", and the node set \"tip\".",
-          "",
-          options.list(),
-          [options](const SceneNode& node) { return spatula(options.read(node)); },
-          false,
+  return {{"Spatula",
+           "A gecko's spatula of hexahedra. It has the block \"body\", the side and node sets \"pad\" (its underside), "
+           "\"shaft end\" and \"surface\", and the node set \"tip\".",
+           "", options.list(), [options](const SceneNode& node) { return spatula(options.read(node)); }},
           3};
 }
 
