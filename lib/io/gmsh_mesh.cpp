@@ -46,7 +46,7 @@ class Builder {
  private:
   using Members = std::vector<const MshElements*>;
 
-  /// Throws InputError if the groups repeat elements so often that copies of them would be far larger than the file.
+  /// Throws InputError if copies of the groups' elements would be far larger than the file.
   void add_member(const MshTag& group, const MshElements& elements) {
     constexpr std::size_t most = 10;  // times the file's length, as for Exodus
     entries_ += elements.nodes.size();

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <regex>
+#include <string_view>
 #include <vector>
 
 #include "base/agreement.hpp"
@@ -15,12 +15,29 @@
 namespace ixos {
 namespace {
 
+bool is_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Returns the text between `start` and `end`; empty if the name has no such start or end.
+std::string_view between(std::string_view name, std::string_view start, std::string_view end) {
+  if (name.size() < start.size() + end.size() || name.substr(0, start.size()) != start ||
+      name.substr(name.size() - end.size()) != end)
+    return {};
+  return name.substr(start.size(), name.size() - start.size() - end.size());
+}
+
+bool is_result(const std::string& name) {
+  for (const char* fixed : {"effective.xml", "history.csv", "summary.json", "checkpoint.h5"})
+    if (name == fixed) return true;
+  return is_frames_file(name) || is_number(between(name, "checkpoint-", ".h5"));
+}
+
 /// Returns the names in a folder that a run writes or removes, sorted.
 std::vector<std::string> names_of_results(const std::string& folder) {
-  static const std::regex written(R"(effective\.xml|history\.csv|summary\.json|checkpoint(-[0-9]+)?\.h5)");
   std::vector<std::string> names;
   for (const std::string& name : names_in(folder))
-    if (is_frames_file(name) || std::regex_match(name, written)) names.push_back(name);
+    if (is_result(name)) names.push_back(name);
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -64,8 +81,10 @@ ReplacedResults look(const Simulation& simulation, const std::string& folder, bo
 }  // namespace
 
 bool is_frames_file(const std::string& name) {
-  static const std::regex frames(R"(fields\.e(\.[0-9]+\.[0-9]+)?)");
-  return std::regex_match(name, frames);
+  const std::string_view ranks = between(name, "fields.e.", "");
+  const auto dot = ranks.find('.');
+  return name == "fields.e" ||
+         (dot != std::string_view::npos && is_number(ranks.substr(0, dot)) && is_number(ranks.substr(dot + 1)));
 }
 
 ReplacedResults replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {

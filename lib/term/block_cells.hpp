@@ -12,7 +12,7 @@
 
 namespace ixos {
 
-/// What the terms of a block have in common: gathering and scattering, and the geometry of a kernel.
+/// The data of a block that all its terms need: places for gathering and scattering, and the geometry of a kernel.
 template <class Kernel>
 struct BlockCells {
   using Element = typename Kernel::Shape;

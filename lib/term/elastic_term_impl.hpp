@@ -260,8 +260,8 @@ std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalB
   throw std::logic_error("the elastic law is not compiled into the kernels");
 }
 
-/// Each of these functions has a file of its own, so that they compile apart: make_any_term() serves laws that are not
-/// compiled into the kernels, the others one formulation of those that are. An enhanced block is not enriched.
+/// A separate file defines each of these functions, so that they compile apart: make_any_term() serves laws that are
+/// not compiled into the kernels, the others one formulation of those that are. An enhanced block is not enriched.
 std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points);
