@@ -2,9 +2,10 @@
 
 By default numbers stay as the results have them. After use_si() all that is read is converted: to SI units with the
 prefix that makes the scene's own unit a number from 1 to 1000. Forces and energies of plane bodies are per depth."""
+import json
 import re
 
-from scene_file import ResultsError, existing, find, read_scene
+from scene_file import ResultsError, existing
 
 # A quantity in a body of dimension d: its powers of L0, E0 and T0, its SI unit in space and, per depth, in the plane.
 QUANTITIES = {
@@ -27,57 +28,21 @@ COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work", "energy"),
            (r"angular_momentum_[xyz]", "angular momentum"), (r"contact_force_[xyz]|reaction_.*_[xyz]", "force"),
            (r"contact_measure", "measure"), (r"min_gap", "length"), (r".*_u[xyz]", "length"), (r".*_v[xyz]", "speed")]
 
-# Units that Units of a scene may name, with a prefix or without: powers of m, kg, s and the factor.
-SYMBOLS = {"m": ((1, 0, 0), 1.0), "g": ((0, 1, 0), 1e-3), "s": ((0, 0, 1), 1.0), "N": ((1, 1, -2), 1.0),
-           "Pa": ((-1, 1, -2), 1.0), "J": ((2, 1, -2), 1.0)}
-SPELT = {"f": -15, "p": -12, "n": -9, "u": -6, "µ": -6, "m": -3, "c": -2, "d": -1, "": 0, "k": 3, "M": 6, "G": 9, "T": 12}
-KINDS = {"Length": (1, 0, 0), "Energy Density": (-1, 1, -2), "Time": (0, 0, 1)}
-
 _shown = None  # the scales whose prefixes the axes have
 
 
-def symbol(text):
-    """Powers and factor of a symbol such as nm or GPa, or None."""
-    for name, (powers, factor) in SYMBOLS.items():
-        if text.endswith(name) and text[:-len(name)] in SPELT:
-            return powers, factor * 10.0 ** SPELT[text[:-len(name)]]
-    return None
-
-
-def parse(text):
-    """Factor in SI units and powers of m, kg and s of a quantity such as "2 GPa" or "1e9 J/m^3", or None."""
-    match = re.fullmatch(r"\s*([-+.\deE]*\d\.?)\s*(\S.*?)\s*", text)
-    if not match:
-        return None
-    try:
-        factor = float(match[1])
-    except ValueError:
-        return None
-    powers = [0, 0, 0]
-    for sign, name, exponent in re.findall(r"([*/ .]|^)\s*([^\W\d]+)(?:\^(-?\d))?", match[2]):
-        unit = symbol(name)
-        if unit is None:
-            return None
-        power = (-1 if sign == "/" else 1) * int(exponent or 1)
-        factor *= unit[1] ** power
-        powers = [a + power * b for a, b in zip(powers, unit[0])]
-    return factor, tuple(powers)
-
-
 class Scales:
-    """L0, E0 and T0 of a results folder in SI units, from the names in effective.xml."""
+    """L0, E0 and T0 of a results folder in SI units, from `units` of its summary.json."""
 
     def __init__(self, folder):
-        path = existing(folder) / "effective.xml"
-        scene = read_scene(folder)
-        self.factors = []
-        for name, powers in KINDS.items():
-            entry = find(scene, f"Units/{name}")
-            text = "" if entry is None else entry.get("value", "")
-            quantity = parse(text)
-            if quantity is None or quantity[1] != powers or not quantity[0] > 0:
-                raise ResultsError(f"{path}: Units/{name} \"{text}\" is no SI unit that --si can convert")
-            self.factors.append(quantity[0])
+        path = existing(folder) / "summary.json"
+        if not path.is_file():
+            raise ResultsError(f"{path}: --si needs this file, which Ixos writes at the end of a run")
+        try:
+            known = json.loads(path.read_text())["units"]
+            self.factors = [float(known[kind]["si"]) for kind in ("length", "stress", "time")]
+        except (ValueError, KeyError, TypeError):
+            raise ResultsError(f"{path}: it has no units, which --si needs: run the scene with this version") from None
 
     def si(self, quantity, dimension):
         """One unit of the scene in SI units."""

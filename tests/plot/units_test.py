@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Tests of units.py and pull.py on made-up results: tests/plot/units_test.py"""
+import json
 import sys
 import unittest
 
@@ -14,8 +15,6 @@ import pull  # noqa: E402
 import units  # noqa: E402
 from results import ResultsError, Run  # noqa: E402
 
-UNITS = """<ParameterList name="Units"><Parameter name="Length" value="{}"/>
-  <Parameter name="Energy Density" value="{}"/><Parameter name="Time" value="{}"/></ParameterList>"""
 MOTION = """<ParameterList name="{0}"><Parameter name="Node Set" value="right"/>
   <Parameter name="Components" value="{1}"/><Parameter name="History" value="{2}"/></ParameterList>"""
 RAMP = """<ParameterList name="{0}"><Parameter name="Type" value="Rate Ramp"/>
@@ -34,25 +33,24 @@ class UnitsTest(ScriptTest):
                                                  "".join(lists) + '<ParameterList name="Interactions">'))
         return folder
 
-    def test_quantities_are_read(self):
-        for text, factor, powers in (("1 nm", 1e-9, (1, 0, 0)), ("2 GPa", 2e9, (-1, 1, -2)), ("1ns", 1e-9, (0, 0, 1)),
-                                     ("1e9 J/m^3", 1e9, (-1, 1, -2)), ("3 N/mm^2", 3e6, (-1, 1, -2)),
-                                     ("5 kg/m/s^2", 5.0, (-1, 1, -2)), ("0.5 µm", 5e-7, (1, 0, 0))):
-            found = units.parse(text)
-            self.assertAlmostEqual(found[0] / factor, 1, delta=1e-14, msg=text)
-            self.assertEqual(found[1], powers)
-        for text in ("nm", "1", "1 furlong", "1..2 m", "", "-- m"):
-            self.assertIsNone(units.parse(text), text)
+    def measured(self, name, length, stress, time):
+        """A peeling run with these units."""
+        folder = peel(self.folder / name)
+        path = folder / "summary.json"
+        scales = {"length": length, "stress": stress, "time": time}
+        path.write_text(json.dumps({**json.loads(path.read_text()),
+                                    "units": {kind: {"si": si} for kind, si in scales.items()}}))
+        return folder
 
     def test_scene_units_stay_without_the_option(self):
         for quantity, dimension, name in (("force", 2, "E₀ L₀"), ("force", 3, "E₀ L₀²"), ("energy", 3, "E₀ L₀³"),
                                           ("speed", 2, "L₀/T₀"), ("measure", 2, "L₀"), ("time", 2, "T₀")):
             self.assertEqual(units.name(quantity, dimension), name)
-        folder = self.scene("plain", UNITS.format("1 nm", "2 GPa", "1 ns"))
+        folder = self.measured("plain", 1e-9, 2e9, 1e-9)
         self.assertEqual(Run(folder)["time"][1], 0.1)
 
     def test_prefixes_keep_numbers_readable(self):
-        folder = self.scene("nano", UNITS.format("1 nm", "2 GPa", "1 ns"))
+        folder = self.measured("nano", 1e-9, 2e9, 1e-9)
         units.use_si(folder)
         names = {(quantity, dimension): units.name(quantity, dimension) for quantity in units.QUANTITIES
                  for dimension in (2, 3)}
@@ -63,7 +61,7 @@ class UnitsTest(ScriptTest):
                          ["N/m", "nJ/m", "nN", "aJ", "aN s"])
 
     def test_columns_are_converted(self):
-        folder = self.scene("micro", UNITS.format("0.5 um", "3 MPa", "2 us"))
+        folder = self.measured("micro", 0.5e-6, 3e6, 2e-6)
         plain = Run(folder)
         units.use_si(folder)
         run = Run(folder)
@@ -79,12 +77,11 @@ class UnitsTest(ScriptTest):
         self.assertIn("pull-off force [N/m]", svg.read_text())
         self.assertIn("time [µs]", svg.read_text())
 
-    def test_units_that_are_names_only_are_refused(self):
-        for number, text in enumerate(("one cubit", "1 kg")):
-            folder = self.scene(f"odd{number}", UNITS.format(text, "2 GPa", "1 ns"))
-            with self.assertRaisesRegex(ResultsError, f'Units/Length "{text}" is no SI unit'):
-                units.use_si(folder)
-        self.assert_refused('Units/Length "" is no SI unit', "history.py", peel(self.folder / "none"), "--si")
+    def test_runs_without_units_are_refused(self):
+        folder = peel(self.folder / "old")
+        self.assert_refused("it has no units", "history.py", folder, "--si")
+        (folder / "summary.json").unlink()
+        self.assert_refused("--si needs this file", "history.py", folder, "--si")
 
     def pulled(self, name, motions, ramps):
         return Run(self.scene(name, '<ParameterList name="Boundary Conditions">', *motions, "</ParameterList>",
