@@ -50,6 +50,7 @@ class Table:
     def message(output):
         """The driver's own line, without what differs from case to case."""
         lines = [line for line in output.splitlines() if line.startswith("ixos:")]
+        lines = [line for line in lines if not line.startswith("ixos: warning:")] or lines
         text = re.sub(r"(/[^ :;]*)/", "", lines[0][6:]) if lines else "nothing"
         return re.sub(r"\d[\d.e+-]*", "N", text).replace("|", "/")[:200]
 

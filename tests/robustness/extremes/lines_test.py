@@ -13,9 +13,9 @@ import law
 import locking
 import million
 import ranks
+import scaling
 import step
 import strain
-import units
 from runs import EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
 
 CONSERVING = ("Average Vector Field", "Energy-Momentum")
@@ -81,11 +81,11 @@ class LinesTest(unittest.TestCase):
     def test_units_over_twelve_decades_change_no_bit(self):
         for scheme, extra in (("Average Vector Field", {}), ("Bathe Composite", {}),
                               ("Average Vector Field", {"Materials/Ball/Element Formulation": "Enhanced"})):
-            one = self.run_scene(units.ball(1.0, 1.0, 1.0, scheme, extra))
+            one = self.run_scene(scaling.ball(1.0, 1.0, 1.0, scheme, extra))
             for sign in (-1, 1):
                 length, stress, time = 2.0 ** (-20 * sign), 2.0 ** (20 * sign), 2.0 ** (20 * sign)
-                other = self.run_scene(units.ball(length, stress, time, scheme, extra))
-                self.assertEqual(units.difference(other, one, {"total_energy": stress * length ** 2, "min_gap": length,
+                other = self.run_scene(scaling.ball(length, stress, time, scheme, extra))
+                self.assertEqual(scaling.difference(other, one, {"total_energy": stress * length ** 2, "min_gap": length,
                                                                "time": time, "newton_iterations": 1}), "0", scheme)
 
     def test_without_density_the_motion_is_static(self):

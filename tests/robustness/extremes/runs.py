@@ -99,11 +99,12 @@ class Outcome:
 
     @property
     def message(self):
-        """What the user sees, without folders."""
-        lines = [line for line in self.output.splitlines() if line.startswith("ixos: ")]
-        if self.status == 0 and not lines:
-            return ""
-        text = lines[0][6:] if lines else self.output.strip().splitlines()[-1] if self.output.strip() else ""
+        """What the user sees, without folders: why the run ended, or else all warnings."""
+        lines = [line[6:] for line in self.output.splitlines() if line.startswith("ixos: ")]
+        if self.status == 0:
+            return "; ".join(lines)
+        reasons = [line for line in lines if not line.startswith("warning: ")] or lines or self.output.strip().splitlines()[-1:]
+        text = reasons[0] if reasons else ""
         return re.sub(r"\. Results up to there are in .*", "", re.sub(r"^\S*scene\.xml: ", "", text))
 
     @property

@@ -50,12 +50,12 @@ def study(runner, images):
     del images
     rows = []
     for name, scheme, extra in cases():
-        reference = runner(f"units/{name}/1", ball(1.0, 1.0, 1.0, scheme, extra))
+        reference = runner(f"scaling/{name}/1", ball(1.0, 1.0, 1.0, scheme, extra))
         row = [name]
         for powers in POWERS.values():
             for sign in (-1, 1):
                 length, stress, time = (2.0 ** (sign * power) for power in powers)
-                outcome = runner(f"units/{name}/{length}-{stress}-{time}", ball(length, stress, time, scheme, extra))
+                outcome = runner(f"scaling/{name}/{length}-{stress}-{time}", ball(length, stress, time, scheme, extra))
                 energy = stress * length ** 2
                 row.append(difference(outcome, reference, {
                     "total_energy": energy, "dissipated_energy": energy, "external_work": energy, "time": time,
