@@ -28,7 +28,7 @@ struct Fixture {
       : comm(Tpetra::getDefaultComm()),
         mesh(block(dimension, divisions)),
         model(ixos::localize(mesh, ixos::partition_nodes(mesh, 1), 0, 1), comm,
-              {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, 0, 0, formulation}}),
+              {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, 0, 0, 0, formulation}}),
         u(static_cast<std::size_t>(model.space().local())),
         f(u.size()),
         matrix(model.pattern().create_matrix(model.space())) {
@@ -39,7 +39,7 @@ struct Fixture {
     const ixos::LocalMesh& local = model.mesh();
     for (auto& term : ixos::make_surface_terms(local, local.side_sets[local.side_set("bottom")], model.pattern(),
                                                ixos::gap_law(ixos::VanDerWaals(2.5, 25)), ixos::flat_wall(wall), {}))
-      model.add_interaction(std::move(term));
+      model.add_interaction(std::move(term), "Wall");
   }
   ixos::Segment here() const { return {u.data(), nullptr, u.data()}; }
 
@@ -57,7 +57,7 @@ int divisions(const benchmark::State& state) { return state.range(0) == 2 ? 100 
 void elastic_force(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
   const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
-  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(Part::Elastic, x.here(), rule, x.f.data()));
+  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(ixos::Part::Elastic, x.here(), rule, x.f.data()));
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -65,14 +65,14 @@ void elastic_tangent(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
   const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  for (auto _ : state) x.model.add_tangent(Part::Elastic, x.here(), rule, Tangent::Exact, values);
+  for (auto _ : state) x.model.add_tangent(ixos::Part::Elastic, x.here(), rule, ixos::Tangent::Exact, values);
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
 void interaction_force(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state));
   const ixos::Rule rule = ixos::gauss_rule(static_cast<int>(state.range(1)));
-  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(Part::Interaction, x.here(), rule, x.f.data()));
+  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(ixos::Part::Interaction, x.here(), rule, x.f.data()));
   state.SetItemsProcessed(state.iterations() *
                           static_cast<long>(x.model.mesh().side_sets[x.model.mesh().side_set("bottom")].size()));
 }

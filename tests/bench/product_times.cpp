@@ -42,7 +42,7 @@ class Product {
                comm, {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, damping}}),
         u_(static_cast<std::size_t>(model_.space().local())),
         tangent_(model_, [this](double* values) {
-          model_.add_tangent(Part::Elastic, {nullptr, nullptr, u_.data()}, rule_, Tangent::Exact, values);
+          model_.add_tangent(ixos::Part::Elastic, {nullptr, nullptr, u_.data()}, rule_, ixos::Tangent::Exact, values);
           model_.mass()->add_to(4.0, values);
         }) {
     model_.do_without_matrices();
