@@ -90,8 +90,6 @@ def main():
     parser.add_argument("--output", metavar="NAME.gif", help="output file (default: FOLDER/animation.gif)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folder)
 
     fields = Fields(arguments.folder)
     if fields.dimension != 2:

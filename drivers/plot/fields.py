@@ -108,8 +108,6 @@ def main():
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folder)
 
     fields = Fields(arguments.folder)
     wall = arguments.wall

@@ -4,7 +4,6 @@ force, reactions and Newton iterations over time. Columns that a run did not wri
 import curves
 import options
 import style
-import units
 from results import ResultsError, Run
 from style import plt
 
@@ -63,8 +62,6 @@ def main():
     parser.add_argument("--time", type=options.interval, metavar="FROM,TO", help="times to draw (default: all)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folders[0])
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
     curves.dress(runs)

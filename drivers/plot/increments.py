@@ -5,7 +5,6 @@ import numpy as np
 import curves
 import options
 import style
-import units
 from results import ResultsError, Run, common
 from style import plt
 
@@ -41,8 +40,6 @@ def main():
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folders[0])
 
     runs = [Run(folder, arguments.time) for folder in arguments.folders]
     curves.dress(runs)

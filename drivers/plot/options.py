@@ -3,6 +3,7 @@ import argparse
 import pathlib
 import sys
 
+import units
 from results import ResultsError
 
 
@@ -96,9 +97,16 @@ class Parser(argparse.ArgumentParser):
         super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
 
     def add_si(self):
-        """Adds --si. If it is given, the script calls units.use_si()."""
+        """Adds --si; parse_args() carries it out."""
         self.add_argument("--si", action="store_true", help="draw in SI units; numbers of other options are in the "
                           "units of the axes then (default: L0, E0 and T0 of the scene)")
+
+    def parse_args(self, *arguments, **keywords):
+        """Parses as argparse does. --si takes effect with the units of the first results folder."""
+        parsed = super().parse_args(*arguments, **keywords)
+        if getattr(parsed, "si", False):
+            units.use_si(parsed.folder if hasattr(parsed, "folder") else parsed.folders[0])
+        return parsed
 
     def error(self, message):
         self.exit(2, f"{self.prog}: {message} (--help lists the options)\n")

@@ -10,7 +10,6 @@ import measures
 import options
 import pull
 import style
-import units
 from results import UNDAMPED, ResultsError, Run, wall_height
 from style import plt
 
@@ -162,8 +161,6 @@ def main():
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folder)
 
     run = Run(arguments.folder)
     curves.dress([run])

@@ -10,7 +10,6 @@ import curves
 import options
 import pull
 import style
-import units
 from results import ResultsError, Run, common
 from style import plt
 
@@ -189,8 +188,6 @@ def main():
     parser.add_argument("--format", type=options.formats, default=["png"], help="png, svg or png,svg (default: png)")
     parser.add_si()
     arguments = parser.parse_args()
-    if arguments.si:
-        units.use_si(arguments.folders[0])
     for name, needed, given in (("probe", "--speed", arguments.speed),
                                 ("displacement", "--against displacement", arguments.against == "displacement"),
                                 ("reaction", "a force, not --speed", not arguments.speed),

@@ -134,12 +134,6 @@ class DiscreteNeoHooke {
     return path;
   }
 
-  static T contraction(const Small<T, D>& m, const Small<T, D>& n) {
-    T sum(0.0);
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) sum += m[i][j] * n[i][j];
-    return sum;
-  }
   /// Returns cof(F^T F), computed from F.
   static Small<T, D> right_cofactor(const Small<T, D>& f) {
     Small<T, D> result;
@@ -153,16 +147,6 @@ class DiscreteNeoHooke {
         for (std::size_t j = 0; j < D; ++j)
           result[i][j] = rows[0][i] * rows[0][j] + rows[1][i] * rows[1][j] + rows[2][i] * rows[2][j];
     }
-    return result;
-  }
-  static Small<T, D> product(const Small<T, D>& m, const Small<T, D>& n) {
-    Small<T, D> result;
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) {
-        T sum = m[i][0] * n[0][j];
-        for (std::size_t k = 1; k < D; ++k) sum += m[i][k] * n[k][j];
-        result[i][j] = sum;
-      }
     return result;
   }
   static Small<T, 3> cofactor(const Small<T, 3>& m) {

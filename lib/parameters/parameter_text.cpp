@@ -13,6 +13,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "base/text.hpp"
 #include "units/quantity.hpp"
 
 namespace ixos {
@@ -22,12 +23,6 @@ constexpr std::size_t longest_name = 255;
 
 const std::vector<std::string> type_names{"double",        "int",        "bool",         "string",
                                           "Array(double)", "Array(int)", "Array(string)"};
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 [[noreturn]] void refuse(const std::string& text, const std::string& type) {
   throw InputError("\"" + text + "\" is not of type " + type);
@@ -65,11 +60,9 @@ template <class Function>
 void for_elements(const std::string& text, const std::string& type, const Function& function) {
   const std::string body = trimmed(text);
   if (body.size() < 2 || body.front() != '{' || body.back() != '}') refuse(text, type + ", as in {1, 2}");
-  const std::size_t last = body.size() - 1;
-  if (trimmed(body.substr(1, last - 1)).empty()) return;
-  for (std::size_t start = 1, end = 0; start <= last; start = end + 1) {
-    end = std::min(body.find(',', start), last);
-    const std::string element = trimmed(body.substr(start, end - start));
+  const std::string inside = trimmed(body.substr(1, body.size() - 2));
+  if (inside.empty()) return;
+  for (const std::string& element : split(inside, ',')) {
     if (element.empty()) refuse(text, type + ", as in {1, 2}: an element is empty");
     function(element);
   }

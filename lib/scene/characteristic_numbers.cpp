@@ -8,7 +8,6 @@
 
 #include "interaction/catalogue.hpp"
 #include "mesh/cell_sides.hpp"
-#include "mesh/connected_parts.hpp"
 
 namespace ixos {
 namespace {
@@ -143,7 +142,8 @@ double cohesive_zone(double plane_modulus, double work, double peak_traction, do
 }
 
 CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,
-                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh) {
+                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
+                                             const std::vector<int>& parts) {
   CharacteristicNumbers all;
   std::vector<std::size_t> body_of(materials.size(), std::string::npos);
   const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
@@ -153,7 +153,6 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
       body_of[i] = all.bodies.size();
       all.bodies.push_back(*body);
     }
-  const std::vector<int> parts = interactions.empty() ? std::vector<int>() : connected_parts(mesh);
   const SceneNode shape = scene.sublist("Mesh");
   const bool disk = shape.text("Type") == "Disk";
   for (std::size_t i = 0; i < interactions.size(); ++i) {

@@ -59,8 +59,9 @@ double cohesive_zone(double plane_modulus, double work, double peak_traction, do
 inline double gravity_length(double modulus, double weight) { return modulus / weight; }
 
 /// Returns the numbers of a validated scene; `materials` and `interactions` are those of its lists, and `mesh` may be
-/// enriched. Leaves out what refers to absent blocks and sets, which others refuse.
+/// enriched. `parts`: see connected_parts(). Leaves out what refers to absent blocks and sets, which others refuse.
 CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,
-                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh);
+                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
+                                             const std::vector<int>& parts);
 
 }  // namespace ixos

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/connected_parts.hpp"
-
 namespace ixos {
 namespace {
 
@@ -66,8 +64,8 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
 }  // namespace
 
 Driving::Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control,
-                 const Mesh& mesh)
-    : times_(times_of(control)), fixed_(!control.adaptive.on), part_of_node_(connected_parts(mesh)) {
+                 const Mesh& mesh, const std::vector<int>& parts)
+    : times_(times_of(control)), fixed_(!control.adaptive.on), part_of_node_(parts) {
   const SceneNode initial = scene.sublist("Initial Conditions");
   velocity_ = point(initial.numbers("Velocity"));
   for (double value : initial.numbers("Velocity Gradient")) turns_ = turns_ || value != 0;
@@ -146,10 +144,14 @@ void Driving::add_load(const SceneNode& node, const Histories& histories, const 
   const Point vector = point(node.numbers("Vector"));
   const std::string& name = node.text("History");
   Action load{node.path(), parts_of(node, mesh), {}};
-  for (double time : times_) {
-    const double factor = name.empty() ? 1.0 : histories.get(name, HistoryUse::Load)->at(time).value;
-    load.values.push_back({factor * vector[0], factor * vector[1], factor * vector[2]});
-    if (name.empty()) break;
+  if (name.empty()) {
+    load.values.push_back(vector);
+  } else {
+    const TimeFunction& function = *histories.get(name, HistoryUse::Load);  // which also checks it
+    for (double time : times_) {
+      const double factor = function.at(time).value;
+      load.values.push_back({factor * vector[0], factor * vector[1], factor * vector[2]});
+    }
   }
   loads_.push_back(std::move(load));
 }

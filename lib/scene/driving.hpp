@@ -42,8 +42,9 @@ struct Drive {
 class Driving {
  public:
   /// Samples the conditions of a validated scene, whose sets the mesh has: the first 1e5 fixed steps, or 1001 times of
-  /// an adaptive run.
-  Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control, const Mesh& mesh);
+  /// an adaptive run. `parts`: see connected_parts().
+  Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control, const Mesh& mesh,
+          const std::vector<int>& parts);
 
   const std::vector<Motion>& motions() const { return motions_; }
   bool has_loads() const { return !loads_.empty(); }

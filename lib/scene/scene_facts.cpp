@@ -22,10 +22,11 @@ double attraction(const SceneInteraction& interaction, double gap) {
 }  // namespace
 
 SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, const std::vector<Material>& materials,
-                       const std::vector<SceneInteraction>& interactions, const Mesh& mesh, const Histories& histories,
-                       const StepControlOptions& control, Inertia inertia) {
+                       const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
+                       const std::vector<int>& parts, const Histories& histories, const StepControlOptions& control,
+                       Inertia inertia) {
   SceneFacts facts;
-  const Driving driving(scene, histories, control, mesh);
+  const Driving driving(scene, histories, control, mesh, parts);
   facts.motions = driving.motions();
   facts.loaded = driving.has_loads();
   facts.moves = driving.turns();

@@ -41,10 +41,11 @@ struct SceneFacts {
   std::optional<Scales> scales{};
 };
 
-/// Returns the facts of a validated scene; `mesh` is whole and may be enriched. Leaves out the
-/// scales.
+/// Returns the facts of a validated scene; `mesh` is whole and may be enriched. `parts`: see connected_parts(). Leaves
+/// out the scales.
 SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, const std::vector<Material>& materials,
-                       const std::vector<SceneInteraction>& interactions, const Mesh& mesh, const Histories& histories,
-                       const StepControlOptions& control, Inertia inertia);
+                       const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
+                       const std::vector<int>& parts, const Histories& histories, const StepControlOptions& control,
+                       Inertia inertia);
 
 }  // namespace ixos

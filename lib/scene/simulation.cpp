@@ -12,6 +12,7 @@
 #include "base/phase_timer.hpp"
 #include "checkpoint/fingerprint.hpp"
 #include "io/history_file.hpp"
+#include "mesh/connected_parts.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
 #include "scene/compatibility.hpp"
@@ -115,7 +116,8 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   result_units_ = ixos::result_units(units_, mesh.dimension);
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
-  numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);
+  const std::vector<int> parts = connected_parts(mesh);
+  numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh, parts);
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty())
     warnings_.push_back({"mesh quality", std::move(bad)});
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
@@ -129,7 +131,7 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
   add_conditions(scene.sublist("Boundary Conditions"), histories, materials_, *model_);
-  SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, histories, control, inertia);
+  SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);

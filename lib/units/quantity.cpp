@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace ixos {
 namespace {
@@ -12,12 +13,6 @@ namespace {
 constexpr std::size_t most_digits = 19;  // below 2^64
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 /// Returns the place after the sign.
 std::size_t after_sign(const std::string& text) { return !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0; }
@@ -105,11 +100,10 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
   const auto end = body.find('}');
   if (body.empty() || body[0] != '{' || end == std::string::npos)
     throw InputError(in_quotes(body) + " is no list of numbers, as in {1, 2} nm");
-  const std::string unit = trimmed(body.substr(end + 1));
+  const std::string inside = trimmed(body.substr(1, end - 1)), unit = trimmed(body.substr(end + 1));
   std::vector<Quantity> quantities;
-  for (std::size_t start = 1; start <= end; start = std::min(body.find(',', start), end) + 1) {
-    std::string element = trimmed(body.substr(start, std::min(body.find(',', start), end) - start));
-    if (element.empty() && start == 1 && body.find(',') > end) break;
+  if (inside.empty()) return quantities;
+  for (std::string& element : split(inside, ',')) {
     if (!unit.empty() && parse_quantity(element).has_unit)
       throw InputError(in_quotes(body) + ": give each element its unit, or one unit after the brace");
     if (!unit.empty()) element += ' ' + unit;

@@ -251,7 +251,7 @@ TEST_F(StudyDriverTest, ResultsOfAnotherStudyStay) {
   EXPECT_NE(refused.output.find("out: holds the results of the study \"Test\" of "), std::string::npos)
       << refused.output;
   EXPECT_EQ(contents(folder_ + "/out/study.csv"), table);
-  EXPECT_EQ(run("study.xml --output out --quiet").status, 0) << "the same study goes on";
+  EXPECT_EQ(run("study.xml --output out --quiet").status, 0) << "Ixos refuses the same study";
   EXPECT_EQ(run("other-study.xml --output out --overwrite --quiet").status, 0);
 }
 

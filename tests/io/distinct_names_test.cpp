@@ -43,7 +43,7 @@ TEST(DistinctNamesTest, NamesThatReadersTakeForEqualAreEqual) {
 TEST(DistinctNamesTest, NumbersFollowWhereANameIsTaken) {
   EXPECT_EQ(distinct({"rim", "rim", "rim"}, {}, {}), (Names{"rim", "rim_2", "rim_3"}));
   EXPECT_EQ(distinct({"rim", "rim", "rim_2"}, {}, {}), (Names{"rim", "rim_3", "rim_2"}));
-  // A set that has a name of its own keeps it in any order.
+  // A set keeps a name that no other set has, in any order.
   EXPECT_EQ(distinct({}, {"base"}, {"base", "base_nodes"}), (Names{"base", "base_nodes_2", "base_nodes"}));
   EXPECT_EQ(distinct({}, {"base"}, {"base_nodes", "base"}), (Names{"base", "base_nodes", "base_nodes_2"}));
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mesh/connected_parts.hpp"
 #include "mesh/selection.hpp"
 #include "parameters/validation.hpp"
 #include "scene/materials.hpp"
@@ -88,7 +89,8 @@ TEST(CharacteristicNumbersTest, BlocksThatAreConnectedAreOneBody) {
   nodes.erase(half, nodes.end());
   mesh.blocks.push_back(backing);
   mesh.side_sets = {side_set_named(mesh, "contact")};  // the others lie on the upper half, too
-  const CharacteristicNumbers numbers = characteristic_numbers(scene, materials, interactions, mesh);
+  const CharacteristicNumbers numbers =
+      characteristic_numbers(scene, materials, interactions, mesh, connected_parts(mesh));
   EXPECT_NEAR(numbers.surfaces.at(0).thickness, 10, 1e-12);
   EXPECT_EQ(numbers.surfaces.at(0).interaction, 0U);
 }

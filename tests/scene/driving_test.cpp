@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mesh/connected_parts.hpp"
 #include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 #include "support/scene_text.hpp"
@@ -38,7 +39,8 @@ Driving driving(const std::string& conditions, const std::string& histories = ""
   StepControlOptions control;
   control.final_time = 10;
   control.time_step = 0.1;
-  return Driving(node, Histories(node.sublist("Histories"), 0, 10), control, squares());
+  const Mesh mesh = squares();
+  return Driving(node, Histories(node.sublist("Histories"), 0, 10), control, mesh, connected_parts(mesh));
 }
 
 std::string condition(const std::string& name, const std::string& set, const std::string& components,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/connected_parts.hpp"
 #include "parameters/validation.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
@@ -31,8 +32,9 @@ SceneFacts facts_of(const Teuchos::ParameterList& user, const Scales& scales = n
   const Inertia inertia = integrator.scheme == "Static"               ? Inertia::None
                           : integrator.scheme == "Central Difference" ? Inertia::Lumped
                                                                       : Inertia::Consistent;
-  SceneFacts facts = scene_facts(scene, characteristic_numbers(scene, materials, interactions, mesh), materials,
-                                 interactions, mesh, histories, control, inertia);
+  const std::vector<int> parts = connected_parts(mesh);
+  SceneFacts facts = scene_facts(scene, characteristic_numbers(scene, materials, interactions, mesh, parts), materials,
+                                 interactions, mesh, parts, histories, control, inertia);
   facts.scales = scales;
   return facts;
 }

@@ -99,7 +99,7 @@ class Outcome:
 
     @property
     def message(self):
-        """What the user sees, without folders: why the run ended, or else all warnings."""
+        """The message that the driver prints, without folders: why the run ended, or else all warnings."""
         lines = [line[6:] for line in self.output.splitlines() if line.startswith("ixos: ")]
         if self.status == 0:
             return "; ".join(lines)
