@@ -194,8 +194,9 @@ void Run::step() {
   files_.record(result_.steps, dt, before);
   run_watch_.step(result_.steps, files_.recorded(), files_.history());
   watch_energy();
-  if (options_.watch && comm_->getRank() == 0)
-    options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
+  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds};
+  if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
+  if (options_.observe) options_.observe(progress);
 }
 
 /// Looks at the row of the present state, if it has one.

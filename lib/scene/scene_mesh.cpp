@@ -3,8 +3,12 @@
 #include <filesystem>
 
 #include "io/mesh_file.hpp"
+#include "mesh/generators/given.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/soundness.hpp"
+#include "parameters/validation.hpp"
 #include "scene/mesh_sets.hpp"
+#include "scene/parameters.hpp"
 
 namespace ixos {
 #define ENTRY(name) MeshEntry name();
@@ -36,6 +40,26 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   at("Mesh", [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
   return mesh;
+}
+
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
+  at("Mesh", [&] {
+    check_arrays(given);
+    refuse_repeated_cells(given);
+    check_cells(given);
+  });
+  add_sets(SceneNode(list, "Mesh").sublist("Sets"), given);
+  return given;
+}
+
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension) {
+  Teuchos::ParameterList result(scene);
+  if (result.isParameter("Mesh") && !result.isSublist("Mesh")) return result;  // the validation refuses it
+  Teuchos::ParameterList& mesh = result.sublist("Mesh");
+  mesh.set(meshes().choice(), std::string(given_mesh_name));
+  discard_left_out(mesh, scene_parameters().sublist("Mesh"), meshes().choice());
+  mesh.sublist(given_mesh_name).set("Dimension", dimension);
+  return result;
 }
 
 }  // namespace ixos

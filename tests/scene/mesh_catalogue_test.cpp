@@ -7,7 +7,7 @@ namespace {
 TEST(MeshCatalogueTest, EveryEntryIsWhole) {
   Teuchos::ParameterList texts;
   texts.set("File", std::string(IXOS_TEST_DIRECTORY) + "/../meshes/ball.e");
-  test::walk(meshes(), texts, {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension"},
+  test::walk(meshes(), texts, {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension"},
              [](const Teuchos::ParameterList& list, const MeshEntry&) -> std::vector<double> {
                try {
                  const Mesh mesh = meshes().make(SceneNode(list, "Mesh"));

@@ -1,0 +1,126 @@
+// Studies: many runs of one scene, each in a process of its own.
+#include "study/study.hpp"
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+
+#include "bindings.hpp"
+#include "scene_list.hpp"
+#include "study/study_runner.hpp"
+
+namespace py = pybind11;
+
+namespace ixos::python {
+namespace {
+
+/// A study and its file.
+struct StudyFile {
+  Study study;
+  std::string path;
+};
+
+StudyFile read(const std::string& path) {
+  return at_scene(path, {}, [&] { return StudyFile{read_study(path), path}; });
+}
+
+py::dict row(const StudyResult& result) {
+  py::dict values;
+  values["name"] = result.run.name;
+  values["labels"] = result.run.labels;
+  values["status"] = result.status;
+  values["reason"] = result.reason;
+  values["energy_error"] = result.errors.energy;
+  values["momentum_error"] = result.errors.momentum;
+  values["force_error"] = result.errors.force;
+  values["position_error"] = result.errors.position;
+  values["wall_seconds"] = result.wall_seconds;
+  values["cpu_seconds"] = result.cpu_seconds;
+  values["steps"] = result.steps;
+  values["rejected_steps"] = result.rejected_steps;
+  values["newton_iterations"] = result.newton_iterations;
+  values["linear_iterations"] = result.linear_iterations;
+  values["peak_memory_bytes"] = result.peak_memory_bytes;
+  values["end_time"] = result.end_time;
+  return values;
+}
+
+/// Returns the rows and the recommendation. Throws what `watch` throws, and KeyboardInterrupt.
+py::tuple run_file(const StudyFile& file, const std::string& folder, const std::string& driver,
+                   const py::object& watch) {
+  std::exception_ptr stopped;
+  RunnerOptions options;
+  options.folder = folder;
+  options.driver = driver;
+  options.version = IXOS_VERSION;
+  options.interrupted = [&] {
+    const py::gil_scoped_acquire hold;
+    if (!stopped && PyErr_CheckSignals() != 0) stopped = std::make_exception_ptr(py::error_already_set());
+    return stopped != nullptr;
+  };
+  if (!watch.is_none())
+    options.watch = [&](const StudyResult& result, std::size_t done, bool reused) {
+      const py::gil_scoped_acquire hold;
+      try {
+        if (!stopped) watch(row(result), done, reused);
+      } catch (...) {
+        stopped = std::current_exception();
+      }
+    };
+  std::vector<StudyResult> results;
+  StudyStatus status{};
+  std::string sentence;
+  {
+    const py::gil_scoped_release free;
+    at_scene(file.path, {}, [&] {
+      std::filesystem::create_directories(folder);
+      status = run_study(file.study, options, results);
+      if (status != StudyStatus::Done) return;
+      write_study(file.study, results, folder, "ixos-study " + file.path, IXOS_VERSION);
+      sentence = recommend(file.study, results).sentence;
+    });
+  }
+  if (stopped) std::rethrow_exception(stopped);
+  if (status == StudyStatus::ReferenceFailed)
+    throw std::runtime_error("the reference did not reach its end: " + results.front().status + ": " +
+                             results.front().reason);
+  py::list rows;
+  for (const StudyResult& result : results) rows.append(row(result));
+  return py::make_tuple(rows, sentence);
+}
+
+py::list runs(const StudyFile& file) {
+  py::list result;
+  for (const StudyRun& run : file.study.runs) {
+    py::dict entry;
+    entry["name"] = run.name;
+    entry["labels"] = run.labels;
+    entry["settings"] = run.settings;
+    result.append(entry);
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+  py::class_<StudyFile>(module, "StudyFile", "A study as its file has it. ixos.Study is made of one.")
+      .def(py::init(&read), py::arg("path"))
+      .def_readonly("path", &StudyFile::path)
+      .def_property_readonly("name", [](const StudyFile& file) { return file.study.name; })
+      .def_property_readonly("scene", [](const StudyFile& file) { return file.study.scene; })
+      .def_property_readonly("axes",
+                             [](const StudyFile& file) {
+                               py::dict axes;
+                               for (const Axis& axis : file.study.axes) {
+                                 std::vector<std::string> labels;
+                                 for (const AxisValue& value : axis.values) labels.push_back(value.label);
+                                 axes[py::str(axis.name)] = labels;
+                               }
+                               return axes;
+                             })
+      .def_property_readonly("runs", &runs)
+      .def("run", &run_file, py::arg("folder"), py::arg("driver"), py::arg("watch") = py::none());
+}
+
+}  // namespace ixos::python
