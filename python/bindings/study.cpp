@@ -30,10 +30,10 @@ py::dict row(const StudyResult& result) {
   values["labels"] = result.run.labels;
   values["status"] = result.status;
   values["reason"] = result.reason;
-  values["energy_error"] = result.errors.energy;
-  values["momentum_error"] = result.errors.momentum;
-  values["force_error"] = result.errors.force;
-  values["position_error"] = result.errors.position;
+  values["error_energy"] = result.errors.energy;
+  values["error_momentum"] = result.errors.momentum;
+  values["error_force"] = result.errors.force;
+  values["error_position"] = result.errors.position;
   values["wall_seconds"] = result.wall_seconds;
   values["cpu_seconds"] = result.cpu_seconds;
   values["steps"] = result.steps;

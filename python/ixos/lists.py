@@ -113,7 +113,8 @@ class List:
 
     def __dir__(self):
         given = [identifier(name) for name in self]
-        return sorted({*self._identifiers, *(word for word in given if word.isidentifier())})
+        functions = [name for name in super().__dir__() if not name.startswith("_")]
+        return sorted({*self._identifiers, *functions, *(word for word in given if word.isidentifier())})
 
     def _ipython_key_completions_(self):
         return sorted({*self._description["parameters"], *self, *self._classes} - {"<any name>"})
