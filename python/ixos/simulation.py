@@ -1,5 +1,6 @@
 """What the class Simulation has in Python alone."""
 import os
+import sys
 import warnings
 
 from ._core import RunResult, Simulation
@@ -10,10 +11,14 @@ class SceneWarning(UserWarning):
 
 
 def report(simulation, messages):
-    """Issues warnings on the first rank."""
-    if simulation.rank == 0:
-        for message in messages:
-            warnings.warn(message, SceneWarning, stacklevel=3)
+    """Issues warnings on the first rank, at the user's line."""
+    if simulation.rank != 0 or not messages:
+        return
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    for message in messages:
+        warnings.warn(message, SceneWarning, stacklevel=level)
 
 
 def run(self, output, overwrite=False, restart=None, observer=None, tell=None):
