@@ -5,6 +5,7 @@ import shutil
 
 import numpy as np
 
+from . import _core
 from ._core import FileError, StudyFile
 
 _WORDS = {"name", "status", "reason"}
@@ -53,7 +54,7 @@ class StudyResults:
 
 def find_driver():
     """Returns the command ixos: of this installation, of this build, else of the path. Raises FileError."""
-    here = pathlib.Path(__file__).resolve().parent
+    here = pathlib.Path(_core.__file__).resolve().parent
     for candidate in (here.parents[3] / "bin/ixos", here.parents[1] / "drivers/ixos"):
         if candidate.is_file():
             return candidate

@@ -59,6 +59,7 @@ elsewhere = {
     "run/checkpoints.hpp": ("run/restart_refusal_test.cpp", "which checkpoints are kept"),
     "run/field_recorder.hpp": ("run/restart_test.cpp", "resumed frames are those of a run without a restart"),
     "run/history.hpp": ("run/run_test.cpp", "columns and rows of history.csv"),
+    "run/set_reactions.hpp": ("run/run_test.cpp", "columns of reactions"),
     "run/run_watch.hpp": ("run/run_warnings_test.cpp", "RunWatchTest"),
     "run/run_files.hpp": ("run/restart_refusal_test.cpp", "what a refused restart leaves in the folder"),
     "run/summary.hpp": ("drivers/ixos_test.cpp", "the keys of summary.json"),
