@@ -51,6 +51,10 @@ struct CharacteristicNumbers {
 /// thickness h off the wall with the work W (M^2 = 2 E* h^3/12 W for the moment M = s0 l^2/2 per width).
 double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness);
 
+/// Returns the height of a column whose weight compresses its foot by a stress of Young's modulus [L0]; `weight` per
+/// volume [E0/L0], positive.
+inline double gravity_length(double modulus, double weight) { return modulus / weight; }
+
 /// Returns the numbers of a validated scene; `materials` and `interactions` are those of its lists, and `mesh` may be
 /// enriched. Leaves out what refers to absent blocks and sets, which others refuse.
 CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "io/mesh_file.hpp"
-#include "mesh/generators/given.hpp"
 #include "mesh/soundness.hpp"
 #include "scene/scene_mesh.hpp"
 
@@ -57,8 +55,7 @@ class Inspection {
 }  // namespace
 
 std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
-  const MeshEntry& chosen = meshes().chosen(scene.sublist("Mesh"));
-  const bool read = reads_file(chosen) || chosen.name == given_mesh_name;
+  const bool read = is_from_outside(meshes().chosen(scene.sublist("Mesh")));
   Inspection inspection(mesh, read);
   for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {

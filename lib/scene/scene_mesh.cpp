@@ -1,6 +1,10 @@
 #include "scene/scene_mesh.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "io/mesh_file.hpp"
 #include "mesh/generators/given.hpp"
@@ -60,6 +64,24 @@ Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int 
   discard_left_out(mesh, scene_parameters().sublist("Mesh"), meshes().choice());
   mesh.sublist(given_mesh_name).set("Dimension", dimension);
   return result;
+}
+
+bool is_from_outside(const MeshEntry& entry) { return reads_file(entry) || entry.name == given_mesh_name; }
+
+std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units) {
+  if (!is_from_outside(meshes().chosen(SceneNode(list, "Mesh")))) return {};
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<std::string> plain, si;
+  for (std::size_t i = 0; i < d; ++i) {
+    double lower = mesh.coordinates[i], upper = lower;
+    for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
+      lower = std::min(lower, mesh.coordinates[k]);
+      upper = std::max(upper, mesh.coordinates[k]);
+    }
+    plain.push_back(fmt::format("{:.6g}", upper - lower));
+    si.push_back(units.text(upper - lower, "L0"));
+  }
+  return fmt::format("the mesh spans {} L0 = {}", fmt::join(plain, " x "), fmt::join(si, " x "));
 }
 
 }  // namespace ixos

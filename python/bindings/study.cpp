@@ -7,6 +7,8 @@
 
 #include "bindings.hpp"
 #include "scene_list.hpp"
+#include "shell_word.hpp"
+#include "study/recommendation.hpp"
 #include "study/study_runner.hpp"
 
 namespace py = pybind11;
@@ -30,10 +32,7 @@ py::dict row(const StudyResult& result) {
   values["labels"] = result.run.labels;
   values["status"] = result.status;
   values["reason"] = result.reason;
-  values["error_energy"] = result.errors.energy;
-  values["error_momentum"] = result.errors.momentum;
-  values["error_force"] = result.errors.force;
-  values["error_position"] = result.errors.position;
+  for (const Measure& measure : measures()) values[measure.column] = result.errors.*measure.error;
   values["wall_seconds"] = result.wall_seconds;
   values["cpu_seconds"] = result.cpu_seconds;
   values["steps"] = result.steps;
@@ -73,11 +72,15 @@ py::tuple run_file(const StudyFile& file, const std::string& folder, const std::
   {
     const py::gil_scoped_release free;
     at_scene(file.path, {}, [&] {
-      std::filesystem::create_directories(folder);
-      status = run_study(file.study, options, results);
+      std::error_code code;
+      std::filesystem::create_directories(folder, code);
+      if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
+      ReferenceQuality reference;
+      status = run_study(file.study, options, results, reference);
       if (status != StudyStatus::Done) return;
-      write_study(file.study, results, folder, "ixos-study " + file.path, IXOS_VERSION);
-      sentence = recommend(file.study, results).sentence;
+      const std::string command = "ixos-study " + shell_word(file.path) + " --output " + shell_word(folder);
+      write_study(file.study, results, reference, folder, command, IXOS_VERSION);
+      sentence = recommend(file.study, results, reference).sentence;
     });
   }
   if (stopped) std::rethrow_exception(stopped);

@@ -61,6 +61,10 @@ TEST(CharacteristicNumbersTest, ThinPlatesHaveAShorterZone) {
   EXPECT_EQ(cohesive_zone(1, 0, 0, 1), 0);
 }
 
+TEST(CharacteristicNumbersTest, AColumnOfTheGravityLengthHasTheStressEAtItsFoot) {
+  EXPECT_NEAR(gravity_length(2e6, 1000 * 9.81), 203.87, 0.01);  // soft rubber: 204 m
+}
+
 TEST(CharacteristicNumbersTest, ACutoffTakesWorkAway) {
   const auto of = [](const std::string& cutoff) {
     const Simulation simulation(

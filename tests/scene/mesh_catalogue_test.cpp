@@ -1,3 +1,4 @@
+#include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "support/catalogue_walk.hpp"
 
@@ -5,10 +6,13 @@ namespace ixos {
 namespace {
 
 TEST(MeshCatalogueTest, EveryEntryIsWhole) {
+  const std::string folder = std::string(IXOS_TEST_DIRECTORY) + "/../meshes/";
   Teuchos::ParameterList texts;
-  texts.set("File", std::string(IXOS_TEST_DIRECTORY) + "/../meshes/ball.e");
+  texts.set("File", "the mesh");
   test::walk(meshes(), texts, {"Exodus/File", "Exodus/Dimension", "Gmsh/File", "Gmsh/Dimension", "Given/Dimension"},
-             [](const Teuchos::ParameterList& list, const MeshEntry&) -> std::vector<double> {
+             [&](Teuchos::ParameterList list, const MeshEntry& entry) -> std::vector<double> {
+               if (entry.parameters.isParameter("File"))
+                 list.sublist(entry.name).set("File", folder + (entry.name == "Gmsh" ? "pillar.msh" : "ball.e"));
                try {
                  const Mesh mesh = meshes().make(SceneNode(list, "Mesh"));
                  double sum = 0;
@@ -19,6 +23,17 @@ TEST(MeshCatalogueTest, EveryEntryIsWhole) {
                  return {-1};  // the parameter was read, and the value refused
                }
              });
+}
+
+TEST(MeshCatalogueTest, StatedDimensionsAreThoseOfTheMeshes) {
+  Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
+  for (const MeshEntry& entry : meshes().entries()) {
+    list.set(meshes().choice(), entry.name);
+    if (entry.dimension == 0)
+      EXPECT_TRUE(list.sublist(entry.name).isType<int>("Dimension")) << entry.name;
+    else
+      EXPECT_EQ(meshes().make(SceneNode(list, "Mesh")).dimension, entry.dimension) << entry.name;
+  }
 }
 
 }  // namespace
