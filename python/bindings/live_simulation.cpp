@@ -7,6 +7,12 @@
 namespace py = pybind11;
 
 namespace ixos::python {
+namespace {
+
+/// Where the object's own dictionary has the list: Python's collector sees it there.
+constexpr const char* observers_key = "_observers";
+
+}  // namespace
 
 LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const py::object& comm,
                                const Mesh* mesh)
@@ -25,9 +31,15 @@ Simulation& LiveSimulation::get() const {
   return *simulation_;
 }
 
+py::list observers(const py::object& simulation) {
+  return simulation.attr("__dict__").attr("setdefault")(observers_key, py::list());
+}
+
 void notify(const py::object& simulation) {
+  const auto own = py::reinterpret_steal<py::dict>(PyObject_GenericGetDict(simulation.ptr(), nullptr));
+  if (!own.contains(observers_key)) return;  // most simulations have none, and steps may be short
   // A copy: an observer may remove itself.
-  for (const py::handle observer : py::list(simulation.attr("observers"))) observer(simulation);
+  for (const py::handle observer : py::tuple(own[observers_key])) observer(simulation);
 }
 
 }  // namespace ixos::python

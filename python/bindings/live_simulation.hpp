@@ -31,7 +31,10 @@ class LiveSimulation {
   EndsWithSession end_;
 };
 
-/// Calls the functions in the list `observers` of a Python object of this class, each with the object.
+/// Returns the list of functions to call after each accepted step of a Python object of this class.
+pybind11::list observers(const pybind11::object& simulation);
+
+/// Calls the functions in the list of observers of a Python object of this class, each with the object.
 void notify(const pybind11::object& simulation);
 
 }  // namespace ixos::python

@@ -106,13 +106,8 @@ the library's own memory: they show the present state until the next step; ask f
       .def_property_readonly("scheme", [](const LiveSimulation& s) { return s.get().time_integrator().scheme; })
       .def_property_readonly("rank", [](const LiveSimulation& s) { return s.model().space().comm()->getRank(); })
       .def_property_readonly("ranks", [](const LiveSimulation& s) { return s.model().space().comm()->getSize(); })
-      .def_property_readonly(
-          "observers",
-          [](const py::object& self) {
-            const py::dict own = self.attr("__dict__");
-            return own.attr("setdefault")("_observers", py::list());
-          },
-          "The list of functions that are called with the simulation after each accepted step.")
+      .def_property_readonly("observers", &observers,
+                             "The list of functions that are called with the simulation after each accepted step.")
       .def_property_readonly(
           "_parameters",
           [](const LiveSimulation& s) {

@@ -2,6 +2,7 @@
 """Steps, views and measures, on any number of ranks."""
 import gc
 import unittest
+import weakref
 
 import numpy as np
 from support import BALL, free_block, ixos, main, pulled_block
@@ -81,6 +82,26 @@ class StepTest(unittest.TestCase):
         simulation.accept()
         self.assertEqual(simulation.steps(3, 0.01), 3)
         np.testing.assert_allclose(times, [0.01, 0.03, 0.04, 0.05, 0.06], rtol=1e-15)
+
+    def test_an_observer_may_remove_itself(self):
+        simulation, calls = free_block().simulation(), []
+
+        def once(now):
+            calls.append("once")
+            now.observers.remove(once)
+
+        simulation.observers.extend([once, lambda now: calls.append("always")])
+        simulation.steps(2, 0.01)
+        self.assertEqual(calls, ["once", "always", "always"])
+
+    def test_a_simulation_in_its_own_observer_is_collected(self):
+        simulation = free_block().simulation()
+        simulation.observers.append(lambda now, mine=simulation: mine.time)
+        simulation.step()
+        gone = weakref.ref(simulation.observers[0])
+        del simulation
+        gc.collect()
+        self.assertIsNone(gone())
 
     def test_steps_must_be_positive(self):
         for dt in (0, -1, float("nan")):

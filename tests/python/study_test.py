@@ -40,7 +40,7 @@ class StudyTest(FolderTest):
         self.assertEqual(study.axes, {"Time Step": ["0.01", "0.005"]})
         self.assertEqual([run["labels"] for run in study.runs], [["0.01"], ["0.005"]])
         done = study.run(self.folder / "out", DRIVER, lambda row, count, reused: seen.append((row["name"], reused)))
-        self.assertEqual(seen, [("reference", False), ("0.01", False), ("0.005", False)])
+        self.assertEqual(seen, [(name, False) for name in ("reference", "reference-check", "0.01", "0.005")])
         self.assertEqual(list(done.table["status"]), ["completed", "completed"])
         self.assertEqual(list(done.table["steps"]), [2, 4])
         self.assertEqual(list(done.table["Time Step"]), ["0.01", "0.005"])
@@ -49,7 +49,7 @@ class StudyTest(FolderTest):
         self.assertTrue((self.folder / "out/study.csv").is_file())
         seen.clear()
         study.run(self.folder / "out", DRIVER, lambda row, count, reused: seen.append(reused))
-        self.assertEqual(seen, [True, True, True])
+        self.assertEqual(seen, [True] * 4)
 
     def test_refusals_name_the_file(self):
         with self.assertRaisesRegex(ixos.InputError, r"small\.xml: .*Tim Step.*did you mean"):

@@ -46,13 +46,10 @@ def command(*arguments):
 
 
 class FolderTest(unittest.TestCase):
-    """A test with a folder of its own, the same on all ranks."""
+    """A test that has a new folder on each rank."""
 
     def setUp(self):
-        job = os.environ.get("OMPI_MCA_orte_hnp_uri", str(os.getpid())).replace("/", "_").replace(";", "_")[:60]
-        name = f"ixos-{job}-{type(self).__name__}-{self._testMethodName}"
-        self.folder = pathlib.Path(tempfile.gettempdir()) / name
-        self.folder.mkdir(exist_ok=True)
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="ixos-"))
         self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
 
 
