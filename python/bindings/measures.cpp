@@ -1,4 +1,4 @@
-// What is computed from the present state: energies, momenta, contact, reactions, gaps, stresses.
+// Quantities that are computed from the present state: energies, momenta, contact, reactions, gaps, stresses.
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"

@@ -1,6 +1,7 @@
 // Meshes from arrays, from files and from the generators of scenes.
 #include <fmt/format.h>
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
 
@@ -147,7 +148,9 @@ in the order of Exodus. node_sets: arrays of node numbers by name. side_sets: ar
 name; a side lies on the boundary. Raises InputError for arrays that do not fit each other and for inverted cells.)")
       .def(py::init(&make_mesh), py::arg("points"), py::arg("blocks"), py::arg("node_sets") = py::dict(),
            py::arg("side_sets") = py::dict())
-      .def_static("read", &read_exodus_mesh, py::arg("path"), "Reads an Exodus file.")
+      .def_static(
+          "read", [](const std::filesystem::path& path) { return read_exodus_mesh(path.string()); }, py::arg("path"),
+          "Reads an Exodus file.")
       .def_static("of",
                   [](const SceneList& scene) {
                     return at_scene(scene.file, {}, [&] {
@@ -157,8 +160,8 @@ name; a side lies on the boundary. Raises InputError for arrays that do not fit 
                   })
       .def(
           "write",
-          [](const Mesh& mesh, const std::string& path, const std::string& title) {
-            write_exodus_mesh(mesh, path, title);
+          [](const Mesh& mesh, const std::filesystem::path& path, const std::string& title) {
+            write_exodus_mesh(mesh, path.string(), title);
           },
           py::arg("path"), py::arg("title") = "mesh", "Writes an Exodus file, which a scene names as Mesh/Exodus/File.")
       .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })

@@ -34,7 +34,7 @@ std::vector<std::string> messages(const std::vector<Warning>& warnings) {
 }
 
 /// Runs to the final time. An exception of an observer, and Ctrl-C, end the run on all ranks as a signal ends the
-/// command: with a checkpoint. Then the exception goes on, on the rank that has it.
+/// command: with a checkpoint. Then rethrows the exception, on the rank that has it.
 RunResult run_live(const py::object& self, const std::string& folder, bool overwrite, const std::string& restart,
                    const py::object& tell) {
   auto& simulation = self.cast<LiveSimulation&>();

@@ -1,4 +1,4 @@
-// Studies: many runs of one scene, each in a process of its own.
+// Studies run one scene with many settings, each in a separate process.
 #include "study/study.hpp"
 
 #include <pybind11/stl.h>

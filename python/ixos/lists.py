@@ -69,7 +69,7 @@ class List:
             here._core.set("/".join([*here._path, name]) + "=" + text(value))
 
     def _fill(self, name, values):
-        """Makes a list of a dictionary. What belongs to a choice that is not made is refused, as in XML."""
+        """Makes a list from a dictionary. The validation refuses parameters of other choices, as in XML."""
         path = [*self._path, name]
         self._core.make(path)
         inner = self._sublist(name)
@@ -120,7 +120,7 @@ class List:
         return sorted({*self._description["parameters"], *self, *self._classes} - {"<any name>"})
 
     def _as_dict(self):
-        """What the scene gives, as dictionaries of names in XML."""
+        """Returns the given values as dictionaries of names in XML."""
         return {name: self[name]._as_dict() if self._core.has_list([*self._path, name]) else self[name]
                 for name in self}
 

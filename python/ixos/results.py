@@ -22,19 +22,19 @@ class Results:
         self.history = read_history(self.folder / "history.csv")
         self.summary = read_summary(self.folder / "summary.json")
 
-    def __getitem__(self, column):
+    def __getitem__(self, column: str) -> np.ndarray:
         if column not in self.history.dtype.names:
             raise KeyError(f"{self.folder / 'history.csv'} has no column \"{column}\"; it has: "
                            f"{', '.join(self.history.dtype.names)}")
         return self.history[column]
 
     @property
-    def columns(self):
+    def columns(self) -> tuple:
         """The names of the columns."""
         return self.history.dtype.names
 
     @property
-    def scene(self):
+    def scene(self) -> Scene:
         """The scene of the run with every value that it used, from effective.xml."""
         return Scene(self.folder / "effective.xml")
 
@@ -49,12 +49,12 @@ class Results:
                 f"{len(self.columns)} columns>")
 
 
-def results(folder):
+def results(folder) -> Results:
     """Returns the results in a folder. Raises FileError if there are none."""
     return Results(os.fspath(folder))
 
 
-def read_history(path):
+def read_history(path) -> np.ndarray:
     """Returns history.csv as a structured array. Leaves out a last row that is cut short: the run may still write."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
@@ -77,7 +77,7 @@ def read_history(path):
     return history
 
 
-def read_summary(path):
+def read_summary(path) -> dict:
     """Returns summary.json; an empty dictionary if the run has not ended."""
     try:
         return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}

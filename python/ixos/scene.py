@@ -1,6 +1,9 @@
 """Scenes: what a run computes."""
+from __future__ import annotations
+
 import os
 import pathlib
+from typing import Any, Callable
 
 from . import _core
 from .lists import SceneLists
@@ -19,7 +22,7 @@ class Scene(SceneLists):
     bad input with ixos.InputError, whose text is the one that the command ixos prints.
     """
 
-    def __init__(self, source=None, name=None):
+    def __init__(self, source: str | os.PathLike | dict | None = None, name: str | None = None):
         if isinstance(source, _core.SceneList):
             core = source
         elif source is None or isinstance(source, dict):
@@ -32,46 +35,46 @@ class Scene(SceneLists):
                 self[self._identifiers.get(key, key)] = value
 
     @classmethod
-    def template(cls, name):
+    def template(cls, name: str) -> Scene:
         """Returns a complete scene with every parameter that it uses: "ball" or "block"."""
         return cls(_core.SceneList.template(name))
 
     @classmethod
-    def parse(cls, xml, origin="scene"):
+    def parse(cls, xml: str, origin: str = "scene") -> Scene:
         """Returns a scene from the text of an XML file; messages name it `origin`."""
         return cls(_core.SceneList.parse(xml, origin))
 
-    def copy(self):
+    def copy(self) -> Scene:
         """Returns an independent copy."""
         return Scene(self._core.copy())
 
-    def set(self, *assignments):
+    def set(self, *assignments: str) -> Scene:
         """Carries out "List/Sublist/Name=value" as the command's --set does. Returns the scene."""
         for assignment in assignments:
             self._core.set(assignment)
         return self
 
-    def complete(self):
+    def complete(self) -> Scene:
         """Returns the scene in plain numbers with every default filled in. Raises InputError."""
         return Scene(self._core.complete())
 
-    def as_dict(self):
+    def as_dict(self) -> dict:
         """Returns what the scene gives, as dictionaries of names in XML."""
         return self._as_dict()
 
-    def xml(self):
+    def xml(self) -> str:
         """Returns the scene as XML."""
         return self._core.text()
 
-    def write(self, path):
+    def write(self, path: str | os.PathLike) -> None:
         """Writes the scene to an XML file."""
         self._core.write(os.fspath(path))
 
-    def mesh_arrays(self):
+    def mesh_arrays(self) -> _core.Mesh:
         """Returns the scene's mesh as an ixos.Mesh, before any enrichment of its surfaces."""
         return _core.Mesh.of(self._core)
 
-    def simulation(self, comm=None, mesh=None):
+    def simulation(self, comm=None, mesh: _core.Mesh | None = None) -> _core.Simulation:
         """Returns the scene as an ixos.Simulation at its initial state, for steps.
 
         comm: a communicator of mpi4py; all ranks of MPI if None. mesh: an ixos.Mesh, the same on all ranks, in place of
@@ -81,7 +84,9 @@ class Scene(SceneLists):
         report(simulation, simulation.warnings)
         return simulation
 
-    def run(self, output=None, overwrite=False, restart=None, observer=None, comm=None, mesh=None, tell=None):
+    def run(self, output: str | os.PathLike | None = None, overwrite: bool = False,
+            restart: str | os.PathLike | None = None, observer: Callable[[_core.Simulation], Any] | None = None,
+            comm=None, mesh: _core.Mesh | None = None, tell: Callable[[str], Any] | None = None) -> _core.RunResult:
         """Runs the scene to its end, as the command ixos does. Returns an ixos.RunResult.
 
         output: folder of the results; the scene file's name without its ending, with .results, if None. overwrite:

@@ -1,4 +1,4 @@
-"""What the class Simulation has in Python alone."""
+"""The members of Simulation and RunResult that are written in Python."""
 import os
 import sys
 import warnings

@@ -4,7 +4,6 @@ import contextlib
 import io
 import os
 import re
-import unittest
 import warnings
 
 from support import BALL, ROOT, FolderTest, ixos, main

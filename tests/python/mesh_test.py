@@ -1,6 +1,5 @@
 #!/usr/bin/python3
 """Meshes from arrays."""
-import unittest
 
 import numpy as np
 from support import BALL, FolderTest, ixos, main, pulled_block
@@ -57,8 +56,8 @@ class MeshTest(FolderTest):
 
     def test_files(self):
         mesh = block()
-        mesh.write(str(self.folder / "mesh.e"))
-        back = ixos.Mesh.read(str(self.folder / "mesh.e"))
+        mesh.write(self.folder / "mesh.e")
+        back = ixos.Mesh.read(self.folder / "mesh.e")
         np.testing.assert_array_equal(back.points, POINTS)
         np.testing.assert_array_equal(back.blocks["body"], CELLS)
         np.testing.assert_array_equal(back.node_sets["left"], [0, 3])

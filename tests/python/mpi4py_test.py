@@ -8,9 +8,9 @@ import unittest
 if "--first" in sys.argv:
     sys.argv.remove("--first")
     from mpi4py import MPI
-    import support
+    import support  # noqa: F401
 else:
-    import support
+    import support  # noqa: F401
     from mpi4py import MPI
 import numpy as np
 from support import BALL, ixos, main

@@ -2,7 +2,6 @@
 """Runs with results on disk: equal to the command's, observed, interrupted, refused, resumed."""
 import os
 import signal
-import unittest
 import warnings
 
 import numpy as np

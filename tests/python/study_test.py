@@ -1,7 +1,6 @@
 #!/usr/bin/python3
 """Studies in Python, also as the only rank of mpirun."""
 import math
-import unittest
 
 from support import BALL, DRIVER, FolderTest, ixos, main
 

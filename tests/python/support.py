@@ -1,4 +1,4 @@
-"""What the tests of the Python module share. They need PYTHONPATH, and IXOS_DRIVER for the command ixos."""
+"""Scenes and helpers for the tests of the Python module. They need PYTHONPATH, and IXOS_DRIVER for the command ixos."""
 import os
 import pathlib
 import shutil
