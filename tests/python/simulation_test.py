@@ -58,8 +58,12 @@ class StepTest(unittest.TestCase):
         simulation.accept()
         other.step(0.01)
         np.testing.assert_array_equal(simulation.u, other.u)
-        with self.assertRaisesRegex(RuntimeError, "no attempted step"):
-            simulation.accept()
+        for judge in (simulation.accept, simulation.error, simulation.gap_ratio):
+            with self.assertRaisesRegex(RuntimeError, "no attempted step"):
+                judge()
+        simulation.attempt(0.01)
+        self.assertEqual(simulation.gap_ratio(), 1)  # there is no wall
+        self.assertLess(simulation.error(), 1e-12)  # a straight flight
 
     def test_a_step_that_fails_is_false_and_changes_nothing(self):
         scene = ixos.Scene(BALL)
