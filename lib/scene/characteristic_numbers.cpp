@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
+#include "mesh/cell_sides.hpp"
 
 namespace ixos {
 namespace {
@@ -65,13 +66,11 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   return body;
 }
 
-/// Returns the corners of a side.
-std::vector<Point> corners_of(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  const std::vector<int>& local = side_nodes(block.type, side.side);
+/// Returns the places of a side's corners, along its rim.
+std::vector<Point> corner_points(const Mesh& mesh, const Side& side) {
   std::vector<Point> corners;
-  for (std::size_t a = 0; a < (mesh.dimension == 2 ? 2U : 4U); ++a)
-    corners.push_back(point_of(mesh, block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), local[a])]));
+  for (int node : corners_of(mesh, side))
+    if (node >= 0) corners.push_back(point_of(mesh, node));
   return corners;
 }
 
@@ -113,7 +112,7 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
   double measure = 0;
   numbers.least_gap = infinity;
   for (const Side& side : set.sides) {
-    const std::vector<Point> corners = corners_of(mesh, side);
+    const std::vector<Point> corners = corner_points(mesh, side);
     measure += measure_of(corners) / static_cast<double>(set.sides.size());
     for (const Point& corner : corners) {
       const double gap = sight_of(obstacle, corner).gap[0];

@@ -24,7 +24,7 @@ class Silent final : public Interaction {
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
-  void add_nodal_measure(double*) const override {}
+  void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override {}
   void lower_nodal_gap(const double*, double*) const override {}
   LowestPoint lowest_point(const double* u) const override {

@@ -42,7 +42,7 @@ class CountingTerm final : public Interaction {
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
   LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_measure(double*) const override {}
+  void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
   void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
 
