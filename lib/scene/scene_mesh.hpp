@@ -13,8 +13,8 @@ namespace ixos {
 /// then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
-/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()) and adds the sets of a validated
-/// "Mesh" list. Throws InputError with the list path.
+/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()) and adds the sets of a
+/// validated "Mesh" list. Throws InputError with the list path.
 Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
 
 /// Returns the user's scene with "Given" as its mesh, of that dimension, in place of any other; its "Mesh/Sets" stay.
