@@ -4,6 +4,11 @@
 import numpy as np
 from support import BALL, FolderTest, ixos, main, pulled_block
 
+try:
+    from mpi4py.MPI import COMM_SELF as MINE  # each rank writes into its own folder
+except ImportError:
+    MINE = None
+
 POINTS = np.array([[0, 0], [2, 0], [4, 0], [0, 2], [2, 2], [4, 2]], float)
 CELLS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
 
@@ -40,6 +45,16 @@ class MeshTest(FolderTest):
             generated.step()
             given.step()
         np.testing.assert_array_equal(generated.u, given.u)
+
+    def test_runs_resume_with_their_mesh_only(self):
+        scene, folder = pulled_block(), self.folder / "run"
+        whole = scene.run(folder, mesh=block(), comm=MINE)
+        self.assertEqual(whole.steps, 4)
+        again = scene.run(folder, mesh=block(), comm=MINE, restart=whole.checkpoint)
+        self.assertEqual((again.status, again.steps), ("completed", 4))
+        other = ixos.Mesh(POINTS * [1, 0.5], {"body": CELLS}, block().node_sets)
+        with self.assertRaisesRegex(ixos.InputError, "mesh"):
+            scene.run(folder, mesh=other, comm=MINE, restart=whole.checkpoint)
 
     def test_sets_of_the_scene_are_added(self):
         scene = pulled_block()
