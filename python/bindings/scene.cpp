@@ -142,6 +142,7 @@ void bind_scene(py::module_& module) {
                     return SceneList{read_scene_text(scene_template(name), name), ""};
                   })
       .def("copy", [](const SceneList& scene) { return scene; })
+      .def("assign", [](SceneList& scene, const SceneList& other) { scene = other; })
       .def_readwrite("file", &SceneList::file)
       .def_property(
           "name", [](const SceneList& scene) { return scene.list.name(); },

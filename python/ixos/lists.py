@@ -4,9 +4,22 @@ A list is a place in a scene, not a copy. `scene.time_integrator.type` and `scen
 parameter. A parameter that the scene does not give has its default; None, where it must be given. Setting None gives
 the default back.
 """
+import contextlib
+
 from . import _core
 from .names import identifier
 from .values import text
+
+
+@contextlib.contextmanager
+def unchanged_if_refused(core):
+    """Restores a scene if what is done with it raises an exception."""
+    before = core.copy()
+    try:
+        yield
+    except Exception:
+        core.assign(before)
+        raise
 
 
 def _documentation(name, entry):
@@ -60,13 +73,16 @@ class List:
 
     def __setitem__(self, key, value):
         here, name = self._place(key)
-        if value is None:
-            here._core.remove(here._path, name)
-        elif isinstance(value, dict):
-            here._core.remove(here._path, name)
-            here._fill(name, value)
-        else:
-            here._core.set("/".join([*here._path, name]) + "=" + text(value))
+        if isinstance(value, List):
+            value = value._as_dict()
+        with unchanged_if_refused(self._core):
+            if value is None:
+                here._core.remove(here._path, name)
+            elif isinstance(value, dict):
+                here._core.remove(here._path, name)
+                here._fill(name, value)
+            else:
+                here._core.set("/".join([*here._path, name]) + "=" + text(value))
 
     def _fill(self, name, values):
         """Makes a list from a dictionary. The validation refuses parameters of other choices, as in XML."""

@@ -6,7 +6,7 @@ import pathlib
 from typing import Any, Callable
 
 from . import _core
-from .lists import SceneLists
+from .lists import SceneLists, unchanged_if_refused
 from .simulation import report
 
 
@@ -50,8 +50,9 @@ class Scene(SceneLists):
 
     def set(self, *assignments: str) -> Scene:
         """Carries out "List/Sublist/Name=value" as the command's --set does. Returns the scene."""
-        for assignment in assignments:
-            self._core.set(assignment)
+        with unchanged_if_refused(self._core):
+            for assignment in assignments:
+                self._core.set(assignment)
         return self
 
     def complete(self) -> Scene:

@@ -6,7 +6,7 @@ def text(value):
     """Returns the text of a number, a word, a truth value, or a sequence of these."""
     if isinstance(value, str):
         return value
-    if isinstance(value, (bool,)) or type(value).__name__ == "bool_":
+    if type(value).__name__ in ("bool", "bool_"):  # Python's and NumPy's
         return "true" if value else "false"
     if isinstance(value, numbers.Integral):
         return str(int(value))

@@ -3,6 +3,7 @@
 import ast
 import unittest
 
+import numpy as np
 from support import BALL, DRIVER, FolderTest, command, free_block, ixos, main
 
 from ixos import lists, names, stubs
@@ -51,6 +52,17 @@ class ListsTest(unittest.TestCase):
         self.assertEqual(back.output.reactions, ["left", "right"])
         self.assertEqual(back["Linear Solver/Belos/Tolerance"], 1e-9)
         self.assertEqual(back.as_dict(), scene.as_dict())
+
+    def test_values_of_numpy(self):
+        scene = ixos.Scene()
+        scene.mesh.box.lengths = np.array([0.1, 2])
+        scene.mesh.disk.rings = np.int64(3)
+        scene.output.energies = np.bool_(False)
+        scene.materials["Rubber"].density = np.float64(1) / 3
+        self.assertEqual(scene.mesh.box.lengths, [0.1, 2.0])
+        self.assertEqual(scene.mesh.disk.rings, 3)
+        self.assertIs(scene.output.energies, False)
+        self.assertEqual(scene.materials.Rubber.density, 1 / 3)
 
     def test_numbers_have_units(self):
         scene = free_block()
@@ -138,6 +150,21 @@ class RefusalTest(FolderTest):
         self.assertIn('"Box" belongs to Type "Box", but Type is "Disk"', words)
         self.assertIn("did you mean", self.refusal(lambda: ixos.Scene({"Materials": {"Rubber": {"Densty": 1}}})))
         self.assertIn("did you mean", self.refusal(lambda: ixos.Scene({"Meterials": {}})))
+
+    def test_a_refused_change_leaves_no_trace(self):
+        scene = free_block()
+        before = scene.as_dict()
+        for call in (lambda: scene.materials["Steel"].__setattr__("densty", 1),
+                     lambda: scene.__setattr__("materials", {"Rubber": {"Density": 2, "Densty": 1}}),
+                     lambda: scene.set("Output/Energies=false", "Output/Energy=false")):
+            self.assertIn("did you mean", self.refusal(call))
+            self.assertEqual(scene.as_dict(), before)
+
+    def test_lists_are_copied(self):
+        scene = free_block()
+        scene.materials["Steel"] = scene.materials.Rubber
+        scene.materials.Rubber.density = 1
+        self.assertEqual(scene.as_dict()["Materials"], {"Rubber": {"Density": 1.0}, "Steel": {"Density": 3.0}})
 
     def test_unknown_attributes(self):
         scene = free_block()
