@@ -94,13 +94,13 @@ MeshEntry given_mesh() {
   };
   Options<Parameters> options;
   options.add("Dimension", &Parameters::dimension, "Dimension of the program's mesh: 2 or 3.", between(2, 3));
-  return {given_mesh_name,
-          "A mesh from the arrays of a program that uses Ixos (C++ or Python); not for the command ixos.", "",
-          options.list(), [](const SceneNode&) -> Mesh {
-            throw InputError(
-                "a program provides this mesh, in C++ or Python; the command ixos has none. Run the scene "
-                "from that program, or have it write the mesh to a file and set Type to Exodus");
-          }};
+  return {{given_mesh_name,
+           "A mesh from the arrays of a program that uses Ixos (C++ or Python); not for the command ixos.", "",
+           options.list(), [](const SceneNode&) -> Mesh {
+             throw InputError(
+                 "a program provides this mesh, in C++ or Python; the command ixos has none. Run the scene "
+                 "from that program, or have it write the mesh to a file and set Type to Exodus");
+           }}};
 }
 
 void check_arrays(const Mesh& mesh) {
