@@ -11,19 +11,22 @@
 # %%
 import argparse
 import pathlib
+import sys
 
 import ixos
 import matplotlib
 
-matplotlib.use("Agg")
+if "ipykernel" not in sys.modules:  # a notebook shows the picture itself
+    matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--small", action="store_true", help="a coarse mesh, long steps, the first 60 ns")
 parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("peel-strip"), help="folder of the results")
-arguments = parser.parse_args()
-SCENE = pathlib.Path(__file__).resolve().parents[2] / "xml/strip.xml"
+arguments, _ = parser.parse_known_args()  # a notebook has arguments of its own
+here = pathlib.Path(globals().get("__file__", "docs/examples/peel_strip.py")).resolve()
+SCENE = here.parents[2] / "xml/strip.xml"
 
 # %% [markdown]
 # ## The scene
