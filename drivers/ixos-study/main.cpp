@@ -31,6 +31,7 @@ void on_signal(int) { signalled = 1; }
 struct Arguments {
   std::string study;
   std::string output;
+  bool overwrite = false;
   bool list = false;
   bool parameters = false;
   bool version = false;
@@ -93,6 +94,7 @@ int run(const Arguments& arguments) {
       arguments.output.empty() ? std::filesystem::path(arguments.study).stem().string() + ".results" : arguments.output;
   options.driver = (own_folder() / "ixos").string();
   options.version = IXOS_VERSION;
+  options.overwrite = arguments.overwrite;
   options.interrupted = [] { return signalled != 0; };
   if (!arguments.quiet)
     options.watch = [&](const ixos::StudyResult& result, std::size_t done, bool reused) {
@@ -151,6 +153,7 @@ int answer(int argc, char** argv) {
   app.add_option("STUDY", arguments.study, "study file (XML)");
   app.add_option("--output", arguments.output,
                  "results folder (default: the name of STUDY with .results instead of .xml)");
+  app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
   app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
   app.add_flag("--version", arguments.version, "print the version");

@@ -114,6 +114,12 @@ std::string scene_folder(const Arguments& arguments) {
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
+  ixos::on_first_rank(comm, [&] {
+    std::error_code code;  // what cannot be looked at cannot be written either
+    if (!arguments.overwrite && std::filesystem::exists(std::filesystem::symlink_status(arguments.mesh_file, code)))
+      throw ixos::InputError("--write-mesh: " + arguments.mesh_file +
+                             " exists; choose another name, or replace it with --overwrite");
+  });
   Teuchos::ParameterList complete = ixos::complete_scene(scene);
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });
@@ -277,7 +283,8 @@ int parse_and_run(int argc, char** argv) {
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
-  app.add_flag("--overwrite", arguments.overwrite, "replace the results of another scene in the results folder");
+  app.add_flag("--overwrite", arguments.overwrite,
+               "replace the results of another scene in the results folder, or the file of --write-mesh");
   app.add_option("--restart", arguments.restart,
                  "resume from this checkpoint, or from the newest sound checkpoint of this folder")
       ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });

@@ -45,13 +45,14 @@ py::dict row(const StudyResult& result) {
 }
 
 /// Returns the rows and the recommendation. Throws what `watch` throws, and KeyboardInterrupt.
-py::tuple run_file(const StudyFile& file, const std::string& folder, const std::string& driver,
+py::tuple run_file(const StudyFile& file, const std::string& folder, const std::string& driver, bool overwrite,
                    const py::object& watch) {
   std::exception_ptr stopped;
   RunnerOptions options;
   options.folder = folder;
   options.driver = driver;
   options.version = IXOS_VERSION;
+  options.overwrite = overwrite;
   options.interrupted = [&] {
     const py::gil_scoped_acquire hold;
     if (!stopped && PyErr_CheckSignals() != 0) stopped = std::make_exception_ptr(py::error_already_set());
@@ -123,7 +124,8 @@ void bind_study(py::module_& module) {
                                return axes;
                              })
       .def_property_readonly("runs", &runs)
-      .def("run", &run_file, py::arg("folder"), py::arg("driver"), py::arg("watch") = py::none());
+      .def("run", &run_file, py::arg("folder"), py::arg("driver"), py::arg("overwrite") = false,
+           py::arg("watch") = py::none());
 }
 
 }  // namespace ixos::python

@@ -26,15 +26,15 @@ class Study:
     axes = property(lambda self: self._file.axes, doc="The labels of each varied quantity, by its name.")
     runs = property(lambda self: self._file.runs, doc="Name, labels and settings of each run.")
 
-    def run(self, output=None, driver=None, observer=None):
+    def run(self, output=None, driver=None, overwrite=False, observer=None):
         """Carries out the runs that have no result yet, and writes study.csv and study.json.
 
         output: folder of the results; the file's name with .results in place of its ending if None. driver: path of the
-        command ixos. observer: a function that is called after each run with its row, the number of finished runs, and
+        command ixos. overwrite: replace results of another study. observer: a function that is called after each run with its row, the number of finished runs, and
         whether the run was finished already. Returns a StudyResults.
         """
         folder = os.fspath(output) if output is not None else pathlib.Path(self._file.path).stem + ".results"
-        rows, recommendation = self._file.run(folder, os.fspath(driver or find_driver()), observer)
+        rows, recommendation = self._file.run(folder, os.fspath(driver or find_driver()), overwrite, observer)
         return StudyResults(folder, rows, list(self.axes), recommendation)
 
 

@@ -38,7 +38,7 @@ class StudyTest(FolderTest):
         study, seen = self.study(), []
         self.assertEqual(study.axes, {"Time Step": ["0.01", "0.005"]})
         self.assertEqual([run["labels"] for run in study.runs], [["0.01"], ["0.005"]])
-        done = study.run(self.folder / "out", DRIVER, lambda row, count, reused: seen.append((row["name"], reused)))
+        done = study.run(self.folder / "out", DRIVER, observer=lambda row, count, reused: seen.append((row["name"], reused)))
         self.assertEqual(seen, [(name, False) for name in ("reference", "reference-check", "0.01", "0.005")])
         self.assertEqual(list(done.table["status"]), ["completed", "completed"])
         self.assertEqual(list(done.table["steps"]), [2, 4])
@@ -47,8 +47,15 @@ class StudyTest(FolderTest):
         self.assertTrue(done.recommendation)
         self.assertTrue((self.folder / "out/study.csv").is_file())
         seen.clear()
-        study.run(self.folder / "out", DRIVER, lambda row, count, reused: seen.append(reused))
+        study.run(self.folder / "out", DRIVER, observer=lambda row, count, reused: seen.append(reused))
         self.assertEqual(seen, [True] * 4)
+
+    def test_results_of_another_study_stay(self):
+        self.study().run(self.folder / "out", DRIVER)
+        other = self.study(STUDY.replace("{0.01, 0.005}", "{0.01}").replace('value="0.02"', 'value="0.03"'))
+        with self.assertRaisesRegex(ixos.InputError, "another study"):
+            other.run(self.folder / "out", DRIVER)
+        self.assertEqual(len(other.run(self.folder / "out", DRIVER, overwrite=True).table), 1)
 
     def test_refusals_name_the_file(self):
         with self.assertRaisesRegex(ixos.InputError, r"small\.xml: .*Tim Step.*did you mean"):
@@ -59,7 +66,7 @@ class StudyTest(FolderTest):
             raise KeyError(row["name"])
 
         with self.assertRaisesRegex(KeyError, "reference"):
-            self.study().run(self.folder / "out", DRIVER, stop)
+            self.study().run(self.folder / "out", DRIVER, observer=stop)
 
 
 if __name__ == "__main__":
