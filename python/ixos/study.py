@@ -30,8 +30,8 @@ class Study:
         """Carries out the runs that have no result yet, and writes study.csv and study.json.
 
         output: folder of the results; the file's name with .results in place of its ending if None. driver: path of the
-        command ixos. overwrite: replace results of another study. observer: a function that is called after each run with its row, the number of finished runs, and
-        whether the run was finished already. Returns a StudyResults.
+        command ixos. overwrite: replace results of another study. observer: a function that is called after each run
+        with its row, the number of finished runs, and whether the run was finished already. Returns a StudyResults.
         """
         folder = os.fspath(output) if output is not None else pathlib.Path(self._file.path).stem + ".results"
         rows, recommendation = self._file.run(folder, os.fspath(driver or find_driver()), overwrite, observer)

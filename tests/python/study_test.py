@@ -52,8 +52,8 @@ class StudyTest(FolderTest):
 
     def test_results_of_another_study_stay(self):
         self.study().run(self.folder / "out", DRIVER)
-        other = self.study(STUDY.replace("{0.01, 0.005}", "{0.01}").replace('value="0.02"', 'value="0.03"'))
-        with self.assertRaisesRegex(ixos.InputError, "another study"):
+        other = self.study(STUDY.replace("{0.01, 0.005}", "{0.01}").replace('name="Small"', 'name="Other"'))
+        with self.assertRaisesRegex(ixos.InputError, 'the study "Small" of'):
             other.run(self.folder / "out", DRIVER)
         self.assertEqual(len(other.run(self.folder / "out", DRIVER, overwrite=True).table), 1)
 
