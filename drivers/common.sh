@@ -8,7 +8,7 @@ build="$root/build/$preset"
 
 packages="g++ cmake ninja-build ccache lld openmpi-bin libopenmpi-dev trilinos-all-dev libscotch-dev libptscotch-dev
           libopenblas-dev libsuitesparse-dev libmumps-dev libmetis-dev libmuparser-dev libexodusii-dev libhdf5-openmpi-dev libxxhash-dev libexpat1-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
-          libbenchmark-dev"
+          libbenchmark-dev pybind11-dev python3-dev python3-numpy python3-mpi4py"
 
 missing=()
 for package in $packages ${extra_packages:-} ${IXOS_EXTRA_PACKAGES:-}; do

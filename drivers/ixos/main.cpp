@@ -31,6 +31,7 @@
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
+#include "scene/placed_message.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
@@ -226,11 +227,8 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     return run_scene(arguments, comm);
   } catch (const ixos::InputError& error) {
     if (ixos::memory_ran_out()) return end_all(3, ixos::out_of_memory() + " (" + error.what() + ")", comm);
-    const std::string what = error.what();
-    const auto begins = [&what](const std::string& place) { return what.rfind(place, 0) == 0; };
-    const bool placed = begins(arguments.scene) || begins("--set") || begins("--write-mesh") || begins("/") ||
-                        begins(results_folder(arguments)) || (!arguments.restart.empty() && begins(arguments.restart));
-    return report(2, placed ? what : arguments.scene + ": " + what, comm);
+    return report(
+        2, ixos::placed_message(error.what(), arguments.scene, {results_folder(arguments), arguments.restart}), comm);
   } catch (const ixos::FileError& error) {
     return report(4, error.what(), comm);
   } catch (const ixos::MemoryError& error) {

@@ -6,6 +6,7 @@
 
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
+#include "run/set_reactions.hpp"
 
 namespace ixos {
 namespace {
@@ -74,19 +75,7 @@ void History::resume(const std::string& path) {
 
 std::vector<double> History::reactions() {
   if (reaction_sets_.empty()) return {};
-  const Model& model = simulation_.model();
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  const std::vector<double>& reaction = simulation_.integrator().state().reaction;
-  std::vector<double> sums(reaction_sets_.size() * d, 0.0);
-  for (std::size_t s = 0; s < reaction_sets_.size(); ++s)
-    for (int node : model.mesh().node_sets[reaction_sets_[s]])
-      for (std::size_t i = 0; i < d; ++i) {
-        // The forces on derivative nodes are moments.
-        const std::size_t dof = static_cast<std::size_t>(node) * d + i;
-        if (dof < reaction.size() && !model.mesh().is_derivative(static_cast<std::size_t>(node)))
-          sums[s * d + i] += reaction[dof];
-      }
-  model.space().sum(sums.data(), static_cast<int>(sums.size()));
+  const std::vector<double> sums = set_reactions(simulation_, reaction_sets_);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     forces_[k].second = sums[k];
     if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];

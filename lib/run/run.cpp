@@ -187,8 +187,9 @@ void Run::step() {
   measures_.step(result_.steps);
   if (files_.recorded()) measures_.row(files_.history());
   watch_energy();
-  if (options_.watch && comm_->getRank() == 0)
-    options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
+  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds};
+  if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
+  if (options_.observe) options_.observe(progress);
 }
 
 /// Looks at the row of the present state, if it has one.

@@ -29,6 +29,9 @@ struct RunOptions {
   std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
   std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
+  /// Called on every rank after each accepted step, when its row is recorded. It may read the simulation, collectively
+  /// too, and must not change it. It must not throw. May be empty.
+  std::function<void(const Progress&)> observe;
 };
 
 enum class RunStatus { Completed, Stopped, Diverged, Interrupted };  ///< Stopped: a stop criterion holds

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/mesh_file.hpp"
 #include "mesh/soundness.hpp"
 #include "scene/scene_mesh.hpp"
 
@@ -18,7 +17,7 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
 /// Sets that a scene uses, checked, and the nodes that they hold.
 class Inspection {
  public:
-  /// `read`: the mesh comes from a file; a generator's sides are outside.
+  /// `read`: the mesh comes from a file or a program; a generator's sides are outside.
   Inspection(const Mesh& mesh, bool read)
       : mesh_(mesh), read_(read), held_(static_cast<std::size_t>(mesh.nodes()), false) {}
 
@@ -56,7 +55,7 @@ class Inspection {
 }  // namespace
 
 std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
-  const bool read = reads_file(meshes().chosen(scene.sublist("Mesh")));
+  const bool read = is_from_outside(meshes().chosen(scene.sublist("Mesh")));
   Inspection inspection(mesh, read);
   for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {

@@ -7,8 +7,12 @@
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "mesh/generators/given.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/soundness.hpp"
+#include "parameters/validation.hpp"
 #include "scene/mesh_sets.hpp"
+#include "scene/parameters.hpp"
 
 namespace ixos {
 #define ENTRY(name) MeshEntry name();
@@ -42,8 +46,30 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   return mesh;
 }
 
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
+  at("Mesh", [&] {
+    check_arrays(given);
+    refuse_repeated_cells(given);
+    check_cells(given);
+  });
+  add_sets(SceneNode(list, "Mesh").sublist("Sets"), given);
+  return given;
+}
+
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension) {
+  Teuchos::ParameterList result(scene);
+  if (result.isParameter("Mesh") && !result.isSublist("Mesh")) return result;  // the validation refuses it
+  Teuchos::ParameterList& mesh = result.sublist("Mesh");
+  mesh.set(meshes().choice(), std::string(given_mesh_name));
+  discard_left_out(mesh, scene_parameters().sublist("Mesh"), meshes().choice());
+  mesh.sublist(given_mesh_name).set("Dimension", dimension);
+  return result;
+}
+
+bool is_from_outside(const MeshEntry& entry) { return reads_file(entry) || entry.name == given_mesh_name; }
+
 std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units) {
-  if (!reads_file(meshes().chosen(SceneNode(list, "Mesh")))) return {};
+  if (!is_from_outside(meshes().chosen(SceneNode(list, "Mesh")))) return {};
   const auto d = static_cast<std::size_t>(mesh.dimension);
   std::vector<std::string> plain, si;
   for (std::size_t i = 0; i < d; ++i) {

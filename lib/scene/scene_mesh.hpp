@@ -13,9 +13,19 @@ namespace ixos {
 /// then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
-/// Returns "the mesh spans 30 x 40 L0 = 30 nm x 40 nm" for a mesh that the validated "Mesh" list reads from a file, in
-/// which a wrong unit of length shows; an empty text for others.
+/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()) and adds the sets of a
+/// validated "Mesh" list. Throws InputError with the list path.
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
+
+/// Returns the user's scene with "Given" as its mesh, of that dimension, in place of any other; its "Mesh/Sets" stay.
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension);
+
+/// Returns "the mesh spans 30 x 40 L0 = 30 nm x 40 nm" for a mesh from outside, in which a wrong unit of length
+/// shows; an empty text for others.
 std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units);
+
+/// Returns whether the mesh comes from a file or a program, not from a generator.
+bool is_from_outside(const MeshEntry& entry);
 
 /// Returns the catalogue of meshes; its choice is "Type".
 const Catalogue<MeshEntry>& meshes();

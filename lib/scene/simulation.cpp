@@ -48,6 +48,13 @@ void check_resolution(const StepControlOptions& control, const std::string& path
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
+    : Simulation(scene, comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); })) {}
+
+Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm)
+    : Simulation(with_given_mesh(scene, mesh.dimension), comm,
+                 MakeMesh([&mesh](List& list) { return scene_mesh(list, mesh); })) {}
+
+Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make_mesh)
     : parameters_(complete_scene(scene)),
       units_(scene_units(parameters_)),
       output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
@@ -70,7 +77,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const std::string& f
   materials_ = read_materials(scene_node.sublist("Materials"));
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
-  build_model(comm, folder, table.mass);
+  build_model(comm, make_mesh, table.mass);
   check_cutoffs(interactions_, *model_, table);
   build_integrator(std::move(table));
   set_initial_state();
@@ -101,11 +108,11 @@ std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia iner
   return partition_nodes(mesh, ranks, node_work(mesh, contact, inertia == Inertia::Lumped ? 0 : 500));
 }
 
-void Simulation::build_model(const Comm& comm, const std::string& folder, Inertia inertia) {
+void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inertia inertia) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   together<InputError>(comm, [&] {
-    mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
+    mesh = make_mesh(parameters_.sublist("Mesh"));
     for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())

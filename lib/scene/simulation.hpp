@@ -1,6 +1,7 @@
 /// A scene made ready to run.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,11 @@ class Simulation {
   /// `scene` is as a user writes it; the constructor converts units and validates it. `folder` is the folder of the
   /// scene's file, for mesh files named relative to it. Throws InputError with the list path.
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
+
+  /// Makes the simulation on a mesh of the caller's, which is whole and the same on all ranks. It takes the place of
+  /// the scene's mesh; the scene's "Mesh/Sets" are added to its own. Throws InputError also for arrays that
+  /// check_arrays() refuses.
+  Simulation(const Teuchos::ParameterList& scene, const Mesh& mesh, const Comm& comm);
 
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -58,7 +64,9 @@ class Simulation {
  private:
   Table chosen_table() const;
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
-  void build_model(const Comm& comm, const std::string& folder, Inertia inertia);
+  using MakeMesh = std::function<Mesh(Teuchos::ParameterList& list)>;
+  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh);
+  void build_model(const Comm& comm, const MakeMesh& make_mesh, Inertia inertia);
   double stiffness(const Table& table) const;
   void build_integrator(Table table);
   void set_initial_state();

@@ -17,6 +17,23 @@
 #include "io/disk_file.hpp"
 
 namespace ixos {
+namespace {
+
+/// Returns this process's environment without what mpirun tells its own ranks: the child starts an MPI of its own.
+std::vector<char*> environment() {
+  std::vector<char*> result;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    const auto begins = [&text](const char* prefix) { return text.rfind(prefix, 0) == 0; };
+    if (!begins("PMIX_") && !begins("PMI_") && !begins("OMPI_COMM_WORLD_") && !begins("OMPI_UNIVERSE_SIZE=") &&
+        !begins("OMPI_MCA_orte_") && !begins("OMPI_MCA_ess"))
+      result.push_back(*variable);
+  }
+  result.push_back(nullptr);
+  return result;
+}
+
+}  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log)
     : pid_(-1), start_(std::chrono::steady_clock::now()) {
@@ -29,6 +46,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   if (output < 0) throw FileError(log + ": cannot be written: " + std::strerror(errno));
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   std::signal(SIGCHLD, SIG_DFL);  // a parent may have had it ignored, and children would leave no trace
+  const std::vector<char*> variables = environment();
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
@@ -36,7 +54,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
     if (getppid() != parent) _exit(127);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
-    execv(arguments[0], arguments.data());
+    execve(arguments[0], arguments.data(), variables.data());
     _exit(127);
   }
   close(output);

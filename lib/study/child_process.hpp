@@ -14,7 +14,8 @@ struct ChildOutcome {
   double cpu_seconds = 0;
 };
 
-/// A child process without a shell, one BLAS thread unless the environment says otherwise; its output goes to a file.
+/// A child process without a shell, one BLAS thread unless the environment says otherwise; its output goes to a file. A
+/// child of a rank of mpirun is no rank of that job.
 /// The child ends with its parent, however the parent ends.
 class ChildProcess {
  public:

@@ -232,7 +232,10 @@ double Integrator::error() {
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 
-double Integrator::gap_ratio() const { return model_.gap_ratio(states_.front().u.data(), states_.back().u.data()); }
+double Integrator::gap_ratio() const {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  return model_.gap_ratio(states_.front().u.data(), states_.back().u.data());
+}
 
 void Integrator::set_interaction_points(int points) {
   if (table_.interaction_points == 0 || points == table_.interaction_points) return;

@@ -45,7 +45,8 @@ class Integrator {
   /// Takes a step in two parts: a caller may judge the result of attempt(), then accept it or attempt another length.
   StepResult attempt(double dt);
   void accept();
-  /// Returns local_error() and Model::gap_ratio() of the attempted step. From the first call on a velocity is kept.
+  /// Returns local_error() and Model::gap_ratio() of the attempted step; throws std::logic_error if there is none. From
+  /// the first call of error() on, a velocity is kept.
   double error();
   double gap_ratio() const;
   /// Changes the number of points in time of the interaction, if the table allows it (Table::interaction_points); those

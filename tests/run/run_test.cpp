@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "interaction/van_der_waals.hpp"
+#include "run/set_reactions.hpp"
 #include "study/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
@@ -69,6 +70,25 @@ TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
   ASSERT_EQ(result.max_forces.size(), 2U);
   EXPECT_EQ(result.max_forces[0].first, "reaction_left_x");
   EXPECT_NEAR(result.max_forces[0].second, -0.02, 1e-11);
+}
+
+TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {
+  Simulation simulation(test::scene(pulled("", "")), world());
+  RunOptions options;
+  options.folder = folder_;
+  options.overwrite = true;
+  std::vector<double> times, forces;
+  options.observe = [&](const Progress& progress) {
+    times.push_back(progress.time);
+    EXPECT_EQ(progress.step, static_cast<long>(times.size()));
+    forces.push_back(set_reactions(simulation, {simulation.model().mesh().node_set("left")})[0]);  // collective
+  };
+  run(simulation, options);
+  ASSERT_EQ(times.size(), 30U);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(times[k], 1 + 0.1 * static_cast<double>(k + 1), 1e-12);
+    EXPECT_NEAR(forces[k], -0.02, 1e-11);
+  }
 }
 
 TEST_F(RunTest, StepsEndAtTheTimesOfOutput) {

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "mesh/generators/spatula.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
 
 namespace ixos {
@@ -108,6 +109,38 @@ TEST(SceneMeshTest, AMeshOfGmshIsFoundBesideTheScene) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("is a mesh of 2 dimensions, but the scene wants 3"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(SceneMeshTest, AGivenMeshTakesThePlaceOfAnyOther) {
+  Teuchos::ParameterList scene("Scene");
+  scene.sublist("Mesh").set("Type", "Box");
+  scene.sublist("Mesh").sublist("Box").set("Dimension", 3);
+  scene.sublist("Mesh")
+      .sublist("Sets")
+      .sublist("lower")
+      .set("Kind", "Nodes")
+      .set("Upper", Teuchos::Array<double>(Teuchos::tuple(0.5, 0.5)));
+  const Teuchos::ParameterList changed = with_given_mesh(scene, 2);
+  EXPECT_EQ(changed.sublist("Mesh").get<std::string>("Type"), "Given");
+  EXPECT_FALSE(changed.sublist("Mesh").isParameter("Box"));
+  EXPECT_EQ(changed.sublist("Mesh").sublist("Given").get<int>("Dimension"), 2);
+
+  Mesh square;
+  square.coordinates = {0, 0, 1, 0, 1, 1, 0, 1};
+  square.blocks = {{"body", CellType::Quad4, {0, 1, 2, 3}}};
+  const Teuchos::ParameterList complete = validated(changed.sublist("Mesh"), scene_parameters().sublist("Mesh"));
+  const Mesh whole = scene_mesh(complete, square);
+  ASSERT_EQ(whole.node_sets.size(), 1U);
+  EXPECT_EQ(whole.node_sets[0].name, "lower");
+  EXPECT_EQ(whole.node_sets[0].nodes, std::vector<int>{0});
+  square.blocks[0].nodes = {3, 2, 1, 0};
+  try {
+    scene_mesh(complete, square);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("Mesh: block \"body\", cell 1: inverted"), std::string::npos)
         << error.what();
   }
 }

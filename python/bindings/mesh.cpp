@@ -1,0 +1,189 @@
+// Meshes from arrays, from files and from the generators of scenes.
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "io/exodus_mesh.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/generators/given.hpp"
+#include "mesh/quality.hpp"
+#include "scene/scene_mesh.hpp"
+#include "scene/scene_units.hpp"
+#include "scene_list.hpp"
+
+namespace py = pybind11;
+
+namespace ixos::python {
+namespace {
+
+using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Table = py::array_t<long long, py::array::c_style | py::array::forcecast>;
+
+std::string quoted(const char* what, const std::string& name) { return fmt::format("{} \"{}\"", what, name); }
+
+/// Throws InputError unless the array holds integers in `dimensions` dimensions.
+Table integers(const py::object& object, py::ssize_t dimensions, const std::string& place) {
+  const py::array array = py::array::ensure(object);
+  const std::string kind = array ? array.dtype().attr("kind").cast<std::string>() : "";
+  if (kind != "i" && kind != "u") throw InputError(place + ": an array of integers is needed");
+  if (array.ndim() != dimensions)
+    throw InputError(fmt::format("{}: the array has {} dimensions; {} are needed", place, array.ndim(), dimensions));
+  return Table::ensure(array);
+}
+
+/// Returns the numbers as node numbers. Throws InputError for one that is no point of the mesh.
+std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::string& place) {
+  std::vector<int> nodes;
+  nodes.reserve(static_cast<std::size_t>(table.size()));
+  for (const long long* node = table.data(); node != table.data() + table.size(); ++node) {
+    if (*node < 0 || *node >= mesh.nodes())
+      throw InputError(
+          fmt::format("{} has node {}; the points are numbered from 0 to {}", place, *node, mesh.nodes() - 1));
+    nodes.push_back(static_cast<int>(*node));
+  }
+  return nodes;
+}
+
+void add_block(Mesh& mesh, const std::string& name, const py::object& cells) {
+  const std::string place = quoted("block", name);
+  const Table table = integers(cells, 2, place);
+  const int corners = mesh.dimension == 2 ? 4 : 8;
+  if (table.shape(1) != corners)
+    throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
+                                 mesh.dimension, corners));
+  mesh.blocks.push_back({name, corners == 4 ? CellType::Quad4 : CellType::Hex8, node_numbers(table, mesh, place)});
+}
+
+void add_node_set(Mesh& mesh, const std::string& name, const py::object& nodes) {
+  const std::string place = quoted("node set", name);
+  mesh.node_sets.push_back({name, node_numbers(integers(nodes, 1, place), mesh, place)});
+}
+
+/// The sides are rows of their corners, in any order.
+void add_side_set(Mesh& mesh, const std::string& name, const py::object& sides, const std::vector<CellSide>& sorted) {
+  const std::string place = quoted("side set", name);
+  const Table table = integers(sides, 2, place);
+  const int corners = mesh.dimension == 2 ? 2 : 4;
+  if (table.shape(1) != corners)
+    throw InputError(fmt::format("{}: its sides have {} nodes; in {} dimensions sides have {}", place, table.shape(1),
+                                 mesh.dimension, corners));
+  const std::vector<int> nodes = node_numbers(table, mesh, place);
+  SideSet set{name, {}};
+  for (auto side = nodes.begin(); side != nodes.end(); side += corners) {
+    const std::vector<int> own(side, side + corners);
+    const auto [first, last] = sides_with(sorted, sorted_corners(own));
+    if (first == last)
+      throw InputError(fmt::format("{}: no cell has a side with the nodes {}", place, fmt::join(own, ", ")));
+    if (last - first > 1)
+      throw InputError(fmt::format("{}: two cells share the side with the nodes {}; a side of the boundary is needed",
+                                   place, fmt::join(own, ", ")));
+    set.sides.push_back(first->side);
+  }
+  mesh.side_sets.push_back(std::move(set));
+}
+
+Mesh make_mesh(const Points& points, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets) {
+  if (points.ndim() != 2)
+    throw InputError(
+        fmt::format("points: the array has {} dimensions; 2 are needed, points x coordinates", points.ndim()));
+  Mesh mesh;
+  mesh.dimension = static_cast<int>(points.shape(1));
+  mesh.coordinates.assign(points.data(), points.data() + points.size());
+  if (mesh.dimension != 2 && mesh.dimension != 3)
+    throw InputError(fmt::format("points: they have {} coordinates; 2 or 3 are allowed", mesh.dimension));
+  for (const auto& [name, cells] : blocks) add_block(mesh, py::str(name), py::reinterpret_borrow<py::object>(cells));
+  for (const auto& [name, nodes] : node_sets)
+    add_node_set(mesh, py::str(name), py::reinterpret_borrow<py::object>(nodes));
+  if (!side_sets.empty()) {
+    const std::vector<CellSide> sorted = sorted_sides(mesh);
+    for (const auto& [name, sides] : side_sets)
+      add_side_set(mesh, py::str(name), py::reinterpret_borrow<py::object>(sides), sorted);
+  }
+  check_arrays(mesh);
+  check_cells(mesh);
+  return mesh;
+}
+
+py::array corners(const Mesh& mesh, const std::vector<Side>& sides) {
+  std::vector<int> result;
+  for (const Side& side : sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    for (const int a : side_nodes(block.type, side.side))
+      result.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+  }
+  return taken(std::move(result), {static_cast<py::ssize_t>(sides.size()), mesh.dimension == 2 ? 2 : 4});
+}
+
+py::dict blocks(const py::object& self) {
+  py::dict result;
+  for (const ElementBlock& block : self.cast<const Mesh&>().blocks)
+    result[py::str(block.name)] = view(block.nodes.data(), {block.cells(), nodes_per_cell(block.type)}, self);
+  return result;
+}
+
+py::dict node_sets(const py::object& self) {
+  py::dict result;
+  for (const NodeSet& set : self.cast<const Mesh&>().node_sets)
+    result[py::str(set.name)] = view(set.nodes.data(), {static_cast<py::ssize_t>(set.nodes.size())}, self);
+  return result;
+}
+
+py::dict side_sets(const Mesh& mesh) {
+  py::dict result;
+  for (const SideSet& set : mesh.side_sets) result[py::str(set.name)] = corners(mesh, set.sides);
+  return result;
+}
+
+}  // namespace
+
+void bind_mesh(py::module_& module) {
+  py::class_<Mesh>(module, "Mesh", R"(A mesh of quadrilaterals or hexahedra, whole and in memory.
+
+points: array of points x 2 or 3 coordinates [L0]. blocks: cells by name, arrays of cells x 4 or 8 node numbers from 0,
+in the order of Exodus. node_sets: arrays of node numbers by name. side_sets: arrays of sides x 2 or 4 node numbers by
+name; a side lies on the boundary. Raises InputError for arrays that do not fit each other and for inverted cells.)")
+      .def(py::init(&make_mesh), py::arg("points"), py::arg("blocks"), py::arg("node_sets") = py::dict(),
+           py::arg("side_sets") = py::dict())
+      .def_static(
+          "read", [](const std::filesystem::path& path) { return read_exodus_mesh(path.string()); }, py::arg("path"),
+          "Reads an Exodus file.")
+      .def_static("of",
+                  [](const SceneList& scene) {
+                    return at_scene(scene.file, {}, [&] {
+                      Teuchos::ParameterList complete = complete_scene(scene.list);
+                      return scene_mesh(complete.sublist("Mesh"), scene.folder());
+                    });
+                  })
+      .def(
+          "write",
+          [](const Mesh& mesh, const std::filesystem::path& path, const std::string& title) {
+            write_exodus_mesh(mesh, path.string(), title);
+          },
+          py::arg("path"), py::arg("title") = "mesh", "Writes an Exodus file, which a scene names as Mesh/Exodus/File.")
+      .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })
+      .def_property_readonly(
+          "points",
+          [](const py::object& self) {
+            const auto& mesh = self.cast<const Mesh&>();
+            return view(mesh.coordinates.data(), {mesh.nodes(), mesh.dimension}, self);
+          },
+          "Coordinates, nodes x dimension [L0]: a view.")
+      .def_property_readonly("blocks", &blocks, "Node numbers of the cells by block: views.")
+      .def_property_readonly("node_sets", &node_sets, "Node numbers by set: views.")
+      .def_property_readonly("side_sets", &side_sets, "Corners of the sides by set.")
+      .def_property_readonly(
+          "boundary", [](const Mesh& mesh) { return corners(mesh, boundary_sides(mesh)); },
+          "Corners of all sides of the boundary.")
+      .def_property_readonly(
+          "quality", [](const Mesh& mesh) { return to_string(mesh_quality(mesh)); }, "Three lines about the cells.")
+      .def("__repr__", [](const Mesh& mesh) {
+        return fmt::format("<ixos.Mesh: {} dimensions, {} nodes, {} cells>", mesh.dimension, mesh.nodes(),
+                           mesh.cells());
+      });
+}
+
+}  // namespace ixos::python

@@ -1,0 +1,103 @@
+// Whole runs, with results on disk.
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "live_simulation.hpp"
+#include "scene_list.hpp"
+
+namespace py = pybind11;
+
+namespace ixos::python {
+namespace {
+
+const char* word(RunStatus status) {
+  switch (status) {
+    case RunStatus::Completed:
+      return "completed";
+    case RunStatus::Stopped:
+      return "stopped";
+    case RunStatus::Diverged:
+      return "diverged";
+    case RunStatus::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::vector<std::string> messages(const std::vector<Warning>& warnings) {
+  std::vector<std::string> result;
+  for (const Warning& warning : warnings) result.push_back(warning.message);
+  return result;
+}
+
+/// Runs to the final time. An exception of an observer, and Ctrl-C, end the run on all ranks as a signal ends the
+/// command: with a checkpoint. Then rethrows the exception, on the rank that has it.
+RunResult run_live(const py::object& self, const std::string& folder, bool overwrite, const std::string& restart,
+                   const py::object& tell) {
+  auto& simulation = self.cast<LiveSimulation&>();
+  std::exception_ptr stopped;
+  const auto guarded = [&stopped](const auto& call) {
+    const py::gil_scoped_acquire hold;
+    try {
+      if (!stopped) call();
+    } catch (...) {
+      stopped = std::current_exception();
+    }
+  };
+  RunOptions options;
+  options.folder = folder;
+  options.scene_file = simulation.file();
+  options.overwrite = overwrite;
+  options.restart = restart;
+  if (!tell.is_none()) options.tell = [&](const std::string& line) { guarded([&] { tell(line); }); };
+  options.observe = [&](const Progress&) { guarded([&] { notify(self); }); };
+  options.interrupted = [&] {
+    guarded([] {
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    });
+    return stopped != nullptr;
+  };
+  RunResult result;
+  {
+    const py::gil_scoped_release free;
+    result = at_scene(simulation.file(), {folder, restart}, [&] { return run(simulation.get(), options); });
+  }
+  if (stopped) std::rethrow_exception(stopped);
+  return result;
+}
+
+}  // namespace
+
+void bind_run(py::module_& module, SimulationClass& simulation) {
+  py::class_<RunResult>(module, "RunResult", py::dynamic_attr(), "How a run ended, and what it counted.")
+      .def_property_readonly(
+          "status", [](const RunResult& r) { return word(r.status); }, "completed, stopped, diverged or interrupted.")
+      .def_readonly("reason", &RunResult::reason)
+      .def_readonly("steps", &RunResult::steps)
+      .def_readonly("rejected_steps", &RunResult::rejected_steps)
+      .def_readonly("end_time", &RunResult::end_time, "[T0]")
+      .def_readonly("newton_iterations", &RunResult::newton_iterations)
+      .def_readonly("linear_iterations", &RunResult::linear_iterations)
+      .def_readonly("wall_seconds", &RunResult::wall_seconds)
+      .def_readonly("max_energy_error", &RunResult::max_energy_error, "[E0 L0^D]")
+      .def_readonly("largest_energy", &RunResult::largest_energy, "[E0 L0^D]")
+      .def_readonly("checkpoint", &RunResult::checkpoint, "Path of the newest checkpoint; may be empty.")
+      .def_property_readonly("max_forces",
+                             [](const RunResult& r) {
+                               py::dict forces;
+                               for (const auto& [name, value] : r.max_forces) forces[py::str(name)] = value;
+                               return forces;
+                             })
+      .def_property_readonly("warnings", [](const RunResult& r) { return messages(r.warnings); })
+      .def_property_readonly("findings", [](const RunResult& r) { return messages(r.findings); })
+      .def("__repr__", [](const RunResult& r) {
+        return fmt::format("<ixos.RunResult: {}, t = {:.6g} T0, {} steps{}{}>", word(r.status), r.end_time, r.steps,
+                           r.reason.empty() ? "" : ": ", r.reason);
+      });
+  simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("tell"));
+}
+
+}  // namespace ixos::python

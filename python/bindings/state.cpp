@@ -1,0 +1,50 @@
+// The present state as views.
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "live_simulation.hpp"
+
+namespace py = pybind11;
+
+namespace ixos::python {
+namespace {
+
+/// Returns nodes x dimension. Arrays of the owned nodes are empty without loads or constraints.
+py::array by_node(const std::vector<double>& values, const py::object& self) {
+  const py::ssize_t d = self.cast<const LiveSimulation&>().model().space().dimension();
+  return view(values.data(), {static_cast<py::ssize_t>(values.size()) / d, d}, self);
+}
+
+py::array acceleration(const py::object& self) {
+  auto& simulation = self.cast<LiveSimulation&>();
+  const std::vector<double>* values = nullptr;
+  {
+    const py::gil_scoped_release free;
+    values = &simulation.integrator().acceleration();
+  }
+  return by_node(*values, self);
+}
+
+}  // namespace
+
+void bind_state(SimulationClass& simulation) {
+  simulation
+      .def_property_readonly(
+          "u", [](const py::object& self) { return by_node(self.cast<const LiveSimulation&>().state().u, self); },
+          "Displacements, nodes x dimension [L0]: a view. The rank's owned nodes come first, then ghosts.")
+      .def_property_readonly(
+          "v", [](const py::object& self) { return by_node(self.cast<const LiveSimulation&>().state().v, self); },
+          "Velocities, nodes x dimension [L0/T0]: a view.")
+      .def_property_readonly("a", &acceleration,
+                             "Accelerations, nodes x dimension [L0/T0^2]: a view. Schemes in momentum form solve for "
+                             "them at the first request of a step. Collective.")
+      .def_property_readonly(
+          "loads",
+          [](const py::object& self) { return by_node(self.cast<const LiveSimulation&>().state().load, self); },
+          "External forces, owned nodes x dimension [E0 L0^(D-1)]: a view; empty without loads.")
+      .def_property_readonly(
+          "reactions",
+          [](const py::object& self) { return by_node(self.cast<const LiveSimulation&>().state().reaction, self); },
+          "Reactions, owned nodes x dimension [E0 L0^(D-1)]: a view; empty without constraints.");
+}
+
+}  // namespace ixos::python

@@ -1,0 +1,131 @@
+// Studies run one scene with many settings, each in a separate process.
+#include "study/study.hpp"
+
+#include <pybind11/stl.h>
+
+#include <filesystem>
+
+#include "bindings.hpp"
+#include "scene_list.hpp"
+#include "shell_word.hpp"
+#include "study/recommendation.hpp"
+#include "study/study_runner.hpp"
+
+namespace py = pybind11;
+
+namespace ixos::python {
+namespace {
+
+/// A study and its file.
+struct StudyFile {
+  Study study;
+  std::string path;
+};
+
+StudyFile read(const std::string& path) {
+  return at_scene(path, {}, [&] { return StudyFile{read_study(path), path}; });
+}
+
+py::dict row(const StudyResult& result) {
+  py::dict values;
+  values["name"] = result.run.name;
+  values["labels"] = result.run.labels;
+  values["status"] = result.status;
+  values["reason"] = result.reason;
+  for (const Measure& measure : measures()) values[measure.column] = result.errors.*measure.error;
+  values["wall_seconds"] = result.wall_seconds;
+  values["cpu_seconds"] = result.cpu_seconds;
+  values["steps"] = result.steps;
+  values["rejected_steps"] = result.rejected_steps;
+  values["newton_iterations"] = result.newton_iterations;
+  values["linear_iterations"] = result.linear_iterations;
+  values["peak_memory_bytes"] = result.peak_memory_bytes;
+  values["end_time"] = result.end_time;
+  return values;
+}
+
+/// Returns the rows and the recommendation. Throws what `watch` throws, and KeyboardInterrupt.
+py::tuple run_file(const StudyFile& file, const std::string& folder, const std::string& driver, bool overwrite,
+                   const py::object& watch) {
+  std::exception_ptr stopped;
+  RunnerOptions options;
+  options.folder = folder;
+  options.driver = driver;
+  options.version = IXOS_VERSION;
+  options.overwrite = overwrite;
+  options.interrupted = [&] {
+    const py::gil_scoped_acquire hold;
+    if (!stopped && PyErr_CheckSignals() != 0) stopped = std::make_exception_ptr(py::error_already_set());
+    return stopped != nullptr;
+  };
+  if (!watch.is_none())
+    options.watch = [&](const StudyResult& result, std::size_t done, bool reused) {
+      const py::gil_scoped_acquire hold;
+      try {
+        if (!stopped) watch(row(result), done, reused);
+      } catch (...) {
+        stopped = std::current_exception();
+      }
+    };
+  std::vector<StudyResult> results;
+  StudyStatus status{};
+  std::string sentence;
+  {
+    const py::gil_scoped_release free;
+    at_scene(file.path, {}, [&] {
+      std::error_code code;
+      std::filesystem::create_directories(folder, code);
+      if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
+      ReferenceQuality reference;
+      status = run_study(file.study, options, results, reference);
+      if (status != StudyStatus::Done) return;
+      const std::string command = "ixos-study " + shell_word(file.path) + " --output " + shell_word(folder);
+      write_study(file.study, results, reference, folder, command, IXOS_VERSION);
+      sentence = recommend(file.study, results, reference).sentence;
+    });
+  }
+  if (stopped) std::rethrow_exception(stopped);
+  if (status == StudyStatus::ReferenceFailed)
+    throw std::runtime_error("the reference did not reach its end: " + results.front().status + ": " +
+                             results.front().reason);
+  py::list rows;
+  for (const StudyResult& result : results) rows.append(row(result));
+  return py::make_tuple(rows, sentence);
+}
+
+py::list runs(const StudyFile& file) {
+  py::list result;
+  for (const StudyRun& run : file.study.runs) {
+    py::dict entry;
+    entry["name"] = run.name;
+    entry["labels"] = run.labels;
+    entry["settings"] = run.settings;
+    result.append(entry);
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_study(py::module_& module) {
+  py::class_<StudyFile>(module, "StudyFile", "A study as its file has it. ixos.Study is made of one.")
+      .def(py::init(&read), py::arg("path"))
+      .def_readonly("path", &StudyFile::path)
+      .def_property_readonly("name", [](const StudyFile& file) { return file.study.name; })
+      .def_property_readonly("scene", [](const StudyFile& file) { return file.study.scene; })
+      .def_property_readonly("axes",
+                             [](const StudyFile& file) {
+                               py::dict axes;
+                               for (const Axis& axis : file.study.axes) {
+                                 std::vector<std::string> labels;
+                                 for (const AxisValue& value : axis.values) labels.push_back(value.label);
+                                 axes[py::str(axis.name)] = labels;
+                               }
+                               return axes;
+                             })
+      .def_property_readonly("runs", &runs)
+      .def("run", &run_file, py::arg("folder"), py::arg("driver"), py::arg("overwrite") = false,
+           py::arg("watch") = py::none());
+}
+
+}  // namespace ixos::python

@@ -1,0 +1,18 @@
+"""Ixos: dynamic adhesion of deformable bodies.
+
+    import ixos
+    ixos.Scene("strip.xml").run()                 # as the command ixos does
+    simulation = ixos.Scene("strip.xml").simulation()
+    simulation.step(0.1)                          # or step by step, with u, v, a as NumPy arrays
+
+Scene: what a run computes. Simulation: a scene at some time. Mesh: a mesh from arrays. results(): a run's results.
+Study: many runs. On several ranks, run the script with mpirun; MPI starts with the import.
+"""
+from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
+from .results import Results, results
+from .scene import Scene
+from .simulation import SceneWarning
+from .study import Study, StudyResults
+
+__all__ = ["FileError", "InputError", "Mesh", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
+           "StepResult", "Study", "StudyResults", "__version__", "results"]

@@ -1,0 +1,112 @@
+#!/usr/bin/python3
+"""Meshes from arrays."""
+
+import numpy as np
+from support import BALL, FolderTest, ixos, main, pulled_block
+
+try:
+    from mpi4py.MPI import COMM_SELF as MINE  # each rank writes into its own folder
+except ImportError:
+    MINE = None
+
+POINTS = np.array([[0, 0], [2, 0], [4, 0], [0, 2], [2, 2], [4, 2]], float)
+CELLS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
+
+
+def block(**changes):
+    """A block of 4 x 2 L0 with the sets of the scene pulled_block()."""
+    arrays = {"points": POINTS, "blocks": {"body": CELLS}, "side_sets": {"lower": [[0, 1], [2, 1]]},
+              "node_sets": {"left": [0, 3], "right": [2, 5], "bottom": [0, 1, 2]}}
+    return ixos.Mesh(**{**arrays, **changes})
+
+
+class MeshTest(FolderTest):
+    def test_arrays_come_back(self):
+        mesh = block()
+        np.testing.assert_array_equal(mesh.points, POINTS)
+        np.testing.assert_array_equal(mesh.blocks["body"], CELLS)
+        np.testing.assert_array_equal(mesh.node_sets["right"], [2, 5])
+        self.assertEqual([set(side) for side in mesh.side_sets["lower"]], [{0, 1}, {1, 2}])
+        self.assertEqual({frozenset(side) for side in mesh.boundary},
+                         {frozenset(side) for side in [(0, 1), (1, 2), (2, 5), (5, 4), (4, 3), (3, 0)]})
+        self.assertFalse(mesh.points.flags.owndata)
+
+    def test_a_body_of_arrays_bears_its_load(self):
+        simulation = pulled_block().simulation(mesh=block())
+        while simulation.time < 1 - 1e-12:
+            self.assertTrue(simulation.step())
+        np.testing.assert_allclose(simulation.reaction("right"), [8 * 0.04 / 4 * 2, 0], atol=1e-12)
+        self.assertEqual(simulation.parameters.mesh.type, "Given")
+
+    def test_the_ball_of_arrays_is_the_ball(self):
+        scene = ixos.Scene(BALL)
+        generated, given = scene.simulation(), scene.simulation(mesh=scene.mesh_arrays())
+        for _ in range(20):
+            generated.step()
+            given.step()
+        np.testing.assert_array_equal(generated.u, given.u)
+
+    def test_runs_resume_with_their_mesh_only(self):
+        scene, folder = pulled_block(), self.folder / "run"
+        whole = scene.run(folder, mesh=block(), comm=MINE)
+        self.assertEqual(whole.steps, 4)
+        again = scene.run(folder, mesh=block(), comm=MINE, restart=whole.checkpoint)
+        self.assertEqual((again.status, again.steps), ("completed", 4))
+        other = ixos.Mesh(POINTS * [1, 0.5], {"body": CELLS}, block().node_sets)
+        with self.assertRaisesRegex(ixos.InputError, "mesh"):
+            scene.run(folder, mesh=other, comm=MINE, restart=whole.checkpoint)
+
+    def test_sets_of_the_scene_are_added(self):
+        scene = pulled_block()
+        scene.mesh.sets["half"] = {"Kind": "Nodes", "Upper": [2, 2]}
+        simulation = scene.simulation(mesh=block())
+        own = [node for node in simulation.node_set("half") if node < simulation.owned_nodes]
+        self.assertLessEqual({int(simulation.mesh_nodes[node]) for node in own}, {0, 1, 3, 4})
+
+    def test_hexahedra(self):
+        points = np.array([[x, y, z] for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))], float)
+        mesh = ixos.Mesh(points, {"cube": [range(8)]}, {}, {"top": [[4, 5, 6, 7]]})
+        self.assertEqual(mesh.dimension, 3)
+        self.assertEqual(len(mesh.boundary), 6)
+
+    def test_files(self):
+        mesh = block()
+        mesh.write(self.folder / "mesh.e")
+        back = ixos.Mesh.read(self.folder / "mesh.e")
+        np.testing.assert_array_equal(back.points, POINTS)
+        np.testing.assert_array_equal(back.blocks["body"], CELLS)
+        np.testing.assert_array_equal(back.node_sets["left"], [0, 3])
+
+    def test_bad_arrays_are_refused(self):
+        for words, changes in (
+                ("points: the array has 1 dimensions", {"points": POINTS[0]}),
+                ("points: they have 1 coordinates; 2 or 3 are allowed", {"points": POINTS[:, :1]}),
+                ("point 0 has the coordinate nan", {"points": np.where(POINTS == 0, np.nan, POINTS)}),
+                ("point 6 belongs to no cell", {"points": np.vstack([POINTS, [[9, 9]]])}),
+                ('block "body" has node 6; the points are numbered from 0 to 5', {"blocks": {"body": CELLS + 1}}),
+                ('block "body": its cells have 3 nodes', {"blocks": {"body": CELLS[:, :3]}}),
+                ('block "body": an array of integers', {"blocks": {"body": CELLS + 0.5}}),
+                ("no blocks", {"blocks": {}, "node_sets": {}, "side_sets": {}}),
+                ('block "body", cell 1: inverted', {"blocks": {"body": CELLS[:, ::-1]}}),
+                ('node set "left" has node 9', {"node_sets": {"left": [9]}}),
+                ('node set "left" has node 0 twice', {"node_sets": {"left": [0, 0]}}),
+                ("a node set has an empty name", {"node_sets": {"": [0]}}),
+                ('side set "in": two cells share', {"side_sets": {"in": [[1, 4]]}}),
+                ('side set "in": no cell has a side with the nodes 0, 4', {"side_sets": {"in": [[0, 4]]}}),
+                ('side set "in": its sides have 4 nodes', {"side_sets": {"in": [[0, 1, 2, 3]]}})):
+            with self.subTest(words), self.assertRaises(ixos.InputError) as caught:
+                block(**changes)
+            self.assertIn(words, str(caught.exception))
+        with self.assertRaisesRegex(ixos.InputError, "elements 1 and 2 have the same nodes"):
+            twice = ixos.Mesh(POINTS[[0, 1, 4, 3]], {"a": [[0, 1, 2, 3]], "b": [[1, 2, 3, 0]]})
+            pulled_block().simulation(mesh=twice)
+
+    def test_the_command_has_no_given_mesh(self):
+        scene = pulled_block()
+        scene.mesh.type = "Given"
+        with self.assertRaisesRegex(ixos.InputError, "a program provides this mesh"):
+            scene.simulation()
+
+
+if __name__ == "__main__":
+    main()

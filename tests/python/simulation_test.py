@@ -1,0 +1,162 @@
+#!/usr/bin/python3
+"""Steps, views and measures, on any number of ranks."""
+import gc
+import unittest
+import weakref
+
+import numpy as np
+from support import BALL, free_block, ixos, main, pulled_block
+
+AREA, DENSITY = 8.0, 3.0
+
+
+def total(simulation, values):
+    """The sum over all ranks, each owned node once."""
+    own = values[:simulation.owned_nodes].sum(axis=0)
+    if simulation.ranks == 1:
+        return own
+    from mpi4py import MPI
+    return MPI.COMM_WORLD.allreduce(own)
+
+
+class StepTest(unittest.TestCase):
+    def test_a_free_body_flies_straight(self):
+        simulation = free_block().simulation()
+        for _ in range(10):
+            self.assertTrue(simulation.step(0.01))
+        self.assertAlmostEqual(simulation.time, 0.1, places=15)
+        np.testing.assert_allclose(simulation.u, np.tile([0.1, -0.2], (len(simulation.u), 1)), atol=1e-13)
+        np.testing.assert_allclose(simulation.v, np.tile([1, -2], (len(simulation.v), 1)), atol=1e-12)
+        np.testing.assert_allclose(simulation.a, 0, atol=1e-10)
+
+    def test_energies_and_momenta_are_those_of_a_rigid_body(self):
+        simulation = free_block().simulation()
+        simulation.step()
+        self.assertAlmostEqual(simulation.energies["kinetic_energy"], AREA * DENSITY * 5 / 2, places=10)
+        self.assertAlmostEqual(simulation.energies["elastic_energy"], 0, places=12)
+        np.testing.assert_allclose(simulation.linear_momentum, np.array([1, -2]) * AREA * DENSITY, atol=1e-10)
+        # The centre is at (x, y) + u; its angular momentum is m (x v_y - y v_x).
+        x, y = total(simulation, simulation.points + simulation.u) / total(simulation, np.ones(len(simulation.u)))
+        np.testing.assert_allclose(simulation.angular_momentum, [AREA * DENSITY * (-2 * x - y)], atol=1e-9)
+
+    def test_reactions_are_stress_times_width(self):
+        simulation = pulled_block().simulation()
+        while simulation.time < 1 - 1e-12:
+            self.assertTrue(simulation.step())
+        force = 8 * 0.04 / 4 * 2  # E times strain times width
+        np.testing.assert_allclose(simulation.reaction("right"), [force, 0], atol=1e-12)
+        np.testing.assert_allclose(simulation.reaction("left"), [-force, 0], atol=1e-12)
+        right = simulation.reactions[simulation.points[:simulation.owned_nodes, 0] == simulation.points[:, 0].max()]
+        if simulation.ranks == 1:
+            self.assertAlmostEqual(right[:, 0].sum(), force, places=12)
+
+    def test_attempts_leave_no_trace(self):
+        simulation, other = free_block().simulation(), free_block().simulation()
+        self.assertTrue(simulation.attempt(0.02))
+        self.assertTrue(simulation.attempt(0.01))
+        self.assertEqual(simulation.time, 0)
+        simulation.accept()
+        other.step(0.01)
+        np.testing.assert_array_equal(simulation.u, other.u)
+        for judge in (simulation.accept, simulation.error, simulation.gap_ratio):
+            with self.assertRaisesRegex(RuntimeError, "no attempted step"):
+                judge()
+        simulation.attempt(0.01)
+        self.assertEqual(simulation.gap_ratio(), 1)  # there is no wall
+        self.assertLess(simulation.error(), 1e-12)  # a straight flight
+
+    def test_a_step_that_fails_is_false_and_changes_nothing(self):
+        scene = ixos.Scene(BALL)
+        scene.mesh.disk.center = [0, 5.2]
+        scene.nonlinear_solver.maximum_iterations = 1
+        simulation = scene.simulation()
+        before = simulation.u.copy()
+        result = simulation.step(0.05)
+        self.assertFalse(result)
+        self.assertTrue(result.reason)
+        self.assertEqual(simulation.time, 0)
+        np.testing.assert_array_equal(simulation.u, before)
+
+    def test_observers_are_called_after_each_accepted_step(self):
+        simulation, times = free_block().simulation(), []
+        simulation.observers.append(lambda now: times.append(now.time))
+        simulation.step(0.01)
+        simulation.attempt(0.02)
+        self.assertEqual(times, [0.01])
+        simulation.accept()
+        self.assertEqual(simulation.steps(3, 0.01), 3)
+        np.testing.assert_allclose(times, [0.01, 0.03, 0.04, 0.05, 0.06], rtol=1e-15)
+
+    def test_an_observer_may_remove_itself(self):
+        simulation, calls = free_block().simulation(), []
+
+        def once(now):
+            calls.append("once")
+            now.observers.remove(once)
+
+        simulation.observers.extend([once, lambda now: calls.append("always")])
+        simulation.steps(2, 0.01)
+        self.assertEqual(calls, ["once", "always", "always"])
+
+    def test_a_simulation_in_its_own_observer_is_collected(self):
+        simulation = free_block().simulation()
+        simulation.observers.append(lambda now, mine=simulation: mine.time)
+        simulation.step()
+        gone = weakref.ref(simulation.observers[0])
+        del simulation
+        gc.collect()
+        self.assertIsNone(gone())
+
+    def test_steps_must_be_positive(self):
+        for dt in (0, -1, float("nan")):
+            with self.assertRaisesRegex(ixos.InputError, "must be greater than 0"):
+                free_block().simulation().step(dt)
+
+
+class ViewTest(unittest.TestCase):
+    def test_views_are_the_same_memory(self):
+        simulation = free_block().simulation()
+        simulation.step()
+        for name in ("u", "v", "a", "points", "mesh_nodes"):
+            first, second = getattr(simulation, name), getattr(simulation, name)
+            self.assertFalse(first.flags.owndata, name)
+            self.assertEqual(first.ctypes.data, second.ctypes.data, name)
+            self.assertTrue(np.shares_memory(first, second), name)
+            with self.assertRaises(ValueError):
+                first[0] = 1
+
+    def test_the_present_state_is_one_of_two_places(self):
+        simulation, places = free_block().simulation(), set()
+        for _ in range(20):
+            simulation.step()
+            places.add(simulation.u.ctypes.data)
+        self.assertEqual(len(places), 2)
+
+    def test_a_view_keeps_its_simulation(self):
+        simulation = free_block().simulation()
+        simulation.step(0.01)
+        view, nodes = simulation.u, simulation.blocks[0].nodes
+        del simulation
+        gc.collect()
+        np.testing.assert_allclose(view, np.tile([0.01, -0.02], (len(view), 1)), atol=1e-14)
+        self.assertEqual(nodes.shape[1], 4)
+
+    def test_computed_arrays_stay(self):
+        simulation = ixos.Scene(BALL).simulation()
+        gaps = simulation.gaps[:simulation.owned_nodes]
+        for _ in range(5):
+            simulation.step(0.001)
+        there = np.isfinite(gaps)  # the wall is the line y = 0
+        np.testing.assert_allclose(gaps[there], simulation.points[:simulation.owned_nodes][there, 1], atol=1e-14)
+        self.assertEqual(total(simulation, np.isfinite(simulation.gaps).astype(float)), 16)
+        self.assertEqual(simulation.traction.shape, simulation.u.shape)
+        self.assertEqual(simulation.pressure.shape, simulation.gaps.shape)
+
+    def test_ranks_share_the_nodes(self):
+        simulation = free_block().simulation()
+        self.assertEqual(total(simulation, np.ones(len(simulation.u))), 5 * 3)
+        self.assertEqual(total(simulation, simulation.mesh_nodes.astype(float)), sum(range(15)))
+
+
+if __name__ == "__main__":
+    main()
