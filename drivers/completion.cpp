@@ -53,7 +53,9 @@ _@function@() {
       if ((${#shown[@]} == 0)); then break; fi
       candidates=("${shown[@]}")
     done
-    if ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == *[=/] ]]; then  # bash closes quotes after a sole word
+    if ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == *'>' ]]; then  # shows the type, but does not insert it
+      candidates+=("$start")
+    elif ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == *[=/] ]]; then  # bash closes quotes after a sole word
       mapfile -t shown < <(_@function@_settings "${candidates[0]}")
       if ((${#shown[@]})); then candidates+=("${shown[@]}"); else candidates+=("${candidates[0]}<name>"); fi
     fi
@@ -84,14 +86,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-/// Returns the case of an option that takes a value.
-std::string value_case(const std::string& option, const std::map<std::string, std::vector<std::string>>& words) {
-  const auto found = words.find(option);
-  if (found == words.end())
-    return fmt::format("    {}) compopt -o filenames; mapfile -t COMPREPLY < <(compgen -f -- \"$word\"); return ;;\n",
-                       option);
-  return fmt::format("    {}) mapfile -t COMPREPLY < <(compgen -W {} -- \"$word\"); return ;;\n", option,
-                     shell_word(fmt::format("{}", fmt::join(found->second, " "))));
+/// Returns the case of an option that takes a value: one of its words, or a folder or file by the name of its type.
+std::string value_case(const CLI::Option& option, const std::string& name,
+                       const std::map<std::string, std::vector<std::string>>& words) {
+  const auto found = words.find(name);
+  const std::string type = option.get_type_name();
+  std::string action;
+  if (found != words.end())
+    action = "compgen -W " + shell_word(fmt::format("{}", fmt::join(found->second, " "))) + " -- \"$word\"";
+  else if (type == "FOLDER" || type == "FILE")
+    action = std::string("compgen ") + (type == "FILE" ? "-f" : "-d") + " -- \"$word\"";
+  else
+    return "    " + name + ") return ;;\n";
+  return fmt::format("    {}) {}mapfile -t COMPREPLY < <({}); return ;;\n", name,
+                     found == words.end() ? "compopt -o filenames; " : "", action);
 }
 
 }  // namespace
@@ -103,7 +111,7 @@ std::string bash_completion(const CLI::App& app, const std::map<std::string, std
     if (option->get_group().empty()) continue;
     for (const std::string& name : option->get_lnames()) {
       options += (options.empty() ? "--" : " --") + name;
-      if (option->get_expected_max() > 0) cases += value_case("--" + name, words);
+      if (option->get_expected_max() > 0) cases += value_case(*option, "--" + name, words);
     }
   }
   const std::string program = app.get_name(), function = replaced(program, "-", "_");

@@ -7,9 +7,10 @@
 
 namespace ixos {
 
-/// Returns a script for bash that completes commands of the program: its options, files for its first argument (a scene
-/// or a study) and for options with values, and the words in `words` for the options that they belong to. `settings`
-/// are lines as assignments() gives them; the script completes the values of --set from these level by level.
+/// Returns a script for bash that completes commands of the program: its options, XML files for its first argument, the
+/// words in `words` for the values of the options that they belong to, and folders and files for options of the types
+/// FOLDER and FILE. `settings` are lines as assignments() gives them; the script completes the values of --set from
+/// these, level by level.
 std::string bash_completion(const CLI::App& app, const std::map<std::string, std::vector<std::string>>& words,
                             const std::vector<std::string>& settings);
 

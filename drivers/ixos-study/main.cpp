@@ -145,9 +145,10 @@ int guarded(const Arguments& arguments) {
 
 void declare(CLI::App& app, Arguments& arguments) {
   app.footer(how_to_begin);
-  app.add_option("STUDY", arguments.study, "study file (XML)");
+  app.add_option("STUDY", arguments.study, "study file (XML)")->type_name("FILE");
   app.add_option("--output", arguments.output,
-                 "results folder (default: the name of STUDY with .results instead of .xml)");
+                 "results folder (default: the name of STUDY with .results instead of .xml)")
+      ->type_name("FOLDER");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
   app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");

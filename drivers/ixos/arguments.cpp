@@ -41,21 +41,26 @@ void add_verification(CLI::App& app, Arguments& arguments, const std::vector<CLI
 /// Declares all options.
 void declare(CLI::App& app, Arguments& arguments) {
   app.footer(how_to_begin);
-  app.add_option("SCENE", arguments.scene, "scene file (XML)");
+  app.add_option("SCENE", arguments.scene, "scene file (XML)")->type_name("FILE");
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
+      ->type_name("ASSIGNMENT")
       ->allow_extra_args(false);
-  app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
+  app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)")
+      ->type_name("FOLDER");
   app.add_flag("--overwrite", arguments.overwrite, "replace the results of another scene in the results folder");
   CLI::Option* restart =
       app.add_option("--restart", arguments.restart,
                      "resume from this checkpoint, or from the newest sound checkpoint of this folder")
+          ->type_name("FILE")
           ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
   CLI::Option* check = app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
   CLI::Option* explain = app.add_flag("--explain", arguments.explain,
                                       "print what the scene models and what it leaves out, but do not run it");
-  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");
+  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block")
+      ->type_name("NAME");
   CLI::Option* mesh = app.add_option("--write-mesh", arguments.mesh_file,
-                                     "write the scene's mesh to this Exodus file, but do not run it");
+                                     "write the scene's mesh to this Exodus file, but do not run it")
+                          ->type_name("FILE");
   add_verification(app, arguments, {restart, check, explain, mesh});
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
