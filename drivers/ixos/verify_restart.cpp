@@ -70,8 +70,8 @@ int run_check(const Arguments& arguments) {
     case RestartCheckStatus::Interrupted:
       return refuse(5, "interrupted");
     default:
-      return refuse(result.exit_status, "a run ended with exit status " + std::to_string(result.exit_status) + ": " +
-                                            result.message + " (its messages are in " + check.folder + ")");
+      return refuse(result.exit_status,
+                    "a run ended with exit status " + std::to_string(result.exit_status) + ": " + result.message);
   }
 }
 

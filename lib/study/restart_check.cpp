@@ -137,7 +137,8 @@ class Checker {
   }
 
   RestartCheckResult failed(int status, const std::string& log) const {
-    return {RestartCheckStatus::RunFailed, last_line(check_.folder + '/' + log), status};
+    const std::string path = check_.folder + '/' + log;
+    return {RestartCheckStatus::RunFailed, last_line(path) + " (all messages are in " + path + ")", status};
   }
   void differs(const std::string& difference) {
     if (result_.message.empty()) result_ = {RestartCheckStatus::Different, difference, 0};

@@ -25,7 +25,7 @@ enum class RestartCheckStatus { Same, Different, RunFailed, Interrupted };
 
 struct RestartCheckResult {
   RestartCheckStatus status = RestartCheckStatus::Same;
-  std::string message;  ///< the first difference, or the last line of a run that failed; else empty
+  std::string message;  ///< the first difference, or the last words of a run that failed; else empty
   int exit_status = 0;  ///< of the run that failed
 };
 

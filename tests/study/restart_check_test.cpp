@@ -117,7 +117,7 @@ TEST_F(RestartCheckTest, ARunThatFailsGivesItsStatusAndItsWords) {
   const RestartCheckResult result = run("unlucky");
   EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
   EXPECT_EQ(result.exit_status, 4);
-  EXPECT_EQ(result.message, "the disk is full");
+  EXPECT_EQ(result.message, "the disk is full (all messages are in " + check_.folder + "/undisturbed.log)");
 }
 
 TEST_F(RestartCheckTest, AnInterruptionEndsIt) {
