@@ -1,5 +1,5 @@
-# Manual pages and bash completion, made from the programs' own tables of options when they are built, and installed.
-# Pages need help2man, the page of ixos-plot also matplotlib. What is missing leaves them out.
+# Manual pages and bash completion: made by the build from the programs' own tables of options, and installed.
+# The pages need help2man, and the page of ixos-plot needs matplotlib. The build leaves out what it cannot make.
 find_program(IXOS_HELP2MAN help2man)
 set(_manual ${PROJECT_BINARY_DIR}/manual)
 file(MAKE_DIRECTORY ${_manual}/man1 ${_manual}/completions)
@@ -47,3 +47,8 @@ else()
 endif()
 get_property(_made GLOBAL PROPERTY IXOS_MANUAL)
 add_custom_target(manual ALL DEPENDS ${_made})
+
+# The documents as a site, on demand: cmake --build build/release --target site. Installed if it was made.
+add_custom_target(site COMMAND ${PROJECT_SOURCE_DIR}/docs/site.sh ${PROJECT_BINARY_DIR}/site VERBATIM)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html OPTIONAL
+        PATTERN ".buildinfo" EXCLUDE)

@@ -7,7 +7,8 @@
 namespace ixos {
 namespace {
 
-/// What does not depend on the program. In @...@: its name, as a command and as a part of names in bash.
+/// The functions of the script. @program@ and @function@ stand for the name of the program, as a command and as a part
+/// of names in bash; @cases@ for the options with values.
 const char* const functions = R"bash(
 # Prints what the beginning $1 of a setting can go on with, up to the next "/" or "=".
 _@function@_settings() {

@@ -27,7 +27,7 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// What a command line asks for. `error` says why it was refused and `help` is the answer to --help; if both are empty,
+/// The meaning of a command line. `error` says why it was refused and `help` is the answer to --help; if both are empty,
 /// the arguments hold.
 struct CommandLine {
   Arguments arguments;

@@ -69,7 +69,7 @@ class Checker {
  private:
   using Words = std::vector<std::string>;
 
-  /// Runs up to the kill after the checkpoint of that step. Returns whether the check goes on.
+  /// Runs up to the kill after the checkpoint of that step. Returns false if the check ends here.
   bool part(long before, long step) {
     const std::string log = fmt::format("killed-{}.log", step);
     Words words = beginning(before);
