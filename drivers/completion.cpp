@@ -115,7 +115,8 @@ std::string bash_completion(const CLI::App& app, const std::map<std::string, std
       if (option->get_expected_max() > 0) cases += value_case(*option, "--" + name, words);
     }
   }
-  const std::string program = app.get_name(), function = replaced(program, "-", "_");
+  const std::string& program = app.get_name();
+  const std::string function = replaced(program, "-", "_");
   std::string script = replaced(replaced(functions, "@cases@", cases), "@program@", program);
   script = replaced(script, "@function@", function);
   return fmt::format(

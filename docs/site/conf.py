@@ -3,6 +3,7 @@ project = "Ixos"
 extensions = ["myst_parser"]
 myst_heading_anchors = 4  # the anchors of headings that GitHub makes
 exclude_patterns = ["docs/man", "docs/site"]
+smartquotes = False  # quotes around values are what a user types
 html_theme = "furo"
 html_title = "Ixos"
 html_show_copyright = False

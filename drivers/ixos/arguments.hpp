@@ -27,8 +27,8 @@ struct Arguments {
   bool quiet = false;
 };
 
-/// The meaning of a command line. `error` says why it was refused and `help` is the answer to --help; if both are empty,
-/// the arguments hold.
+/// The meaning of a command line. `error` says why it was refused and `help` is the answer to --help; if both are
+/// empty, the arguments hold.
 struct CommandLine {
   Arguments arguments;
   std::string help, error;

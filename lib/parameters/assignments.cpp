@@ -1,5 +1,7 @@
 #include "parameters/assignments.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_ParameterEntryValidator.hpp>
 
 #include "parameters/parameter_entries.hpp"
@@ -27,7 +29,7 @@ void add(const Teuchos::ParameterList& valid, const std::string& path, std::vect
       add(valid.sublist(name), path + name + '/', lines);
       continue;
     }
-    for (const std::string& word : words(entry)) lines.push_back(path + name + '=' + word);
+    for (const std::string& word : words(entry)) lines.push_back(fmt::format("{}{}={}", path, name, word));
   }
 }
 

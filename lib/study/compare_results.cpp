@@ -122,7 +122,8 @@ std::string results_difference(const std::string& expected, const std::string& f
   const std::vector<std::string> names = field_files(expected);
   if (names != field_files(found)) return told("fields.e", "there are other files");
   for (const std::string& name : names)
-    if (const std::string d = byte_difference(expected + '/' + name, found + '/' + name); !d.empty())
+    if (const std::string d = byte_difference(fmt::format("{}/{}", expected, name), fmt::format("{}/{}", found, name));
+        !d.empty())
       return told(name, d);
   return "";
 }
