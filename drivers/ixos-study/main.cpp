@@ -19,6 +19,7 @@
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
 #include "study/child_process.hpp"
+#include "study/recommendation.hpp"
 #include "study/study.hpp"
 #include "study/study_result.hpp"
 #include "study/study_runner.hpp"
@@ -105,7 +106,8 @@ int run(const Arguments& arguments) {
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   std::vector<ixos::StudyResult> results;
-  const ixos::StudyStatus status = ixos::run_study(study, options, results);
+  ixos::ReferenceQuality reference;
+  const ixos::StudyStatus status = ixos::run_study(study, options, results, reference);
   if (status == ixos::StudyStatus::ReferenceFailed) {
     ixos::console::complain("ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
                             ixos::printable(results.front().reason));
@@ -117,8 +119,9 @@ int run(const Arguments& arguments) {
   }
   const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
                               (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
-  ixos::write_study(study, results, options.folder, command, options.version);
-  if (!arguments.quiet) ixos::console::say("{}\n", ixos::printable(ixos::recommend(study, results).sentence));
+  ixos::write_study(study, results, reference, options.folder, command, options.version);
+  if (!arguments.quiet)
+    ixos::console::say("{}\n", ixos::printable(ixos::recommend(study, results, reference).sentence));
   return make_report(options.folder, arguments.quiet);
 }
 

@@ -131,14 +131,17 @@ class Fields:
         return values[[whole[0] for whole in self.wholes]]
 
     def node_set(self, name, frame):
-        """Deformed places of the nodes of a set, a row a node; none where no file has nodes of it."""
+        """Deformed places of the nodes of a set, a row a node; none where no file has nodes of it. A node set with the
+        name of a side set is called name_nodes in the file."""
         numbers = []
+        names = (name, name + "_nodes")
         for reader in self._readers:
-            reader.SetObjectStatus(reader.NODE_SET, name, 1)
+            for known in names:
+                reader.SetObjectStatus(reader.NODE_SET, known, 1)
             reader.UpdateTimeStep(self._steps[frame])
             sets = reader.GetOutput().GetBlock(NODE_SETS)
             for i in range(sets.GetNumberOfBlocks()):
-                if sets.GetBlock(i) is not None and sets.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) == name:
+                if sets.GetBlock(i) is not None and sets.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) in names:
                     numbers.append(vtk_to_numpy(sets.GetBlock(i).GetPointData().GetArray("GlobalNodeId")))
         there = np.isin(self._node_ids, np.concatenate(numbers)) if numbers else np.zeros(len(self._node_ids), bool)
         return (self.coordinates + self.displacement(frame))[there]

@@ -12,7 +12,7 @@ import style
 from peeling import note
 from results import ResultsError
 from study_report import write_report
-from study_results import COSTS, ERRORS, Study
+from study_results import COSTS, ERRORS, Study, file_name
 from style import plt
 
 EPILOG = """examples:
@@ -32,6 +32,7 @@ MARKS = {
     "recommended": {"marker": "o", "markersize": 14, "markerfacecolor": "none", "markeredgecolor": style.INK,
                     "markeredgewidth": 1.8, "linestyle": "none"},
     "tolerance": {"color": style.INK, "linewidth": 0.9, "linestyle": (0, (6, 3))},
+    "reference's own error": {"color": style.INK, "linewidth": 0.9, "linestyle": (0, (1, 2))},
     "failed": {"marker": "x", "markersize": 5, "markeredgewidth": 1.3, "color": style.INK, "linestyle": "none"},
 }
 NOTHING = {"linestyle": "none"}
@@ -162,6 +163,9 @@ def draw(study, measure):
     best = [study.best] if study.best in there else []
     if tolerance:
         axes.axhline(tolerance, zorder=1.5, **MARKS["tolerance"])
+    own = study.own_error(measure) >= bottom
+    if own:
+        axes.axhline(study.own_error(measure), zorder=1.5, **MARKS["reference's own error"])
     axes.plot(*points(front), clip_on=False, zorder=1.8, **MARKS["Pareto set"])
     axes.plot(*points(best), clip_on=False, zorder=1.8, **MARKS["recommended"])
     for name, runs in study.lines.items():
@@ -174,7 +178,8 @@ def draw(study, measure):
         top = figure.add_axes((0, (HEIGHT + 0.05) / height, 1, 1 - (HEIGHT + 0.05) / height), sharex=axes)
         draw_failures(top, failed, shown, study)
     top.set_title(plain(study.data["name"], 80), loc="left", fontsize=10, fontweight="bold")
-    needed = {"Pareto set": front, "recommended": best, "tolerance": tolerance, "failed": failed}
+    needed = {"Pareto set": front, "recommended": best, "tolerance": tolerance,
+              "reference's own error": own, "failed": failed}
     entries += [("marks", None)] + [(text, MARKS[text]) for text in MARKS if needed[text]]
     if any(study.error(run, measure) < LEAST for run in there):
         entries.append((f"on the bottom edge: below {LEAST:g}", NOTHING))
@@ -205,7 +210,7 @@ def main():
 
     pictures = {}
     for measure in study.measures:
-        path = study.folder / f"work-precision-{ERRORS[measure]}"
+        path = study.folder / file_name(measure)
         if any(study.error(run, measure) > 0 for run in study.runs.values()):
             pictures[measure] = save(draw(study, measure), path)
         else:

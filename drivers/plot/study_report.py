@@ -7,7 +7,7 @@ import re
 import shlex
 
 from results import ResultsError
-from study_results import COSTS, COUNTS, ERRORS, FAILED, GOOD, OPEN
+from study_results import COSTS, COUNTS, ERRORS, FAILED, GOOD, OPEN, VALUES, file_name
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #222; --soft: #666; --line: #ddd; --back: #fff; --card: #f5f6f8;
@@ -71,6 +71,11 @@ def command(scene, settings):
     return " \\\n    ".join([f"ixos {shlex.quote(scene)}"] + [f"--set {setting}" for setting in quoted])
 
 
+def with_own_error(error, own):
+    """An error as text, with the reference's own error if that is known."""
+    return f"{error:.3g}" if math.isnan(own) else f"{error:.3g} ± {own:.2g}"
+
+
 def advice(study):
     """The recommendation: the sentence, and the command that follows it."""
     told, best = study.data["recommendation"], study.best
@@ -79,7 +84,9 @@ def advice(study):
         parts.append(f"<pre>{html.escape(command(study.data['scene'], told['settings']))}</pre>")
         told = [f"{word.replace(' [s]', '')} {best[name]:.6g}{' s' * word.endswith('[s]')}"
                 for name, word in COSTS.items() if not math.isnan(best[name])]
-        told += [f"error of the {word} {best[name]:.3g}" for name, word in ERRORS.items() if not math.isnan(best[name])]
+        told += [f"{word} {best[name]:.6g}" for name, word in VALUES.items() if not math.isnan(best[name])]
+        told += [f"error of the {word} {with_own_error(best[name], study.own_error(name))}"
+                 for name, word in ERRORS.items() if not math.isnan(best[name])]
         parts.append(paragraph(f"Run {best['run']}: {', '.join(told)}.", "soft"))
     return f'<section class="advice">{"".join(parts)}</section>'
 
@@ -94,9 +101,10 @@ def plots(study, pictures):
         (f"A line joins the runs that differ only in {study.connect} and breaks where one did not reach its end. "
          if study.connect else "") +
         "Crosses above a plot are runs that failed, at the cost up to the failure. Points on the bottom edge have "
-        "errors below 1e-17. Rings mark the Pareto set: no other run is better in both cost and error."))
+        "errors below 1e-17. Rings mark the Pareto set: no other run is better in both cost and error. Errors near the "
+        "reference's own error (dotted) are no better known than that."))
     for measure, svg in pictures.items():
-        file = f"work-precision-{ERRORS[measure]}"
+        file = file_name(measure)
         parts.append(f'<figure><img alt="relative error of the {ERRORS[measure]} over {COSTS[study.data["cost"]]}" '
                      f'src="data:image/svg+xml;base64,{base64.b64encode(svg).decode()}">'
                      f"<figcaption>Error of the {ERRORS[measure]} ({file}.png, {file}.svg)</figcaption></figure>")
@@ -119,6 +127,7 @@ def pareto(study, axes):
 def usability(study):
     """Where each line stops being usable: a row a line, a column a label of the connecting axis."""
     measure, tolerance = study.data["measure"], study.data["tolerance"]
+    own = 0 if math.isnan(study.own_error(measure)) else study.own_error(measure)
 
     def cell(run):
         if run is None:
@@ -126,13 +135,14 @@ def usability(study):
         error = study.error(run, measure) if measure else math.nan
         more = f"at time {run['end_time']:.4g}" if run["status"] not in GOOD and not math.isnan(run["end_time"]) else ""
         if not math.isnan(error):
-            more = f"error {error:.2g}{', within' if tolerance and error <= tolerance else ''}"
+            more = f"error {error:.2g}{', within' if tolerance and error + own <= tolerance else ''}"
         return status(run, more)
 
     told = "Completed runs reached the final time; a criterion of the scene ended stopped runs before it."
     told = f"There is one column per {study.connect}. {told}" if study.connect else told
     told += f" The error is that of the {ERRORS[measure]}" if measure else ""
-    told += f"; within: at most the tolerance, {tolerance:g}." if measure and tolerance else "." if measure else ""
+    if measure:
+        told += f"; within: at most the tolerance, {tolerance:g}, with the reference's own error." if tolerance else "."
     return ["<h2>Which runs are usable</h2>", paragraph(told),
             table([*study.varying, *(study.labels() if study.connect else ["status"])], [],
                   [(False, [*map(text, name), *(cell(runs.get(label)) for label in study.labels())])
@@ -142,11 +152,14 @@ def usability(study):
 def all_runs(study, axes):
     """The table of all runs."""
     errors = [name for name in ERRORS if any(not math.isnan(run[name]) for run in study.runs.values())]
-    numbers = [*(f"{ERRORS[name]} error" for name in errors), "wall-clock s", "processor s",
+    values = [name for name in VALUES if any(not math.isnan(run[name]) for run in study.runs.values())]
+    numbers = [*(f"{ERRORS[name]} error" for name in errors), *(VALUES[name] for name in values),
+               "wall-clock s", "processor s",
                *(name.replace("_", " ") for name in COUNTS), "memory MB", "end time"]
     rows = [(run is study.best, [
         text(run["run"]), *(text(run[axis]) for axis in axes), status(run), text(run["reason"], "reason"),
-        *(number(run[name]) for name in errors), number(run["wall_seconds"], ".4g"), number(run["cpu_seconds"], ".4g"),
+        *(number(run[name]) for name in errors), *(number(run[name], ".6g") for name in values),
+        number(run["wall_seconds"], ".4g"), number(run["cpu_seconds"], ".4g"),
         *(number(run[name], ".0f") for name in COUNTS), number(run["peak_memory_bytes"] / 1e6, ".0f"),
         number(run["end_time"], ".6g")]) for run in study.runs.values()]
     return ["<h2>All runs</h2>", table(["run", *axes, "status", "reason"], numbers, rows)]
@@ -156,8 +169,13 @@ def origin(study):
     """The reference, what all runs share, and how to repeat the study."""
     data = study.data
     shared = [f"{name}: {labels[0]}" for name, labels in study.axes.items() if len(labels) == 1] + data["common"]
-    reference = data["reference"] or {"description": "None.", "folder": ""}
+    none = {"description": "None.", "folder": "", "judgement": "", "own_errors": {}, "notes": []}
+    reference = data["reference"] or none
+    own = table(["error of the"], ["reference's own error"],
+                [(False, [text(ERRORS[name]), number(error)]) for name, error in reference["own_errors"].items()])
     return ["<h2>Reference</h2>", paragraph(reference["description"]), paragraph(reference["folder"], "soft"),
+            paragraph(reference["judgement"]), *([own] if reference["own_errors"] else []),
+            *(paragraph(note, "soft") for note in reference["notes"]),
             "<h2>Settings that all runs share</h2>",
             "<pre>" + html.escape("\n".join(shared)) + "</pre>" if shared else paragraph("Only those of the scene."),
             "<h2>To repeat this study</h2>", f"<pre>{html.escape(data['command'])}</pre>",

@@ -9,18 +9,26 @@ from results import ResultsError, existing
 
 COSTS = {"wall_seconds": "wall-clock time [s]", "cpu_seconds": "processor time [s]",
          "newton_iterations": "Newton iterations"}
-ERRORS = {f"error_{name}": name for name in ("energy", "momentum", "force", "position")}
+ERRORS = {**{f"error_{name}": name for name in ("energy", "momentum", "force", "position")},
+          "peak_error": "peak force", "work_error": "work"}
+VALUES = {"peak": "peak force", "work": "work"}  # what the errors of these compare
 COUNTS = ["steps", "rejected_steps", "newton_iterations", "linear_iterations"]
-NUMBERS = [*ERRORS, "wall_seconds", "cpu_seconds", *COUNTS, "peak_memory_bytes", "end_time"]
+NUMBERS = [*ERRORS, *VALUES, "wall_seconds", "cpu_seconds", *COUNTS, "peak_memory_bytes", "end_time"]
 GOOD, FAILED, OPEN = ("completed", "stopped"), ("diverged", "failed"), ("interrupted",)
 
 OPTIONAL = {"connect", "measure", "tolerance", "reference", "recommendation/run"}  # may be null
 SHAPE = {
     "name": str, "scene": str, "command": str, "version": str, "axes": [{"name": str, "values": [str]}],
     "connect": str, "cost": str, "measure": str, "tolerance": (int, float),
-    "reference": {"description": str, "folder": str}, "pareto": dict,
+    "reference": {"description": str, "folder": str, "judgement": str, "own_errors": dict, "notes": [str]},
+    "pareto": dict,
     "recommendation": {"run": str, "settings": [str], "sentence": str}, "common": [str],
 }
+
+
+def file_name(measure):
+    """The name of a measure's pictures, without their ending."""
+    return f"work-precision-{ERRORS[measure].replace(' ', '-')}"
 
 
 class Study:
@@ -84,6 +92,10 @@ class Study:
             runs[place] = run
         return {runs[place]["run"]: runs[place] for place in sorted(runs)}
 
+    def own_error(self, measure):
+        """Returns the reference's own error; NaN if it is unknown."""
+        return (self.data["reference"] or {"own_errors": {}})["own_errors"].get(measure, math.nan)
+
     def label(self, run):
         """A run's label on the connecting axis, where there is one of several labels."""
         return run[self.connect] if self.connect else ""
@@ -137,4 +149,6 @@ def read_json(path):
         raise ResultsError(f"{path}: {error}") from None
     check(data, SHAPE, "")
     check(list(data["pareto"].values()), [[str]], "pareto")
+    for error in (data["reference"] or {"own_errors": {}})["own_errors"].values():
+        check(error, (int, float), "reference/own_errors")
     return data

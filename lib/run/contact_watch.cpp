@@ -36,8 +36,8 @@ Ripple ContactWatch::ripple() const {
   Ripple result;
   double largest = 0;
   for (const Force& own : forces_) {
-    if (!(own.rough > largest)) continue;  // of the column whose ripple is largest in size
-    largest = own.rough;
+    if (!(own.size > largest)) continue;  // a small reaction across the pull vibrates
+    largest = own.size;
     result = {own.column, std::sqrt(own.rough / own.size), passed_ / face_};
   }
   return result;

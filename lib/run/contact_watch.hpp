@@ -17,7 +17,7 @@ struct Detachment {
 
 /// How far a force is from smooth while the front of the contact passes single faces.
 struct Ripple {
-  std::string column;    ///< of the force with the largest ripple
+  std::string column;    ///< of the largest force
   double roughness = 0;  ///< root mean square of F_k - (F_k-1 + F_k+1)/2 over that of F_k [-]
   double faces = 0;      ///< that the front passed in these rows
 };

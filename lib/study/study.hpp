@@ -36,11 +36,17 @@ struct ErrorOptions {
   double energy_scale = 0;  ///< [E0 L0^D]; 0: the reference's largest kinetic energy
 };
 
+/// A coarser run of the reference, which shows how well the reference is known.
+struct ReferenceCheck {
+  Assignments settings;     ///< beyond those of the reference; empty: there is no such run
+  std::string description;  ///< of the run, or why there is none
+};
+
 /// The question that the study answers.
 struct Question {
   std::string connect;   ///< the axis along which points of a plot are joined
   std::string cost;      ///< a column of study.csv
-  std::string measure;   ///< an error column of study.csv
+  std::string measure;   ///< an error column of study.csv, see measures()
   double tolerance = 0;  ///< of that error; 0: none
   double budget = 0;     ///< of that cost; 0: none
 };
@@ -52,6 +58,7 @@ struct Study {
   std::vector<Axis> axes;
   Assignments reference;         ///< beyond the common ones; of a reference that is computed
   std::string reference_folder;  ///< results that serve as the reference, in place of a computed one
+  ReferenceCheck check;
   ErrorOptions errors;
   Question question;
   int jobs = 1;           ///< runs at a time

@@ -16,6 +16,7 @@
 #include "scene/scene_file.hpp"
 #include "scene/scene_units.hpp"
 #include "study/study.hpp"
+#include "study/study_errors.hpp"
 
 namespace ixos {
 namespace {
@@ -98,7 +99,8 @@ std::vector<StudyRun> combinations(const Study& study) {
   }
   std::set<std::string> names;
   for (const StudyRun& run : runs)
-    if (!names.insert(run.name).second || run.name == "reference") refuse_run_name(run);
+    if (!names.insert(run.name).second || run.name == "reference" || run.name == "reference-check")
+      refuse_run_name(run);
   return runs;
 }
 
@@ -132,9 +134,40 @@ ErrorOptions read_errors(const SceneNode& list) {
   return options;
 }
 
+/// Returns the names of study.csv's columns, but for the axes.
+std::set<std::string> columns() {
+  std::set<std::string> names{"run",
+                              "status",
+                              "reason",
+                              "wall_seconds",
+                              "cpu_seconds",
+                              "steps",
+                              "rejected_steps",
+                              "newton_iterations",
+                              "linear_iterations",
+                              "end_time",
+                              "peak_memory_bytes",
+                              "peak",
+                              "work"};
+  for (const Measure& measure : measures()) names.insert(measure.column);
+  return names;
+}
+
 std::string beside(const std::string& study, const std::string& path) {
   const std::filesystem::path given(path);
   return given.is_absolute() ? path : (std::filesystem::path(study).parent_path() / given).string();
+}
+
+/// Returns the check of the reference without the step that only the scene tells.
+ReferenceCheck read_check(const SceneNode& reference) {
+  const Assignments settings = assignments(reference.sublist("Check Settings"));
+  const bool computed = reference.text("Folder").empty();
+  if (!settings.empty() && !(computed && reference.get<bool>("Check")))
+    throw InputError("Reference: Check Settings need Settings, not Folder, and Check true");
+  if (!computed) return {{}, "Reference/Folder is given"};
+  if (!reference.get<bool>("Check")) return {{}, "Reference/Check is false"};
+  if (settings.empty()) return {};
+  return {settings, fmt::format("a run with {}", fmt::join(settings, "; "))};
 }
 
 Study read(const std::string& path) {
@@ -146,21 +179,7 @@ Study read(const std::string& path) {
   study.jobs = list.count("Jobs");
   study.time_limit = list.number("Time Limit");
   study.common = assignments(list.sublist("Common"));
-  const std::set<std::string> taken{"run",
-                                    "status",
-                                    "reason",
-                                    "error_energy",
-                                    "error_force",
-                                    "error_momentum",
-                                    "error_position",
-                                    "wall_seconds",
-                                    "cpu_seconds",
-                                    "steps",
-                                    "rejected_steps",
-                                    "newton_iterations",
-                                    "end_time",
-                                    "linear_iterations",
-                                    "peak_memory_bytes"};
+  const std::set<std::string> taken = columns();
   for (const SceneNode& axis : list.sublist("Axes").sublists()) {
     if (taken.count(axis.name()) > 0)
       throw InputError(axis.path() + ": this is the name of a column of study.csv; choose another name");
@@ -177,6 +196,7 @@ Study read(const std::string& path) {
     if (!std::filesystem::exists(study.reference_folder + "/history.csv"))
       throw InputError("Reference/Folder: " + study.reference_folder + " has no history.csv");
   }
+  study.check = read_check(reference);
   study.errors = read_errors(list.sublist("Errors"));
   study.question = read_question(list.sublist("Question"), study.axes);
   study.runs = combinations(study);
@@ -186,6 +206,15 @@ Study read(const std::string& path) {
 List changed_scene(List scene, const Assignments& settings) {
   for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
   return complete_scene(scene);
+}
+
+/// Returns a check with twice the time step of the reference, whose complete scene is given.
+ReferenceCheck twice_the_step(const List& reference) {
+  const List& control = reference.sublist("Time Integrator").sublist("Time Step Control");
+  if (control.get<std::string>("Type") != "Fixed")
+    return {{}, "its time steps are not fixed; to judge it, give coarser settings in Reference/Check Settings"};
+  return {{fmt::format("Time Integrator/Time Step Control/Time Step={}", 2 * control.get<double>("Time Step"))},
+          "a run with twice its time step"};
 }
 
 }  // namespace
@@ -206,7 +235,7 @@ Study read_study(const std::string& path) {
   }
   const auto check = [&](const std::string& run, const Assignments& settings) {
     try {
-      changed_scene(scene, settings);
+      return changed_scene(scene, settings);
     } catch (const InputError& error) {
       throw InputError(path + ": run " + run + ": " + error.what());
     }
@@ -214,7 +243,10 @@ Study read_study(const std::string& path) {
   if (study.reference_folder.empty()) {
     Assignments all = study.common;
     all.insert(all.end(), study.reference.begin(), study.reference.end());
-    check("reference", all);
+    const List reference = check("reference", all);
+    if (study.check.description.empty()) study.check = twice_the_step(reference);
+    all.insert(all.end(), study.check.settings.begin(), study.check.settings.end());
+    if (!study.check.settings.empty()) check("reference-check", all);
   }
   for (const StudyRun& run : study.runs) check(run.name, run.settings);
   return study;

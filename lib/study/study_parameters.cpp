@@ -4,6 +4,7 @@
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
 #include "study/study.hpp"
+#include "study/study_errors.hpp"
 
 namespace ixos {
 namespace {
@@ -36,22 +37,31 @@ List make() {
   List& reference =
       study.sublist("Reference", false, "Reference that the runs are compared with. It has either Folder or Settings.");
   reference.set("Folder", "", "Results folder of an earlier run, relative to the study's folder.");
+  reference.set("Check", true,
+                "Whether to run the reference once more with coarser settings. The distance of that run from the "
+                "reference is taken as the error of the reference.");
   add_settings(reference, "Settings", "Settings of a reference run, in addition to Common.");
+  add_settings(reference, "Check Settings",
+               "Settings of the coarser run, in addition to those of the reference. If empty, it has twice the time "
+               "step of the reference, which must be fixed.");
   List& errors = study.sublist("Errors", false, "How errors are computed from the rows of history.csv.");
-  errors.set("Force", Words(), "Columns of the force error. If empty, they are the contact force.");
+  errors.set("Force", Words(), "Columns of the force and of its peak. If empty, they are the contact force.");
   errors.set("Position", Words(), "Columns of the position error. If empty, they are the displacements of all probes.");
   errors.set("Interval", Teuchos::Array<double>(),
              "Times {from, to} of the comparison [T0]. If empty, it is the whole run.", any_number());
   errors.set("Energy Scale", 0.0,
              "Energy that energy errors are divided by [E0 L0^D]. 0: the largest kinetic energy of the reference.",
              at_least(0));
+  std::vector<std::string> columns;
+  for (const Measure& measure : measures()) columns.emplace_back(measure.column);
   List& question = study.sublist("Question", false, "The question that the recommendation answers.");
   question.set("Connect", "", "Axis along which a line of a plot joins points. If empty, it is the last axis.");
   question.set("Cost", "wall_seconds", "Cost of a run: a column of study.csv.",
                one_of({"wall_seconds", "cpu_seconds", "newton_iterations"}));
-  question.set("Measure", "error_force", "Error that counts: a column of study.csv.",
-               one_of({"error_energy", "error_momentum", "error_force", "error_position"}));
-  question.set("Tolerance", 0.01, "Largest error. The cheapest run within it is recommended. 0: no tolerance.",
+  question.set("Measure", "error_force", "Error that counts: a column of study.csv.", one_of(columns));
+  question.set("Tolerance", 0.01,
+               "Largest error, that of the reference included. The cheapest run within it is recommended. 0: no "
+               "tolerance.",
                at_least(0));
   question.set("Budget", 0.0, "Largest cost. The most accurate run within it is named. 0: no budget.", at_least(0));
   return study;

@@ -1,4 +1,4 @@
-/// The results of a study's runs, and the conclusions from them.
+/// The results of a study's runs, and the files that hold them.
 #pragma once
 #include <string>
 #include <vector>
@@ -25,20 +25,8 @@ struct StudyResult {
   double cost(const std::string& name) const;
 };
 
-/// Returns the runs that no other beats in both cost and error, the cheapest first.
-std::vector<const StudyResult*> pareto(const std::vector<StudyResult>& results, const std::string& cost,
-                                       const std::string& measure);
-
-struct Recommendation {
-  const StudyResult* run = nullptr;  ///< null if no run is good enough
-  std::string sentence;
-};
-
-/// Returns the cheapest run within the tolerance; without a tolerance the most accurate run within the budget.
-Recommendation recommend(const Study& study, const std::vector<StudyResult>& results);
-
 /// Writes study.csv and study.json. `command` repeats the study. Throws FileError.
-void write_study(const Study& study, const std::vector<StudyResult>& results, const std::string& folder,
-                 const std::string& command, const std::string& version);
+void write_study(const Study& study, const std::vector<StudyResult>& results, const ReferenceQuality& reference,
+                 const std::string& folder, const std::string& command, const std::string& version);
 
 }  // namespace ixos

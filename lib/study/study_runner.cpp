@@ -75,7 +75,7 @@ class Runner {
   Runner(const Study& study, const RunnerOptions& options)
       : study_(study), options_(options), driver_(file_mark(options.driver)) {}
 
-  StudyStatus run(std::vector<StudyResult>& results) {
+  StudyStatus run(std::vector<StudyResult>& results, ReferenceQuality& quality) {
     std::string reference = study_.reference_folder;
     if (reference.empty()) {
       StudyRun run{"reference", {}, study_.common};
@@ -88,7 +88,11 @@ class Runner {
         return StudyStatus::ReferenceFailed;
       }
     }
-    const StudyReference compared(reference, study_.errors);
+    StudyReference compared(reference, study_.errors);
+    std::string unknown = study_.check.description;
+    if (!study_.check.settings.empty() && !check(compared, unknown)) return StudyStatus::Interrupted;
+    quality = compared.quality();
+    if (quality.origin.empty() && quality.unknown.empty()) quality.unknown = unknown;
     return run_all(study_.runs, study_.jobs, &compared, results) ? StudyStatus::Done : StudyStatus::Interrupted;
   }
 
@@ -101,6 +105,25 @@ class Runner {
   };
 
   std::string folder(const StudyRun& run) const { return options_.folder + "/runs/" + run.name; }
+
+  /// Runs the check of the reference, and judges the reference by it, or says why not. Returns false if interrupted.
+  bool check(StudyReference& compared, std::string& why_not) {
+    StudyRun run{"reference-check", {}, study_.common};
+    for (const Assignments* more : {&study_.reference, &study_.check.settings})
+      run.settings.insert(run.settings.end(), more->begin(), more->end());
+    std::vector<StudyResult> found;
+    if (!run_all({run}, 1, nullptr, found)) return false;
+    if (!found.front().reached_its_end()) {
+      why_not = fmt::format("{} did not reach its end: {}", study_.check.description, found.front().reason);
+      return true;
+    }
+    try {
+      compared.judge(folder(run), study_.check.description);
+    } catch (const InputError& error) {
+      why_not = fmt::format("{} has {}", study_.check.description, error.what());
+    }
+    return true;
+  }
 
   /// Carries out the runs. Returns false if interrupted. Results come in the order of the runs, without those that did
   /// not end.
@@ -243,9 +266,10 @@ class Runner {
 
 }  // namespace
 
-StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results) {
+StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results,
+                      ReferenceQuality& quality) {
   const FolderLock lock(options.folder);
-  return Runner(study, options).run(results);
+  return Runner(study, options).run(results, quality);
 }
 
 }  // namespace ixos

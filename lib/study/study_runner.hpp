@@ -23,8 +23,10 @@ enum class StudyStatus { Done, ReferenceFailed, Interrupted };
 /// Runs the settings that have no result yet, each in a separate process, and compares all results with the reference.
 /// A run is done when its record stands in its folder, runs/<name>/run.json, which is written last. A study may
 /// therefore be killed at any time, and resumes from the runs that are done. `results` holds the finished runs in the
-/// study's order; if the reference fails, the reference alone. Throws InputError, and FileError, also if another
+/// study's order; if the reference fails, the reference alone. `quality` holds what the check of the reference, a run
+/// like the others, shows of it. Throws InputError, and FileError, also if another
 /// process works in that folder.
-StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results);
+StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results,
+                      ReferenceQuality& quality);
 
 }  // namespace ixos

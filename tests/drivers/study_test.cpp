@@ -55,7 +55,7 @@ class StudyDriverTest : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
   Outcome run(const std::string& arguments) const { return shell("'" IXOS_STUDY_DRIVER "' " + arguments, folder_); }
-  /// Starts the study, and sends a signal once that many of its ten runs have ended.
+  /// Starts the study, and sends a signal once that many of its eleven runs have ended.
   Outcome signal_after(int runs, const std::string& results, const std::string& signal) const {
     return run("study.xml --output " + results + " & pid=$!; until [ $(ls " + results +
                "/runs/*/run.json 2> /dev/null | wc -l) -ge " + std::to_string(runs) +
@@ -97,6 +97,15 @@ TEST_F(StudyDriverTest, RunsEverythingOnceAndReports) {
   }
   for (const char* scheme : {"Newmark", "Energy-Momentum"})
     EXPECT_NEAR(error.at(std::string(scheme) + "_0.1") / error.at(std::string(scheme) + "_0.05"), 4, 0.8) << scheme;
+  // The check of the reference takes twice its step, and half of its steps.
+  EXPECT_NE(contents(folder_ + "/out/runs/reference/summary.json").find("\"steps\": 1000,"), std::string::npos);
+  EXPECT_NE(contents(folder_ + "/out/runs/reference-check/summary.json").find("\"steps\": 500,"), std::string::npos);
+  const std::string json = contents(folder_ + "/out/study.json");
+  const auto own = json.find("\"error_position\": ", json.find("\"own_errors\""));
+  ASSERT_NE(own, std::string::npos) << json;
+  // The errors of steps h and 2 h differ by 3 parts of the error of h: here 3 (0.002 / 0.05)^2 of that of 0.05.
+  EXPECT_NEAR(std::stod(json.substr(own + 18)) / error.at("Newmark_0.05"), 3 * 0.0016, 0.0016);
+  EXPECT_NE(first.output.find("The reference's own error of the position is about "), std::string::npos);
   // Nothing is repeated: the records stay as they are.
   const auto written = std::filesystem::last_write_time(folder_ + "/out/runs/Newmark_0.1/run.json");
   const Outcome second = run("study.xml --output out");
@@ -106,7 +115,7 @@ TEST_F(StudyDriverTest, RunsEverythingOnceAndReports) {
   std::size_t reused = 0;
   for (auto at = second.output.find("(reused)"); at != std::string::npos; at = second.output.find("(reused)", at + 1))
     ++reused;
-  EXPECT_EQ(reused, 10U) << second.output;
+  EXPECT_EQ(reused, 11U) << second.output;
   // A changed scene is another one.
   std::string changed = scene;
   changed.replace(changed.find("value=\"2\""), 9, "value=\"1.8\"");
@@ -165,6 +174,20 @@ std::string compared_with_a_folder(std::string text) {
   const auto start = text.find("<ParameterList name=\"Settings\">", text.find("<ParameterList name=\"Reference\">"));
   const auto end = text.find("</ParameterList></ParameterList>\n  <ParameterList name=\"Question\">");
   return text.replace(start, end - start + 16, "<Parameter name=\"Folder\" type=\"string\" value=\"alone\"/>");
+}
+
+TEST_F(StudyDriverTest, ACheckThatFailsIsTold) {
+  std::string text = study_of("N", "");
+  const std::string reference = "<ParameterList name=\"Reference\">";
+  text.replace(text.find(reference), reference.size(), reference + R"x(<ParameterList name="Check Settings">
+      <Parameter name="Nonlinear Solver/Maximum Iterations" type="int" value="1"/></ParameterList>)x");
+  std::ofstream(folder_ + "/study.xml") << text;
+  const Outcome outcome = run("study.xml --output out");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("The reference's own error is unknown: a run with Nonlinear Solver/Maximum "
+                                "Iterations=1 did not reach its end: "),
+            std::string::npos)
+      << outcome.output;
 }
 
 TEST_F(StudyDriverTest, FailuresAreResults) {

@@ -11,8 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::write_file(folder + "/effective.xml", files[1]);
   fuzz::write_file(folder + "/summary.json", files[2]);
   try {
-    const StudyReference reference(folder, {});
+    StudyReference reference(folder, {});
     reference.errors(folder);
+    reference.judge(folder, "the same run");
   } catch (const InputError& error) {
     fuzz::expect_message(error);
   } catch (const FileError& error) {

@@ -25,6 +25,8 @@ class Silent final : public Interaction {
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
   void add_nodal_measure(double*) const override {}
+  void add_nodal_pressure(const double*, double*) const override {}
+  void lower_nodal_gap(const double*, double*) const override {}
   LowestPoint lowest_point(const double* u) const override {
     LowestPoint lowest;
     for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {

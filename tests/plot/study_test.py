@@ -18,10 +18,11 @@ import style  # noqa: E402
 from report_page import Page  # noqa: E402
 from results import ResultsError  # noqa: E402
 from study_report import command  # noqa: E402
-from study_results import ERRORS, Study  # noqa: E402
+from study_results import Study  # noqa: E402
 from synthetic_study import ELEMENTS, REASON, SCHEMES, STEPS, make, write_data, write_rows  # noqa: E402
 
-PICTURES = [f"work-precision-{word}.{ending}" for word in ERRORS.values() for ending in ("png", "svg")]
+PICTURES = [f"work-precision-{word}.{ending}" for word in ("energy", "momentum", "force", "peak-force")
+            for ending in ("png", "svg")]  # neither position nor work has a known error
 
 
 class StudyTest(ScriptTest):
@@ -49,11 +50,11 @@ class StudyTest(ScriptTest):
     def test_pictures_and_report(self):
         self.assertEqual((self.done.returncode, self.done.stderr), (0, ""))
         written, page = [pathlib.Path(line).name for line in self.done.stdout.splitlines()], Page(self.strip)
-        self.assertEqual(set(written), {*PICTURES[:6], "report.html"})  # no position is known
+        self.assertEqual(set(written), {*PICTURES, "report.html"})
         self.assertEqual(written[0], "work-precision-force.png")  # the measure that matters first
         self.assertEqual(sorted(path.name for path in self.strip.iterdir()),
                          sorted([*written, "study.csv", "study.json"]))
-        for name in PICTURES[:6:2]:
+        for name in PICTURES[::2]:
             self.assert_picture(self.strip / name, "PNG", 1200, 2200)
         svg = (self.strip / "work-precision-force.svg").read_text()
         for word in (*SCHEMES, *ELEMENTS, "wall-clock time [s]", "relative error of the force", "tolerance", "failed",
@@ -65,10 +66,16 @@ class StudyTest(ScriptTest):
         self.assertNotIn("on the bottom edge", svg)
         self.assertLess(page.text.index("Recommendation"), page.text.index("Error over cost"))
         self.assertIn("This is the cheapest run.", page.text)
+        for svg_text, there in ((svg, True), (energy, False)):
+            self.assertEqual("reference's own error" in svg_text.replace("&#39;", "'"), there)
         self.assertIn('ixos xml/strip.xml \\ --set "Time Integrator/Type=Generalized-Alpha"', page.text)
-        self.assertRegex(page.text, r"wall-clock time [\d.]+ s, processor time [\d.]+ s, Newton iterations \d+,")
+        self.assertRegex(page.text, r"wall-clock time [\d.]+ s, processor time [\d.]+ s, Newton iterations \d+, "
+                                    r"peak force 1\.\d+, work 0,")
+        self.assertRegex(page.text, r"error of the force 0\.00\d+ ± 0\.0007, error of the peak force 0\.00\d+\.")
         for words in ("60 runs: 46 completed, 14 diverged", "Average Vector Field, time step 0.001",
-                      "strip.study/reference", "Output/Fields Interval=0", "ixos-study strip-study.xml"):
+                      "strip.study/reference", "Its own errors are taken from a run with twice",
+                      "work_error is blank: nothing is pulled.", "Output/Fields Interval=0",
+                      "ixos-study strip-study.xml"):
             self.assertIn(words, page.text)
 
     def test_tables(self):
@@ -77,6 +84,7 @@ class StudyTest(ScriptTest):
         self.assertEqual(len(rows), 60)
         self.assertEqual(rows["Newmark-Q1C1-0.1"][1:8], ["Newmark", "Q1C1", "0.1", "✗ diverged", REASON, "–", "–"])
         self.assertEqual(rows["Energy-Momentum-Q1C1-0.1"][4:8], ["✓ completed", "", "0", "0"])
+        self.assertEqual(page.table("error of the", "reference's own error"), [["force", "0.0007"]])
         lines = {tuple(row[:2]): row[2:] for row in page.table("scheme", "element", *STEPS)}
         self.assertEqual(len(lines), 12)
         self.assertEqual(lines["Newmark", "Q1C1"][:3], ["✗ diverged; at time 31.25"] * 3)
@@ -86,10 +94,10 @@ class StudyTest(ScriptTest):
         pareto = [rows for rows in page.tables if "relative error" in rows[0]]
         known = json.loads((self.strip / "study.json").read_text())["pareto"]
         self.assertEqual([[row[0] for row in rows[1:]] for rows in pareto],
-                         [known["error_force"], known["error_energy"], known["error_momentum"]])
+                         [known["error_force"], known["error_energy"], known["error_momentum"], known["peak_error"]])
 
     def test_the_same_study_gives_the_same_files(self):
-        files = [self.strip / name for name in (*PICTURES[:6], "report.html")]
+        files = [self.strip / name for name in (*PICTURES, "report.html")]
         before = [path.read_bytes() for path in files]
         self.drawn(self.strip)
         for path, content in zip(files, before):
@@ -100,7 +108,7 @@ class StudyTest(ScriptTest):
         page = Page(self.strip)
         self.assertEqual({tag for tag, _ in page.tags} & {"script", "link", "iframe", "object", "a", "base"}, set())
         pictures = [attributes["src"] for tag, attributes in page.tags if tag == "img"]
-        self.assertEqual(len(pictures), 3)
+        self.assertEqual(len(pictures), 4)
         for source in pictures:
             self.assertRegex(source, r"^data:image/svg\+xml;base64,[A-Za-z0-9+/]+=*$")
         self.assertNotRegex(page.source, r"(?i)(src|href)\s*=\s*[\"']?(https?:)?//|@import|url\(")
@@ -124,11 +132,15 @@ class StudyTest(ScriptTest):
                         {"name": names["time step"], "values": STEPS}]
         data["recommendation"].update(sentence="<u>Take</u> this & go.", settings=['A/B="$x`" \\', "C=<1>"])
         write_data(folder, {**data, "name": "<b>&", "connect": "_step", "scene": "my <scene>.xml", "common": ["<c>&d"],
-                            "command": "study <e>", "reference": {"description": "<f>", "folder": "<g>"}})
+                            "command": "study <e>", "reference": {
+                                "description": "<f>", "folder": "<g>", "judgement": "<h>", "own_errors": {},
+                                "notes": ["<j>"]}})
         _, page = self.drawn(folder)
-        self.assertEqual({tag for tag, _ in page.tags} & {"b", "i", "u", "script", "scene", "c", "e", "f", "g"}, set())
+        self.assertEqual({tag for tag, _ in page.tags} &
+                         {"b", "i", "u", "script", "scene", "c", "e", "f", "g", "h", "j"}, set())
         self.assertEqual([attributes for _, attributes in page.tags if "onload" in attributes], [])
-        for words in ("<u>Take</u> this & go.", "<script>alert(1)</script>", "<c>&d", "study <e>", "<f>", "<g>",
+        for words in ("<u>Take</u> this & go.", "<script>alert(1)</script>", "<c>&d", "study <e>", "<f>", "<g>", "<h>",
+                      "<j>",
                       '"x" onload="y', "$a_1$ $b", "# of $ & $: <b>Q1C1</b>",
                       r"""ixos 'my <scene>.xml' \ --set "A/B=\"\$x\`\" \\" \ --set "C=<1>" """):
             self.assertIn(words.strip(), page.text)
@@ -188,7 +200,7 @@ class StudyTest(ScriptTest):
         write_data(folder, {**data, "connect": None, "tolerance": None, "measure": None, "reference": None,
                             "cost": "newton_iterations"})
         written, page = self.drawn(folder)
-        self.assertEqual(len(written), 7)
+        self.assertEqual(len(written), 9)
         self.assertIn("Newton iterations", (folder / "work-precision-energy.svg").read_text())
         self.assertEqual(page.table("scheme", "status")[0], ["Newmark", "✗ diverged; at time 31.25"])
 
@@ -233,6 +245,9 @@ class StudyTest(ScriptTest):
         refused("the entry 'common' has the wrong type", common=[3])
         refused("the entry 'pareto' has the wrong type", pareto={"error_force": [3]})
         refused("study.json has no entry 'reference/folder'", reference={"description": ""})
+        judged = {"description": "", "folder": "", "judgement": "", "notes": []}
+        refused("the entry 'reference/own_errors' has the wrong type", reference={**judged, "own_errors": {"a": "b"}})
+        refused("study.json has no entry 'reference/own_errors'", reference=judged)
         refused("it names the run 'x', which study.csv does not have", pareto={"error_force": ["x"]})
         refused("it names the run 'x', which study.csv does not have",
                 recommendation={"run": "x", "settings": [], "sentence": ""})

@@ -16,7 +16,9 @@ ContactWatch peeled(double amplitude) {
   for (int row = 0; row <= 100; ++row) {
     const double length = 40 - 0.4 * row;
     watch.row(row, length,
-              Forces{{"smooth", 0.5 + 0.001 * length}, {"rippled", 1 + amplitude * std::cos(M_PI * length)}});
+              Forces{{"smooth", 0.5 + 0.001 * length},
+                     {"rippled", 1 + amplitude * std::cos(M_PI * length)},
+                     {"across", 10 * amplitude * std::cos(M_PI * length)}});
   }
   return watch;
 }

@@ -157,7 +157,7 @@ TEST(SceneUnitsTest, TheUseOfAParameterDecidesItsUnit) {
   expect_refused("block-on-wall.xml", with(force, load + "Vector={0, 0, 1} N/m"), "a force is needed");
   expect_refused("strip.xml",
                  {"Mesh/Type=Exodus", "Mesh/Exodus/File=a.e", load + "Type=Point Force", load + "Vector={0, 1 nN}"},
-                 "state it: Mesh/Exodus/Dimension");
+                 "state it as Dimension beside File");
   expect_refused("strip.xml", {load + "Type=Gravity", load + "Vector={0, 1} N/m^3"}, "an acceleration is needed");
   expect_refused("strip.xml", {load + "Type=Traction", load + "Vector={0, 1} m/s^2"}, "a stress or energy density");
   const std::string stop = "Time Integrator/Stop/Peeled/Probe/";

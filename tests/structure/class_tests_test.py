@@ -91,7 +91,6 @@ elsewhere = {
     "solve/semi_discrete_evaluator.hpp": ("embedding/main.cpp", "another program evaluates the model"),
     "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
     "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),
-    "study/study_errors.hpp": ("study/study_test.cpp", "errors are those of known functions"),
     "study/study_result.hpp": ("study/study_test.cpp", "recommendation and files"),
     "study/study_runner.hpp": ("drivers/study_test.cpp", "whole studies"),
     "units/dimension.hpp": ("units/unit_system_test.cpp", "DimensionTest"),

@@ -1,4 +1,4 @@
-// Study files, errors against a reference, and what follows from the results.
+// Study files, tables read back, and the files of results.
 #include "study/study.hpp"
 
 #include <gtest/gtest.h>
@@ -6,11 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "base/error.hpp"
 #include "study/history_table.hpp"
-#include "study/study_errors.hpp"
 #include "study/study_result.hpp"
 #include "support/files.hpp"
 
@@ -70,10 +68,6 @@ class StudyTest : public testing::Test {
       EXPECT_EQ(std::string(error.what()).rfind(folder_ + "/study.xml: ", 0), 0U) << error.what();
     }
   }
-  /// Of the results in run against those in reference.
-  StudyErrors study_errors(const ErrorOptions& options) const {
-    return StudyReference(folder_ + "/reference", options).errors(folder_ + "/run");
-  }
   std::string folder_ = testing::TempDir() + "study";
 };
 
@@ -106,6 +100,33 @@ TEST_F(StudyTest, AnAxisMayChooseALaw) {
   EXPECT_EQ(morse.find("Gamma L"), std::string::npos) << morse;
 }
 
+TEST_F(StudyTest, TheReferenceIsCheckedWithTwiceItsTimeStep) {
+  const std::string settings =
+      R"x(<ParameterList name="Settings"><Parameter name="Time Integrator/Type" type="string" value="Newmark"/>)x";
+  const std::string path = "Time Integrator/Time Step Control/";
+  const auto check = [&](const std::string& more) { return read_study(study(settings, settings + more)).check; };
+  const auto parameter = [](const std::string& name, const std::string& type, const std::string& value) {
+    return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
+  };
+  EXPECT_EQ(check(parameter(path + "Time Step", "double", "0.003")).settings, Assignments{path + "Time Step=0.006"});
+  EXPECT_EQ(check("").description, "a run with twice its time step");
+  // 0.004 T0 in the scene's unit of time.
+  EXPECT_EQ(check(parameter(path + "Time Step", "string", "2 ps")).settings, Assignments{path + "Time Step=0.004"});
+  const ReferenceCheck adaptive =
+      check(parameter(path + "Type", "string", "Adaptive") + parameter(path + "Adaptive/Tolerance", "double", "0.01"));
+  EXPECT_TRUE(adaptive.settings.empty());
+  EXPECT_NE(adaptive.description.find("its time steps are not fixed"), std::string::npos) << adaptive.description;
+  const std::string off = parameter("Check", "bool", "false");
+  const std::string coarser = "<ParameterList name=\"Check Settings\">" +
+                              parameter("Nonlinear Solver/Tolerance", "double", "0.001") + "</ParameterList>";
+  const std::string reference = "<ParameterList name=\"Reference\">";
+  EXPECT_EQ(read_study(study(reference, reference + off)).check.description, "Reference/Check is false");
+  const ReferenceCheck given = read_study(study(reference, reference + coarser)).check;
+  EXPECT_EQ(given.settings, Assignments{"Nonlinear Solver/Tolerance=0.001"});
+  EXPECT_EQ(given.description, "a run with Nonlinear Solver/Tolerance=0.001");
+  expect_refused(reference, reference + off + coarser, "Reference: Check Settings need Settings, not Folder");
+}
+
 TEST_F(StudyTest, BadStudiesAreRefused) {
   expect_refused("<ParameterList name=\"Common\">",
                  "<ParameterList name=\"Common\">"
@@ -122,6 +143,12 @@ TEST_F(StudyTest, BadStudiesAreRefused) {
   expect_refused("name=\"A, exact\"", "name=\"N\"", "N");
   expect_refused("name=\"A, exact\"", "name=\"N!\"", "give the folder name");
   expect_refused("<ParameterList name=\"Scheme\">", "<ParameterList name=\"steps\">", "this is the name of a column");
+  expect_refused("<ParameterList name=\"Scheme\">", "<ParameterList name=\"peak_error\">",
+                 "this is the name of a column");
+  expect_refused("<ParameterList name=\"Reference\">",
+                 "<ParameterList name=\"Question\"><Parameter name=\"Measure\" type=\"string\" "
+                 "value=\"peak\"/></ParameterList><ParameterList name=\"Reference\">",
+                 "\"work_error\"");
   expect_refused("name=\"Axes\"", "name=\"Axis\"", "did you mean \"Axes\"?");
   expect_refused("<ParameterList name=\"Reference\">",
                  "<ParameterList name=\"Errors\"/><ParameterList name=\"Reference\">"
@@ -139,26 +166,6 @@ TEST_F(StudyTest, BadStudiesAreRefused) {
   for (int i = 1; i < 6000; ++i) many += (i > 1 ? ", " : "") + std::to_string(i);
   expect_refused("{0.01, 0.001}", "{" + many + "}", "more than 10000 runs");
   EXPECT_THROW(read_study(folder_ + "/none.xml"), InputError);
-}
-
-/// Results whose contact force is that of `force` at each time, of a scheme.
-template <class Force>
-void write_results(const std::string& folder, const std::string& scheme, double dt, const Force& force) {
-  std::filesystem::create_directories(folder);
-  std::ofstream history(folder + "/history.csv");
-  history.precision(17);
-  history << "step,time,time_step,kinetic_energy,linear_momentum_x,linear_momentum_y,contact_force_x,contact_force_y,"
-             "wall_seconds,reaction_top_y,P_ux,P_uy\n";
-  for (int n = 0; n <= std::lround(1 / dt); ++n) {
-    const double t = n * dt;
-    history << n << ',' << t << ',' << dt << ',' << 2 * t << ",0," << t << ",0," << force(t) << ",,"
-            << force(t - (n > 0 ? dt / 2 : 0)) << ",0," << t * t << '\n';
-  }
-  std::ofstream(folder + "/summary.json") << "{\"max_energy_error\": " << dt << "}";
-  std::ofstream(folder + "/effective.xml")
-      << "<ParameterList name=\"x\"><ParameterList name=\"Time Integrator\"><Parameter name=\"Type\" type=\"string\" "
-         "value=\""
-      << scheme << "\"/><ParameterList name=\"" << scheme << "\"/></ParameterList></ParameterList>";
 }
 
 TEST_F(StudyTest, StudiesOutOfProportionAreRefused) {
@@ -181,55 +188,6 @@ TEST_F(StudyTest, StudiesOutOfProportionAreRefused) {
   expect_refused("</ParameterList>\n  <ParameterList name=\"Axes\">",
                  common + "</ParameterList>" + axes(1, "{" + many + "}"),
                  "Axes: more than 1000000 settings of all runs together");
-}
-
-TEST_F(StudyTest, ARunThatEndedEarlyHasNoErrors) {
-  const auto sine = [](double t) { return std::sin(6 * t); };
-  write_results(folder_ + "/reference", "Newmark", 1e-3, sine);
-  write_results(folder_ + "/run", "Newmark", 0.01, sine);
-  std::string text = contents(folder_ + "/run/history.csv");
-  text.resize(text.find("\n80,") + 1);
-  std::ofstream(folder_ + "/run/history.csv") << text;
-  EXPECT_THROW(study_errors({}), InputError);
-  ErrorOptions options;
-  options.to = 0.7;
-  EXPECT_LT(study_errors(options).force, 1e-5);
-}
-
-TEST_F(StudyTest, ErrorsAreThoseOfKnownFunctions) {
-  const auto sine = [](double t) { return std::sin(6 * t); };
-  write_results(folder_ + "/reference", "Newmark", 1e-4, sine);
-  write_results(folder_ + "/run", "Newmark", 0.01, [&](double t) { return 1.1 * sine(t); });
-  const StudyErrors errors = study_errors({});
-  EXPECT_NEAR(errors.force, 0.1, 1e-6);
-  EXPECT_NEAR(errors.momentum, 0, 1e-12);
-  EXPECT_NEAR(errors.position, 0, 1e-7);
-  EXPECT_NEAR(errors.energy, 0.01 / 2, 1e-12) << "the reference's kinetic energy reaches 2";
-  ErrorOptions options;
-  options.from = 0.5;
-  options.to = 0.8;
-  options.energy_scale = 0.1;
-  options.force = {"reaction_top_y"};
-  const StudyErrors part = study_errors(options);
-  EXPECT_NEAR(part.energy, 0.1, 1e-12);
-  EXPECT_GT(std::abs(part.force - 0.1), 0.005)
-      << "Newmark's reactions belong to the end of the step, these were written to its middle";
-  options.from = 2;
-  options.to = 3;
-  EXPECT_THROW(study_errors(options), InputError);
-  options = {};
-  options.force = {"contact_force_w"};
-  EXPECT_THROW(study_errors(options), InputError);
-}
-
-TEST_F(StudyTest, ReactionsOfMomentumFormBelongToTheMiddleOfTheStep) {
-  const auto sine = [](double t) { return std::sin(6 * t); };
-  write_results(folder_ + "/reference", "Newmark", 1e-4, sine);
-  write_results(folder_ + "/run", "Midpoint", 0.05, sine);
-  ErrorOptions options;
-  options.force = {"reaction_top_y"};
-  // The reference's own column is shifted by half of its short step: 6 * 5e-5.
-  EXPECT_LT(study_errors(options).force, 5e-4);
 }
 
 TEST_F(StudyTest, TablesReadBack) {
@@ -258,36 +216,6 @@ StudyResult outcome(const std::string& name, double cost, double error, const st
   return result;
 }
 
-TEST_F(StudyTest, TheCheapestWithinTheToleranceIsRecommended) {
-  Study study;
-  study.axes = {{"Case", {}}};
-  study.question = {"Case", "wall_seconds", "error_force", 0.05, 2.5};
-  const std::vector<StudyResult> results{outcome("a", 1, 0.2),
-                                         outcome("b", 2, 0.3),
-                                         outcome("c", 3, 0.04),
-                                         outcome("d", 9, 0.01),
-                                         outcome("e", 0.1, 0, "diverged"),
-                                         outcome("f", 0.5, std::numeric_limits<double>::quiet_NaN())};
-  std::string names;
-  for (const StudyResult* result : pareto(results, "wall_seconds", "error_force")) names += result->run.name;
-  EXPECT_EQ(names, "acd");
-  Recommendation answer = recommend(study, results);
-  ASSERT_NE(answer.run, nullptr);
-  EXPECT_EQ(answer.run->run.name, "c");
-  EXPECT_NE(answer.sentence.find("The cheapest run within the tolerance 0.05: Case c"), std::string::npos)
-      << answer.sentence;
-  EXPECT_NE(answer.sentence.find("at most 2.5 s of wall-clock time: Case a"), std::string::npos) << answer.sentence;
-  study.question.tolerance = 1e-4;
-  answer = recommend(study, results);
-  EXPECT_EQ(answer.run, nullptr);
-  EXPECT_NE(answer.sentence.find("The most accurate run: Case d"), std::string::npos) << answer.sentence;
-  study.question.tolerance = 0;
-  EXPECT_EQ(recommend(study, results).run->run.name, "a");
-  study.question.budget = 0.01;
-  EXPECT_EQ(recommend(study, results).run, nullptr);
-  EXPECT_EQ(recommend(study, {}).run, nullptr);
-}
-
 TEST_F(StudyTest, ResultsAreWrittenAsReadersNeedThem) {
   Study study;
   study.name = "Test";
@@ -296,13 +224,31 @@ TEST_F(StudyTest, ResultsAreWrittenAsReadersNeedThem) {
   StudyResult odd = outcome("b", 2, 0.3, "diverged");
   odd.run.labels = {"b, \"c\""};
   odd.reason = "because";
-  write_study(study, {outcome("a", 1, 0.2), odd}, folder_, "ixos-study x", "1");
+  StudyResult first = outcome("a", 1, 0.2);
+  first.errors.peak = 0.03;
+  first.errors.work = 0.5;
+  first.errors.peak_force = 1.25;
+  first.errors.external_work = -4;
+  ReferenceQuality reference;
+  reference.own.force = 0.001;
+  reference.origin = "a run with twice its time step";
+  reference.notes["error_position"] = "It does not move.";
+  write_study(study, {first, odd}, reference, folder_, "ixos-study x", "1");
   const std::string csv = contents(folder_ + "/study.csv");
-  EXPECT_NE(csv.find("\na,a,completed,,,,0.2,,1,0,0,0,0,0,0,0\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\na,a,completed,,,,0.2,,1,0,0,0,0,0,0,0,0.03,0.5,1.25,-4\n"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nb,\"b, \"\"c\"\"\",diverged,because,,,,,2,"), std::string::npos) << csv;
   const std::string json = contents(folder_ + "/study.json");
   EXPECT_NE(json.find("\"error_force\": [\n      \"a\"\n    ]"), std::string::npos) << json;
-  EXPECT_THROW(write_study(study, {}, folder_ + "/none", "", ""), FileError);
+  EXPECT_EQ(
+      csv.substr(0, csv.find('\n')),
+      "run,Case,status,reason,error_energy,error_momentum,error_force,error_position,wall_seconds,cpu_seconds,steps,"
+      "rejected_steps,newton_iterations,linear_iterations,peak_memory_bytes,end_time,peak_error,work_error,peak,"
+      "work");
+  for (const char* part :
+       {"\"judgement\": \"Its own errors are taken from a run with twice its time step.\"",
+        "\"own_errors\": {\n      \"error_force\": 0.001\n    }", "\"notes\": [\n      \"It does not move.\"\n    ]"})
+    EXPECT_NE(json.find(part), std::string::npos) << part << json;
+  EXPECT_THROW(write_study(study, {}, {}, folder_ + "/none", "", ""), FileError);
 }
 
 }  // namespace
