@@ -36,9 +36,9 @@ std::vector<long> chosen_steps(const RestartCheck& check, long total) {
                                    total, total - 1));
     return check.steps;
   }
+  const long kills = std::min<long>(check.kills, total - 1);
   std::vector<long> steps;
-  for (long i = 1; i <= check.kills; ++i) steps.push_back(std::max(1L, i * total / (check.kills + 1)));
-  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  for (long i = 1; i <= kills; ++i) steps.push_back(i * total / (kills + 1));
   return steps;
 }
 
