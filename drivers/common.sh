@@ -7,7 +7,7 @@ preset=${IXOS_PRESET:-release}
 build="$root/build/$preset"
 
 packages="g++ cmake ninja-build ccache lld openmpi-bin libopenmpi-dev trilinos-all-dev libscotch-dev libptscotch-dev
-          libopenblas-dev libsuitesparse-dev libmumps-dev libmetis-dev libmuparser-dev libexodusii-dev libhdf5-openmpi-dev libxxhash-dev libexpat1-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+          libopenblas-dev libsuitesparse-dev libmumps-dev libmetis-dev libmuparser-dev libexodusii-dev libhdf5-openmpi-dev libxxhash-dev libexpat1-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
           libbenchmark-dev"
 
 missing=()

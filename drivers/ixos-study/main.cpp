@@ -32,6 +32,7 @@ void on_signal(int) { signalled = 1; }
 struct Arguments {
   std::string study;
   std::string output;
+  bool overwrite = false;
   bool list = false;
   bool parameters = false;
   bool completion = false;
@@ -95,6 +96,7 @@ int run(const Arguments& arguments) {
       arguments.output.empty() ? std::filesystem::path(arguments.study).stem().string() + ".results" : arguments.output;
   options.driver = (own_folder() / "ixos").string();
   options.version = IXOS_VERSION;
+  options.overwrite = arguments.overwrite;
   options.interrupted = [] { return signalled != 0; };
   if (!arguments.quiet)
     options.watch = [&](const ixos::StudyResult& result, std::size_t done, bool reused) {
@@ -152,6 +154,7 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_option("--output", arguments.output,
                  "results folder (default: the name of STUDY with .results instead of .xml)")
       ->type_name("FOLDER");
+  app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
   app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");

@@ -47,7 +47,8 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->allow_extra_args(false);
   app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)")
       ->type_name("FOLDER");
-  app.add_flag("--overwrite", arguments.overwrite, "replace the results of another scene in the results folder");
+  app.add_flag("--overwrite", arguments.overwrite,
+               "replace the results of another scene in the results folder, or the file of --write-mesh");
   CLI::Option* restart =
       app.add_option("--restart", arguments.restart,
                      "resume from this checkpoint, or from the newest sound checkpoint of this folder")

@@ -60,6 +60,12 @@ std::string scene_folder(const Arguments& arguments) {
 }
 
 int write_mesh(const Teuchos::ParameterList& scene, const Arguments& arguments, const ixos::Comm& comm) {
+  ixos::on_first_rank(comm, [&] {
+    std::error_code code;  // what cannot be looked at cannot be written either
+    if (!arguments.overwrite && std::filesystem::exists(std::filesystem::symlink_status(arguments.mesh_file, code)))
+      throw ixos::InputError("--write-mesh: " + arguments.mesh_file +
+                             " exists; choose another name, or replace it with --overwrite");
+  });
   Teuchos::ParameterList complete = ixos::complete_scene(scene);
   const ixos::Mesh mesh = ixos::scene_mesh(complete.sublist("Mesh"), scene_folder(arguments));
   ixos::on_first_rank(comm, [&] { ixos::write_exodus_mesh(mesh, arguments.mesh_file, complete.name()); });

@@ -10,17 +10,17 @@ namespace ixos {
 
 /// Reads blocks of QUAD4 or HEX8, node sets and side sets. Blocks and sets without a name are called block_<id>,
 /// nodelist_<id> and surface_<id>. A file of three dimensions whose cells are QUAD4 in the plane z = 0 is a mesh of two
-/// dimensions. Blocks of lower dimension than the cells (points, lines, and quadrilaterals beside hexahedra) are left
-/// out, with nodes that only they have and with a note. Every rank may call it. Throws InputError, with the file and
-/// the fault, for a file that does not exist, is not Exodus, or is truncated or inconsistent: node or element numbers
-/// out of range, ids or names given twice, nodes that belong to no element, other element types. netCDF and HDF5 are
-/// not safe against malicious files: another process tries to read the file first.
+/// dimensions. Blocks of lower dimension than the cells (points, lines, and quadrilaterals beside hexahedra) and nodes
+/// that no cell has are left out, with notes. Every rank may call it. Throws InputError, with the file and the fault,
+/// for a file that does not exist, is not Exodus, or is truncated or inconsistent: node or element numbers out of
+/// range, ids or names given twice, other element types. netCDF and HDF5 are not safe against malicious files: another
+/// process tries to read the file first.
 Mesh read_exodus_mesh(const std::string& path);
 
 /// Reads a mesh as read_exodus_mesh() does, without the trial in another process.
 Mesh read_tried_exodus_mesh(const std::string& path);
 
-/// Writes blocks and sets. Throws FileError.
+/// Writes blocks and sets under their own names, so that a scene finds them again. Throws FileError.
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title);
 
 /// Returns the entry of the catalogue of meshes. Its parameter "File" must be a path that this process can open.

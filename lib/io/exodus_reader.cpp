@@ -75,7 +75,7 @@ class Reader {
     read_side_sets();
     check_id_map(EX_NODE_MAP, header_.num_nodes, "node");
     check_id_map(EX_ELEM_MAP, header_.num_elem, "element");
-    if (block_place_.size() > mesh_.blocks.size()) drop_unused_nodes(mesh_);
+    drop_unused_nodes(mesh_);
     if (mesh_.dimension > cell_dimension_) at(path(), [&] { flatten(mesh_); });
     return std::move(mesh_);
   }
@@ -145,22 +145,18 @@ class Reader {
   }
 
   void read_blocks() {
-    std::vector<char> used(static_cast<std::size_t>(header_.num_nodes), 0);
     std::vector<std::string> left_out;
     for (const ExodusBlock& block : blocks_) {
       const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
       ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};
       if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
       here.nodes = read_nodes(block);
-      for (int node : here.nodes) used[static_cast<std::size_t>(node)] = 1;
       block_place_.push_back(kept ? static_cast<int>(mesh_.blocks.size()) : -1);
       if (kept)
         mesh_.blocks.push_back(std::move(here));
       else
         left_out.push_back(block.name);
     }
-    const auto lonely = std::find(used.begin(), used.end(), 0);
-    if (lonely != used.end()) refuse(path(), "node {} belongs to no element", lonely - used.begin() + 1);
     if (!left_out.empty())
       mesh_.notes.push_back("the mesh's blocks of points, lines or faces are left out: " + quoted_list(left_out));
   }

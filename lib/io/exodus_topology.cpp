@@ -25,11 +25,12 @@ int dimension_of(const ExodusBlock& block, int file_dimension) {
 CellType cell_type_of(const ExodusBlock& block, int file_dimension) {
   if (begins(block.topology, "QUAD") && block.nodes_per_cell == 4) return CellType::Quad4;
   if (begins(block.topology, "HEX") && block.nodes_per_cell == 8 && file_dimension == 3) return CellType::Hex8;
+  const int dimension = dimension_of(block, file_dimension);
   throw InputError(
       fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 in 2 and HEX8 in 3 are "
                   "allowed. {}",
                   block.name, block.topology, block.nodes_per_cell, file_dimension,
-                  recombining_recipe(dimension_of(block, file_dimension))));
+                  recombining_recipe(dimension < 2 ? file_dimension : dimension)));
 }
 
 }  // namespace ixos

@@ -25,25 +25,56 @@ class Builder {
     for (const MshElements& elements : file.elements) dimension_ = std::max(dimension_, elements.dimension);
     for (const auto& group : file.names) members_[group.first];
     for (const MshElements& elements : file.elements)
-      for (int tag : groups_of(elements)) members_[{elements.dimension, tag}].push_back(&elements);
+      for (int tag : groups_of(elements)) add_member({elements.dimension, tag}, elements);
   }
 
   Mesh build() {
-    if (dimension_ < 2) throw InputError("has no cells: a mesh needs quadrilaterals (2D) or hexahedra (3D)");
+    if (dimension_ < 2)
+      throw InputError(
+          fmt::format("has no cells: a mesh needs quadrilaterals (2D) or hexahedra (3D){}", missing_group()));
     mesh_.dimension = 3;
     mesh_.coordinates = file_.coordinates;
     check_cells();
     add_blocks();
     add_side_sets();
     add_node_sets();
-    if (const int unused = drop_unused_nodes(mesh_); unused > 0)
-      mesh_.notes.push_back(fmt::format("{} node(s) of the mesh belong to no cell and are left out", unused));
-    if (dimension_ == 2) flatten(mesh_);
+    drop_unused_nodes(mesh_);
+    if (dimension_ == 2) flatten_surfaces();
     return std::move(mesh_);
   }
 
  private:
   using Members = std::vector<const MshElements*>;
+
+  /// Throws InputError if the groups repeat elements so often that copies of them would be far larger than the file.
+  void add_member(const MshTag& group, const MshElements& elements) {
+    constexpr std::size_t most = 10;  // times the file's length, as for Exodus
+    entries_ += elements.nodes.size();
+    if (entries_ / most > file_.length)
+      throw InputError(fmt::format("is damaged: its physical groups up to \"{}\" claim {} entries",
+                                   name_of(group, "group"), entries_));
+    members_[group].push_back(&elements);
+  }
+
+  /// Returns why the file may lack the cells beside its sides: nothing if no element is in a group.
+  std::string missing_group() const {
+    const bool grouped = std::any_of(members_.begin(), members_.end(), [](const auto& m) { return !m.second.empty(); });
+    return grouped
+               ? ". gmsh saves only elements in physical groups: add Physical Surface (2D) or Physical Volume (3D), "
+                 "or Mesh.SaveAll = 1"
+               : "";
+  }
+
+  /// Quadrilaterals in space may be the sides of cells that are missing.
+  void flatten_surfaces() {
+    const bool solid = std::any_of(file_.groups.begin(), file_.groups.end(),
+                                   [](const auto& entity) { return entity.first.first == 3; });
+    try {
+      flatten(mesh_);
+    } catch (const InputError& error) {
+      throw InputError(error.what() + (solid ? missing_group() : ""));
+    }
+  }
 
   const std::vector<int>& groups_of(const MshElements& elements) const {
     static const std::vector<int> none;
@@ -158,6 +189,7 @@ class Builder {
   const MshFile& file_;
   int dimension_ = 0;
   std::map<MshTag, Members> members_;  ///< the elements of each physical group
+  std::size_t entries_ = 0;            ///< nodes of the elements of all groups, together
   Mesh mesh_;
 };
 

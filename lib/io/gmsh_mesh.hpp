@@ -13,8 +13,9 @@ namespace ixos {
 /// the block "body". Groups without a name are called block_<tag>, surface_<tag> and nodelist_<tag>. A side between two
 /// cells counts for the first of them. Nodes that no cell has are left out with a note. Every rank may call it. Throws
 /// InputError, with the file and the fault, for a file that cannot be read or is not as the format demands, for other
-/// cells (the message says how gmsh recombines triangles and tetrahedra), cells in two groups, names given twice, and
-/// elements of a group that are no sides of cells.
+/// cells (the message says how gmsh recombines triangles and tetrahedra), cells in two groups, names given twice,
+/// elements of a group that are no sides of cells, and groups whose elements together have more nodes than ten times
+/// the file's bytes.
 Mesh read_gmsh_mesh(const std::string& path);
 
 /// Returns the entry of the catalogue of meshes.

@@ -13,7 +13,7 @@ namespace {
 
 class Reader {
  public:
-  explicit Reader(MshSource source) : source_(std::move(source)) {}
+  explicit Reader(MshSource source) : source_(std::move(source)) { file_.length = source_.length(); }
 
   MshFile read() {
     if (source_.next_section() != "MeshFormat") source_.refuse_file("is not a mesh of gmsh: it begins otherwise");

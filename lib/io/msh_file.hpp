@@ -1,5 +1,6 @@
 /// Contents of files of gmsh's format MSH 4.1.
 #pragma once
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
@@ -21,6 +22,7 @@ struct MshElements {
 using MshTag = std::pair<int, int>;
 
 struct MshFile {
+  std::size_t length = 0;                     ///< of the file [bytes]
   std::vector<double> coordinates;            ///< nodes x 3
   std::map<MshTag, std::string> names;        ///< of physical groups; not every group has a name
   std::map<MshTag, std::vector<int>> groups;  ///< by entity: the tags of its physical groups, each once

@@ -119,17 +119,13 @@ double MshSource::number(const char* what) {
   return value;
 }
 
-void MshSource::expect_room(std::uint64_t count, const char* what, const Entry& entry) const {
+std::size_t MshSource::count(const char* what, const Entry& entry) {
+  const std::uint64_t value = size(what);
   // A number in ASCII has a digit and a blank.
   const std::size_t least = binary_ ? 4 * entry.integers + 8 * (entry.sizes + entry.numbers)
                                     : 2 * (entry.integers + entry.sizes + entry.numbers);
-  if (count > (bytes_.size() - place_) / least)
-    refuse("{} is {}, more than the rest of the file can hold", what, count);
-}
-
-std::size_t MshSource::count(const char* what, const Entry& entry) {
-  const std::uint64_t value = size(what);
-  expect_room(value, what, entry);
+  if (value > (bytes_.size() - place_) / least)
+    refuse("{} is {}, more than the rest of the file can hold", what, value);
   return value;
 }
 

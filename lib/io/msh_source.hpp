@@ -18,6 +18,8 @@ class MshSource {
   /// Reads bytes that are in memory; messages name `path`.
   MshSource(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
 
+  std::size_t length() const { return bytes_.size(); }  ///< of the file [bytes]
+
   /// Lets the numbers of later sections be binary, or text.
   void set_binary(bool binary) { binary_ = binary; }
 
@@ -45,8 +47,6 @@ class MshSource {
   /// Returns a size that counts entries of a list. Throws if the rest of the file cannot hold them: so the caller may
   /// reserve memory for them.
   std::size_t count(const char* what, const Entry& entry);
-  /// Throws if the rest of the file cannot hold so many entries.
-  void expect_room(std::uint64_t count, const char* what, const Entry& entry) const;
 
   /// Throws InputError with the file and the place before the message.
   template <class... Values>

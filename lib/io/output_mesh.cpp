@@ -4,6 +4,7 @@
 #include <array>
 
 #include "fem/with_element.hpp"
+#include "io/distinct_names.hpp"
 
 namespace ixos {
 namespace {
@@ -59,15 +60,6 @@ std::vector<std::pair<int, double>> point_of(const LocalBlock& block, int cell, 
   });
 }
 
-/// Returns a name that no other block of the output has: tied edges split blocks of one name.
-std::string unused(const std::string& name, const std::vector<ElementBlock>& blocks) {
-  std::string result = name;
-  for (int k = 2; std::any_of(blocks.begin(), blocks.end(), [&](const auto& block) { return block.name == result; });
-       ++k)
-    result = name + "_" + std::to_string(k);
-  return result;
-}
-
 }  // namespace
 
 OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<std::size_t>(local.nodes()), -1) {
@@ -78,7 +70,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
   for (const LocalBlock& block : local.blocks) {
     const int parts = pieces(block.type);
     ElementBlock here;
-    here.name = unused(parts == 1 ? block.name : block.name + "_contact", mesh.blocks);
+    here.name = parts == 1 ? block.name : block.name + "_contact";
     here.type = plain_type(block.type);
     cells.emplace_back();
     first_cell_.emplace_back(static_cast<std::size_t>(block.cells()), -1);
@@ -96,6 +88,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
   // Room for the numbers of the nodes that cutting cells adds: see add_cell.
   if (local.plain_nodes >= 0) description.global_nodes += 3 * static_cast<long long>(cell_offset);
   add_sets(local);
+  make_names_distinct(mesh);  // of blocks too: tied edges split blocks of one name
 }
 
 int OutputMesh::add_node(const LocalMesh& local, Combination combination, int id) {
@@ -166,11 +159,7 @@ void OutputMesh::add_sets(const LocalMesh& local) {
     }
   }
   for (std::size_t s = 0; s < local.node_sets.size(); ++s) {
-    // Readers on IOSS refuse files in which a node set and a side set have one name.
-    const std::string& name = local.node_set_names[s];
-    const auto& sides = local.side_set_names;
-    const bool taken = std::find(sides.begin(), sides.end(), name) != sides.end();
-    mesh.node_sets.push_back({taken ? name + "_nodes" : name, {}});
+    mesh.node_sets.push_back({local.node_set_names[s], {}});
     for (int node : local.node_sets[s])
       if (number_[static_cast<std::size_t>(node)] >= 0)
         mesh.node_sets.back().nodes.push_back(number_[static_cast<std::size_t>(node)]);

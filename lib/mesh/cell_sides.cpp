@@ -5,6 +5,16 @@
 
 namespace ixos {
 
+SideCorners corners_of(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
+  SideCorners corners;
+  corners.fill(-1);
+  auto corner = corners.begin();
+  for (int place : side_nodes(plain_type(block.type), side.side)) *corner++ = nodes[place];
+  return corners;
+}
+
 SideCorners sorted_corners(const std::vector<int>& nodes) {
   SideCorners corners;
   corners.fill(-1);
@@ -14,12 +24,7 @@ SideCorners sorted_corners(const std::vector<int>& nodes) {
 }
 
 SideCorners sorted_corners(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
-  SideCorners corners;
-  corners.fill(-1);
-  auto corner = corners.begin();
-  for (int place : side_nodes(plain_type(block.type), side.side)) *corner++ = nodes[place];
+  SideCorners corners = corners_of(mesh, side);
   std::sort(corners.begin(), corners.end());
   return corners;
 }

@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// The corners of a side in ascending order; -1 comes first where a side has two corners.
+/// The corners of a side; if sorted, in ascending order, and -1 comes first where a side has two corners.
 using SideCorners = std::array<int, 4>;
 
 /// A side of a cell. Enriched cells have the sides of plain ones.
@@ -21,6 +21,9 @@ struct CellSide {
 
 /// A range of sides with the same corners.
 using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
+
+/// Returns the corners of a side in the order of a plain cell, see side_nodes(); if there are two, -1 follows twice.
+SideCorners corners_of(const Mesh& mesh, const Side& side);
 
 /// Returns the corners of a side, of 2 or 4 nodes.
 SideCorners sorted_corners(const std::vector<int>& nodes);

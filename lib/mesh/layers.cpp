@@ -5,21 +5,10 @@
 #include <cmath>
 #include <map>
 
+#include "mesh/cell_sides.hpp"
+
 namespace ixos {
 namespace {
-
-using Corners = std::array<int, 4>;
-
-/// Returns the corner nodes of a cell's side in ascending order; the last two are -1 in two dimensions.
-Corners corners_of(const ElementBlock& block, int cell, int side) {
-  const std::size_t count = plain_type(block.type) == CellType::Hex8 ? 4 : 2;
-  const std::vector<int>& local = side_nodes(plain_type(block.type), side);
-  Corners corners{-1, -1, -1, -1};
-  for (std::size_t a = 0; a < count; ++a)
-    corners[a] = block.nodes[cell_entry(cell, nodes_per_cell(block.type), local[a])];
-  std::sort(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(count));
-  return corners;
-}
 
 int opposite(CellType type, int side) {
   if (plain_type(type) == CellType::Quad4 || side < 4) return (side + 2) % 4;
@@ -27,7 +16,7 @@ int opposite(CellType type, int side) {
 }
 
 /// Returns the mean of the corners.
-std::array<double, 3> centre(const Mesh& mesh, const Corners& corners) {
+std::array<double, 3> centre(const Mesh& mesh, const SideCorners& corners) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const auto count = static_cast<double>(std::count_if(corners.begin(), corners.end(), [](int n) { return n >= 0; }));
   std::array<double, 3> x{};
@@ -40,36 +29,36 @@ std::array<double, 3> centre(const Mesh& mesh, const Corners& corners) {
 }  // namespace
 
 SingleLayer single_layer(const Mesh& mesh, const SideSet& set) {
-  std::map<Corners, int> cells;  // that have a side opposite to one of the set
+  std::map<SideCorners, int> cells;  // that have a side opposite to one of the set
   std::vector<bool> marked(static_cast<std::size_t>(mesh.nodes()), false);
-  const auto block_of = [&](const Side& side) -> const ElementBlock& {
-    return mesh.blocks[static_cast<std::size_t>(side.block)];
-  };
   const auto other_side = [&](const Side& side) {
-    return corners_of(block_of(side), side.cell, opposite(block_of(side).type, side.side));
+    const CellType type = mesh.blocks[static_cast<std::size_t>(side.block)].type;
+    return sorted_corners(mesh, {side.block, side.cell, opposite(type, side.side)});
   };
   for (const Side& side : set.sides) {
-    const Corners corners = other_side(side);
+    const SideCorners corners = other_side(side);
     cells[corners] = 0;
     for (int node : corners)
       if (node >= 0) marked[static_cast<std::size_t>(node)] = true;
   }
-  for (const ElementBlock& block : mesh.blocks)
-    for (int cell = 0; cell < block.cells(); ++cell)
-      for (int side = 0; side < sides_per_cell(block.type); ++side) {
-        const Corners corners = corners_of(block, cell, side);
+  for (int block = 0; block < static_cast<int>(mesh.blocks.size()); ++block) {
+    const ElementBlock& here = mesh.blocks[static_cast<std::size_t>(block)];
+    for (int cell = 0; cell < here.cells(); ++cell)
+      for (int side = 0; side < sides_per_cell(here.type); ++side) {
+        const SideCorners corners = sorted_corners(mesh, {block, cell, side});
         if (!std::all_of(corners.begin(), corners.end(),
                          [&](int node) { return node < 0 || marked[static_cast<std::size_t>(node)]; }))
           continue;
         if (const auto found = cells.find(corners); found != cells.end()) ++found->second;
       }
+  }
   SingleLayer layer;
   double single = 0;
   for (const Side& side : set.sides) {
-    const Corners far = other_side(side);
+    const SideCorners far = other_side(side);
     if (cells[far] != 1) continue;
     ++single;
-    const auto x = centre(mesh, corners_of(block_of(side), side.cell, side.side)), y = centre(mesh, far);
+    const auto x = centre(mesh, sorted_corners(mesh, side)), y = centre(mesh, far);
     layer.thickness += std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
   }
   if (single == 0) return layer;

@@ -36,7 +36,7 @@ std::vector<double> plane_coordinates(const std::vector<double>& space) {
 
 }  // namespace
 
-int drop_unused_nodes(Mesh& mesh) {
+void drop_unused_nodes(Mesh& mesh) {
   std::vector<int> number(static_cast<std::size_t>(mesh.nodes()), -1);
   for (const ElementBlock& block : mesh.blocks)
     for (int node : block.nodes) number[static_cast<std::size_t>(node)] = 0;
@@ -57,7 +57,8 @@ int drop_unused_nodes(Mesh& mesh) {
     renumber(set.nodes);
     set.nodes.erase(std::remove(set.nodes.begin(), set.nodes.end(), -1), set.nodes.end());
   }
-  return static_cast<int>(number.size()) - kept;
+  if (const int unused = static_cast<int>(number.size()) - kept; unused > 0)
+    mesh.notes.push_back(fmt::format("{} node(s) of the mesh belong to no cell and are left out", unused));
 }
 
 void flatten(Mesh& mesh) {

@@ -9,16 +9,23 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "mesh/cell_sides.hpp"
 
 namespace ixos {
 namespace {
 
 using Vector = std::vector<double>;
+using Point = std::array<double, 3>;
 
-double dot(const Vector& a, const Vector& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
+/// Returns the product of vectors with as many components as the first one.
+template <class A, class B>
+double dot(const A& a, const B& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
 
-Vector difference(const double* a, const double* b, std::size_t d) {
-  Vector result(d);
+/// Returns a - b, with zeros for missing components.
+Point difference(const double* a, const double* b, std::size_t d) {
+  Point result{};
   for (std::size_t i = 0; i < d; ++i) result[i] = a[i] - b[i];
   return result;
 }
@@ -54,6 +61,7 @@ Inside::Inside(const Mesh& mesh, const Region& region) : mesh_(mesh), region_(re
     throw InputError("Sphere Center is given without Sphere Radius");
   normalize(region_.plane_normal, "Plane Normal");
   normalize(region_.normal, "Normal");
+  cosine_ = std::cos(region.normal_angle * std::acos(-1.0) / 180);
   if (region.plane_point.empty()) region_.plane_point.resize(d);
   if (region.sphere_center.empty()) region_.sphere_center.resize(d);
   if (mesh.coordinates.empty()) return;
@@ -72,35 +80,31 @@ bool Inside::node(int node) const {
       std::abs(dot(region_.plane_normal, difference(x, region_.plane_point.data(), d))) > slack_)
     return false;
   if (!(region_.sphere_radius > 0)) return true;
-  const Vector from_center = difference(x, region_.sphere_center.data(), d);
+  const Point from_center = difference(x, region_.sphere_center.data(), d);
   return std::sqrt(dot(from_center, from_center)) <= region_.sphere_radius + slack_;
 }
 
 bool Inside::side(const Side& side) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
-  const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
-  const auto corner = [&](int a) { return block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]; };
-  const std::vector<int>& corners = side_nodes(block.type, side.side);
-  if (!std::all_of(corners.begin(), corners.end(), [&](int a) { return node(corner(a)); })) return false;
+  const SideCorners corners = corners_of(mesh_, side);
+  if (!std::all_of(corners.begin(), corners.end(), [&](int corner) { return corner < 0 || node(corner); }))
+    return false;
   if (region_.normal.empty()) return true;
   // From corner a of the side to corner b. Sides run counter-clockwise, seen from outside.
   const auto along = [&](std::size_t a, std::size_t b) {
-    const auto place = [&](std::size_t k) {
-      return &mesh_.coordinates[static_cast<std::size_t>(corner(corners[k])) * d];
-    };
+    const auto place = [&](std::size_t k) { return &mesh_.coordinates[static_cast<std::size_t>(corners[k]) * d]; };
     return difference(place(b), place(a), d);
   };
-  Vector outward;
+  Point outward;
   if (d == 2) {
-    const Vector t = along(0, 1);
-    outward = {t[1], -t[0]};
+    const Point t = along(0, 1);
+    outward = {t[1], -t[0], 0};
   } else {
-    const Vector s = along(0, 2), t = along(1, 3);
+    const Point s = along(0, 2), t = along(1, 3);
     outward = {s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
   }
   const double length = std::sqrt(dot(outward, outward));
-  const double cosine = std::cos(region_.normal_angle * std::acos(-1.0) / 180);
-  return dot(outward, region_.normal) >= (cosine - 1e-12) * length;
+  return dot(region_.normal, outward) >= (cosine_ - 1e-12) * length;
 }
 
 std::string Inside::span() const {

@@ -24,8 +24,9 @@ struct Region {
 /// Tells which nodes and sides of a mesh lie in a region.
 class Inside {
  public:
-  /// Refers to both arguments. Throws InputError, with the name of a scene's parameter, if a list has another number of
-  /// coordinates than the mesh, a normal is zero, or the point of a plane or the centre of a sphere stands alone.
+  /// Refers to the mesh, and keeps a copy of the region. Throws InputError, with the name of a scene's parameter, if a
+  /// list has another number of coordinates than the mesh, a normal is zero, or the point of a plane or the centre of a
+  /// sphere stands alone.
   Inside(const Mesh& mesh, const Region& region);
 
   /// Tests the place of the node; ignores `normal`.
@@ -37,7 +38,8 @@ class Inside {
 
  private:
   const Mesh& mesh_;
-  Region region_;  ///< with points in place of empty ones, and normals of length 1
+  Region region_;      ///< with points in place of empty ones, and normals of length 1
+  double cosine_ = 0;  ///< the least one between a side's outward normal and `normal`
   double slack_ = 0;
 };
 

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "mesh/cell_sides.hpp"
 
@@ -39,21 +39,6 @@ double size_of(const Mesh& mesh) {
   const auto [low, high] = std::minmax_element(mesh.coordinates.begin(), mesh.coordinates.end());
   return *high - *low;
 }
-
-/// Disjoint sets of cells.
-class Parts {
- public:
-  explicit Parts(int cells) : parent_(static_cast<std::size_t>(cells)) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int cell) {
-    while (up(cell) != cell) cell = up(cell) = up(up(cell));
-    return cell;
-  }
-  void join(int a, int b) { up(std::max(of(a), of(b))) = std::min(of(a), of(b)); }
-
- private:
-  int& up(int cell) { return parent_[static_cast<std::size_t>(cell)]; }
-  std::vector<int> parent_;
-};
 
 struct Part {
   int cells = 0;
@@ -127,7 +112,7 @@ std::string coincident_nodes(const Mesh& mesh) {
 }
 
 std::vector<std::string> loose_parts(const Mesh& mesh, const std::vector<bool>& held) {
-  Parts parts(mesh.cells());
+  DisjointSets parts(mesh.cells());
   const std::vector<CellSide> sides = sorted_sides(mesh);
   for (std::size_t i = 1; i < sides.size(); ++i)
     if (sides[i].corners == sides[i - 1].corners) parts.join(sides[i].cell, sides[i - 1].cell);

@@ -32,7 +32,7 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
   double size = 0;
   for (double x : point.place) size = std::max(size, std::abs(x));
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node) {
-    if (mesh.is_derivative(node)) continue;
+    if (mesh.is_derivative(node) || mesh.is_added(node)) continue;
     double distance = 0;
     for (std::size_t i = 0; i < d; ++i)
       distance = std::max(distance, std::abs(mesh.coordinates[node * d + i] + u[node * d + i] - point.place[i]));
@@ -40,7 +40,7 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
       return fmt::format("node {} of the mesh at {}", mesh.original_ids[node] + 1,
                          coordinates(point.place, mesh.dimension));
   }
-  return "the place " + coordinates(point.place, mesh.dimension) + " between nodes";
+  return "the place " + coordinates(point.place, mesh.dimension) + " on a side";
 }
 
 std::string crossing(const Model& model, const double* u) {

@@ -6,8 +6,8 @@
 
 namespace ixos {
 
-/// Returns "node 12 of the mesh at (1, -0.015)" if a node of this rank stands at that place at displacement u,
-/// otherwise "the place (1, -0.015) between nodes".
+/// Returns "node 12 of the mesh at (1, -0.015)" if a node of this rank stands at that place at displacement u
+/// and is none that a contact element added, otherwise "the place (1, -0.015) on a side".
 std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point);
 
 /// Returns how far and where a surface is in or below its obstacle at the local displacement u, by

@@ -72,6 +72,7 @@ void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& nam
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
   interactions_.push_back(term.get());
+  surface_measure_.clear();
   force_terms_.push_back({name, term.get()});
   add_term(std::move(term), name);
 }

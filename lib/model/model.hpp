@@ -179,6 +179,8 @@ class Model {
   void add_term(std::unique_ptr<Term> term, const std::string& name);
   void find_scales();
   const ConstrainedEntries& constrained_entries() const;
+  /// Returns int N_a dA by local node over all interacting surfaces; a side of several interactions counts once.
+  const std::vector<double>& surface_measure() const;
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 
@@ -202,6 +204,7 @@ class Model {
   std::vector<std::string> dissipation_names_;
   Constraints constraints_;
   mutable std::unique_ptr<ConstrainedEntries> constrained_entries_;  ///< made at the first use
+  mutable std::vector<double> surface_measure_;                      ///< made at the first use
   Loads loads_;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;

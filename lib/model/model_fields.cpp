@@ -1,4 +1,4 @@
-// Fields of the model that only an output asks for.
+// Fields of surfaces and cells that only an output asks for.
 #include <limits>
 
 #include "model/model.hpp"
@@ -20,12 +20,29 @@ std::vector<double> Model::nodal_gap(const double* u) const {
   return gap;
 }
 
+const std::vector<double>& Model::surface_measure() const {
+  if (!surface_measure_.empty()) return surface_measure_;
+  surface_measure_.resize(static_cast<std::size_t>(mesh_.nodes()));
+  CountedSides counted;
+  for (const Interaction* term : interactions_) term->add_nodal_measure(counted, surface_measure_.data());
+  return surface_measure_;
+}
+
+std::vector<double> Model::interaction_traction(const double* u) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  std::vector<double> traction(static_cast<std::size_t>(space_.local()), 0.0);
+  if (interactions_.empty()) return traction;
+  force(Part::Interaction, {nullptr, nullptr, u}, end_rule(), traction.data());
+  const std::vector<double>& measure = surface_measure();
+  for (std::size_t i = 0; i < traction.size(); ++i)
+    traction[i] = measure[i / d] > 0 && !mesh_.is_derivative(i / d) ? -traction[i] / measure[i / d] : 0.0;
+  return traction;
+}
+
 std::vector<double> Model::contact_pressure(const double* u) const {
-  std::vector<double> pressure(static_cast<std::size_t>(mesh_.nodes()), 0.0), measure = pressure;
-  for (const Interaction* term : interactions_) {
-    term->add_nodal_pressure(u, pressure.data());
-    term->add_nodal_measure(measure.data());
-  }
+  std::vector<double> pressure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
+  for (const Interaction* term : interactions_) term->add_nodal_pressure(u, pressure.data());
+  const std::vector<double>& measure = surface_measure();
   for (std::size_t node = 0; node < pressure.size(); ++node)
     pressure[node] = measure[node] > 0 && !mesh_.is_derivative(node) ? pressure[node] / measure[node] : 0.0;
   return pressure;

@@ -82,16 +82,4 @@ std::vector<CellFields> Model::cell_fields(const double* u) const {
   return fields;
 }
 
-std::vector<double> Model::interaction_traction(const double* u) const {
-  const auto d = static_cast<std::size_t>(mesh_.dimension);
-  std::vector<double> traction(static_cast<std::size_t>(space_.local()), 0.0);
-  if (interactions_.empty()) return traction;
-  force(Part::Interaction, {nullptr, nullptr, u}, end_rule(), traction.data());
-  std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
-  for (const Interaction* term : interactions_) term->add_nodal_measure(measure.data());
-  for (std::size_t i = 0; i < traction.size(); ++i)
-    traction[i] = measure[i / d] > 0 && !mesh_.is_derivative(i / d) ? -traction[i] / measure[i / d] : 0.0;
-  return traction;
-}
-
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -26,7 +27,8 @@ class Options {
   using Words = std::vector<std::pair<std::string, E>>;
 
   /// A member, of S or of a base of it, of type double, int, bool, std::string, or std::vector of double, int or
-  /// std::string. If the validation has left it out (see exclusive_choice_of()), the member keeps its value in S{}.
+  /// std::string. If it belongs to a word of choose_one() and the validation has left it out, the member keeps its
+  /// value in S{}.
   template <class B, class V>
   Options& add(const char* name, V B::*member, const std::string& documentation,
                const Validator& validator = Teuchos::null) {
@@ -36,19 +38,15 @@ class Options {
           list.set(name, stored(S{}.*member), documentation);
           if (nonnull(validator)) list.getEntry(name).setValidator(validator);
         },
-        [=](const SceneNode& node, S& target) {
-          if (node.list().isParameter(name)) target.*member = loaded(node, name, target.*member);
-        });
+        [=](const SceneNode& node, S& target) { target.*member = loaded(node, name, target.*member); });
   }
 
-  /// A number that the user must give, unless the validation leaves it out.
+  /// A number that the user must give, unless the validation leaves it out as above.
   template <class B>
   Options& require(const char* name, double B::*member, const std::string& documentation, const Validator& validator) {
     return entry(
         name, [=](List& list) { set_required(list, name, documentation, validator); },
-        [=](const SceneNode& node, S& target) {
-          if (node.list().isParameter(name)) target.*member = node.number(name);
-        });
+        [=](const SceneNode& node, S& target) { target.*member = node.number(name); });
   }
 
   /// A choice among words that stand for the values of an enumeration.
@@ -62,6 +60,7 @@ class Options {
   template <class B, class E>
   Options& choose_one(const char* name, E B::*member, const Words<E>& words,
                       const std::vector<Choice::Word>& belongings, const std::string& documentation) {
+    for (const Choice::Word& word : belongings) belongings_.insert(word.belongings.begin(), word.belongings.end());
     return choice(name, member, words, documentation, exclusive_choice_of(belongings));
   }
 
@@ -107,9 +106,11 @@ class Options {
     declare(result);
     return result;
   }
+  /// Throws if the list lacks an entry that belongs to no word of choose_one().
   S read(const SceneNode& node) const {
     S result;
-    for (const Entry& e : entries_) e.read(node, result);
+    for (const Entry& e : entries_)
+      if (node.list().isParameter(e.name) || belongings_.count(e.name) == 0) e.read(node, result);
     return result;
   }
 
@@ -166,6 +167,7 @@ class Options {
   }
 
   std::vector<Entry> entries_;
+  std::set<std::string> belongings_;  ///< names that belong to a word of choose_one()
 };
 
 }  // namespace ixos

@@ -79,13 +79,16 @@ bool Checkpoints::due_by_clock() const {
 
 std::string Checkpoints::newest() const { return steps_.empty() ? "" : checkpoint_path(folder_, steps_.back()); }
 
-long Checkpoints::begin() {
+long Checkpoints::begin(bool remove) {
   long newest = -1;
   on_first_rank(simulation_.model().space().comm(), [&] {
     std::error_code code;
     fs::remove(folder_ + "/checkpoint" + ending, code);
-    const std::vector<long> steps = checkpoint_steps(folder_);
-    if (!steps.empty()) newest = steps.back();
+    for (const long step : checkpoint_steps(folder_)) {
+      newest = remove ? -1 : step;
+      if (remove && !fs::remove(checkpoint_path(folder_, step), code))
+        throw FileError(checkpoint_path(folder_, step) + ": cannot be replaced: " + code.message());
+    }
   });
   return newest;
 }

@@ -28,9 +28,10 @@ class Checkpoints {
   /// last ones are deleted, other runs' in the same folder too. Throws FileError; what was there is there still.
   /// Collective.
   void write(long step, const std::function<void(Record&)>& transfer);
-  /// At a fresh start: checkpoint.h5 does not link to an earlier run's any more. Returns the newest step of such runs,
-  /// or -1: their files stay until write() deletes them. Collective.
-  long begin();
+  /// At a fresh start: checkpoint.h5 does not link to an earlier run's any more. With `remove`, deletes the checkpoints
+  /// of earlier runs; throws FileError if it cannot. Otherwise they stay until write() deletes them. Returns the newest
+  /// step of those that stay, or -1. Collective.
+  long begin(bool remove);
   /// After a restart: the checkpoint of that step and those before it, in the same folder, count as this run's, and
   /// checkpoint.h5 links to it. Collective.
   void resume(long step);

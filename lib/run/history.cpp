@@ -50,8 +50,8 @@ History::History(Simulation& simulation)
       columns_.push_back("reaction_" + set + "_" + axis);
       max_forces_.emplace_back(columns_.back(), 0.0);
     }
-    forces_ = max_forces_;
   }
+  forces_ = max_forces_;
   for (const Probe& probe : simulation.probes())
     for (char field : {'u', 'v'})
       for (char axis : axes) columns_.push_back(probe.name + "_" + field + axis);
@@ -87,9 +87,10 @@ std::vector<double> History::reactions() {
           sums[s * d + i] += reaction[dof];
       }
   model.space().sum(sums.data(), static_cast<int>(sums.size()));
-  for (std::size_t k = 0; k < sums.size(); ++k) forces_[k].second = sums[k];
-  for (std::size_t k = 0; k < sums.size(); ++k)
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    forces_[k].second = sums[k];
     if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];
+  }
   return sums;
 }
 

@@ -37,14 +37,15 @@ std::string difference(const Simulation& simulation, const std::string& folder) 
     return summary.is_object() && summary.contains(key) && summary[key] != now;
   };
   const Model& model = simulation.model();
-  if (differs("elements", model.mesh().global_cells) || differs("dofs", model.space().global()))
+  if (differs("mesh_fingerprint", simulation.mesh_fingerprint()) || differs("elements", model.mesh().global_cells) ||
+      differs("dofs", model.space().global()))
     return "the mesh has changed";
   return "";
 }
 
-std::string look(const Simulation& simulation, const std::string& folder, bool overwrite) {
+ReplacedResults look(const Simulation& simulation, const std::string& folder, bool overwrite) {
   const std::vector<std::string> names = names_of_results(folder);
-  if (names.empty()) return "";
+  if (names.empty()) return {};
   std::string found;
   try {
     if (!is_file(folder + "/effective.xml"))
@@ -54,8 +55,8 @@ std::string look(const Simulation& simulation, const std::string& folder, bool o
   } catch (const InputError& error) {
     found = fmt::format("{}, and the scene of effective.xml cannot be read ({})", fmt::join(names, ", "), error.what());
   }
-  if (found.empty()) return folder + ": this run replaces the results of the same scene.";
-  if (overwrite) return fmt::format("{}: this run replaces {}.", folder, found);
+  if (found.empty()) return {folder + ": this run replaces the results of the same scene.", false};
+  if (overwrite) return {fmt::format("{}: this run replaces {}.", folder, found), true};
   throw InputError(
       fmt::format("{}: the folder holds {}; choose another --output, or replace them with --overwrite", folder, found));
 }
@@ -67,11 +68,13 @@ bool is_frames_file(const std::string& name) {
   return std::regex_match(name, frames);
 }
 
-std::string replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {
+ReplacedResults replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {
   const Comm& comm = simulation.model().space().comm();
-  std::string note;
-  on_first_rank(comm, [&] { note = look(simulation, folder, overwrite); });
-  return from_first_rank(comm, note);
+  ReplacedResults found;
+  on_first_rank(comm, [&] { found = look(simulation, folder, overwrite); });
+  found.note = from_first_rank(comm, found.note);
+  found.of_another = !from_first_rank(comm, found.of_another ? "yes" : "").empty();
+  return found;
 }
 
 }  // namespace ixos

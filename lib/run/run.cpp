@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_Time.hpp>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -11,9 +10,11 @@
 #include "run/energy_watch.hpp"
 #include "run/replaced_results.hpp"
 #include "run/restart.hpp"
+#include "run/run_clock.hpp"
 #include "run/run_files.hpp"
-#include "run/run_watch.hpp"
+#include "run/run_measures.hpp"
 #include "run/summary.hpp"
+#include "time/step_judge.hpp"
 
 namespace ixos {
 namespace {
@@ -32,13 +33,12 @@ class Run {
         checkpoints_(simulation, options.folder),
         files_(simulation, options.folder, options.scene_file),
         watch_(simulation),
-        run_watch_(simulation) {
+        measures_(simulation) {
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
   RunResult execute() {
-    phases_start_ = phase_seconds();
-    start_ = Teuchos::Time::wallTime();
+    clock_.reset();
     if (options_.restart.empty())
       begin();
     else
@@ -61,7 +61,6 @@ class Run {
   void resume_files();
   bool interlude();
   void step();
-  bool good_enough(double dt);
   void end();
   void checkpoint();
   void watch_energy();
@@ -73,12 +72,6 @@ class Run {
   }
   void warn(const std::string& line) const {
     if (options_.warn && comm_->getRank() == 0) options_.warn(line);
-  }
-  double wall() const { return Teuchos::Time::wallTime() - start_; }
-  PhaseSeconds phases() const {
-    PhaseSeconds seconds = phase_seconds();
-    for (std::size_t i = 0; i < seconds.size(); ++i) seconds[i] -= phases_start_[i];
-    return seconds;
   }
   void fail(const std::string& reason) {
     result_.status = RunStatus::Diverged;
@@ -95,27 +88,26 @@ class Run {
   Checkpoints checkpoints_;
   RunFiles files_;
   EnergyWatch watch_;
-  RunWatch run_watch_;
-  bool warned_ = false;       ///< of the energy balance
+  RunMeasures measures_;
+  RunClock clock_;
   std::string resumed_from_;  ///< the checkpoint that the watch went back to
   std::function<double(double)> stable_;
 
   RunResult result_;
-  double start_ = 0;             ///< of the clock, less the seconds before a restart
-  PhaseSeconds phases_start_{};  ///< the same of the phases
 };
 
 void Run::begin() {
   begin_files();
+  measures_.row(files_.history());
   stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
 }
 
 /// New files, which begin with the present state.
 void Run::begin_files() {
-  const std::string replaced = replaced_results(simulation_, options_.folder, options_.overwrite);
-  if (!replaced.empty()) tell(replaced);
+  const ReplacedResults replaced = replaced_results(simulation_, options_.folder, options_.overwrite);
+  if (!replaced.note.empty()) tell(replaced.note);
   files_.open_folder(false);
-  const long earlier = checkpoints_.begin();
+  const long earlier = checkpoints_.begin(replaced.of_another);
   if (earlier >= 0 && checkpoints_.on())
     tell(fmt::format(
         "{} has checkpoints of an earlier run, up to step {}. The first checkpoint of this run replaces them.",
@@ -172,15 +164,15 @@ void Run::step() {
   const StepResult step = integrator_.attempt(dt);
   result_.linear_iterations += step.linear_iterations;
   result_.newton_iterations += step.newton_iterations;
-  const double seconds = wall();
+  const double seconds = clock_.seconds();
   files_.count(step, seconds);
   if (!step.converged) {
     ++result_.rejected_steps;
-    if (step.crossed) run_watch_.crossed();
+    if (step.crossed) measures_.crossed();
     if (!control_.cut(dt)) fail(step.reason);
     return;
   }
-  if (times_.adaptive.on && !good_enough(dt)) {
+  if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
     ++result_.rejected_steps;
     if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
     return;
@@ -192,7 +184,8 @@ void Run::step() {
   result_.reason = stop_.reason(simulation_.model(), integrator_.state());
   if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
   files_.record(result_.steps, dt, before);
-  run_watch_.step(result_.steps, files_.recorded(), files_.history());
+  measures_.step(result_.steps);
+  if (files_.recorded()) measures_.row(files_.history());
   watch_energy();
   if (options_.watch && comm_->getRank() == 0)
     options_.watch({integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds});
@@ -208,11 +201,10 @@ void Run::watch_energy() {
   if (wrong.empty()) return;
   const bool resumes = watch_.action() == WatchAction::Resume && !checkpoints_.newest().empty() &&
                        checkpoints_.newest() != resumed_from_;
-  if (!warned_ || resumes) {
+  if (result_.warnings.empty() || resumes) {
     warn(wrong);
     result_.warnings.push_back({"energy watch", wrong});
   }
-  warned_ = true;
   if (resumes) return go_back();
   if (watch_.action() != WatchAction::Warn) fail(wrong);
 }
@@ -220,33 +212,21 @@ void Run::watch_energy() {
 /// Resumes from the newest checkpoint; a second time only from a later one.
 void Run::go_back() {
   resumed_from_ = checkpoints_.newest();
-  start_ = Teuchos::Time::wallTime();
-  phases_start_ = phase_seconds();
+  clock_.reset();
+  const std::vector<Warning> warnings = result_.warnings;  // the checkpoint has none of those after it
+  std::string problem;
   try {
     Restart restart(simulation_, resumed_from_);
     restart.load([this](Record& record) { transfer(record); });
     resume_files();
   } catch (const InputError& error) {
-    return fail(std::string("the run cannot go back to its checkpoint: ") + error.what());
+    problem = std::string("the run cannot go back to its checkpoint: ") + error.what();
   }
+  result_.warnings = warnings;
+  if (!problem.empty()) return fail(problem);
   ++result_.restarts;
   result_.reason.clear();
   tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
-}
-
-/// Does the attempted step keep what an adaptive run asks? Tells the control, and sets the number of points in time.
-bool Run::good_enough(double dt) {
-  const AdaptiveOptions& asked = times_.adaptive;
-  StepJudgement judgement;
-  if (asked.tolerance > 0) judgement.error = integrator_.error();
-  if (asked.gap_ratio > 0 || asked.time_points) judgement.gap_ratio = integrator_.gap_ratio();
-  const int used = integrator_.table().interaction_points;
-  if (asked.time_points && used > 0) {
-    const int needed = time_points(judgement.gap_ratio);
-    integrator_.set_interaction_points(needed);
-    if (needed > used) return false;  // the same step again
-  }
-  return control_.accepts(dt, judgement);
 }
 
 void Run::end() {
@@ -257,15 +237,17 @@ void Run::end() {
   } catch (const FileError& error) {  // on all ranks; there may be room for a row and the summary
     problem = error.what();
   }
+  const bool has_row = files_.recorded();
   files_.finish();
+  if (!has_row) measures_.row(files_.history());
   result_.end_time = integrator_.time();
-  result_.wall_seconds = wall();
+  result_.wall_seconds = clock_.seconds();
   result_.max_energy_error = files_.history().max_energy_error();
   result_.largest_energy = files_.history().largest_energy();
   result_.max_forces = files_.history().max_forces();
   result_.checkpoint = checkpoints_.newest();
-  result_.phase_seconds = phases();
-  result_.findings = run_warnings(run_watch_.finish(files_.history()));
+  result_.phase_seconds = clock_.phases();
+  result_.findings = run_warnings(measures_.finish(files_.history()));
   write_summary(simulation_, result_, options_.folder + "/summary.json");
   if (!problem.empty()) throw FileError(problem);
 }
@@ -286,26 +268,19 @@ void Run::checkpoint() {
 
 void Run::transfer(Record& record) {
   const Record::Section section(record, "run");
-  double seconds = wall();
-  PhaseSeconds seconds_by_phase = phases();
   record.number("steps", result_.steps);
   record.number("rejected steps", result_.rejected_steps);
   record.number("newton iterations", result_.newton_iterations);
   record.number("linear iterations", result_.linear_iterations);
   record.number("restarts", result_.restarts);
-  record.number("wall seconds", seconds);
-  for (std::size_t i = 0; i < phase_names.size(); ++i)
-    record.number((std::string("seconds ") + phase_names[i]).c_str(), seconds_by_phase[i]);
-  if (record.loading()) {
-    start_ -= seconds;
-    for (std::size_t i = 0; i < phases_start_.size(); ++i) phases_start_[i] -= seconds_by_phase[i];
-  }
+  ixos::transfer(record, result_.warnings);
+  const double seconds = clock_.transfer(record);
   files_.transfer(record, result_.steps, seconds);
   integrator_.transfer(record);
   files_.history().transfer(record);
   stop_.transfer(record);
   watch_.transfer(record);
-  run_watch_.transfer(record);
+  measures_.transfer(record);
   // Other steps or another scheme begin with their own.
   if (!record.loading() || record.same_scene()) control_.transfer(record);
 }

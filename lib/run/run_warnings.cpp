@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <string>
-#include <utility>
 
 namespace ixos {
 namespace {
@@ -27,7 +26,8 @@ Message strains_beyond_mesh(const Facts& facts) {
   if (s.least_jacobian >= least && s.largest_jacobian <= largest && s.largest_invariant <= stress) return "";
   return fmt::format(
       "cells were compressed to {:.3g} of their volume and stretched to {:.3g} (limits {} and {}), their |tr(sigma)|/E "
-      "reached {:.3g} (limit {}): the mesh or the elastic law may not be good for that; use smaller cells, or check "
+      "reached {:.3g} (limit {}): the mesh may not resolve such strains, and the elastic law may not hold for them; "
+      "use smaller cells, or check "
       "the units of the law and of Young's modulus",
       s.least_jacobian, s.largest_jacobian, least, largest, s.largest_invariant, stress);
 }
@@ -38,8 +38,8 @@ Message distorted_cells(const Facts& facts) {
   // A mesh that is bad from the beginning has had its warning.
   if (scaled >= limit || scaled >= 0.5 * facts.first_scaled_jacobian) return "";
   return fmt::format(
-      "the most deformed cell had a scaled Jacobian of {:.2g} at t = {:.6g} T0 (limit {}; {:.2g} before the run): its "
-      "results mean little; use smaller cells there, or check the units of the law and of Young's modulus",
+      "the most deformed cell had a scaled Jacobian of {:.2g} at t = {:.6g} T0 (limit {}; {:.2g} before the run): the "
+      "stresses there are not resolved; use smaller cells there, or check the units of the law and of Young's modulus",
       scaled, facts.strains.time, limit, facts.first_scaled_jacobian);
 }
 
@@ -60,8 +60,8 @@ Message oscillating_force(const Facts& facts) {
   constexpr double limit = 0.06, faces = 8;
   if (!(facts.ripple.roughness > limit) || facts.ripple.faces < faces) return "";
   return fmt::format(
-      "{} oscillates by {:.2g} of its size from row to row (limit {}) while the front of the contact passes {:.0f} "
-      "faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
+      "{} oscillates by {:.2g} of its size from row to row (limit {}) while the front of the contact passes "
+      "{:.0f} faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
       facts.ripple.column, facts.ripple.roughness, limit, facts.ripple.faces);
 }
 
@@ -76,12 +76,7 @@ Message detachment_between_outputs(const Facts& facts) {
       100 * share);
 }
 
-struct Kind {
-  const char* name;
-  Message (*judge)(const Facts&);
-};
-
-constexpr Kind kinds[] = {
+constexpr WarningKind<RunFacts> kinds[] = {
     {"energy error", energy_error},           {"strains", strains_beyond_mesh},
     {"distorted cells", distorted_cells},     {"crossed obstacle", crossed_obstacle},
     {"oscillating force", oscillating_force}, {"detachment", detachment_between_outputs},
@@ -89,11 +84,6 @@ constexpr Kind kinds[] = {
 
 }  // namespace
 
-std::vector<Warning> run_warnings(const RunFacts& facts) {
-  std::vector<Warning> warnings;
-  for (const Kind& kind : kinds)
-    if (Message message = kind.judge(facts); !message.empty()) warnings.push_back({kind.name, std::move(message)});
-  return warnings;
-}
+std::vector<Warning> run_warnings(const RunFacts& facts) { return warnings_of(facts, kinds); }
 
 }  // namespace ixos

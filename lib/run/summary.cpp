@@ -9,7 +9,6 @@
 
 #include "base/agreement.hpp"
 #include "io/disk_file.hpp"
-#include "units/result_units.hpp"
 
 namespace ixos {
 namespace {
@@ -29,10 +28,10 @@ const char* name(RunStatus status) {
 }
 
 /// Returns, for each kind of result, the symbol of its unit, its value in SI units and the SI unit.
-nlohmann::ordered_json units_of_results(const UnitSystem& units, int dimension) {
+nlohmann::ordered_json to_json(const std::vector<ResultUnit>& units) {
   nlohmann::ordered_json json;
-  for (const ResultUnit& unit : result_units(dimension))
-    json[unit.quantity] = {{"symbol", unit.expression}, {"si", units.si(unit.expression)}, {"unit", unit.si}};
+  for (const ResultUnit& unit : units)
+    json[unit.quantity] = {{"symbol", unit.expression}, {"si", unit.scale}, {"unit", unit.si}};
   return json;
 }
 
@@ -53,6 +52,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["restarts"] = result.restarts;
   json["dofs"] = model.space().global();
   json["elements"] = model.mesh().global_cells;
+  json["mesh_fingerprint"] = simulation.mesh_fingerprint();
   json["least_scaled_jacobian"] = simulation.mesh_quality().least_scaled_jacobian;
   json["largest_aspect_ratio"] = simulation.mesh_quality().largest_aspect_ratio;
   json["ranks"] = comm->getSize();
@@ -81,7 +81,7 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   for (const std::vector<Warning>* warnings : {&simulation.warnings(), &result.warnings, &result.findings})
     for (const Warning& warning : *warnings)
       json["warnings"].push_back({{"name", warning.name}, {"message", warning.message}});
-  json["units"] = units_of_results(simulation.units(), model.mesh().dimension);
+  json["units"] = to_json(simulation.result_units());
   json["checkpoint"] = nullptr;
   if (!result.checkpoint.empty()) json["checkpoint"] = std::filesystem::path(result.checkpoint).filename().string();
   on_first_rank(

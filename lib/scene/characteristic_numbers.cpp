@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
+#include "mesh/cell_sides.hpp"
+#include "mesh/connected_parts.hpp"
 
 namespace ixos {
 namespace {
@@ -56,22 +58,29 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   body.plane_modulus = body.modulus / (1 - ratio * ratio);
   body.density = material.density;
   body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
-  body.thickness = infinity;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i) {
-    body.size = std::max(body.size, upper[i] - lower[i]);
-    body.thickness = std::min(body.thickness, upper[i] - lower[i]);
-  }
+  for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, upper[i] - lower[i]);
   body.crossing_time = body.size / body.wave_speed;
   return body;
 }
 
-/// Returns the corners of a side.
-std::vector<Point> corners_of(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  const std::vector<int>& local = side_nodes(block.type, side.side);
+/// Returns the extent of a connected part along a direction.
+double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, const Point& direction) {
+  double lowest = infinity, highest = -infinity;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    if (parts[static_cast<std::size_t>(node)] != part || mesh.is_derivative(node)) continue;
+    const Point x = point_of(mesh, node);
+    const double place = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
+    lowest = std::min(lowest, place);
+    highest = std::max(highest, place);
+  }
+  return highest - lowest;
+}
+
+/// Returns the places of a side's corners, along its rim.
+std::vector<Point> corner_points(const Mesh& mesh, const Side& side) {
   std::vector<Point> corners;
-  for (std::size_t a = 0; a < (mesh.dimension == 2 ? 2U : 4U); ++a)
-    corners.push_back(point_of(mesh, block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), local[a])]));
+  for (int node : corners_of(mesh, side))
+    if (node >= 0) corners.push_back(point_of(mesh, node));
   return corners;
 }
 
@@ -113,7 +122,7 @@ void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, S
   double measure = 0;
   numbers.least_gap = infinity;
   for (const Side& side : set.sides) {
-    const std::vector<Point> corners = corners_of(mesh, side);
+    const std::vector<Point> corners = corner_points(mesh, side);
     measure += measure_of(corners) / static_cast<double>(set.sides.size());
     for (const Point& corner : corners) {
       const double gap = sight_of(obstacle, corner).gap[0];
@@ -144,28 +153,35 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
       body_of[i] = all.bodies.size();
       all.bodies.push_back(*body);
     }
+  const std::vector<int> parts = interactions.empty() ? std::vector<int>() : connected_parts(mesh);
   const SceneNode shape = scene.sublist("Mesh");
   const bool disk = shape.text("Type") == "Disk";
-  for (const SceneInteraction& interaction : interactions) {
+  for (std::size_t i = 0; i < interactions.size(); ++i) {
+    const SceneInteraction& interaction = interactions[i];
     const auto set = std::find_if(mesh.side_sets.begin(), mesh.side_sets.end(),
                                   [&](const SideSet& own) { return own.name == interaction.side_set; });
     if (set == mesh.side_sets.end() || set->sides.empty()) continue;
-    const std::string& block = mesh.blocks[static_cast<std::size_t>(set->sides.front().block)].name;
+    const Side& first = set->sides.front();
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(first.block)];
     const auto material =
-        std::find_if(materials.begin(), materials.end(), [&](const Material& own) { return own.block == block; });
+        std::find_if(materials.begin(), materials.end(), [&](const Material& own) { return own.block == block.name; });
     if (material == materials.end()) continue;
     SurfaceNumbers numbers;
     numbers.name = interaction.node.name();
+    numbers.interaction = i;
+    numbers.side_set = static_cast<std::size_t>(set - mesh.side_sets.begin());
     numbers.body = body_of[static_cast<std::size_t>(material - materials.begin())];
+    numbers.part = parts[static_cast<std::size_t>(block.nodes[cell_entry(first.cell, nodes_per_cell(block.type))])];
     const BodyNumbers& body = all.bodies[numbers.body];
     const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
     Point nearest{};
     add_law(interaction, numbers);
     add_sides(mesh, *set, *obstacle, numbers, nearest);
     numbers.elastic_length = numbers.work / body.modulus;
-    numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, body.thickness);
     const Sight sight = sight_of(*obstacle, nearest);
-    for (std::size_t i = 0; i < 3; ++i) numbers.normal[i] = sight.normal[i][0];
+    for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = sight.normal[axis][0];
+    numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
+    numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
     const double curvature = curvature_below(*obstacle, nearest, mesh.dimension) +
                              (disk ? 2 / shape.sublist("Disk").number("Diameter") : 0.0);
     if (curvature > 0) {
@@ -173,7 +189,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
       const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;
       numbers.tabor = std::cbrt(numbers.radius * elastic * elastic / std::pow(numbers.equilibrium_gap, 3));
     }
-    numbers.attraction_speed = std::sqrt(2 * numbers.work / (body.density * body.thickness));
+    numbers.attraction_speed = std::sqrt(2 * numbers.work / (body.density * numbers.thickness));
     numbers.gap_crossing_time = numbers.equilibrium_gap / numbers.attraction_speed;
     all.surfaces.push_back(std::move(numbers));
   }

@@ -19,14 +19,16 @@ struct BodyNumbers {
   double density = 0;        ///< rho [E0 T0^2/L0^2]
   double wave_speed = 0;     ///< of compression waves, sqrt((lambda + 2 mu)/rho) [L0/T0]
   double size = 0;           ///< longest side of the box around the cells [L0]
-  double thickness = 0;      ///< shortest side of that box [L0]
   double crossing_time = 0;  ///< size over wave speed [T0]
 };
 
 /// Numbers of one list of "Interactions".
 struct SurfaceNumbers {
   std::string name;                ///< of the list
+  std::size_t interaction = 0;     ///< its number among the interactions
+  std::size_t side_set = 0;        ///< of the mesh
   std::size_t body = 0;            ///< of CharacteristicNumbers::bodies, to which the first side belongs
+  int part = 0;                    ///< to which it belongs, see connected_parts()
   double work = 0;                 ///< W of adhesion, with the cutoff: -psi at the equilibrium gap [E0 L0]
   double peak_traction = 0;        ///< s0, the largest attraction [E0]
   double equilibrium_gap = 0;      ///< r_eq [L0]
@@ -35,9 +37,10 @@ struct SurfaceNumbers {
   double face_length = 0;          ///< mean length of the sides; in 3D the root of their mean area [L0]
   double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
+  double thickness = 0;            ///< extent of that part along the normal [L0]
   double radius = 0;             ///< R with 1/R = 1/R of a disk + 1/R of a curved obstacle; 0 if neither is known [L0]
   double tabor = 0;              ///< (R W^2/(E*^2 r_eq^3))^(1/3); 0 if R is not known [-]
-  double attraction_speed = 0;   ///< of a layer as thick as the body that has lost W, sqrt(2 W/(rho thickness)) [L0/T0]
+  double attraction_speed = 0;   ///< of a layer of that thickness that has lost W, sqrt(2 W/(rho thickness)) [L0/T0]
   double gap_crossing_time = 0;  ///< r_eq over that speed [T0]
 };
 
@@ -50,6 +53,10 @@ struct CharacteristicNumbers {
 /// Petersson 1976), but no more than (2 E* W h^3/(3 s0^2))^(1/4), at which the constant traction s0 bends a plate of
 /// thickness h off the wall with the work W (M^2 = 2 E* h^3/12 W for the moment M = s0 l^2/2 per width).
 double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness);
+
+/// Returns the height of a column whose weight compresses its foot by a stress of Young's modulus [L0]; `weight` per
+/// volume [E0/L0], positive.
+inline double gravity_length(double modulus, double weight) { return modulus / weight; }
 
 /// Returns the numbers of a validated scene; `materials` and `interactions` are those of its lists, and `mesh` may be
 /// enriched. Leaves out what refers to absent blocks and sets, which others refuse.

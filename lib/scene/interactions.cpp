@@ -60,18 +60,20 @@ const Options<Parameters>& options() {
 }
 
 /// Returns "least gap -0.5 at node 3 of the mesh at (1, -0.5)" if some gap is not positive, otherwise an empty string.
-/// Equal on all ranks.
+/// Before a curved obstacle, quadrature points may be below while all points of the grid of lowest_point() are above:
+/// then the text names no place. Equal on all ranks.
 std::string place_below(const Model& model, const Interactions& terms, const std::vector<double>& u) {
-  InteractionReport report;  // before a curved obstacle, quadrature points may be lower than all points of the grid
+  InteractionReport report;
   LowestPoint lowest;
   for (const auto& term : terms) {
     term->report(u.data(), report);
     if (const LowestPoint point = term->lowest_point(u.data()); point.gap < lowest.gap) lowest = point;
   }
-  const double grid = model.space().minimum(lowest.gap), gap = std::min(grid, model.space().minimum(report.least_gap));
-  if (gap > 0) return "";
+  const double grid = model.space().minimum(lowest.gap), points = model.space().minimum(report.least_gap);
   std::string text;
-  if (lowest.gap == grid) text = fmt::format("least gap {:.6g} at {}", gap, in_words(model.mesh(), u.data(), lowest));
+  if (grid <= 0 && lowest.gap == grid)
+    text = fmt::format("least gap {:.6g} at {}", grid, in_words(model.mesh(), u.data(), lowest));
+  if (grid > 0 && points <= 0) text = fmt::format("least gap {:.6g} at a quadrature point", points);
   return first_problem(model.space().comm(), text);
 }
 

@@ -1,6 +1,10 @@
 #include "scene/scene_mesh.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
+#include <vector>
 
 #include "io/mesh_file.hpp"
 #include "mesh/quality.hpp"
@@ -36,6 +40,22 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   at("Mesh", [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
   return mesh;
+}
+
+std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units) {
+  if (!reads_file(meshes().chosen(SceneNode(list, "Mesh")))) return {};
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<std::string> plain, si;
+  for (std::size_t i = 0; i < d; ++i) {
+    double lower = mesh.coordinates[i], upper = lower;
+    for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
+      lower = std::min(lower, mesh.coordinates[k]);
+      upper = std::max(upper, mesh.coordinates[k]);
+    }
+    plain.push_back(fmt::format("{:.6g}", upper - lower));
+    si.push_back(units.text(upper - lower, "L0"));
+  }
+  return fmt::format("the mesh spans {} L0 = {}", fmt::join(plain, " x "), fmt::join(si, " x "));
 }
 
 }  // namespace ixos

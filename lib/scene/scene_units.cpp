@@ -68,11 +68,7 @@ class Conversion {
     for (const Target& target : targets_)
       if (quantity.has_unit && quantity.magnitude.dimension != target.unit.dimension)
         refuse(text, quantity.magnitude.dimension, target);
-    try {
-      return in_unit(quantity, quantity.has_unit ? targets_.front().unit : Unit{});
-    } catch (const InputError& error) {
-      throw InputError(in_quotes(text) + ": " + error.what());
-    }
+    return in_unit(quantity, quantity.has_unit ? targets_.front().unit : Unit{});
   }
 
  private:
@@ -163,9 +159,9 @@ List complete_scene(const List& user) {
   return validated(in_scene_units(user, scene_parameters()), scene_parameters());
 }
 
-std::string values_in_si(const List& complete, const UnitSystem& units) {
+std::string values_in_si(const List& complete, const UnitSystem& units, int dimension) {
   std::string text;
-  const UnitUses uses(complete, scene_parameters());
+  const UnitUses uses(complete, scene_parameters(), dimension);
   Path root;
   walk(complete, scene_parameters(), root,
        [&](const Path& path, const List& list, const std::string& name, const Teuchos::ParameterEntry& known) {

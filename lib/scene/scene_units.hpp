@@ -21,7 +21,7 @@ Teuchos::ParameterList in_scene_units(const Teuchos::ParameterList& user, const 
 Teuchos::ParameterList complete_scene(const Teuchos::ParameterList& user);
 
 /// Returns a line for each length, stress, time and the like of a complete scene that is not 0: its path, its value in
-/// units of the scene and in SI units.
-std::string values_in_si(const Teuchos::ParameterList& complete, const UnitSystem& units);
+/// units of the scene and in SI units. `dimension`: that of the mesh; 0 if no more is known than the scene states.
+std::string values_in_si(const Teuchos::ParameterList& complete, const UnitSystem& units, int dimension = 0);
 
 }  // namespace ixos

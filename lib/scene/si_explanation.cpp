@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "scene/scene_units.hpp"
-#include "units/result_units.hpp"
 
 namespace ixos {
 namespace {
@@ -23,13 +22,11 @@ class Writer {
 };
 
 std::string scales(const Simulation& simulation) {
-  const int dimension = simulation.model().mesh().dimension;
   std::string text = "Units:";
-  for (const ResultUnit& unit : result_units(dimension))
+  for (const ResultUnit& unit : simulation.result_units())
     if (unit.quantity != "acceleration" && unit.quantity != "contact_measure")
-      text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", unit.expression,
-                          simulation.units().text(1, unit.expression, unit.si));
-  return text + (dimension == 2 ? " (forces, energies and momenta per depth)\n" : "\n");
+      text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", unit.expression, si_text(unit.scale, unit.si));
+  return text + (simulation.model().mesh().dimension == 2 ? " (forces, energies and momenta per depth)\n" : "\n");
 }
 
 std::string body(const BodyNumbers& numbers, const Writer& write) {
@@ -56,7 +53,7 @@ double length(const std::vector<double>& vector) {
   return std::sqrt(square);
 }
 
-/// Returns a line for each pair of a load on volumes and a body.
+/// Returns a line for each body and each load on its volume.
 std::string gravity(const Simulation& simulation, const Writer& write) {
   std::string text;
   for (const SceneNode& node : SceneNode(simulation.parameters(), "").sublist("Boundary Conditions").sublists()) {
@@ -64,9 +61,13 @@ std::string gravity(const Simulation& simulation, const Writer& write) {
     if (!acceleration && node.text("Type") != "Body Force") continue;
     const double load = length(node.numbers("Vector"));
     if (!(load > 0)) continue;
-    for (const BodyNumbers& own : simulation.characteristic_numbers().bodies)
-      text += fmt::format("  {}: gravity length E/weight of {}: {}\n", node.name(), own.name,
+    for (const BodyNumbers& own : simulation.characteristic_numbers().bodies) {
+      const std::string &block = node.text("Block"), &history = node.text("History");
+      if (!block.empty() && block != simulation.materials()[own.material].block) continue;
+      text += fmt::format("  {}: gravity length E/weight of {}{}: {}\n", node.name(), own.name,
+                          history.empty() ? "" : " for a value of 1 of the history " + in_quotes(history),
                           write(gravity_length(own.modulus, acceleration ? load * own.density : load), "L0"));
+    }
   }
   return text;
 }
@@ -76,7 +77,8 @@ std::string gravity(const Simulation& simulation, const Writer& write) {
 std::string explain_numbers(const Simulation& simulation) {
   const Writer write(simulation.units());
   std::string text = scales(simulation) + "Values in units of the scene and in SI units:\n" +
-                     values_in_si(simulation.parameters(), simulation.units()) + "Numbers that follow from them:\n";
+                     values_in_si(simulation.parameters(), simulation.units(), simulation.model().mesh().dimension) +
+                     "Numbers that follow from them:\n";
   for (const BodyNumbers& numbers : simulation.characteristic_numbers().bodies) text += body(numbers, write);
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().surfaces) text += surface(numbers, write);
   return text + gravity(simulation, write);

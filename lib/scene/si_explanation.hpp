@@ -10,7 +10,4 @@ namespace ixos {
 /// (see CharacteristicNumbers, gravity_length()).
 std::string explain_numbers(const Simulation& simulation);
 
-/// Returns the height at which a body's weight equals its Young's modulus [L0]; `weight` per volume [E0/L0], positive.
-inline double gravity_length(double modulus, double weight) { return modulus / weight; }
-
 }  // namespace ixos

@@ -107,9 +107,12 @@ void Simulation::build_model(const Comm& comm, const std::string& folder, Inerti
     mesh = scene_mesh(parameters_.sublist("Mesh"), folder);
     for (std::string& message : inspect_mesh(SceneNode(parameters_, ""), mesh))
       warnings_.push_back({"mesh", std::move(message)});
+    if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
+      mesh.notes.push_back(std::move(note));
     enrich_surfaces(interactions_, mesh);
   });
   notes_ = mesh.notes;
+  result_units_ = ixos::result_units(units_, mesh.dimension);
   mesh_fingerprint_ = fingerprint(mesh);
   mesh_quality_ = ixos::mesh_quality(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh);

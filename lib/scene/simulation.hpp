@@ -17,7 +17,7 @@
 #include "solve/newton.hpp"
 #include "time/integrator.hpp"
 #include "time/step_control.hpp"
-#include "units/unit_system.hpp"
+#include "units/result_units.hpp"
 
 namespace ixos {
 
@@ -33,6 +33,7 @@ class Simulation {
 
   const Teuchos::ParameterList& parameters() const { return parameters_; }  ///< complete, in plain numbers
   const UnitSystem& units() const { return units_; }                        ///< what the plain numbers refer to
+  const std::vector<ResultUnit>& result_units() const { return result_units_; }
   const std::vector<Material>& materials() const { return materials_; }
   const std::vector<SceneInteraction>& interactions() const { return interactions_; }
   const Model& model() const { return *model_; }
@@ -50,7 +51,7 @@ class Simulation {
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<Warning>& warnings() const { return warnings_; }
-  /// Returns what Ixos left out of a mesh file, in sentences.
+  /// Returns what Ixos left out of a mesh file, and how large that mesh is, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }
 
@@ -64,6 +65,7 @@ class Simulation {
 
   Teuchos::ParameterList parameters_;
   const UnitSystem units_;
+  std::vector<ResultUnit> result_units_;
   const OutputOptions output_;
   const TimeIntegratorOptions time_integrator_;
   const NewtonOptions newton_;

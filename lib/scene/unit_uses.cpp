@@ -1,40 +1,47 @@
 #include "scene/unit_uses.hpp"
 
 #include "parameters/parameter_entries.hpp"
+#include "scene/scene_mesh.hpp"
 
 namespace ixos {
 namespace {
 
 using List = Teuchos::ParameterList;
 
-/// Returns a text of the list; `fallback` if there is none.
-std::string text(const List& list, const std::string& name, const std::string& fallback) {
-  return list.isType<std::string>(name) ? list.get<std::string>(name) : fallback;
+/// Returns a text of the list; that of the default list if there is none.
+std::string text(const List& list, const std::string& name, const List& defaults) {
+  return (list.isType<std::string>(name) ? list : defaults).get<std::string>(name);
 }
 
 /// Returns the sublist of that name; an empty list if there is none.
 List sublist(const List& list, const std::string& name) { return list.isSublist(name) ? list.sublist(name) : List(); }
 
+/// Returns the dimension of the mesh that the scene chooses; 0 if it is not known.
 int mesh_dimension(const List& scene, const List& valid) {
-  const List mesh = sublist(scene, "Mesh"), known = sublist(valid, "Mesh");
-  const std::string type = text(mesh, "Type", text(known, "Type", ""));
-  if (type == "Disk") return 2;
-  if (type == "Spatula") return 3;
-  for (const List& own : {sublist(mesh, type), sublist(known, type)})
-    if (own.isType<int>("Dimension")) return own.get<int>("Dimension");
+  const List mesh = sublist(scene, "Mesh");
+  const List& known = valid.sublist("Mesh");
+  const std::string type = text(mesh, meshes().choice(), known);
+  for (const MeshEntry& entry : meshes().entries()) {
+    if (entry.name != type) continue;
+    if (entry.dimension != 0) return entry.dimension;
+    for (const List& own : {sublist(mesh, type), sublist(known, type)})
+      if (own.isType<int>("Dimension")) return own.get<int>("Dimension");
+  }
   return 0;
 }
 
 }  // namespace
 
-UnitUses::UnitUses(const List& scene, const List& valid) {
-  const int dimension = mesh_dimension(scene, valid);
+UnitUses::UnitUses(const List& scene, const List& valid, int dimension)
+    : condition_(valid.sublist("Boundary Conditions").sublist(any_name)),
+      probe_(valid.sublist("Time Integrator").sublist("Stop").sublist(any_name).sublist("Probe")) {
+  if (dimension == 0) dimension = mesh_dimension(scene, valid);
   if (dimension == 2 || dimension == 3) dimension_ = std::to_string(dimension) + "D";
   const List conditions = sublist(scene, "Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions)) {
     const List condition = sublist(conditions, name);
-    const bool motion = text(condition, "Type", "Displacement") == "Displacement";
-    histories_[text(condition, "History", "")].insert(motion ? "motion" : "load");
+    const bool motion = text(condition, "Type", condition_) == "Displacement";
+    histories_[text(condition, "History", condition_)].insert(motion ? "motion" : "load");
   }
 }
 
@@ -44,11 +51,11 @@ std::set<std::string> UnitUses::of(const std::vector<std::string>& path, const L
     return found == histories_.end() ? std::set<std::string>{"motion"} : found->second;
   }
   if (path.size() == 2 && path[0] == "Boundary Conditions") {
-    const std::string type = text(list, "Type", "Displacement");
+    const std::string type = text(list, "Type", condition_);
     return {type, type + " in " + dimension_};
   }
   if (path.size() == 4 && path[1] == "Stop")
-    return {text(list, "Quantity", "y")[0] == 'v' ? "velocity" : "coordinate or displacement"};
+    return {text(list, "Quantity", probe_)[0] == 'v' ? "velocity" : "coordinate or displacement"};
   return {};
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace ixos {
 namespace {
@@ -53,12 +52,12 @@ Message cohesive_zone_against_faces(const Facts& facts) {
 /// reaches that of the sphere at W/(E R) = 0.07).
 Message elastic_length_against_body(const Facts& facts) {
   constexpr double limit = 0.05;
-  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts&, const BodyNumbers& body) {
-    if (surface.elastic_length <= limit * body.thickness) return Message();
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts&, const BodyNumbers&) {
+    if (surface.elastic_length <= limit * surface.thickness) return Message();
     return fmt::format(
         "the work of adhesion over Young's modulus is {:.3g} L0, {:.2g} times the body's thickness of {:.3g} L0 (limit "
-        "{}): adhesion will crumple the body; use a stiffer or larger body or a weaker law, or check their units",
-        surface.elastic_length, surface.elastic_length / body.thickness, body.thickness, limit);
+        "{}): adhesion will deform the whole body; use a stiffer or larger body or a weaker law, or check their units",
+        surface.elastic_length, surface.elastic_length / surface.thickness, surface.thickness, limit);
   });
 }
 
@@ -80,9 +79,8 @@ Message wave_crossing_against_run(const Facts& facts) {
     if (facts.duration >= body.crossing_time) return Message();
     return fmt::format(
         "a wave needs {:.3g} T0 to cross the body, but the run lasts {:.3g} T0: what happens at one end does not reach "
-        "the other; use a later Final Time, or check the units of the density and of Young's modulus (wave speed "
-        "{:.3g} "
-        "L0/T0)",
+        "the other; use a later Final Time, or check the units of the density and of Young's modulus (wave "
+        "speed {:.3g} L0/T0)",
         body.crossing_time, facts.duration, body.wave_speed);
   });
 }
@@ -90,9 +88,10 @@ Message wave_crossing_against_run(const Facts& facts) {
 /// A body that attraction accelerates from a distance crosses the range of the law in this time.
 Message gap_crossing_against_step(const Facts& facts) {
   constexpr double limit = 3;
-  if (!facts.has_inertia || facts.held) return "";
+  if (!facts.has_inertia) return "";
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
-    if (surface.least_gap <= own.peak_gap || facts.step <= limit * surface.gap_crossing_time) return Message();
+    if (own.drive.held || surface.least_gap <= own.peak_gap) return Message();
+    if (facts.step <= limit * surface.gap_crossing_time) return Message();
     return fmt::format(
         "the time step of {:.3g} T0 is {:.3g} times as long as the attracted body needs to cross the equilibrium gap, "
         "{:.3g} T0 (limit {}): impacts are not resolved; use a Time Step of at most {:.2g}, or adaptive steps with a "
@@ -115,7 +114,8 @@ Message unknown_material(const Facts& facts) {
         what, value, unit, lowest, highest, unit);
   };
   const Message body = first_body(facts, [&](const BodyNumbers& own) {
-    const Message heavy = strange("the density", own.density * density, 2, 3e4, "kg/m^3");
+    const Message heavy =
+        facts.has_inertia ? strange("the density", own.density * density, 2, 3e4, "kg/m^3") : Message();
     return heavy.empty() ? strange("Young's modulus", own.modulus * scale.stress, 1, 2e12, "Pa") : heavy;
   });
   if (!body.empty()) return body;
@@ -132,18 +132,20 @@ Message motion_that_jumps(const Facts& facts) {
   if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
   double size = 0, speed = 0;
   for (const BodyNumbers& body : facts.numbers.bodies) {
-    size = std::max(size, body.thickness);
+    size = std::max(size, body.size);
     speed = std::max(speed, body.wave_speed);
   }
   return first_motion(facts, [&](const Motion& motion) {
     if (std::abs(motion.start) > 1e-6 * size)
       return fmt::format("the motion begins with a jump to {:.3g} L0; let it begin at 0", motion.start);
-    if (motion.start_speed > fast * speed)
+    if (motion.velocity_jump > fast * speed)
       return fmt::format(
-          "the motion begins with a jump of the velocity of {:.3g} L0/T0, {:.2g} of the wave speed (limit {}); use a "
-          "Rate Ramp",
-          motion.start_speed, motion.start_speed / speed, fast);
-    if (motion.range > 1e-6 * size && motion.in_one_step > 0.9 * motion.range && facts.step < facts.duration / 1.5)
+          "the velocity of the motion jumps by {:.3g} L0/T0 at t = {:.6g} T0, {:.2g} of the wave speed (limit {}); let "
+          "it rise over some time, for example by a Rate Ramp",
+          motion.velocity_jump, motion.jump_time, motion.velocity_jump / speed, fast);
+    // Explicit schemes divide the step.
+    if (facts.step > 0 && motion.range > 1e-6 * size && motion.in_one_step > 0.9 * motion.range &&
+        facts.step < facts.duration / 1.5)
       return fmt::format(
           "{:.2g} of the whole motion of {:.3g} L0 happens in one step of {:.3g} T0 (limit 0.9); use a longer ramp or "
           "shorter steps",
@@ -156,11 +158,11 @@ Message gap_without_attraction(const Facts& facts) {
   constexpr double patience = 10, weak = 1e-6;
   if (facts.loaded || facts.moves) return "";
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers& body) {
-    const double gap = surface.least_gap - own.approach;
+    const double gap = surface.least_gap - own.drive.approach;
     if (surface.work == 0 || gap <= own.peak_gap) return Message();
     const double fall =
-        std::sqrt(2 * (gap - own.peak_gap) * body.density * body.thickness / std::max(own.attraction, 1e-300));
-    const bool free = !facts.held && facts.has_inertia;
+        std::sqrt(2 * (gap - own.peak_gap) * body.density * surface.thickness / std::max(own.attraction, 1e-300));
+    const bool free = !own.drive.held && facts.has_inertia;
     if (free ? fall <= patience * facts.duration : own.attraction >= weak * surface.peak_traction) return Message();
     return fmt::format(
         "the surface comes no nearer than {:.3g} L0, where the attraction is {:.2g} of its largest value{}: nothing "
@@ -177,8 +179,8 @@ Message no_way_to_bend(const Facts& facts) {
     if (own.single_layer < share || body.size < slender * own.layer_thickness) return Message();
     return fmt::format(
         "{:.0f} % of the surface (limit {:.0f} %) has one layer of cells behind it, {:.3g} L0 thick on a body of "
-        "{:.3g} "
-        "L0: linear cells are far too stiff in bending; use at least 4 layers, or \"Enhanced\" elements with Q1C1",
+        "{:.3g} L0: linear cells are far too stiff in bending; use at least 4 layers, or \"Enhanced\" elements with "
+        "Q1C1",
         100 * own.single_layer, 100 * share, own.layer_thickness, body.size);
   });
 }
@@ -186,22 +188,19 @@ Message no_way_to_bend(const Facts& facts) {
 Message oblique_pull_without_friction(const Facts& facts) {
   constexpr double limit = 0.1;
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
-    for (const Pull& pull : own.pulls)
-      if (pull.along > limit * pull.away && pull.along > 0 && (pull.away > 0 || surface.least_gap <= own.peak_gap))
-        return fmt::format(
-            "{} pulls at {:.0f} degrees to the obstacle, but there is no friction: the surface will slide, as on ice; "
-            "pull along the obstacle's normal, or hold the body against sliding (limit: {:.0f} degrees)",
-            pull.path, std::atan2(pull.away, pull.along) * 180 / M_PI, std::atan2(1.0, limit) * 180 / M_PI);
+    for (const Pull& pull : own.drive.pulls) {
+      const double across = std::max(pull.away, pull.towards);
+      if (pull.along <= limit * across || (pull.away == 0 && surface.least_gap > own.peak_gap)) continue;
+      return fmt::format(
+          "{} acts at {:.0f} degrees to the obstacle (limit {:.0f}), but there is no friction: the surface will slide "
+          "freely; act along the obstacle's normal, or hold the body against sliding",
+          pull.path, std::atan2(across, pull.along) * 180 / M_PI, std::atan2(1.0, limit) * 180 / M_PI);
+    }
     return Message();
   });
 }
 
-struct Kind {
-  const char* name;
-  Message (*judge)(const Facts&);
-};
-
-constexpr Kind kinds[] = {
+constexpr WarningKind<SceneFacts> kinds[] = {
     {"material", unknown_material},
     {"elastic length", elastic_length_against_body},
     {"cohesive zone", cohesive_zone_against_faces},
@@ -216,11 +215,6 @@ constexpr Kind kinds[] = {
 
 }  // namespace
 
-std::vector<Warning> scene_warnings(const SceneFacts& facts) {
-  std::vector<Warning> warnings;
-  for (const Kind& kind : kinds)
-    if (Message message = kind.judge(facts); !message.empty()) warnings.push_back({kind.name, std::move(message)});
-  return warnings;
-}
+std::vector<Warning> scene_warnings(const SceneFacts& facts) { return warnings_of(facts, kinds); }
 
 }  // namespace ixos

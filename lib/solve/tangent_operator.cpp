@@ -20,8 +20,7 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
   if (!possible)
     throw InputError(
         "Linear Solver/Operator: \"Matrix-Free\" is not offered for the model's viscosity, element formulation or "
-        "elastic "
-        "law; use \"Assembled\"");
+        "elastic law; use \"Assembled\"");
   for (const auto& action : elastic_) mass_in_elastic_ = mass_in_elastic_ && action->applies_mass();
   for (std::vector<double>* array : {&x_, &result_, &part_})
     array->resize(static_cast<std::size_t>(model.space().local()));

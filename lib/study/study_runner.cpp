@@ -1,9 +1,6 @@
 #include "study/study_runner.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -16,8 +13,10 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "io/disk_file.hpp"
 #include "study/child_process.hpp"
+#include "study/results_folder.hpp"
 
 namespace ixos {
 namespace {
@@ -49,26 +48,6 @@ std::string file_mark(const std::string& path) {
   if (code) throw FileError(path + ": cannot be read: " + code.message());
   return fmt::format("{} bytes, {}", size, time);
 }
-
-/// Holds a folder for this process as long as it lives.
-class FolderLock {
- public:
-  explicit FolderLock(const std::string& folder)
-      : file_(open((folder + "/lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ < 0) throw FileError(folder + ": cannot be written");
-    if (flock(file_, LOCK_EX | LOCK_NB) != 0) {
-      close(file_);
-      throw FileError(folder +
-                      ": another ixos-study uses this folder; wait until it has ended, or choose another --output");
-    }
-  }
-  ~FolderLock() { close(file_); }
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int file_;
-};
 
 class Runner {
  public:
@@ -268,7 +247,9 @@ class Runner {
 
 StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results,
                       ReferenceQuality& quality) {
-  const FolderLock lock(options.folder);
+  const std::string scene = std::filesystem::absolute(study.scene).lexically_normal().string();
+  const std::string owner = printable(fmt::format("the study \"{}\" of {}", study.name, scene));
+  const ResultsFolder held(options.folder, owner, options.overwrite);
   return Runner(study, options).run(results, quality);
 }
 

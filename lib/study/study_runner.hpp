@@ -10,9 +10,10 @@
 namespace ixos {
 
 struct RunnerOptions {
-  std::string folder;   ///< results go here: runs/<name>/ for each run, and for the reference
-  std::string driver;   ///< path of the program ixos
-  std::string version;  ///< results of another version are not reused
+  std::string folder;      ///< results go here: runs/<name>/ for each run, and for the reference
+  std::string driver;      ///< path of the program ixos
+  std::string version;     ///< results of another version are not reused
+  bool overwrite = false;  ///< replaces the results of another study
   /// Called after each run: its result, how many are done, and whether it was finished already. May be empty.
   std::function<void(const StudyResult&, std::size_t, bool)> watch;
   std::function<bool()> interrupted;  ///< called between polls
@@ -24,8 +25,8 @@ enum class StudyStatus { Done, ReferenceFailed, Interrupted };
 /// A run is done when its record stands in its folder, runs/<name>/run.json, which is written last. A study may
 /// therefore be killed at any time, and resumes from the runs that are done. `results` holds the finished runs in the
 /// study's order; if the reference fails, the reference alone. `quality` holds what the check of the reference, a run
-/// like the others, shows of it. Throws InputError, and FileError, also if another
-/// process works in that folder.
+/// like the others, shows of it. Throws InputError, also if the folder holds the
+/// results of another study, and FileError, also if another process works in that folder.
 StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results,
                       ReferenceQuality& quality);
 

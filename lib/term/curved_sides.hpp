@@ -52,17 +52,15 @@ class CurvedSides : public SurfaceSides<SideElement> {
   std::array<Pack, N> nodal_gaps(std::size_t b, const double* u, const SightOf& sight_of) const {
     const Vectors x = places_of(b, u);
     std::array<Pack, N> gaps;
-    constexpr std::size_t derivatives = N - Base::places > Base::places ? 3 : 1;  // of a corner
     for (std::size_t a = 0; a < N; ++a) {
-      const std::size_t place = a < Base::places ? a : (a - Base::places) / derivatives;
       PackPoint point{};
-      for (std::size_t i = 0; i < D; ++i) point[i] = x[place][i];
+      for (std::size_t i = 0; i < D; ++i) point[i] = x[Base::place_of(a)][i];
       const Sight sight = sight_of(point);
       gaps[a] = sight.gap;
       if (a < Base::places) continue;
       gaps[a] = 0.0;
       for (std::size_t i = 0; i < D; ++i) gaps[a] += sight.normal[i] * x[a][i];
-      if ((a - Base::places) % derivatives < 2) continue;
+      if ((a - Base::places) % Base::derivatives < 2) continue;
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) gaps[a] += sight.bend[i][j] * x[a - 2][i] * x[a - 1][j];
     }

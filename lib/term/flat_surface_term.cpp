@@ -148,7 +148,9 @@ class FlatSurfaceTerm final : public Interaction {
     });
   }
 
-  void add_nodal_measure(double* measure) const override { sides_.add_nodal_measure(measure); }
+  void add_nodal_measure(CountedSides& counted, double* measure) const override {
+    sides_.add_nodal_measure(counted, measure);
+  }
 
   void add_nodal_pressure(const double* u, double* force) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) {

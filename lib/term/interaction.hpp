@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "term/force_term.hpp"
@@ -21,6 +22,9 @@ struct LowestPoint {
   double gap = std::numeric_limits<double>::infinity();  ///< [L0]
   std::array<double, 3> place{};                         ///< deformed [L0]; the third is 0 in two dimensions
 };
+
+/// Sides of cells: local block, cell and side.
+using CountedSides = std::set<std::array<int, 3>>;
 
 /// An interaction of a surface with its surroundings.
 class Interaction : public ForceTerm {
@@ -52,15 +56,16 @@ class Interaction : public ForceTerm {
   /// looks at the nodes, and between them at a grid twice as fine as the nodes of a side.
   virtual LowestPoint lowest_point(const double* u) const = 0;
 
-  /// Adds, per local node, int N_a dA over the surface [L0^(D-1)].
-  virtual void add_nodal_measure(double* measure) const = 0;
+  /// Adds, per local node, int N_a dA over those sides of the surface that are not counted yet, and counts them:
+  /// several interactions may act on one side [L0^(D-1)].
+  virtual void add_nodal_measure(CountedSides& counted, double* measure) const = 0;
 
   /// Adds, per local node, int N_a T dA with the law's traction T, which is positive where the obstacle pushes the body
   /// away [E0 L0^(D-1)].
   virtual void add_nodal_pressure(const double* u, double* force) const = 0;
 
   /// Lowers the numbers by local node to the gaps of the surface's nodes [L0]; NaN stands for no gap yet. At derivative
-  /// nodes it is the gap's derivative.
+  /// nodes it is the gap's derivative, if this gap is the least at their corner.
   virtual void lower_nodal_gap(const double* u, double* gap) const = 0;
 };
 

@@ -26,6 +26,7 @@ class SurfaceSides {
       : quadrature_(counts(points), ties(mesh, sides)),
         grid_(shape_grid<SideElement>(grid_counts(), ties(mesh, sides))),
         batches_(node_table(sides), pattern, scale_table(mesh, sides)) {
+    for (const LocalSide& side : sides) sides_.push_back({side.block, side.cell, side.side});
     for (std::size_t b = 0; b < batches_.size(); ++b) {
       Vectors x;
       batches_.gather(b, mesh.coordinates.data(), x);
@@ -80,26 +81,38 @@ class SurfaceSides {
     });
   }
   /// Lowers an array by local node to the values of a batch's nodes; NaN stands for no value yet. A derivative node
-  /// takes the value of the last side.
+  /// takes the value of the last side that has the least value at its corner.
   void lower_nodal(std::size_t b, const std::array<Pack, N>& values, double* by_node) const {
+    std::array<std::array<bool, pack_width>, places> lowered{};
     for_each_node(b, [&](std::size_t a, std::size_t lane, std::size_t node) {
       const double value = values[a][lane] / batches_.scale(b, a, lane);
-      if (a >= places || !(by_node[node] <= value)) by_node[node] = value;
+      bool& here = lowered[place_of(a)][lane];
+      if (a < places) here = !(by_node[node] < value);
+      if (here) by_node[node] = value;
     });
   }
-  /// Adds, per local node, int N_a dA [L0^(D-1)].
-  void add_nodal_measure(double* measure_by_node) const {
-    for (std::size_t b = 0; b < size(); ++b)
+  /// Adds, per local node, int N_a dA over the sides that are not counted yet, and counts them [L0^(D-1)].
+  void add_nodal_measure(CountedSides& counted, double* measure_by_node) const {
+    for (std::size_t b = 0; b < size(); ++b) {
+      std::array<bool, pack_width> counts{};
+      for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
+        counts[lane] = counted.insert(sides_[b * static_cast<std::size_t>(pack_width) + lane]).second;
       for (std::size_t q = 0; q < quadrature_.size(); ++q)
         for (std::size_t a = 0; a < N; ++a)
           for (std::size_t lane = 0; lane < batches_.lanes(b); ++lane)
-            measure_by_node[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D] +=
-                batches_.scale(b, a, lane) * quadrature_.value[q][a] * measure(b)[q][lane];
+            if (counts[lane])
+              measure_by_node[static_cast<std::size_t>(batches_.first_dof(b, a, lane)) / D] +=
+                  batches_.scale(b, a, lane) * quadrature_.value[q][a] * measure(b)[q][lane];
+    }
   }
 
  protected:
   /// Nodes that are places; the others of a Hermite side are derivatives.
   static constexpr std::size_t places = IsHermite<SideElement>::value ? std::size_t{1} << (D - 1) : N;
+  /// Derivatives that a Hermite side has at each corner.
+  static constexpr std::size_t derivatives = D == 2 ? 1 : 3;
+  /// Returns the node at whose place a node is: for a derivative, its corner.
+  static constexpr std::size_t place_of(std::size_t a) { return a < places ? a : (a - places) / derivatives; }
 
  private:
   /// Calls visit(node of the side, lane, local node). Leaves out nodes of tied edges, whose shape functions are zero:
@@ -167,6 +180,7 @@ class SurfaceSides {
     return std::experimental::sqrt(square);
   }
 
+  std::vector<std::array<int, 3>> sides_;  ///< local block, cell and side
   ShapeTable<SideElement> quadrature_;
   std::vector<std::array<double, N>> grid_;  ///< shape functions at the points of lowest_point()
   ElementBatches<N, D> batches_;

@@ -65,6 +65,7 @@ int read_exponent(const std::string& text, std::size_t& at) {
 Quantity parse(const std::string& text) {
   if (!begins_with_number(text)) throw InputError("a number is missing; write it before the unit, as in 1 nm");
   Quantity quantity;
+  quantity.text = text;
   std::size_t at = after_sign(text);
   quantity.negative = text[0] == '-';
   const Ratio digits = read_digits(text, at);
@@ -75,10 +76,11 @@ Quantity parse(const std::string& text) {
   return quantity;
 }
 
-/// Calls parse() and quotes the text before its message.
-Quantity quoted(const std::string& text) {
+/// Calls a function and quotes the text before the message of its InputError.
+template <class Function>
+auto quoting(const std::string& text, const Function& function) {
   try {
-    return parse(text);
+    return function();
   } catch (const InputError& error) {
     throw InputError(in_quotes(text) + ": " + error.what());
   }
@@ -93,7 +95,10 @@ bool begins_with_number(const std::string& text) {
          (is_digit(body[at]) || (body[at] == '.' && at + 1 < body.size() && is_digit(body[at + 1])));
 }
 
-Quantity parse_quantity(const std::string& text) { return quoted(trimmed(text)); }
+Quantity parse_quantity(const std::string& text) {
+  const std::string body = trimmed(text);
+  return quoting(body, [&] { return parse(body); });
+}
 
 std::vector<Quantity> parse_quantities(const std::string& text) {
   const std::string body = trimmed(text);
@@ -105,8 +110,8 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
   for (std::size_t start = 1; start <= end; start = std::min(body.find(',', start), end) + 1) {
     const std::string element = trimmed(body.substr(start, std::min(body.find(',', start), end) - start));
     if (element.empty() && start == 1 && body.find(',') > end) break;
-    quantities.push_back(quoted(unit.empty() ? element : element + " " + unit));
-    if (!unit.empty() && quoted(element).has_unit)
+    quantities.push_back(parse_quantity(unit.empty() ? element : element + " " + unit));
+    if (!unit.empty() && parse_quantity(element).has_unit)
       throw InputError(in_quotes(body) + ": give each element its unit, or one unit after the brace");
   }
   const auto lacks = [](const Quantity& q) { return !q.has_unit && !q.magnitude.factor.is_zero(); };
@@ -118,7 +123,7 @@ std::vector<Quantity> parse_quantities(const std::string& text) {
 }
 
 double in_unit(const Quantity& quantity, const Unit& unit) {
-  const double value = (quantity.magnitude.factor / unit.factor).nearest();
+  const double value = quoting(quantity.text, [&] { return (quantity.magnitude.factor / unit.factor).nearest(); });
   return quantity.negative ? -value : value;
 }
 

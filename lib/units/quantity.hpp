@@ -12,6 +12,7 @@ struct Quantity {
   bool negative = false;
   Unit magnitude;         ///< the number times its unit
   bool has_unit = false;  ///< false for a plain number
+  std::string text;       ///< as the user wrote it, for messages
 };
 
 /// Returns whether the text begins with digits, perhaps after a sign and blanks.
@@ -25,6 +26,7 @@ Quantity parse_quantity(const std::string& text);
 std::vector<Quantity> parse_quantities(const std::string& text);
 
 /// Returns how many units a quantity is, as the nearest double (see Ratio::nearest). The dimensions must be equal.
+/// Throws InputError, which quotes the text, beyond the range of numbers.
 double in_unit(const Quantity& quantity, const Unit& unit);
 
 }  // namespace ixos

@@ -1,16 +1,37 @@
 #include "units/ratio.hpp"
 
-#include <algorithm>
-#include <charconv>
+#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
-#include <string>
+#include <utility>
 
 #include "base/error.hpp"
 
 namespace ixos {
+namespace {
 
-Ratio::Ratio(std::uint64_t n, int exponent) : n_(n), ten_(exponent) { normalize(); }
+using Integer = boost::multiprecision::cpp_int;
+
+[[noreturn]] void refuse() { throw InputError("it is beyond the range of numbers"); }
+
+/// Returns n/d, rounded once if the result is a normal double. Both are positive.
+double quotient(Integer n, Integer d) {
+  // 63 or 64 bits of the quotient. The lowest one also stands for all that follow: it is below those of a double, so it
+  // decides only on which side of the middle between two doubles the quotient is.
+  const int shift = 63 - static_cast<int>(msb(n)) + static_cast<int>(msb(d));
+  (shift > 0 ? n : d) <<= std::abs(shift);
+  Integer whole, rest;
+  divide_qr(n, d, whole, rest);
+  auto bits = static_cast<std::uint64_t>(whole);
+  if (rest != 0) bits |= 1U;
+  return std::ldexp(static_cast<double>(bits), -shift);
+}
+
+}  // namespace
+
+Ratio::Ratio(std::uint64_t n, int exponent) : ten_(exponent) {
+  if (n != 1) exponents_[n] = 1;
+}
 
 Ratio Ratio::pi() {
   Ratio result;
@@ -18,81 +39,42 @@ Ratio Ratio::pi() {
   return result;
 }
 
-Ratio::Wide Ratio::divisor(Wide a, Wide b) {
-  while (b != 0) {
-    a %= b;
-    std::swap(a, b);
-  }
-  return a;
-}
-
-/// Leaves room for ten times the result, see nearest().
-Ratio::Wide Ratio::product(Wide a, Wide b) {
-  constexpr Wide limit = static_cast<Wide>(1) << 120U;
-  if (a != 0 && b > limit / a) throw InputError("its number and units have too many digits");
-  return a * b;
-}
-
-/// Moves powers of ten to the exponent.
-void Ratio::normalize() {
-  if (n_ == 0) {
-    d_ = 1;
-    ten_ = 0;
-    return;
-  }
-  for (; n_ % 10 == 0; n_ /= 10) ++ten_;
-  for (; d_ % 10 == 0; d_ /= 10) --ten_;
-}
-
 Ratio Ratio::operator*(const Ratio& other) const {
-  Ratio result;
-  const Wide left = divisor(n_, other.d_), right = divisor(other.n_, d_);
-  result.n_ = product(n_ / left, other.n_ / right);
-  result.d_ = product(d_ / right, other.d_ / left);
-  result.ten_ = ten_ + other.ten_;
-  result.pi_ = pi_ + other.pi_;
-  result.normalize();
+  Ratio result = *this;
+  for (const auto& [base, exponent] : other.exponents_)
+    if ((result.exponents_[base] += exponent) == 0) result.exponents_.erase(base);
+  result.ten_ += other.ten_;
+  result.pi_ += other.pi_;
   return result;
 }
 
-Ratio Ratio::operator/(const Ratio& other) const {
-  Ratio inverse = other;
-  std::swap(inverse.n_, inverse.d_);
-  inverse.ten_ = -other.ten_;
-  inverse.pi_ = -other.pi_;
-  return *this * inverse;
-}
+Ratio Ratio::operator/(const Ratio& other) const { return *this * other.power(-1); }
 
 Ratio Ratio::power(int exponent) const {
-  Ratio result;
-  for (int i = 0; i < std::abs(exponent); ++i) result = exponent > 0 ? result * *this : result / *this;
+  if (exponent == 0) return {};
+  Ratio result = *this;
+  for (auto& factor : result.exponents_) factor.second *= exponent;
+  result.ten_ *= exponent;
+  result.pi_ *= exponent;
   return result;
 }
 
+bool Ratio::is_zero() const { return exponents_.count(0) > 0; }
+
 double Ratio::nearest() const {
-  if (n_ == 0) return 0;
-  // The digits of n/d. A number half-way between two doubles has fewer than 770, so the last one, which stands for all
-  // that follow, decides nothing else.
-  std::string digits;
-  for (Wide whole = n_ / d_; whole != 0; whole /= 10) digits += static_cast<char>('0' + static_cast<int>(whole % 10));
-  std::reverse(digits.begin(), digits.end());
-  Wide rest = n_ % d_;
-  int exponent = ten_;
-  for (; rest != 0 && digits.size() < 800; --exponent) {
-    rest *= 10;
-    digits += static_cast<char>('0' + static_cast<int>(rest / d_));
-    rest %= d_;
-  }
-  if (rest != 0) {
-    digits += '1';
-    --exponent;
-  }
-  digits += "e" + std::to_string(exponent);
-  double value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (is_zero()) return 0;
+  double size = ten_ + pi_ * std::log10(M_PI);
+  for (const auto& [base, exponent] : exponents_) size += exponent * std::log10(static_cast<double>(base));
+  if (std::abs(size) > 320) refuse();  // which also bounds the work below
+  Integer n = 1, d = 1;
+  const auto multiply = [&](std::uint64_t base, int exponent) {
+    (exponent > 0 ? n : d) *= pow(Integer(base), static_cast<unsigned>(std::abs(exponent)));
+  };
+  for (const auto& [base, exponent] : exponents_) multiply(base, exponent);
+  multiply(10, ten_);
+  double value = quotient(std::move(n), std::move(d));
   if (pi_ != 0) value = static_cast<double>(value * std::pow(static_cast<long double>(M_PIl), pi_));
-  if (error != std::errc() || !std::isfinite(value) || value < std::numeric_limits<double>::min())
-    throw InputError("it is beyond the range of numbers");
+  if (!std::isfinite(value) || value < std::numeric_limits<double>::min()) refuse();
   return value;
 }
 

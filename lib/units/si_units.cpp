@@ -1,4 +1,5 @@
 // The table of units. The SI brochure (BIPM 2019) defines them; e is exact since then.
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
@@ -72,14 +73,29 @@ std::optional<Unit> si_unit(const std::string& symbol) {
 }
 
 std::string ascii_units(std::string text) {
-  static const std::vector<std::pair<std::string, std::string>> spellings{
-      {"\u00b5", "u"},         {"\u03bc", "u"}, {"\u00c5", "Angstrom"},  {"\u212b", "Angstrom"},
-      {"A\u030a", "Angstrom"}, {"\u00b7", "*"}, {"\u22c5", "*"},         {"\u00b2", "^2"},
-      {"\u00b3", "^3"},        {"\u2212", "-"}, {"\u207b\u00b9", "^-1"}, {"\u00b0", "deg"}};
+  using Spellings = std::vector<std::pair<std::string, std::string>>;
+  static const Spellings spellings{{"\u00b5", "u"},        {"\u03bc", "u"},         {"\u00c5", "Angstrom"},
+                                   {"\u212b", "Angstrom"}, {"A\u030a", "Angstrom"}, {"\u00b7", "*"},
+                                   {"\u22c5", "*"},        {"\u2212", "-"},         {"\u00b0", "deg"}};
   for (const auto& [character, spelling] : spellings)
     for (auto at = text.find(character); at != std::string::npos; at = text.find(character, at + spelling.size()))
       text.replace(at, character.size(), spelling);
-  return text;
+  static const Spellings raised{{"\u207b", "-"}, {"\u2070", "0"}, {"\u00b9", "1"}, {"\u00b2", "2"},
+                                {"\u00b3", "3"}, {"\u2074", "4"}, {"\u2075", "5"}, {"\u2076", "6"},
+                                {"\u2077", "7"}, {"\u2078", "8"}, {"\u2079", "9"}};
+  std::string result;
+  bool in_exponent = false;
+  for (std::size_t at = 0; at < text.size();) {
+    const auto found = std::find_if(raised.begin(), raised.end(), [&](const auto& own) {
+      return text.compare(at, own.first.size(), own.first) == 0;
+    });
+    const bool is_raised = found != raised.end();
+    if (is_raised && !in_exponent) result += '^';
+    result += is_raised ? found->second : text.substr(at, 1);
+    at += is_raised ? found->first.size() : 1;
+    in_exponent = is_raised;
+  }
+  return result;
 }
 
 }  // namespace ixos

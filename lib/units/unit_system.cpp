@@ -11,21 +11,25 @@
 namespace ixos {
 namespace {
 
-/// Returns the scale that an entry of "Units" gives.
-Unit scale(const std::string& name, const std::string& text, const Dimension& wanted) {
-  Quantity quantity;
+/// Returns the scale that an entry of "Units" gives. Throws InputError without its path.
+Quantity read_scale(const std::string& text, const Dimension& wanted) {
+  const Quantity quantity = parse_quantity(text);
+  const DimensionName needed = dimension_name(wanted);
+  if (quantity.magnitude.dimension != wanted)
+    throw InputError(fmt::format("{} is {}; {} is needed, as in \"{}\"", in_quotes(text),
+                                 dimension_name(quantity.magnitude.dimension).name, needed.name, needed.example));
+  if (quantity.negative || quantity.magnitude.factor.is_zero())
+    throw InputError(fmt::format("{} must be greater than 0", in_quotes(text)));
+  in_unit(quantity, {Ratio(), wanted});  // refuses what is beyond the range of numbers
+  return quantity;
+}
+
+Quantity scale(const std::string& name, const std::string& text, const Dimension& wanted) {
   try {
-    quantity = parse_quantity(text);
+    return read_scale(text, wanted);
   } catch (const InputError& error) {
     throw InputError("Units/" + name + ": " + error.what());
   }
-  const DimensionName needed = dimension_name(wanted);
-  if (quantity.magnitude.dimension != wanted)
-    throw InputError(fmt::format("Units/{}: {} is {}; {} is needed, as in \"{}\"", name, in_quotes(text),
-                                 dimension_name(quantity.magnitude.dimension).name, needed.name, needed.example));
-  if (quantity.negative || quantity.magnitude.factor.is_zero())
-    throw InputError(fmt::format("Units/{}: {} must be greater than 0", name, in_quotes(text)));
-  return quantity.magnitude;
 }
 
 }  // namespace
@@ -38,17 +42,25 @@ UnitSystem::UnitSystem(const std::string& length, const std::string& energy_dens
 Unit UnitSystem::unit(const std::string& expression) const {
   if (expression == "-") return {};
   return parse_unit(expression, [this](const std::string& symbol) -> std::optional<Unit> {
-    if (symbol == "L0") return length_;
-    if (symbol == "E0") return energy_density_;
-    if (symbol == "T0") return time_;
+    if (symbol == "L0") return length_.magnitude;
+    if (symbol == "E0") return energy_density_.magnitude;
+    if (symbol == "T0") return time_.magnitude;
     return si_unit(symbol == "degrees" ? "deg" : symbol);
   });
 }
 
+double UnitSystem::si(const std::string& expression) const {
+  try {
+    return unit(expression).factor.nearest();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("Units: Length {}, Energy Density {} and Time {} make the unit {}: {}",
+                                 in_quotes(length_.text), in_quotes(energy_density_.text), in_quotes(time_.text),
+                                 expression, error.what()));
+  }
+}
+
 std::string UnitSystem::text(double value, const std::string& expression, const std::string& in) const {
-  const Unit own = unit(expression);
-  const std::string usual = in.empty() ? dimension_name(own.dimension).unit : in;
-  return si_text(value * own.factor.nearest(), usual);
+  return si_text(value * si(expression), in.empty() ? dimension_name(unit(expression).dimension).unit : in);
 }
 
 std::string si_text(double value, const std::string& unit) {

@@ -53,7 +53,9 @@ TEST_F(HostileFoldersTest, WhatIsWrittenDoesNotFollowLinks) {
     EXPECT_GT(contents(folder_ + "/" + out + "/history.csv").size(), 100U);
   }
   fs::create_symlink("precious", folder_ + "/mesh.e");
-  EXPECT_EQ(ixos({"--write-mesh", "mesh.e"}).status, 0);
+  EXPECT_EQ(ixos({"--write-mesh", "mesh.e"}).status, 2);
+  EXPECT_TRUE(fs::is_symlink(folder_ + "/mesh.e"));
+  EXPECT_EQ(ixos({"--write-mesh", "mesh.e", "--overwrite"}).status, 0);
   EXPECT_EQ(contents(folder_ + "/precious"), "keep me");
 }
 

@@ -188,42 +188,6 @@ TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
-TEST_F(DriverTest, ExplainGivesNumbersInSIUnitsAndWhatFollowsFromThem) {
-  const std::string scene = std::string(IXOS_TEST_DIRECTORY) + "/guide/ball-si.xml";
-  const Outcome outcome = ixos({scene, "--explain", "--quiet"}, folder_);
-  EXPECT_EQ(outcome.status, 0);
-  // E = 2 GPa, nu = 0.2, rho = 1000 kg/m^3: a wave has sqrt(E (1 - nu)/(rho (1 + nu)(1 - 2 nu))) = 1490.7 m/s.
-  for (const char* part :
-       {"Units: L0 = 1 nm, T0 = 1 ns, E0 = 2 GPa, L0/T0 = 1 m/s, E0 L0 = 2 N/m", "per depth",
-        "Mesh/Disk/Diameter: 10 L0 = 10 nm\n", "Materials/Ball/Density: 5e-07 E0 T0^2/L0^2 = 1000 kg/m^3\n",
-        "Time Integrator/Time Step Control/Time Step: 0.001 T0 = 1 ps\n", "wave speed 1490.71 L0/T0 = 1.491 km/s",
-        "work of adhesion W 0.0154957 E0 L0 = 30.99 mJ/m^2", "elasto-adhesive length W/E 0.0154957 L0 = 15.5 pm",
-        "Tabor number", "gravity length E/weight of Ball: 2.03874e+14 L0 = 203.9 km"})
-    EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in " << outcome.output;
-}
-
-TEST_F(DriverTest, ASceneInSIUnitsGivesTheHistoryOfPlainNumbers) {
-  const std::string step = "Time Integrator/Time Step Control/";
-  ASSERT_EQ(ixos({ball, "--output", "plain", "--quiet", "--set", step + "Final Time=0.05"}, folder_).status, 0);
-  const std::vector<std::string> si{ball,    "--output",
-                                    "si",    "--quiet",
-                                    "--set", step + "Final Time=50 ps",
-                                    "--set", step + "Time Step=1 ps",
-                                    "--set", "Mesh/Disk/Diameter=1e-2 um",
-                                    "--set", "Mesh/Disk/Center={0, 72.54709287789268 Å}",
-                                    "--set", "Materials/Ball/Density=1 g/cm^3",
-                                    "--set", "Materials/Ball/Young's Modulus=2000 MPa"};
-  const Outcome outcome = ixos(si, folder_);
-  ASSERT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_EQ(history_rows(folder_ + "/plain"), history_rows(folder_ + "/si"));
-  const std::string effective = contents(folder_ + "/si/effective.xml");
-  EXPECT_EQ(effective, contents(folder_ + "/plain/effective.xml"));
-  EXPECT_EQ(effective.find("MPa"), std::string::npos);
-  const std::string summary = contents(folder_ + "/si/summary.json");
-  for (const char* part : {"\"units\": {", "\"symbol\": \"E0 L0\"", "\"si\": 2.0", "\"unit\": \"N/m\""})
-    EXPECT_NE(summary.find(part), std::string::npos) << part << " in " << summary;
-}
-
 TEST_F(DriverTest, TheParameterDocumentIsCurrent) {
   EXPECT_EQ(ixos({"--parameters"}, folder_).output, contents(std::string(IXOS_DOCS_DIRECTORY) + "/parameters.md"))
       << "renew it: ixos --parameters > docs/parameters.md";

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "drivers/driver_test.hpp"
 #include "support/files.hpp"
@@ -30,8 +31,7 @@ TEST_F(OverwriteTest, AnotherScenesResultsAreRefusedUnlessAsked) {
     EXPECT_EQ(refused.status, 2) << refused.output;
     const std::string message =
         "ixos: out: the folder holds results of another scene (Materials/Ball/Density: 5e-07, now 1e-06); choose "
-        "another "
-        "--output, or replace them with --overwrite\n";
+        "another --output, or replace them with --overwrite\n";
     EXPECT_NE(refused.output.find(message), std::string::npos) << refused.output;
     EXPECT_EQ(refused.output.find(message), refused.output.rfind(message)) << "said by both ranks";
     EXPECT_EQ(history(), before);
@@ -65,6 +65,22 @@ TEST_F(OverwriteTest, ARestartInItsOwnFolderReplacesNothing) {
   const Outcome other = run("--set 'Materials/Ball/Density=1e-6' --restart kept");
   EXPECT_EQ(other.status, 2) << other.output;
   EXPECT_NE(other.output.find("out: the folder holds results of another scene"), std::string::npos) << other.output;
+}
+
+TEST_F(OverwriteTest, AMeshIsWrittenToANewFileUnlessAsked) {
+  std::ofstream(folder_ + "/mine.e") << "mine";
+  for (int ranks : {1, 2}) {
+    const Outcome refused = run("--write-mesh mine.e", ranks);
+    EXPECT_EQ(refused.status, 2) << refused.output;
+    EXPECT_NE(
+        refused.output.find("ixos: --write-mesh: mine.e exists; choose another name, or replace it with --overwrite\n"),
+        std::string::npos)
+        << refused.output;
+    EXPECT_EQ(contents(folder_ + "/mine.e"), "mine");
+  }
+  EXPECT_EQ(run("--write-mesh mine.e --overwrite").status, 0);
+  EXPECT_NE(contents(folder_ + "/mine.e"), "mine");
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/out"));
 }
 
 TEST_F(OverwriteTest, OverwriteAloneNeedsAScene) { EXPECT_EQ(ixos({"--overwrite"}, folder_).status, 2); }

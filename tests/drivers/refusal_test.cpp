@@ -185,6 +185,29 @@ TEST_F(DriverRefusalTest, ASurfaceBelowTheWallIsRefused) {
                          "Interactions/Wall: the surface \"surface\" starts in or below the wall, least gap");
 }
 
+TEST_F(DriverRefusalTest, ASphereAtAQuadraturePointIsRefused) {
+  // One side from (0, 0) to (2, 0), and a small sphere that reaches 0.01 beyond the fourth of its five Gauss points.
+  write(R"xml(<ParameterList>
+    <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/><ParameterList name="Box">
+      <Parameter name="Lengths" type="Array(double)" value="{2, 1}"/>
+      <Parameter name="Divisions" type="Array(int)" value="{1, 1}"/>
+    </ParameterList></ParameterList>
+    <ParameterList name="Materials"><ParameterList name="Rubber"/></ParameterList>
+    <ParameterList name="Interactions"><ParameterList name="Grain">
+      <Parameter name="Side Set" type="string" value="bottom"/>
+      <Parameter name="Obstacle" type="string" value="Sphere"/><ParameterList name="Sphere">
+        <Parameter name="Radius" type="double" value="0.02"/>
+        <Parameter name="Center" type="Array(double)" value="{1.5384693101056831, -0.01}"/>
+    </ParameterList></ParameterList></ParameterList>
+    <ParameterList name="Time Integrator"><ParameterList name="Time Step Control">
+      <Parameter name="Time Step" type="double" value="1e-4"/><Parameter name="Final Time" type="double" value="1e-3"/>
+    </ParameterList></ParameterList>
+  </ParameterList>)xml");
+  expect_refused(2, {"scene.xml", "--output", "out"},
+                 "the surface \"bottom\" starts in or below the obstacle, least gap -0.01 at a quadrature point; all "
+                 "gaps must be positive");
+}
+
 TEST_F(DriverRefusalTest, BadFilesAreRefused) {
   expect_refused(2, {"nowhere.xml", "--output", "out"}, "nowhere.xml: the scene file cannot be read");
   expect_refused(2, {".", "--output", "out"}, "cannot be read");

@@ -237,6 +237,24 @@ TEST_F(StudyDriverTest, BadStudiesAreRefused) {
   refused("study.xml --list", 0, "Newmark_0.2: Time Integrator/Type=Newmark");
 }
 
+TEST_F(StudyDriverTest, ResultsOfAnotherStudyStay) {
+  std::string small = study;
+  small.replace(small.find("{0.2, 0.1, 0.05}"), 16, "{0.2}");
+  std::ofstream(folder_ + "/study.xml") << small;
+  ASSERT_EQ(run("study.xml --output out --quiet").status, 0);
+  const std::string table = contents(folder_ + "/out/study.csv");
+  std::filesystem::copy(folder_ + "/block.xml", folder_ + "/other.xml");
+  small.replace(small.find("block.xml"), 9, "other.xml");
+  std::ofstream(folder_ + "/other-study.xml") << small;
+  const Outcome refused = run("other-study.xml --output out");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.output.find("out: holds the results of the study \"Test\" of "), std::string::npos)
+      << refused.output;
+  EXPECT_EQ(contents(folder_ + "/out/study.csv"), table);
+  EXPECT_EQ(run("study.xml --output out --quiet").status, 0) << "the same study goes on";
+  EXPECT_EQ(run("other-study.xml --output out --overwrite --quiet").status, 0);
+}
+
 TEST_F(StudyDriverTest, AReferenceThatFailsEndsTheStudy) {
   std::string text = study;
   text.replace(text.find("value=\"0.002\""), 13, "value=\"5\"");

@@ -49,6 +49,7 @@ options_of() {
     scene | study | assignment | xml) echo "-dict=$scratch/xml.dict -max_len=4000" ;;
     # What distribution libraries read goes on after their crashes.
     exodus | fields | checkpoint) echo "-max_len=60000 -fork=1 -ignore_crashes=1 -ignore_ooms=1 -ignore_timeouts=1" ;;
+    gmsh) echo "-max_len=20000" ;;
     *) echo "-max_len=4096" ;;
   esac
 }

@@ -140,18 +140,32 @@ TEST(ExodusTest, InconsistentMeshesAreRefused) {
                   "block \"body\", cell 1: inverted or degenerate");
   expect_contains(changed_box("range.e", [](Mesh& m) { m.blocks[0].nodes[0] = 1000; }),
                   "block \"body\" refers to node 1001, but there are 9");
-  expect_contains(changed_box("lonely.e",
-                              [](Mesh& m) {
-                                m.coordinates.push_back(7);
-                                m.coordinates.push_back(7);
-                              }),
-                  "node 10 belongs to no element");
+  expect_contains(changed_box("zero.e", [](Mesh& m) { m.blocks[0].nodes[0] = -1; }),
+                  "block \"body\" refers to node 0: the file seems to be truncated");
   expect_contains(changed_box("names.e", [](Mesh& m) { m.node_sets[1].name = m.node_sets[0].name; }), "is given twice");
   expect_contains(changed_box("sides.e", [](Mesh& m) { m.side_sets[0].sides[0].side = 5; }),
                   "refers to side 6 of element");
   expect_contains(changed_box("twice.e", [](Mesh& m) { m.side_sets[0].sides.push_back(m.side_sets[0].sides[0]); }),
                   "twice");
   expect_contains(changed_box("nan.e", [](Mesh& m) { m.coordinates[3] = std::nan(""); }), "is not finite");
+}
+
+TEST(ExodusTest, NodesThatNoCellHasAreLeftOutWithANote) {
+  const auto lonely = [](Mesh& mesh) {
+    mesh.coordinates.insert(mesh.coordinates.begin(), {7, 7});
+    for (int& node : mesh.blocks[0].nodes) ++node;
+    for (NodeSet& set : mesh.node_sets)
+      for (int& node : set.nodes) ++node;
+    mesh.node_sets[0].nodes.push_back(0);
+  };
+  EXPECT_EQ(changed_box("sound.e", [](Mesh&) {}), "");
+  EXPECT_EQ(changed_box("lonely.e", lonely), "");
+  const Mesh sound = read_exodus_mesh(path("sound.e")), mesh = read_exodus_mesh(path("lonely.e"));
+  EXPECT_EQ(mesh.coordinates, sound.coordinates);
+  EXPECT_EQ(mesh.blocks[0].nodes, sound.blocks[0].nodes);
+  EXPECT_EQ(mesh.node_sets[0].nodes, sound.node_sets[0].nodes);
+  EXPECT_EQ(mesh.notes, std::vector<std::string>{"1 node(s) of the mesh belong to no cell and are left out"});
+  EXPECT_TRUE(sound.notes.empty());
 }
 
 /// A file made by the Exodus library alone: two quadrilaterals, with the given element type and ids.
@@ -204,8 +218,9 @@ TEST(ExodusTest, PlaneMeshesWithAThirdCoordinateAndLinesAreReadAsTwoDimensional)
   EXPECT_EQ(mesh.blocks[0].name, "block_3");
   EXPECT_EQ(mesh.blocks[0].nodes, (std::vector<int>{0, 1, 4, 3, 1, 2, 5, 4}));
   EXPECT_EQ(mesh.node_sets.at(0).nodes, (std::vector<int>{2, 5}));
-  EXPECT_EQ(mesh.notes, std::vector<std::string>{
-                            "the mesh's blocks of points, lines or faces are left out: \"block_1\", \"block_2\""});
+  EXPECT_EQ(mesh.notes, (std::vector<std::string>{
+                            "the mesh's blocks of points, lines or faces are left out: \"block_1\", \"block_2\"",
+                            "1 node(s) of the mesh belong to no cell and are left out"}));
   EXPECT_NO_THROW(check_cells(mesh));
 
   make_meshio_file("meshio.e", 0.5);
@@ -246,6 +261,10 @@ TEST(ExodusTest, ForeignFilesAreReadOrRefusedByWhatTheyHold) {
   EXPECT_EQ(mesh.cells(), 2);
   make_file("shell.e", 3, "SHELL4", 20, 2);
   expect_contains(refusal(path("shell.e")), "has elements of type SHELL4 with 4 nodes in 3 dimensions");
+  make_file("lines.e", 2, "BAR", 20, 2);
+  expect_contains(refusal(path("lines.e")), "Mesh.RecombineAll = 1;");
+  make_file("lines.e", 3, "BAR", 20, 2);
+  expect_contains(refusal(path("lines.e")), "Mesh.SubdivisionAlgorithm = 2;");
   make_file("tet.e", 3, "TETRA", 20, 2);
   expect_contains(refusal(path("tet.e")), "TETRA");
   expect_contains(refusal(path("tet.e")), "Mesh.SubdivisionAlgorithm = 2;");

@@ -148,6 +148,48 @@ TEST(GmshMeshTest, GroupsThatMakeNoMeshAreRefused) {
                   "the quadrilaterals of entity 1 belong to the physical groups \"soft\" and \"hard one\"");
 }
 
+/// Writes a file of the sections $Entities, $Nodes and $Elements, and returns the refusal of it.
+std::string refusal_of(const std::string& entities, const std::string& nodes, const std::string& elements) {
+  const std::string file = testing::TempDir() + "written.msh";
+  std::ofstream(file) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"
+                      << entities << "\n$EndEntities\n$Nodes\n"
+                      << nodes << "\n$EndNodes\n$Elements\n"
+                      << elements << "\n$EndElements\n";
+  return refusal([&] { read_gmsh_mesh(file); });
+}
+
+// One point entity in many groups, with many elements: each group would get a copy of them all.
+TEST(GmshMeshTest, GroupsThatRepeatElementsBeyondTheFileAreRefused) {
+  const auto repeated = [](int groups, int points) {
+    std::string tags, elements;
+    for (int tag = 1; tag <= groups; ++tag) tags += std::to_string(tag) + ' ';
+    for (int k = 1; k <= points; ++k) elements += std::to_string(k) + " 1\n";
+    const std::string all = std::to_string(points);
+    return refusal_of("1 0 0 0\n1 0 0 0 " + std::to_string(groups) + ' ' + tags, "1 1 1 1\n0 1 0 1\n1\n0 0 0",
+                      "1 " + all + " 1 " + all + "\n0 1 15 " + all + '\n' + elements);
+  };
+  const std::string message = repeated(400, 400);
+  expect_contains(message, "written.msh: is damaged: its physical groups up to \"group_");
+  expect_contains(message, " claim ");
+  expect_contains(repeated(10, 400), "has no cells");  // elements may be in some groups
+}
+
+TEST(GmshMeshTest, SidesWithoutCellsAreRefusedWithTheCause) {
+  const std::string cause =
+      "gmsh saves only elements in physical groups: add Physical Surface (2D) or Physical Volume (3D), or Mesh.SaveAll "
+      "= 1";
+  const std::string nodes = "1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 1\n1 0 1\n1 1 1\n0 1 1";
+  expect_contains(refusal_of("0 1 1 0\n1 0 0 0 1 0 0 1 7 0\n1 0 0 0 1 1 0 0 0", nodes, "1 1 1 1\n1 1 1 1\n1 1 2"),
+                  "written.msh: has no cells: a mesh needs quadrilaterals (2D) or hexahedra (3D). " + cause);
+  const std::string bare = refusal_of("0 1 0 0\n1 0 0 0 1 0 0 0 0", nodes, "1 1 1 1\n1 1 1 1\n1 1 2");
+  EXPECT_EQ(bare.find("gmsh saves"), std::string::npos) << bare;
+  // The upper side of a block whose volume is in no group.
+  const std::string side =
+      refusal_of("0 0 1 1\n1 0 0 1 1 1 1 1 7 0\n1 0 0 0 1 1 1 0 0", nodes, "1 1 1 1\n2 1 3 1\n1 1 2 3 4");
+  expect_contains(side, "the quadrilaterals do not lie in the plane z = 0");
+  expect_contains(side, cause);
+}
+
 TEST(GmshMeshTest, TheSameBytesMakeTheSameMesh) {
   const Mesh one = read_gmsh_mesh(path("plates")), other = read_gmsh_mesh(path("plates-binary"));
   EXPECT_EQ(one.blocks[1].nodes, other.blocks[1].nodes);

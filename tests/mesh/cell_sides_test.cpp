@@ -36,6 +36,20 @@ TEST(CellSidesTest, TheBoundaryIsTheGeneratorsSurface) {
   EXPECT_EQ(boundary_sides(bricks(3, 2, 3, 1)).size(), 2U * (2 * 3 + 2 * 1 + 3 * 1));
 }
 
+TEST(CellSidesTest, CornersRunAlongTheRimOfTheSide) {
+  const Mesh squares = bricks(2, 2, 1, 1), cube = bricks(3, 1, 1, 1);
+  EXPECT_EQ(corners_of(squares, {0, 1, 1}), (SideCorners{2, 5, -1, -1}));
+  EXPECT_EQ(sorted_corners(squares, {0, 1, 1}), (SideCorners{-1, -1, 2, 5}));
+  // The bits of a cube's node numbers are its coordinates. Neighbours on the rim differ in one of them.
+  for (int side = 0; side < 6; ++side) {
+    const SideCorners rim = corners_of(cube, {0, 0, side});
+    for (std::size_t a = 0; a < 4; ++a) {
+      const int differs = rim[a] ^ rim[(a + 1) % 4];
+      EXPECT_TRUE(differs == 1 || differs == 2 || differs == 4) << side;
+    }
+  }
+}
+
 TEST(CellSidesTest, TheBoundaryComesInTheOrderOfTheCells) {
   Mesh mesh = bricks(2, 4, 3, 1);
   const std::vector<int> all = mesh.blocks[0].nodes;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
@@ -24,7 +25,7 @@ class Silent final : public Interaction {
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
-  void add_nodal_measure(double*) const override {}
+  void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override {}
   void lower_nodal_gap(const double*, double*) const override {}
   LowestPoint lowest_point(const double* u) const override {
@@ -70,6 +71,18 @@ TEST(CrossingTest, NamesInteractionNodePlaceAndGap) {
             "-0.015 L0");
 }
 
+TEST(CrossingTest, NodesOfContactElementsHaveNoNumberInTheMesh) {
+  BoxShape shape;
+  shape.divisions = {2, 1, 1};
+  shape.lengths = {2, 1, 1};
+  Mesh mesh = box(shape);
+  enrich(mesh, "bottom", ContactElement::Q1C2);  // adds the middles of the sides
+  const auto model = test::model_of(mesh, test::elastic(neo_hooke, 0.3), Inertia::None);
+  const std::vector<double> u = test::at_rest(*model);
+  EXPECT_EQ(in_words(model->mesh(), u.data(), {-0.1, {0.5, 0, 0}}), "the place (0.5, 0) on a side");
+  EXPECT_EQ(in_words(model->mesh(), u.data(), {-0.1, {1, 0, 0}}), "node 2 of the mesh at (1, 0)");
+}
+
 TEST(CrossingTest, LawsOfAllGapsAreNotRefused) {
   const auto model = block(false);
   const std::vector<double> u = velocity(*model, 0, -0.6);
@@ -91,6 +104,7 @@ TEST(CrossingTest, AStepThatCrossesIsRejectedByImplicitAndExplicitSchemes) {
     EXPECT_FALSE(result.converged) << name;
     EXPECT_TRUE(result.crossed) << name;
     test::expect_contains(result.reason, "the surface of interaction \"Wall\" crosses the obstacle: the gap of node");
+    test::expect_contains(result.reason, "; allow Maximum Cuts, or use shorter steps or smaller faces");
     EXPECT_NEAR(integrator.time(), 0.4, 1e-12) << name;
     EXPECT_TRUE(integrator.step(0.05).converged) << name;
   }

@@ -109,18 +109,20 @@ const VanDerWaals law(2.5, 25);
 
 /// A block whose lowest side, enriched, is before a wall.
 struct Wall {
-  Wall(int dimension, ContactElement element, bool flat = true) : plane(dimension == 2 ? tilted_2d : tilted) {
+  Wall(int dimension, ContactElement element, bool flat = true)
+      : Wall(dimension == 2 ? tilted_2d : tilted, dimension, element, flat) {}
+  Wall(const HalfSpace& wall, int dimension, ContactElement element, bool flat) : plane(wall) {
     Mesh mesh = block(dimension);
     enrich(mesh, set, element);
     model = model_of(mesh, elastic(neo_hooke, nu), Inertia::None);
-    add(flat);
+    add(flat, plane, set);
   }
-  /// A flat wall, in the scalar path or in the general one.
-  void add(bool flat) {
+  /// Adds a flat wall before a side set, in the scalar path or in the general one.
+  void add(bool flat, const HalfSpace& wall, const std::string& before) {
     const LocalMesh& local = model->mesh();
-    const auto& sides = local.side_sets[local.side_set(set)];
-    auto terms = flat ? make_flat_terms(local, sides, model->pattern(), gap_law(law), plane, {})
-                      : make_curved_terms(local, sides, model->pattern(), gap_law(law), flat_wall(plane), {});
+    const auto& sides = local.side_sets[local.side_set(before)];
+    auto terms = flat ? make_flat_terms(local, sides, model->pattern(), gap_law(law), wall, {})
+                      : make_curved_terms(local, sides, model->pattern(), gap_law(law), flat_wall(wall), {});
     for (auto& term : terms) model->add_interaction(std::move(term));
   }
 
@@ -196,6 +198,61 @@ TEST(ModelFieldsTest, PressureTimesAreaIsTheForceOfTheWall) {
     EXPECT_GT(std::abs(force), 1e-6);
     for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(force * wall.plane.normal[i], report.force[i], 1e-13);
   });
+}
+
+// The second wall acts on the whole surface, so the bottom has two interactions: its area counts once.
+TEST(ModelFieldsTest, TractionsOfSeveralInteractionsAddUp) {
+  for (int dimension : {2, 3})
+    for (ContactElement element : elements)
+      for (const char* before : {"bottom", "surface"}) {
+        Wall wall(dimension, element);
+        const Model& model = *wall.model;
+        const std::vector<double> u = displacement(model), alone = model.contact_pressure(u.data());
+        wall.add(true, wall.plane, before);
+        const LocalMesh& mesh = model.mesh();
+        const auto d = static_cast<std::size_t>(dimension);
+        const std::vector<double> pressure = model.contact_pressure(u.data());
+        const std::vector<double> traction = model.interaction_traction(u.data());
+        std::vector<double> area(static_cast<std::size_t>(mesh.nodes()), 0.0);
+        add_side_measure(mesh, mesh.side_sets[mesh.side_set(before)], area);
+        double force = 0;
+        for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node) {
+          double along = 0;
+          for (std::size_t i = 0; i < d; ++i) along += traction[node * d + i] * wall.plane.normal[i];
+          EXPECT_NEAR(pressure[node], along, 1e-14);
+          if (before == wall.set) {
+            EXPECT_NEAR(pressure[node], 2 * alone[node], 1e-14);
+          }
+          force += pressure[node] * area[node];
+        }
+        model.space().sum(&force, 1);
+        const InteractionReport report = model.interaction_report(u.data());
+        EXPECT_GT(std::abs(force), 1e-6);
+        for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(force * wall.plane.normal[i], report.force[i], 1e-13);
+      }
+}
+
+// The second wall is farther away and has another normal: neither gaps nor their derivatives may be its own.
+TEST(ModelFieldsTest, TheGapIsThatOfTheNearestObstacleInAnyOrder) {
+  for (int dimension : {2, 3})
+    for (ContactElement element : elements)
+      for (bool flat : {true, false}) {
+        const Wall near(dimension, element, flat);
+        HalfSpace far{{0, -9, 0}, {0, 1, 0}};
+        if (dimension == 3) far = {{0, 0, -9}, {0, 0, 1}};
+        const std::vector<double> u = displacement(*near.model), gap = near.model->nodal_gap(u.data());
+        for (bool far_first : {false, true}) {
+          Wall both(far_first ? far : near.plane, dimension, element, flat);
+          both.add(flat, far_first ? near.plane : far, both.set);
+          const std::vector<double> lowest = both.model->nodal_gap(u.data());
+          for (std::size_t node = 0; node < static_cast<std::size_t>(near.model->mesh().owned_nodes); ++node) {
+            EXPECT_EQ(std::isnan(lowest[node]), std::isnan(gap[node]));
+            if (!std::isnan(gap[node])) {
+              EXPECT_EQ(lowest[node], gap[node]);
+            }
+          }
+        }
+      }
 }
 
 TEST(ModelFieldsTest, TheGeneralPathGivesTheSame) {

@@ -196,6 +196,23 @@ TEST(OptionsTest, ListsLeftOutKeepTheMembersDefault) {
   EXPECT_EQ(wide.read(SceneNode(complete, "Paint")).far.width, 20);
 }
 
+TEST(OptionsTest, OnlyWhatBelongsToOtherWordsMayBeMissing) {
+  Options<Paint> tins;
+  tins.choose_one("Shop", &Paint::shop, {{"Near", Shop::Near}, {"Far", Shop::Far}},
+                  {{"Near", {"Layers"}}, {"Far", {"Price"}}}, "Where it is sold.")
+      .add("Layers", &Paint::layers, "Number of layers.")
+      .require("Price", &Paint::price, "Price of a tin.", greater_than(0))
+      .add("Glossy", &Paint::glossy, "Whether it shines.");
+  ParameterList complete = validated({}, tins.list());
+  EXPECT_FALSE(complete.isParameter("Price"));
+  EXPECT_EQ(tins.read(SceneNode(complete, "Paint")).price, 0);
+  complete.remove("Glossy");
+  EXPECT_THROW(tins.read(SceneNode(complete, "Paint")), std::exception) << "a list that was not validated";
+  complete = validated(least(), options().list());
+  complete.remove("Price");
+  EXPECT_THROW(options().read(SceneNode(complete, "Paint")), std::exception);
+}
+
 TEST(OptionsTest, WhatIsRequiredMustBeGiven) {
   test::expect_contains(test::refusal([] { read({}); }), "Price is missing: Price of a tin.");
 }

@@ -103,8 +103,7 @@ TEST(ValidationTest, ParametersOfWhatIsNotChosenAreRefused) {
   } cases[] = {
       {wall(test::word("Law", "Morse") + test::number("Gamma L", 2.5)),
        "Interactions/Wall: \"Gamma L\" belongs to Law \"Van der Waals\", but Law is \"Morse\"; remove it, or set Law "
-       "to "
-       "\"Van der Waals\""},
+       "to \"Van der Waals\""},
       {wall(test::list("Morse", test::number("Strength", 1))),
        "Interactions/Wall: \"Morse\" belongs to Law \"Morse\", but Law is \"Van der Waals\"; remove it, or set Law to "
        "\"Morse\""},

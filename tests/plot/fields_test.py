@@ -24,6 +24,55 @@ CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Me
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=3"]
 
+# Two squares above a wall. The block, the side set and its node set are called base; another node set base_nodes.
+SQUARES = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+4
+0 1 "corner"
+0 2 "base_nodes"
+1 1 "base"
+2 1 "base"
+$EndPhysicalNames
+$Entities
+2 1 1 0
+1 0 8 0 1 1
+2 1 8 0 1 2
+1 0 8 0 2 8 0 1 1 0
+1 0 8 0 2 9 0 1 1 0
+$EndEntities
+$Nodes
+1 6 1 6
+2 1 0 6
+1
+2
+3
+4
+5
+6
+0 8 0
+1 8 0
+2 8 0
+0 9 0
+1 9 0
+2 9 0
+$EndNodes
+$Elements
+4 6 1 6
+0 1 15 1
+1 1
+0 2 15 1
+2 2
+1 1 1 2
+3 1 2
+4 2 3
+2 1 3 2
+5 1 2 5 4
+6 2 3 6 5
+$EndElements
+"""
+
 
 class FieldsTest(ScriptTest):
     @classmethod
@@ -118,6 +167,21 @@ class FieldsTest(ScriptTest):
             names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
             self.assertTrue({"stress", "principal_stress"} <= names, f"{name}: {names}")
             self.assertIn("displacement", {nodes.GetArrayName(i) for i in range(nodes.GetNumberOfArrays())}, name)
+
+    @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
+    def test_the_reader_on_ioss_finds_blocks_and_sets_of_equal_names(self):
+        mesh = self.folder / "squares.msh"
+        mesh.write_text(SQUARES)
+        settings = ["Mesh/Type=Gmsh", f"Mesh/Gmsh/File={mesh}", "Materials/Ball/Block=base",
+                    "Interactions/Wall/Side Set=base", "Time Integrator/Time Step Control/Final Time=0.003"]
+        simulate(self.folder / "squares", [*settings, "Output/Fields Interval=3"])
+        reader = vtkIOSSReader()
+        reader.AddFileName(str(self.folder / "squares" / "fields.e"))
+        reader.UpdateInformation()
+        found = []
+        for chosen in (reader.GetElementBlockSelection(), reader.GetSideSetSelection(), reader.GetNodeSetSelection()):
+            found.append({chosen.GetArrayName(i) for i in range(chosen.GetNumberOfArrays())})
+        self.assertEqual(found, [{"base"}, {"base_sides"}, {"corner", "base_nodes", "base_nodes_2"}])
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ ContactWatch peeled(double amplitude) {
     watch.row(row, length,
               Forces{{"smooth", 0.5 + 0.001 * length},
                      {"rippled", 1 + amplitude * std::cos(M_PI * length)},
-                     {"across", 10 * amplitude * std::cos(M_PI * length)}});
+                     {"across", 2 * amplitude * std::cos(M_PI * length)}});
   }
   return watch;
 }

@@ -15,7 +15,7 @@ class ReplacedResultsTest : public RestartTest {
  protected:
   std::string note(const std::string& scene, bool overwrite = false) const {
     const Simulation simulation(test::scene(scene), world());
-    return replaced_results(simulation, folder("out"), overwrite);
+    return replaced_results(simulation, folder("out"), overwrite).note;
   }
   std::string refused(const std::string& scene) const {
     return test::refusal([&] { note(scene); });
@@ -86,8 +86,29 @@ TEST_F(ReplacedResultsTest, AnotherMeshUnderTheSameNameIsRefused) {
   run_scene(scene, "out");
   write("summary.json", R"({"elements": 17, "dofs": 56})");  // 18 cells in truth
   expect_contains(refused(scene), "the folder holds results of another scene (the mesh has changed); choose");
+  // As many cells, but other places or other nodes of cells.
+  write("summary.json", R"({"elements": 18, "dofs": 56, "mesh_fingerprint": "00000000000000000000000000000000"})");
+  expect_contains(refused(scene), "the mesh has changed");
   write("summary.json", "{\"elem");  // the scene alone decides
   expect_contains(note(scene), "replaces the results of the same scene");
+}
+
+TEST_F(ReplacedResultsTest, CheckpointsOfAReplacedSceneGo) {
+  const std::string scene = drawn(word("Type", "Newmark") + steps(0.02, 0.1), checkpoints(2, 3));
+  run_scene(scene, "out");
+  world()->barrier();
+  ASSERT_FALSE(checkpoint_steps(folder("out")).empty());
+  world()->barrier();
+  // Neither scene writes any.
+  const std::string plain = drawn(word("Type", "Newmark") + steps(0.02, 0.1), list("Checkpoint", count("Keep", 0)));
+  run_scene(plain, "out");  // the same scene but for its output: they stay
+  world()->barrier();
+  EXPECT_FALSE(checkpoint_steps(folder("out")).empty());
+  world()->barrier();
+  run_scene(changed(plain, "{6, 3}", "{6, 4}"), "out");
+  world()->barrier();
+  EXPECT_TRUE(checkpoint_steps(folder("out")).empty());
+  world()->barrier();
 }
 
 TEST_F(ReplacedResultsTest, FilesOfOthersWithTheSameNamesAreRefused) {

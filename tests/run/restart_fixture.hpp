@@ -44,6 +44,19 @@ inline std::string checkpoints(int interval, int keep) {
   return list("Checkpoint", count("Interval", interval) + count("Keep", keep));
 }
 
+/// A block that a history "Up" lifts off its wall as a whole.
+inline std::string lifted(const std::string& integrator, const std::string& output) {
+  const std::string lift = word("Components", "y") + word("History", "Up");
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 0.25}) + counts("Divisions", {16, 2}))) +
+         list("Materials", list("Rubber", number("Density", 1))) +
+         list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.26}))) +
+         list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 3) + number("Length", 1)))) +
+         list("Boundary Conditions", list("Bottom", word("Node Set", "bottom") + lift) +
+                                         list("Top", word("Node Set", "top") + lift) +
+                                         list("Guide", word("Node Set", "left") + word("Components", "x"))) +
+         list("Output", output) + list("Time Integrator", integrator);
+}
+
 class RestartTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -71,6 +84,7 @@ class RestartTest : public testing::Test {
     options.overwrite = true;  // one test runs several scenes into a folder
     options.interrupted = interrupted;
     options.tell = [this](const std::string& line) { told_ += line + "\n"; };
+    options.warn = [this](const std::string& line) { warned_ += line + "\n"; };
     return run(simulation, options);
   }
   /// A copy of a run's folder, with its checkpoints.
@@ -139,7 +153,7 @@ class RestartTest : public testing::Test {
   }
 
   std::string folder_ = testing::TempDir() + "restart";
-  std::string told_;
+  std::string told_, warned_;
 };
 
 }  // namespace ixos::test

@@ -1,6 +1,9 @@
 // Runs that go on from a checkpoint: as if nothing had happened, or with other settings.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "io/hdf5_file.hpp"
@@ -29,6 +32,45 @@ TEST_F(RestartTest, EveryLawObstacleAndMaterialGoesOnToTheLastBit) {
     expect_goes_on(adhesive_block(2, adhesion) + list("Output", count("Fields Interval", 10) + checkpoints(35, 100)) +
                        list("Time Integrator", word("Type", "Average Vector Field") + exact + steps(0.02, 1)),
                    {35});
+  }
+}
+
+/// The names and messages of a run's warnings.
+std::vector<std::string> warnings_of(const RunResult& result) {
+  std::vector<std::string> all;
+  for (const auto* warnings : {&result.warnings, &result.findings})
+    for (const Warning& warning : *warnings) all.push_back(warning.name + ": " + warning.message);
+  return all;
+}
+
+TEST_F(RestartTest, WarningsAreThoseOfARunWithoutARestart) {
+  const std::string scene = lifted(word("Type", "Newmark") + steps(0.02, 1),
+                                   count("History Interval", 7) + list("Watch", number("Tolerance", 1e-12)));
+  const std::vector<std::string> whole = warnings_of(run_scene(scene, "whole"));
+  const auto has = [&whole](const std::string& name) {
+    return std::any_of(whole.begin(), whole.end(), [&](const auto& own) { return own.rfind(name, 0) == 0; });
+  };
+  EXPECT_TRUE(has("energy watch: ")) << testing::PrintToString(whole);
+  EXPECT_TRUE(has("detachment: ")) << testing::PrintToString(whole);
+  for (const int at : {4, 30}) {  // before the first warning, and after all that lead to one
+    SCOPED_TRACE(at);
+    int asked = 0;
+    const RunResult part = run_scene(scene, "parts", "", [&] { return ++asked == at; });
+    ASSERT_EQ(part.status, RunStatus::Interrupted);
+    warned_.clear();
+    const RunResult rest = run_scene(scene, "parts", folder("parts"));
+    EXPECT_EQ(rest.status, RunStatus::Completed) << rest.reason;
+    EXPECT_EQ(warnings_of(rest), whole);
+    if (world()->getRank() == 0) {
+      EXPECT_EQ(warned_.empty(), at == 30) << warned_;
+    }
+    on_first([&] {
+      const auto listed = [&](const std::string& name) {
+        std::ifstream file(folder(name) + "/summary.json");
+        return nlohmann::json::parse(file).at("warnings");
+      };
+      EXPECT_EQ(listed("parts"), listed("whole"));
+    });
   }
 }
 

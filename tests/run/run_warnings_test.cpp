@@ -66,10 +66,10 @@ TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
               });
 }
 
-using RunWatchTest = RestartTest;
+using RunMeasuresTest = RestartTest;
 
 /// A ball so soft that the wall crumples it: W/E is 15 L0.
-TEST_F(RunWatchTest, ACrumpledBallIsToldOfInTheSummary) {
+TEST_F(RunMeasuresTest, ACrumpledBallIsToldOfInTheSummary) {
   Simulation simulation(scene_file("ball.xml", {"Materials/Ball/Young's Modulus=1e-3", "Output/Fields Interval=0",
                                                 "Time Integrator/Type=Average Vector Field",
                                                 "Time Integrator/Time Step Control/Final Time=0.3"}),
@@ -89,14 +89,39 @@ TEST_F(RunWatchTest, ACrumpledBallIsToldOfInTheSummary) {
     EXPECT_NE(std::find(listed.begin(), listed.end(), name), listed.end()) << name;
 }
 
-TEST_F(RunWatchTest, ABallThatBouncesHasNoFindings) {
-  Simulation simulation(scene_file("ball.xml", {"Output/Fields Interval=0", "Time Integrator/Type=Average Vector Field",
-                                                "Time Integrator/Time Step Control/Final Time=1"}),
+TEST_F(RunMeasuresTest, TheFirstAndTheLastRowCount) {
+  // Static steps, of which no other row tells.
+  Simulation simulation(scene(lifted(word("Type", "Static") + steps(0.1, 1), count("History Interval", 1000))),
                         world());
   RunOptions options;
-  options.folder = folder("ball");
+  options.folder = folder("lifted");
   const RunResult result = run(simulation, options);
-  for (const Warning& warning : result.findings) ADD_FAILURE() << warning.message;
+  ASSERT_EQ(result.status, RunStatus::Completed) << result.reason;
+  ASSERT_EQ(result.findings.size(), 1U);
+  EXPECT_EQ(result.findings[0].name, "detachment");
+  expect_contains(result.findings[0].message,
+                  "the contact fell from 2 to 0 between two rows, from t = 0 to 1 T0, 100 % of its largest value");
+}
+
+using RunMeasuresSerialTest = RestartTest;
+
+TEST_F(RunMeasuresSerialTest, SoundRunsHaveNoWarnings) {
+  const std::string step = "Time Integrator/Time Step Control/";
+  const std::vector<std::pair<std::string, std::vector<std::string>>> runs = {
+      {"ball.xml", {"Output/Fields Interval=0", step + "Final Time=1"}},
+      {"strip.xml", {"Output/Fields Time Interval=0", step + "Time Step=1", "Mesh/Box/Divisions={160, 8}"}},
+      {"block-on-wall.xml", {"Mesh/Box/Divisions={16, 16, 16}"}}};
+  for (const auto& [file, settings] : runs) {
+    Simulation simulation(scene_file(file, settings), world());
+    RunOptions options;
+    options.folder = folder(file);
+    const RunResult result = run(simulation, options);
+    ASSERT_TRUE(result.status == RunStatus::Completed || result.status == RunStatus::Stopped) << result.reason;
+    on_first([&] {
+      std::ifstream summary(options.folder + "/summary.json");
+      EXPECT_EQ(nlohmann::json::parse(summary).at("warnings").dump(), "[]") << file;
+    });
+  }
 }
 
 }  // namespace

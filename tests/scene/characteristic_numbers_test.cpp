@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+#include "mesh/selection.hpp"
+#include "parameters/validation.hpp"
+#include "scene/materials.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_mesh.hpp"
 #include "scene/simulation.hpp"
 #include "support/scene_text.hpp"
 
@@ -59,6 +64,37 @@ TEST(CharacteristicNumbersTest, ThinPlatesHaveAShorterZone) {
   EXPECT_NEAR(moment * moment, 2 * work * thin * thin * thin / 12, 1e-15);
   EXPECT_NEAR(cohesive_zone(1, work, strength, 100), work / (strength * strength), 1e-12);
   EXPECT_EQ(cohesive_zone(1, 0, 0, 1), 0);
+}
+
+TEST(CharacteristicNumbersTest, TheThicknessIsThatOfTheBodyAlongTheNormal) {
+  const Simulation slice(
+      test::scene_file("block-on-wall.xml", {"Mesh/Box/Lengths={32, 1, 16}", "Mesh/Box/Divisions={32, 1, 16}"}),
+      test::self());
+  const SurfaceNumbers& surface = slice.characteristic_numbers().surfaces.at(0);
+  EXPECT_NEAR(surface.thickness, 16, 1e-12) << "not the width of the slice";
+  EXPECT_EQ(slice.characteristic_numbers().bodies.at(0).size, 32);
+}
+
+TEST(CharacteristicNumbersTest, BlocksThatAreConnectedAreOneBody) {
+  Teuchos::ParameterList list =
+      validated(test::scene_file("strip.xml", {"Mesh/Box/Divisions={40, 4}"}), scene_parameters());
+  const SceneNode scene(list, "");
+  const auto materials = read_materials(scene.sublist("Materials"));
+  const auto interactions = read_interactions(scene.sublist("Interactions"));
+  Mesh mesh = scene_mesh(list.sublist("Mesh"), ".");
+  std::vector<int>& nodes = mesh.blocks.at(0).nodes;  // row by row of cells: the upper half becomes a block of its own
+  const auto half = nodes.begin() + static_cast<std::ptrdiff_t>(nodes.size() / 2);
+  const ElementBlock backing{"backing", mesh.blocks[0].type, {half, nodes.end()}};
+  nodes.erase(half, nodes.end());
+  mesh.blocks.push_back(backing);
+  mesh.side_sets = {side_set_named(mesh, "contact")};  // the others lie on the upper half, too
+  const CharacteristicNumbers numbers = characteristic_numbers(scene, materials, interactions, mesh);
+  EXPECT_NEAR(numbers.surfaces.at(0).thickness, 10, 1e-12);
+  EXPECT_EQ(numbers.surfaces.at(0).interaction, 0U);
+}
+
+TEST(CharacteristicNumbersTest, AColumnOfTheGravityLengthHasTheStressEAtItsFoot) {
+  EXPECT_NEAR(gravity_length(2e6, 1000 * 9.81), 203.87, 0.01);  // soft rubber: 204 m
 }
 
 TEST(CharacteristicNumbersTest, ACutoffTakesWorkAway) {

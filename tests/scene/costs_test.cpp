@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "run/run.hpp"
+#include "run/run_measures.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
 
@@ -22,7 +23,8 @@ using test::world;
 class CountingTerm final : public Interaction {
  public:
   struct Calls {
-    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, pressure = 0;
+    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, pressure = 0,
+         lowest_point = 0;
   };
   explicit CountingTerm(Calls& calls) : calls_(calls) {}
   bool add_force(const Segment&, const Rule&, double*) const override { return ++calls_.force > 0; }
@@ -37,12 +39,15 @@ class CountingTerm final : public Interaction {
     return 1;
   }
   void report(const double*, InteractionReport&) const override { ++calls_.report; }
-  bool needs_positive_gaps() const override { return false; }
+  bool needs_positive_gaps() const override { return true; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
   double rounding(const double*) const override { return 0; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_measure(double*) const override {}
+  LowestPoint lowest_point(const double*) const override {
+    ++calls_.lowest_point;
+    return {};
+  }
+  void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
   void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
 
@@ -122,6 +127,35 @@ TEST(CostsTest, OnlyAdaptiveRunsJudge) {
                                                                 list("Adaptive", number("Maximum Gap Ratio", 1.5)))),
           "");
   EXPECT_EQ(flight.calls.gap_ratio, flight.result.steps + flight.result.rejected_steps);
+}
+
+TEST(CostsTest, EachAttemptLooksForTheLowestPointOnce) {
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Central Difference"}) {
+    const Flight flight = fly(test::time_integrator(scheme, 0.05, 1), "");
+    EXPECT_EQ(flight.calls.lowest_point, flight.result.steps + flight.result.rejected_steps) << scheme;
+  }
+}
+
+/// Returns the steps up to `last` after which a run looks at the deformation of cells.
+std::vector<long> looks_at_cells(const std::string& scheme, long last) {
+  Simulation s(test::scene(flight(test::time_integrator(scheme, 0.05, 1), "")), world());
+  History history(s);
+  auto& u = const_cast<std::vector<double>&>(s.integrator().state().u);
+  const std::vector<double> rest = u, &places = s.model().mesh().coordinates;
+  std::vector<long> steps;
+  for (long step = 1; step <= last; ++step) {
+    RunMeasures measures(s);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * places[i];  // J = 2.25, for this step only
+    measures.step(step);
+    u = rest;
+    if (measures.finish(history).strains.largest_jacobian > 2) steps.push_back(step);
+  }
+  return steps;
+}
+
+TEST(CostsTest, CellsAreLookedAtNowAndThen) {
+  EXPECT_EQ(looks_at_cells("Newmark", 60), (std::vector<long>{20, 40, 60}));
+  EXPECT_EQ(looks_at_cells("Central Difference", 1000), (std::vector<long>{500, 1000}));
 }
 
 /// Bytes on the heap, the libraries' included; 0 where a sanitizer's allocator does not say.

@@ -1,3 +1,4 @@
+#include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "support/catalogue_walk.hpp"
 
@@ -22,6 +23,17 @@ TEST(MeshCatalogueTest, EveryEntryIsWhole) {
                  return {-1};  // the parameter was read, and the value refused
                }
              });
+}
+
+TEST(MeshCatalogueTest, StatedDimensionsAreThoseOfTheMeshes) {
+  Teuchos::ParameterList list = scene_parameters().sublist("Mesh");
+  for (const MeshEntry& entry : meshes().entries()) {
+    list.set(meshes().choice(), entry.name);
+    if (entry.dimension == 0)
+      EXPECT_TRUE(list.sublist(entry.name).isType<int>("Dimension")) << entry.name;
+    else
+      EXPECT_EQ(meshes().make(SceneNode(list, "Mesh")).dimension, entry.dimension) << entry.name;
+  }
 }
 
 }  // namespace

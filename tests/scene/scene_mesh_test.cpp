@@ -31,6 +31,17 @@ TEST(SceneMeshTest, AMeshFileMayHaveAUnitOfLength) {
   for (std::size_t k = 0; k < own.coordinates.size(); ++k) ASSERT_EQ(larger.coordinates[k], 1000 * own.coordinates[k]);
 }
 
+TEST(SceneMeshTest, TheSizeOfAMeshFileIsNoted) {
+  const UnitSystem nano("1 nm", "2 GPa", "1 ns");
+  Teuchos::ParameterList list = mesh_list("Gmsh");
+  list.sublist("Gmsh").set("File", std::string(IXOS_TEST_DIRECTORY) + "/../meshes/pillar.msh");
+  EXPECT_EQ(size_note(list, scene_mesh(list, "."), nano), "the mesh spans 30 x 40 L0 = 30 nm x 40 nm");
+  list.sublist("Gmsh").set("Length Unit", 1000.0);
+  EXPECT_EQ(size_note(list, scene_mesh(list, "."), nano), "the mesh spans 30000 x 40000 L0 = 30 um x 40 um");
+  list = mesh_list("Box");
+  EXPECT_EQ(size_note(list, scene_mesh(list, "."), nano), "");
+}
+
 TEST(SceneMeshTest, SpatulaTakesEveryParameterOfItsList) {
   Teuchos::ParameterList list = mesh_list("Spatula");
   Teuchos::ParameterList& own = list.sublist("Spatula");

@@ -29,11 +29,14 @@ void expect_refused(const std::string& name, const std::vector<std::string>& ass
   test::expect_contains(test::refusal([&] { complete(name, assignments); }), words);
 }
 
-/// Expects that the brackets of every double below `valid` are units.
+/// Expects that every double below `valid` has brackets, "[-]" if it is a pure number, and that these hold units.
 void check_documentation(const ParameterList& valid, const UnitSystem& units, int& count) {
+  const bool is_table = valid.name() == "Custom" || valid.isParameter("Elastic Weights");  // coefficients of a scheme
   for (const auto& [name, entry] : entries(valid)) {
     if (entry.isList()) check_documentation(valid.sublist(name), units, count);
     if (!entry.isType<double>() && !entry.isType<Teuchos::Array<double>>()) continue;
+    EXPECT_TRUE(is_table || entry.docString().find('[') != std::string::npos)
+        << name << " has no unit: " << entry.docString();
     for (const DocumentedUnit& unit : documented_units(entry.docString())) {
       EXPECT_NO_THROW(units.unit(unit.expression)) << name << ": " << entry.docString();
       ++count;
@@ -169,6 +172,16 @@ TEST(SceneUnitsTest, TheUseOfAParameterDecidesItsUnit) {
   expect_refused("strip.xml",
                  {pull + "Type=Constant", pull + "Constant/Value=1 nm", load + "Type=Traction", load + "History=Pull"},
                  "a pure number is needed for a load");
+}
+
+TEST(SceneUnitsTest, TheDimensionOfAMeshFromAFileCompletesItsUnits) {
+  const std::string load = "Boundary Conditions/Load/";
+  const ParameterList scene = complete(
+      "strip.xml", {"Mesh/Type=Exodus", "Mesh/Exodus/File=a.e", load + "Type=Point Force", load + "Vector={0, 0.5}"});
+  const auto values = [&](int dimension) { return values_in_si(scene, scene_units(scene), dimension); };
+  test::expect_contains(values(2), load + "Vector: {0, 0.5} E0 L0 = {0 N/m, 1 N/m}\n");
+  test::expect_contains(values(3), load + "Vector: {0, 0.5} E0 L0^2 = {0 N, 1 nN}\n");
+  EXPECT_EQ(values(0).find(load + "Vector"), std::string::npos) << "nothing tells whether it is per depth";
 }
 
 TEST(SceneUnitsTest, TheSceneOfTheGuideIsTheBall) {

@@ -99,6 +99,38 @@ TEST(WarningsTest, ASoftMaterialInItsUnitsDrawsNone) {
   EXPECT_EQ(all_of("strip.xml", silicone, {1e-6, 1e6, 1e-6}), "");
 }
 
+/// Silicone in millimetres, MPa and milliseconds: densities in g/mm^3, works of adhesion in N/mm.
+TEST(WarningsTest, SoundScenesInMillimetresDrawNone) {
+  const Scales millimetres{1e-3, 1e6, 1e-3};
+  const Assignments sticky = {"Interactions/Wall/Law=Morse", "Interactions/Wall/Morse/Work of Adhesion=1e-3",
+                              "Interactions/Wall/Morse/Strength=0.01", "Interactions/Wall/Morse/Equilibrium Gap=0.05"};
+  const auto with = [&sticky](Assignments more) {
+    more.insert(more.end(), sticky.begin(), sticky.end());
+    return more;
+  };
+  const Assignments film = {"Materials/Strip/Young's Modulus=2",
+                            "Materials/Strip/Density=1e-3",
+                            "Mesh/Box/Lower={0, 0.05}",
+                            "Mesh/Box/Lengths={60, 2}",
+                            "Mesh/Box/Divisions={240, 8}",
+                            "Output/Probes/P/Point={0, 0.05}",
+                            "Output/Probes/edge/Point={60, 0.05}",
+                            "Mesh/Sets/contact/Upper={45, 1}",
+                            "Histories/Pull/Rate Ramp/Rate=0.1"};
+  EXPECT_EQ(all_of("strip.xml", with(film), millimetres), "");
+  Assignments slow = film;  // a test that takes a minute, without inertia and without a density
+  slow.insert(slow.end(), {"Time Integrator/Type=Static", "Materials/Strip/Density=1"});
+  EXPECT_EQ(all_of("strip.xml", with(slow), millimetres), "");
+  const Assignments ball = {"Materials/Ball/Young's Modulus=2",
+                            "Materials/Ball/Density=1e-3",
+                            "Mesh/Disk/Center={0, 5.5}",
+                            "Initial Conditions/Velocity={0, -0.5}",
+                            "Mesh/Disk/Core Divisions=8",
+                            "Time Integrator/Time Step Control/Final Time=20",
+                            "Time Integrator/Time Step Control/Time Step=0.01"};
+  EXPECT_EQ(all_of("ball.xml", with(ball), millimetres), "");
+}
+
 TEST(WarningsTest, MaterialsBeyondAllKnownOnes) {
   // 1000 E0 T0^2/L0^2 are 2e12 kg/m^3.
   expect_warning("ball.xml", {"Materials/Ball/Density=1000"}, "material",
@@ -127,7 +159,7 @@ TEST(WarningsTest, StepsAndRunsAgainstWaves) {
                  "a wave needs 300 T0 to cross the body, but the run lasts 10 T0");
   expect_warning("strip.xml", {"Time Integrator/Time Step Control/Time Step=20"}, "wave and step",
                  "the time step of 20 T0 is 149 times as long as a wave needs to cross the body, 0.134 T0");
-  EXPECT_EQ(all_of("strip.xml", {"Time Integrator/Type=Static", "Materials/Strip/Density=1e-5"}), "");
+  EXPECT_EQ(all_of("strip.xml", {"Time Integrator/Type=Static", "Materials/Strip/Density=1000"}), "");
 }
 
 TEST(WarningsTest, StepsAgainstTheGap) {
@@ -142,11 +174,34 @@ TEST(WarningsTest, MotionsThatJump) {
   expect_warning("strip.xml",
                  {"Histories/Pull/Type=Expression", "Histories/Pull/Expression/Value=40*t",
                   "Histories/Pull/Expression/Velocity=40", "Histories/Pull/Expression/Acceleration=0"},
-                 "jump", pull + "the motion begins with a jump of the velocity of 40 L0/T0, 0.027 of the wave speed");
+                 "jump", pull + "the velocity of the motion jumps by 40 L0/T0 at t = 0 T0, 0.027 of the wave speed");
+  const std::string rate = "Histories/Pull/Rate Ramp/";
+  expect_warning("strip.xml", {rate + "Rate=40", rate + "Length=0.01", rate + "Start=1.05"}, "jump",
+                 "jumps by 40 L0/T0 at t = 1.1 T0");
   expect_warning("strip.xml",
                  {"Histories/Pull/Type=Ramp", "Histories/Pull/Ramp/Value=3", "Histories/Pull/Ramp/Length=0.08",
                   "Histories/Pull/Ramp/Shape=Quintic"},
                  "jump", pull + "1 of the whole motion of 3 L0 happens in one step of 0.1 T0");
+}
+
+TEST(WarningsTest, FastMotionsThatBeginSmoothlyDrawNone) {
+  EXPECT_EQ(all_of("strip.xml", {"Histories/Pull/Rate Ramp/Rate=100"}), "");
+}
+
+TEST(WarningsTest, ExplicitSchemesDivideTheStepOfAShortMotion) {
+  const Assignments motion = {"Time Integrator/Type=Central Difference", "Histories/Pull/Type=Ramp",
+                              "Histories/Pull/Ramp/Value=0.05", "Histories/Pull/Ramp/Length=0.08"};
+  EXPECT_EQ(all_of("block-on-wall.xml", motion), "");
+}
+
+TEST(WarningsTest, AGuideAcrossTheNormalHoldsNoBody) {
+  expect_warning("ball.xml",
+                 {"Time Integrator/Time Step Control/Time Step=0.02", "Boundary Conditions/Guide/Node Set=center",
+                  "Boundary Conditions/Guide/Components=x"},
+                 "gap and step", "the time step of 0.02 T0 is 6.18 times as long");
+  EXPECT_EQ(all_of("ball.xml",
+                   {"Time Integrator/Time Step Control/Time Step=0.02", "Boundary Conditions/Guide/Node Set=center"}),
+            "");
 }
 
 TEST(WarningsTest, GapsWithoutAttraction) {
@@ -166,12 +221,29 @@ TEST(WarningsTest, OneLayerOfCells) {
             "");
 }
 
+/// A traction on the block's upper side.
+Assignments pressed(const std::string& vector) {
+  const std::string press = "Boundary Conditions/Press/";
+  return {press + "Type=Traction", press + "Side Set=top", press + "Vector=" + vector};
+}
+
 TEST(WarningsTest, AnObliquePullWithoutFriction) {
   expect_warning("strip.xml", {"Boundary Conditions/Guide/History=Pull"}, "no friction",
-                 "pulls at 45 degrees to the obstacle, but there is no friction");
+                 "acts at 45 degrees to the obstacle (limit 84), but there is no friction");
   expect_warning("ball.xml",
                  {"Boundary Conditions/Wind/Type=Body Force", "Boundary Conditions/Wind/Vector={1e-5, 1e-5}"},
-                 "no friction", "Boundary Conditions/Wind pulls at 45 degrees");
+                 "no friction", "Boundary Conditions/Wind acts at 45 degrees");
+  expect_warning("block-on-wall.xml", pressed("{1, 0, -1}"), "no friction",
+                 "Boundary Conditions/Press acts at 45 degrees");
+}
+
+TEST(WarningsTest, PushesAndHeldBodiesDrawNone) {
+  EXPECT_EQ(all_of("block-on-wall.xml", pressed("{0.01, 0, -1}")), "");
+  EXPECT_EQ(all_of("block-on-wall.xml", pressed("{1e-17, 0, -1}")), "");
+  // A film that is clamped at its left end and pulled up along 45 degrees at its right one.
+  EXPECT_EQ(all_of("strip.xml", {"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Clamp/Node Set=left",
+                                 "Boundary Conditions/Clamp/Components=x"}),
+            "");
 }
 
 }  // namespace

@@ -82,7 +82,9 @@ double enclosed(const Part& part, const std::string& set) {
 /// Returns the sums of int N_a dA X_a over all nodes, and of int N_a dA over those that are places.
 std::vector<double> nodal_sums(const Part& part, const std::string& set) {
   std::vector<double> measure(static_cast<std::size_t>(part.mesh.nodes()), 0.0);
-  for_sides(part, set, 0, [&](const auto& sides) { sides.add_nodal_measure(measure.data()); });
+  CountedSides counted;
+  for (int time = 0; time < 2; ++time)  // at the second time all sides are counted
+    for_sides(part, set, 0, [&](const auto& sides) { sides.add_nodal_measure(counted, measure.data()); });
   const auto dimension = static_cast<std::size_t>(part.mesh.dimension);
   std::vector<double> sums(dimension + 1, 0.0);
   for (std::size_t node = 0; node < static_cast<std::size_t>(part.mesh.owned_nodes); ++node) {

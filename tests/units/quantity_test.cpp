@@ -22,6 +22,7 @@ TEST(QuantityTest, NumbersAreExactAndRoundedOnce) {
   EXPECT_EQ(in("2e3 eV", "J"), 3.204353268e-16);
   EXPECT_EQ(in("1E3 m", "km"), 1);
   EXPECT_EQ(in("0 nm", "m"), 0);
+  EXPECT_EQ(in("9.81 m s\u207b\u00b2", "m/s^2"), 9.81);
 }
 
 TEST(QuantityTest, PlainNumbersHaveNoUnit) {
@@ -56,6 +57,8 @@ TEST(QuantityTest, MessagesQuoteTheText) {
   refused("1.00000000000000000001 m", "more than 19 significant digits");
   refused("1e1000 m", "it is beyond the range of numbers");
   refused("1,5 m", "a unit is missing");
+  test::expect_contains(test::refusal([] { in("1e300 Tm", "fm"); }), "\"1e300 Tm\": it is beyond the range of numbers");
+  test::expect_contains(test::refusal([] { in("1e999999999 nm", "nm"); }), "\"1e999999999 nm\": it is beyond");
 }
 
 }  // namespace

@@ -40,12 +40,23 @@ TEST(RatioTest, PiCancels) {
   EXPECT_NEAR((Ratio(45) * degree).nearest(), M_PI / 4, 2 * std::numeric_limits<double>::epsilon());
 }
 
+TEST(RatioTest, FactorsOfManyDigitsAreRoundedOnce) {
+  // Expected values: fractions.Fraction of Python, whose float() is rounded correctly.
+  const Ratio prime(18446744073709551557U), length(7254709287789268, -24), stress(2345678, 3);
+  EXPECT_EQ((stress * length.power(3)).nearest(), 8.9562959646971e-16);
+  EXPECT_EQ((stress * length.power(3) * Ratio(123456789, -17)).nearest(), 1.1057155411351613e-24);
+  EXPECT_EQ((Ratio(1) / length.power(9)).nearest(), 1.7964696070535528e+73);
+  EXPECT_EQ((prime.power(9) * Ratio(1, -150) / Ratio(7).power(3)).nearest(), 7.210798876766896e+20);
+  EXPECT_EQ((prime * stress / prime).nearest(), 2345678000);
+}
+
 TEST(RatioTest, WhatNoDoubleHoldsIsRefused) {
   EXPECT_THROW(Ratio(1, 309).nearest(), InputError);
   EXPECT_THROW(Ratio(1, -308).nearest(), InputError) << "not normal";
   EXPECT_NO_THROW(Ratio(1, 308).nearest());
-  const Ratio long_one(18446744073709551557U);  // a prime
-  EXPECT_THROW(long_one * long_one * long_one, InputError);
+  EXPECT_EQ((Ratio(5, 999999999) / Ratio(7, 999998999) * Ratio(1, -1000)).nearest(), 5.0 / 7);
+  EXPECT_THROW(Ratio(1, 999999999).nearest(), InputError) << "without a number of so many digits";
+  EXPECT_THROW(Ratio(18446744073709551557U).power(-100000000).nearest(), InputError);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ TEST(UnitSystemTest, ScalesThatAreNoneAreRefused) {
   refused("1 ns", "Units/Length: \"1 ns\" is a time");
   refused("0 nm", "Units/Length: \"0 nm\" must be greater than 0");
   refused("-1 nm", "must be greater than 0");
+  refused("1e-400 m", "Units/Length: \"1e-400 m\": it is beyond the range of numbers");
 }
 
 TEST(UnitSystemTest, ValuesAreShownWithPrefixes) {
@@ -70,9 +71,27 @@ TEST(DocumentedUnitTest, BracketsAreRead) {
 
 TEST(ResultUnitsTest, SymbolsAndSIUnitsAgree) {
   for (int dimension : {2, 3})
-    for (const ResultUnit& unit : result_units(dimension))
+    for (const ResultUnit& unit : result_units(nano, dimension)) {
       EXPECT_EQ(nano.unit(unit.expression).dimension.exponents, parse_unit(unit.si, si_unit).dimension.exponents)
           << unit.quantity;
+      EXPECT_EQ(unit.scale, nano.si(unit.expression)) << unit.quantity;
+    }
+}
+
+TEST(ResultUnitsTest, ScalesOfManyDigitsAreSound) {
+  const UnitSystem odd("7.254709287789268 nm", "2.345678 GPa", "1.234567890123456789 ns");
+  const std::vector<ResultUnit> units = result_units(odd, 3);
+  // E0 L0^3 T0, computed with fractions.Fraction of Python.
+  EXPECT_EQ(units[8].quantity, "angular_momentum");
+  EXPECT_EQ(units[8].scale, 1.105715541245733e-24);
+}
+
+TEST(ResultUnitsTest, UnitsBeyondTheRangeOfNumbersNameTheScales) {
+  const UnitSystem tiny("1e-200 m", "2 GPa", "1 ns");
+  test::expect_contains(
+      test::refusal([&] { result_units(tiny, 3); }),
+      "Units: Length \"1e-200 m\", Energy Density \"2 GPa\" and Time \"1 ns\" make the unit E0 L0^2: it "
+      "is beyond the range of numbers");
 }
 
 }  // namespace

@@ -44,12 +44,14 @@ TEST(UnitTest, TheTableHasTheSIAndAFewOthers) {
   for (const char* symbol : {"kmin", "mdeg", "Mkg", "x", "", "mum"}) EXPECT_FALSE(si_unit(symbol)) << symbol;
 }
 
-TEST(UnitTest, BothCodePointsOfMicroAndAngstromAreRead) {
+TEST(UnitTest, SignsBeyondASCIIAreRead) {
   for (const char* micrometre : {"\u00b5m", "\u03bcm", "um"}) expect_equal(micrometre, 1e-6, {{1}});
   for (const char* angstrom : {"\u00c5", "\u212b", "A\u030a"}) expect_equal(angstrom, 1e-10, {{1}});
   expect_equal("kg/m\u00b3", 1, {{-3, 1}});
   expect_equal("N\u00b7m", 1, {{2, 1, -2}});
-  expect_equal("m\u207b\u00b9", 1, {{-1}});
+  expect_equal("kg m\u207b\u00b3", 1, {{-3, 1}});
+  expect_equal("mm s\u207b\u00b2", 1e-3, {{1, 0, -2}});
+  expect_equal("m\u00b9 s\u207b\u2079/m\u2074", 1, {{-3, 0, -9}});
 }
 
 TEST(UnitTest, WhatIsWrongOrAmbiguousIsRefused) {
@@ -62,6 +64,8 @@ TEST(UnitTest, WhatIsWrongOrAmbiguousIsRefused) {
   refused("m^(1/2)", "an exponent must be an integer");
   refused("m^", "an exponent must be an integer");
   refused("m^10", "at most 9");
+  refused("m\u00b9\u2070", "at most 9");
+  refused("m\u207b", "an exponent must be an integer");
   refused("J/m s", "ambiguous");
   refused("(m)^2", "a parenthesis cannot have an exponent");
   refused("(m", "a parenthesis is not closed");

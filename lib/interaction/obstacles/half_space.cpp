@@ -68,7 +68,8 @@ ObstacleEntry half_space_obstacle() {
       .add("Point", &Parameters::point,
            "Half-Space: a point on the surface of the wall [L0]. If empty, it is the origin.", any_number())
       .add("Normal", &Parameters::normal,
-           "Half-Space: vector that points out of the wall. If empty, it points along the last axis.", any_number());
+           "Half-Space: vector that points out of the wall [-]. If empty, it points along the last axis.",
+           any_number());
   return {"Half-Space", "Half-Space is a rigid flat wall.", "", options.list(), make, true};
 }
 

@@ -109,11 +109,15 @@ MeshEntry disk_mesh() {
   return {"Disk",
           "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
           "\"surface\", and the node set \"center\".",
-          "", options.list(), [options](const SceneNode& node) {
+          "",
+          options.list(),
+          [options](const SceneNode& node) {
             Parameters shape = options.read(node);
             copy_values(node, "Center", shape.place, 2, shape.center);
             return disk(shape);
-          }};
+          },
+          false,
+          2};
 }
 
 }  // namespace ixos

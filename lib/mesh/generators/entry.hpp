@@ -10,7 +10,9 @@
 namespace ixos {
 
 /// An entry makes a mesh from its parameters. The list that chooses it is "Mesh".
-using MeshEntry = CatalogueEntry<Mesh>;
+struct MeshEntry : CatalogueEntry<Mesh> {
+  int dimension = 0;  ///< of all its meshes; 0 if its parameter "Dimension" gives it, or the file of the mesh
+};
 
 /// Copies `values` to the first `count` elements of `target`; an empty array leaves it unchanged. Throws InputError if
 /// there are not `count` values.

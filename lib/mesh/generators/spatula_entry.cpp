@@ -61,7 +61,11 @@ MeshEntry spatula_mesh() {
   return {"Spatula",
           "A gecko's spatula of hexahedra. It has the block \"body\", the side and node sets \"pad\" (its underside), "
           "\"shaft end\" and \"surface\", and the node set \"tip\".",
-          "", options.list(), [options](const SceneNode& node) { return spatula(options.read(node)); }};
+          "",
+          options.list(),
+          [options](const SceneNode& node) { return spatula(options.read(node)); },
+          false,
+          3};
 }
 
 }  // namespace ixos

@@ -8,12 +8,14 @@
 namespace ixos {
 
 /// Gathers RunFacts over a run. Collective.
-class RunWatch {
+class RunMeasures {
  public:
-  explicit RunWatch(const Simulation& simulation);
+  explicit RunMeasures(const Simulation& simulation);
 
-  /// Takes part in a step that has been accepted and perhaps recorded.
-  void step(long steps, bool recorded, const History& history);
+  /// Takes part in a step that has been accepted.
+  void step(long steps);
+  /// Takes part in a recorded row of the present state, the first and the last one included.
+  void row(const History& history);
   /// Takes part in a step that was rejected because a surface crossed its obstacle.
   void crossed() { ++crossings_; }
   /// Looks at the last state, and returns the facts of the whole run.

@@ -1,4 +1,4 @@
-#include "run/run_watch.hpp"
+#include "run/run_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ double finest_face(const Simulation& simulation) {
 }  // namespace
 
 // In three dimensions the contact is an area, whose change does not tell how far its front has moved.
-RunWatch::RunWatch(const Simulation& simulation)
+RunMeasures::RunMeasures(const Simulation& simulation)
     : simulation_(simulation),
       contact_(simulation.model().mesh().dimension == 2 ? finest_face(simulation) : 0),
       interval_(is_explicit(simulation.integrator().table()) ? 500 : 20),
@@ -30,19 +30,22 @@ RunWatch::RunWatch(const Simulation& simulation)
   }
 }
 
-void RunWatch::look_at_cells() {
+void RunMeasures::look_at_cells() {
   const Integrator& integrator = simulation_.integrator();
   strains_.look(simulation_.model(), integrator.state().u.data(), integrator.time());
 }
 
-void RunWatch::step(long steps, bool recorded, const History& history) {
+void RunMeasures::step(long steps) {
   if (steps % interval_ == 0) look_at_cells();
   if (scale_ > 0)
     deepest_ = std::min(deepest_, least_free_gap(simulation_.model(), simulation_.integrator().state().u.data()));
-  if (recorded) contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());
 }
 
-RunFacts RunWatch::finish(const History& history) {
+void RunMeasures::row(const History& history) {
+  contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());
+}
+
+RunFacts RunMeasures::finish(const History& history) {
   look_at_cells();
   RunFacts facts;
   facts.has_inertia = !is_static(simulation_.integrator().table());
@@ -60,8 +63,8 @@ RunFacts RunWatch::finish(const History& history) {
   return facts;
 }
 
-void RunWatch::transfer(Record& record) {
-  const Record::Section section(record, "run watch");
+void RunMeasures::transfer(Record& record) {
+  const Record::Section section(record, "run measures");
   strains_.transfer(record);
   contact_.transfer(record);
   record.number("crossings", crossings_);

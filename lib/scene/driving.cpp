@@ -1,0 +1,181 @@
+#include "scene/driving.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/connected_parts.hpp"
+
+namespace ixos {
+namespace {
+
+using Point = std::array<double, 3>;
+using Axes = std::array<bool, 3>;
+
+constexpr int most_steps = 100000;
+
+double dot(const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+
+/// Longer arrays are refused elsewhere.
+Point point(const std::vector<double>& x) {
+  Point result{};
+  std::copy_n(x.begin(), std::min<std::size_t>(x.size(), 3), result.begin());
+  return result;
+}
+
+std::vector<double> times_of(const StepControlOptions& control) {
+  const double duration = control.final_time - control.initial_time;
+  const double steps = std::ceil(duration / control.time_step * (1 - 1e-9));
+  const double step = control.adaptive.on ? duration / 1000 : control.time_step;
+  const auto count = static_cast<int>(control.adaptive.on ? 1000 : std::min<double>(steps, most_steps));
+  std::vector<double> times{control.initial_time};
+  for (int k = 1; k <= count; ++k) times.push_back(std::min(control.initial_time + k * step, control.final_time));
+  if (times.back() < control.final_time) times.push_back(control.final_time);
+  return times;
+}
+
+Point without(Point x, const Axes& axes) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (axes[i]) x[i] = 0;
+  return x;
+}
+
+/// Returns whether the normal is so near to the axes that a body cannot leave the obstacle without moving along them.
+bool spans(const Axes& axes, const Point& normal) {
+  const Point rest = without(normal, axes);
+  return dot(rest, rest) < 0.01;
+}
+
+/// Returns the length of the part of x along which a body that is held along some axes can move and keep its gap.
+double sliding(const Point& x, const Point& normal, const Axes& held) {
+  const Point free = without(x, held), rest = without(normal, held);
+  const double across = spans(held, normal) ? 0 : dot(free, rest) * dot(free, rest) / dot(rest, rest);
+  return std::sqrt(std::max(0.0, dot(free, free) - across));
+}
+
+Axes axes_of(const std::map<int, Axes>& by_part, int part) {
+  const auto found = by_part.find(part);
+  return found == by_part.end() ? Axes{} : found->second;
+}
+
+template <class Set>
+const Set* find(const std::vector<Set>& sets, const std::string& name) {
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Set& set) { return set.name == name; });
+  return found == sets.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+Driving::Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control,
+                 const Mesh& mesh)
+    : times_(times_of(control)), fixed_(!control.adaptive.on), part_of_node_(connected_parts(mesh)) {
+  const SceneNode initial = scene.sublist("Initial Conditions");
+  velocity_ = point(initial.numbers("Velocity"));
+  for (double value : initial.numbers("Velocity Gradient")) turns_ = turns_ || value != 0;
+  for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
+    if (node.text("Type") == "Displacement")
+      add_motion(node, histories, mesh);
+    else
+      add_load(node, histories, mesh);
+  }
+}
+
+/// Returns the connected parts on which a condition acts.
+std::set<int> Driving::parts_of(const SceneNode& node, const Mesh& mesh) const {
+  std::set<int> parts;
+  const auto add = [&](int number) { parts.insert(part_of_node_[static_cast<std::size_t>(number)]); };
+  const auto add_cell = [&](const ElementBlock& block, int cell) {
+    add(block.nodes[cell_entry(cell, nodes_per_cell(block.type))]);
+  };
+  if (const NodeSet* set = find(mesh.node_sets, node.text("Node Set")); set != nullptr) {
+    for (int number : set->nodes) add(number);
+  } else if (const SideSet* sides = find(mesh.side_sets, node.text("Side Set")); sides != nullptr) {
+    for (const Side& side : sides->sides) add_cell(mesh.blocks[static_cast<std::size_t>(side.block)], side.cell);
+  } else {
+    const std::string& name = node.text("Block");
+    for (const ElementBlock& block : mesh.blocks)
+      for (int cell = 0; cell < block.cells() && (name.empty() || name == block.name); ++cell) add_cell(block, cell);
+  }
+  return parts;
+}
+
+void Driving::add_motion(const SceneNode& node, const Histories& histories, const Mesh& mesh) {
+  const std::string& name = node.text("History");
+  std::string components = node.text("Components");
+  if (components == "all") components = mesh.dimension == 2 ? "xy" : "xyz";
+  const std::set<int> parts = parts_of(node, mesh);
+  const auto mark = [&](std::map<int, Axes>& axes) {
+    for (int part : parts)
+      for (char component : components) axes[part][static_cast<std::size_t>(component - 'x')] = true;
+  };
+  mark(prescribed_);
+  if (name.empty()) return mark(held_);
+  const TimeFunction& function = *histories.get(name, HistoryUse::Motion);
+  Action& way = ways_[node.text("Node Set")];
+  if (way.path.empty()) way = {node.path(), parts, std::vector<Point>(times_.size(), Point{})};
+  const TimeValue first = function.at(times_.front());
+  Motion motion{node.path(), first.value, 0, times_.front(), 0, 0};
+  for (char component : components)
+    motion.velocity_jump =
+        std::max(motion.velocity_jump, std::abs(first.rate - velocity_[static_cast<std::size_t>(component - 'x')]));
+  double lowest = first.value, highest = first.value;
+  TimeValue before = first;
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    const TimeValue now = function.at(times_[k]);
+    lowest = std::min(lowest, now.value);
+    highest = std::max(highest, now.value);
+    if (k > 0 && k <= most_steps) {  // the last interval of a very long run is longer than a step
+      if (fixed_) motion.in_one_step = std::max(motion.in_one_step, std::abs(now.value - before.value));
+      // The accelerations at both ends explain the rest of the change.
+      const double smooth = (before.acceleration + now.acceleration) / 2 * (times_[k] - times_[k - 1]);
+      const double jump = std::abs(now.rate - before.rate - smooth);
+      if (jump > motion.velocity_jump) {
+        motion.velocity_jump = jump;
+        motion.jump_time = times_[k];
+      }
+    }
+    before = now;
+    for (char component : components)
+      way.values[k][static_cast<std::size_t>(component - 'x')] += now.value - first.value;
+  }
+  motion.range = highest - lowest;
+  if (motion.range == 0) mark(held_);
+  motions_.push_back(motion);
+}
+
+void Driving::add_load(const SceneNode& node, const Histories& histories, const Mesh& mesh) {
+  const Point vector = point(node.numbers("Vector"));
+  const std::string& name = node.text("History");
+  Action load{node.path(), parts_of(node, mesh), {}};
+  for (double time : times_) {
+    const double factor = name.empty() ? 1.0 : histories.get(name, HistoryUse::Load)->at(time).value;
+    load.values.push_back({factor * vector[0], factor * vector[1], factor * vector[2]});
+    if (name.empty()) break;
+  }
+  loads_.push_back(std::move(load));
+}
+
+Drive Driving::of_part(int part, const Point& normal) const {
+  const Axes held = axes_of(held_, part);
+  const auto pull = [&](const Action& action) {
+    Pull result{action.path, 0, 0, 0};
+    for (const Point& value : action.values) {
+      result.away = std::max(result.away, dot(value, normal));
+      result.towards = std::max(result.towards, -dot(value, normal));
+      result.along = std::max(result.along, sliding(value, normal, held));
+    }
+    return result;
+  };
+  Drive drive;
+  drive.held = spans(axes_of(prescribed_, part), normal);
+  drive.approach = std::max(0.0, -dot(velocity_, normal) * (times_.back() - times_.front()));
+  for (const auto& [set, way] : ways_) {
+    if (way.parts.count(part) == 0) continue;
+    drive.pulls.push_back(pull(way));
+    drive.approach = std::max(drive.approach, drive.pulls.back().towards);
+  }
+  for (const Action& load : loads_)
+    if (load.parts.count(part) > 0) drive.pulls.push_back(pull(load));
+  return drive;
+}
+
+}  // namespace ixos

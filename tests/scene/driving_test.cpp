@@ -1,0 +1,122 @@
+#include "scene/driving.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "parameters/validation.hpp"
+#include "scene/parameters.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+using test::list;
+using test::number;
+using test::numbers;
+using test::word;
+
+constexpr std::array<double, 3> up{0, 1, 0};
+
+/// Two squares, one beside the other: nodes 0 to 3 and 4 to 7.
+Mesh squares() {
+  Mesh mesh;
+  mesh.coordinates = {0, 0, 1, 0, 1, 1, 0, 1, 3, 0, 4, 0, 4, 1, 3, 1};
+  mesh.blocks = {{"first", CellType::Quad4, {0, 1, 2, 3}}, {"second", CellType::Quad4, {4, 5, 6, 7}}};
+  mesh.side_sets = {{"top", {{1, 0, 2}}}};
+  mesh.node_sets = {{"left", {0, 3}}, {"right", {5, 6}}};
+  return mesh;
+}
+
+Driving driving(const std::string& conditions, const std::string& histories = "") {
+  const Teuchos::ParameterList scene = validated(
+      test::scene(list("Materials", list("Rubber", number("Density", 1))) + list("Boundary Conditions", conditions) +
+                  list("Histories", histories) + test::time_integrator("Newmark", 0.1, 10)),
+      scene_parameters());
+  const SceneNode node(scene, "");
+  StepControlOptions control;
+  control.final_time = 10;
+  control.time_step = 0.1;
+  return Driving(node, Histories(node.sublist("Histories"), 0, 10), control, squares());
+}
+
+std::string condition(const std::string& name, const std::string& set, const std::string& components,
+                      const std::string& history = "") {
+  return list(
+      name, word("Node Set", set) + word("Components", components) + (history.empty() ? "" : word("History", history)));
+}
+
+std::string ramp(const std::string& name, double rate) {
+  return list(name, word("Type", "Rate Ramp") + list("Rate Ramp", number("Rate", rate) + number("Length", 2)));
+}
+
+TEST(DrivingTest, AMotionConcernsItsOwnBodyOnly) {
+  const Driving both = driving(condition("Pull", "right", "y", "Up"), ramp("Up", 3));
+  EXPECT_TRUE(both.of_part(0, up).pulls.empty());
+  EXPECT_FALSE(both.of_part(0, up).held);
+  const Drive second = both.of_part(4, up);
+  EXPECT_TRUE(second.held);
+  ASSERT_EQ(second.pulls.size(), 1U);
+  EXPECT_NEAR(second.pulls[0].away, 3 * (10 - 1), 1e-12);
+  EXPECT_EQ(second.pulls[0].along, 0);
+  EXPECT_EQ(second.approach, 0);
+  EXPECT_NEAR(both.of_part(4, {0, -1, 0}).approach, 27, 1e-12);
+}
+
+TEST(DrivingTest, LoadsActOnTheBodiesOfTheirSets) {
+  const auto load = [](const std::string& type, const std::string& place) {
+    return list("Load", word("Type", type) + numbers("Vector", {3, -4}) + place);
+  };
+  for (const auto& [conditions, first, second] :
+       {std::tuple{load("Body Force", ""), 1U, 1U}, std::tuple{load("Body Force", word("Block", "second")), 0U, 1U},
+        std::tuple{load("Traction", word("Side Set", "top")), 0U, 1U},
+        std::tuple{load("Point Force", word("Node Set", "left")), 1U, 0U}}) {
+    const Driving loaded = driving(conditions);
+    EXPECT_TRUE(loaded.has_loads());
+    EXPECT_EQ(loaded.of_part(0, up).pulls.size(), first) << conditions;
+    EXPECT_EQ(loaded.of_part(4, up).pulls.size(), second) << conditions;
+  }
+  const Pull pull = driving(load("Body Force", "")).of_part(0, up).pulls.at(0);
+  EXPECT_EQ(pull.away, 0);
+  EXPECT_EQ(pull.towards, 4);
+  EXPECT_EQ(pull.along, 3);
+}
+
+TEST(DrivingTest, ABodySlidesOnlyWhereItIsNotHeld) {
+  const std::string wind = list("Wind", word("Type", "Body Force") + numbers("Vector", {3, 4}));
+  const auto along = [&](const std::string& more, const std::array<double, 3>& normal) {
+    return driving(wind + more).of_part(0, normal).pulls.at(0).along;
+  };
+  EXPECT_NEAR(along("", up), 3, 1e-15);
+  EXPECT_EQ(along(condition("Guide", "left", "x"), up), 0);
+  EXPECT_NEAR(along(condition("Guide", "right", "x"), up), 3, 1e-15) << "the other body";
+  EXPECT_NEAR(along(condition("Guide", "left", "y"), up), 3, 1e-15);
+  // Before an inclined wall, a body that is held in x moves in y only, which changes the gap.
+  const std::array<double, 3> inclined{0.6, 0.8, 0};
+  EXPECT_NEAR(along("", inclined), std::abs(-3 * 0.8 + 4 * 0.6), 1e-12);
+  EXPECT_NEAR(along(condition("Guide", "left", "x"), inclined), 0, 1e-12);
+  EXPECT_EQ(along(condition("Guide", "left", "all"), inclined), 0);
+}
+
+TEST(DrivingTest, ASymmetryHoldsNoBodyAlongTheNormal) {
+  EXPECT_FALSE(driving(condition("Symmetry", "left", "x")).of_part(0, up).held);
+  EXPECT_TRUE(driving(condition("Symmetry", "left", "x")).of_part(0, {1, 0, 0}).held);
+  EXPECT_TRUE(driving(condition("Clamp", "left", "all")).of_part(0, up).held);
+}
+
+TEST(DrivingTest, VelocitiesThatJumpLater) {
+  const auto motion = [](const std::string& history) {
+    return driving(condition("Pull", "right", "y", "Up"), list("Up", history)).motions().at(0);
+  };
+  const Motion smooth = motion(word("Type", "Rate Ramp") + list("Rate Ramp", number("Rate", 3) + number("Length", 5)));
+  // The trapezoidal rule's error for the cosine's acceleration in a step h: h^3/12 of its second derivative.
+  EXPECT_LT(smooth.velocity_jump, 3 * std::pow(M_PI / 5, 3) / 2 * 1e-3 / 12 * 1.01);
+  const Motion sudden = motion(word("Type", "Rate Ramp") +
+                               list("Rate Ramp", number("Rate", 3) + number("Length", 0.01) + number("Start", 1.52)));
+  EXPECT_NEAR(sudden.velocity_jump, 3, 1e-12);
+  EXPECT_NEAR(sudden.jump_time, 1.6, 1e-12);
+}
+
+}  // namespace
+}  // namespace ixos
