@@ -1,4 +1,4 @@
-// What assignments may begin with.
+// Tests of the lines that begin assignments.
 #include "parameters/assignments.hpp"
 
 #include <gtest/gtest.h>
