@@ -6,7 +6,7 @@ install(DIRECTORY lib/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ixos FILES_MATCHI
         # Its layout follows the instruction set that the library was built for.
         PATTERN "element_batches.hpp" EXCLUDE)
 install(DIRECTORY drivers/plot DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos USE_SOURCE_PERMISSIONS
-        PATTERN "__pycache__" EXCLUDE)
+        PATTERN "__pycache__" EXCLUDE PATTERN "completion.bash" EXCLUDE)
 # A script in its folder, called by a name on the path.
 install(CODE "file(CREATE_LINK ../${CMAKE_INSTALL_DATADIR}/ixos/plot/overview.py
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/ixos-plot\" SYMBOLIC)")

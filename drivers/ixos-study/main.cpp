@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/printable.hpp"
+#include "completion.hpp"
 #include "console.hpp"
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
@@ -34,6 +35,7 @@ struct Arguments {
   bool overwrite = false;
   bool list = false;
   bool parameters = false;
+  bool completion = false;
   bool version = false;
   bool quiet = false;
 };
@@ -146,18 +148,24 @@ int guarded(const Arguments& arguments) {
   }
 }
 
-int answer(int argc, char** argv) {
-  Arguments arguments;
-  CLI::App app("Runs a scene with many settings and compares their accuracy and cost.", "ixos-study");
+void declare(CLI::App& app, Arguments& arguments) {
   app.footer(how_to_begin);
-  app.add_option("STUDY", arguments.study, "study file (XML)");
+  app.add_option("STUDY", arguments.study, "study file (XML)")->type_name("FILE");
   app.add_option("--output", arguments.output,
-                 "results folder (default: the name of STUDY with .results instead of .xml)");
+                 "results folder (default: the name of STUDY with .results instead of .xml)")
+      ->type_name("FOLDER");
   app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
   app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
+  app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");
   app.add_flag("--version", arguments.version, "print the version");
   app.add_flag("--quiet", arguments.quiet, "print errors only");
+}
+
+int answer(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App app("Runs a scene with many settings and compares their accuracy and cost.", "ixos-study");
+  declare(app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -173,6 +181,8 @@ int answer(int argc, char** argv) {
   else if (arguments.parameters)
     ixos::console::say("{}", ixos::parameter_documentation(ixos::study_parameters(), "Parameters of a study",
                                                            "ixos-study --parameters"));
+  else if (arguments.completion)
+    ixos::console::print(ixos::bash_completion(app, {}, {}));
   else
     ixos::console::print(how_to_begin);
   return 0;

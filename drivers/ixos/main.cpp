@@ -4,98 +4,44 @@
 #include <mpi.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
-#include "base/pack.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "io/exodus_mesh.hpp"
 #include "io/hdf5_file.hpp"
+#include "ixos/answers.hpp"
+#include "ixos/arguments.hpp"
 #include "ixos/mpi_errors.hpp"
-#include "parameters/parameter_entries.hpp"
+#include "ixos/verify_restart.hpp"
 #include "progress_line.hpp"
 #include "run/restart.hpp"
 #include "run/run.hpp"
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
-#include "scene/placed_message.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
 #include "shell_word.hpp"
-#include "solve/factorization.hpp"
-#include "solve/klu2_repair.hpp"
 #include "solve/linear_solver_defaults.hpp"
-#include "time/catalogue.hpp"
 
 namespace {
 
+using ixos::Arguments;
+
 volatile std::sig_atomic_t signalled = 0;
 void on_signal(int) { signalled = 1; }
-
-struct Arguments {
-  std::string scene;
-  std::vector<std::string> assignments;
-  std::string output;
-  std::string restart;
-  std::string template_name;
-  std::string mesh_file;
-  bool overwrite = false;
-  bool check = false;
-  bool explain = false;
-  bool parameters = false;
-  bool list_schemes = false;
-  bool version = false;
-  bool quiet = false;
-};
-
-const char* const how_to_begin =
-    "Ixos simulates dynamic adhesion. Give it a scene:\n"
-    "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
-    "  ixos xml/ball.xml --check                  check the scene\n"
-    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
-    "  ixos xml/ball.xml --explain                say what the scene models and what it leaves out\n"
-    "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
-    "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
-    "  ixos --list-schemes                        describe the time integrators\n"
-    "  ixos --help                                all options\n";
-
-void print_schemes() {
-  for (const ixos::Scheme& scheme : ixos::schemes()) {
-    ixos::console::say("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  cost:      {}\n  from:      {}\n",
-                       scheme.name, scheme.order, scheme.stability, scheme.conserves, scheme.cost, scheme.citation);
-    for (const auto& [name, entry] : ixos::entries(scheme.parameters)) {
-      std::ostringstream value;
-      value << entry.getAny(false);
-      ixos::console::say("  {} = {}: {}\n", name, value.str(), entry.docString());
-    }
-  }
-}
-
-void print_version() {
-  ixos::console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION,
-                     ixos::pack_width, fmt::format("{}", fmt::join(ixos::factorizations(), ", ")),
-                     ixos::klu2_library());
-}
-
-/// Where it was not given, the scene file's name without folder and ending, with .results.
-std::string results_folder(const Arguments& arguments) {
-  return arguments.output.empty() ? std::filesystem::path(arguments.scene).stem().string() + ".results"
-                                  : arguments.output;
-}
 
 void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
@@ -199,7 +145,12 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     };
   options.interrupted = [] { return signalled != 0; };
   ixos::ProgressLine line;
-  if (speaks && isatty(STDERR_FILENO) != 0) options.watch = [&line](const ixos::Progress& p) { line.show(p); };
+  const bool shows = speaks && isatty(STDERR_FILENO) != 0;
+  if (shows || arguments.kill_after_step > 0)
+    options.watch = [&](const ixos::Progress& p) {
+      if (shows) line.show(p);
+      if (p.step == arguments.kill_after_step) std::raise(SIGKILL);
+    };
   const ixos::RunResult result = ixos::run(simulation, options);
   line.clear();
   if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
@@ -227,8 +178,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
     return run_scene(arguments, comm);
   } catch (const ixos::InputError& error) {
     if (ixos::memory_ran_out()) return end_all(3, ixos::out_of_memory() + " (" + error.what() + ")", comm);
-    return report(
-        2, ixos::placed_message(error.what(), arguments.scene, {results_folder(arguments), arguments.restart}), comm);
+    return report(2, ixos::with_place(error.what(), arguments), comm);
   } catch (const ixos::FileError& error) {
     return report(4, error.what(), comm);
   } catch (const ixos::MemoryError& error) {
@@ -247,11 +197,13 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 /// Carries out the options that need no scene.
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.check || arguments.explain || arguments.overwrite || !arguments.mesh_file.empty() ||
-      !arguments.assignments.empty() || !arguments.output.empty() || !arguments.restart.empty())
+      !arguments.assignments.empty() || !arguments.output.empty() || !arguments.restart.empty() ||
+      arguments.kill_after_step > 0)
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (comm->getRank() != 0) return 0;
-  if (arguments.version) print_version();
-  if (arguments.list_schemes) print_schemes();
+  if (arguments.version) ixos::print_version();
+  if (arguments.list_schemes) ixos::print_schemes();
+  if (arguments.completion) ixos::console::print(ixos::completion_script());
   if (arguments.parameters)
     ixos::console::say("{}",
                        ixos::parameter_documentation(ixos::scene_parameters(), "Parameters", "ixos --parameters"));
@@ -262,8 +214,9 @@ int answer(const Arguments& arguments, const ixos::Comm& comm) {
       return report(2, std::string("--template: ") + error.what(), comm);
     }
   }
-  if (!arguments.version && !arguments.list_schemes && !arguments.parameters && arguments.template_name.empty())
-    ixos::console::print(how_to_begin);
+  if (!arguments.version && !arguments.list_schemes && !arguments.parameters && !arguments.completion &&
+      arguments.template_name.empty())
+    ixos::console::print(ixos::how_to_begin);
   return 0;
 }
 
@@ -273,37 +226,14 @@ int heard(const ixos::Comm& comm) {
   return lost.empty() ? 0 : report(4, lost, comm);
 }
 
-int parse_and_run(int argc, char** argv) {
+int answer_or_run(const ixos::CommandLine& line) {
   const ixos::Comm comm = Tpetra::getDefaultComm();
-
-  Arguments arguments;
-  CLI::App app("Ixos simulates dynamic adhesion.", "ixos");
-  app.footer(how_to_begin);
-  app.add_option("SCENE", arguments.scene, "scene file (XML)");
-  app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
-      ->allow_extra_args(false);
-  app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)");
-  app.add_flag("--overwrite", arguments.overwrite,
-               "replace the results of another scene in the results folder, or the file of --write-mesh");
-  app.add_option("--restart", arguments.restart,
-                 "resume from this checkpoint, or from the newest sound checkpoint of this folder")
-      ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
-  app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
-  app.add_flag("--explain", arguments.explain, "print what the scene models and what it leaves out, but do not run it");
-  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block");
-  app.add_option("--write-mesh", arguments.mesh_file, "write the scene's mesh to this Exodus file, but do not run it");
-  app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
-  app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
-  app.add_flag("--version", arguments.version, "print version and build");
-  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
-    if (comm->getRank() == 0) ixos::console::print(app.help());
+  if (!line.error.empty()) return report(2, line.error + " (ixos --help lists the options)", comm);
+  if (!line.help.empty()) {
+    if (comm->getRank() == 0) ixos::console::print(line.help);
     return heard(comm);
-  } catch (const CLI::ParseError& error) {
-    return report(2, std::string(error.what()) + " (ixos --help lists the options)", comm);
   }
+  const Arguments& arguments = line.arguments;
   int status = arguments.scene.empty() ? answer(arguments, comm) : guarded_run(arguments, comm);
   Teuchos::broadcast(*comm, 0, &status);  // one rank answers for all
   return status == 0 ? heard(comm) : status;
@@ -318,10 +248,10 @@ void ended_by_a_library() {
 }
 
 /// Runs the command. Nothing is thrown into MPI_Finalize, where the other ranks would not be.
-int with_words(int argc, char** argv) {
+int with_words(const ixos::CommandLine& line) {
   const ixos::Comm comm = Tpetra::getDefaultComm();
   try {
-    return parse_and_run(argc, argv);
+    return answer_or_run(line);
   } catch (const std::bad_alloc&) {
     return end_all(3, ixos::out_of_memory(), comm);
   } catch (const std::exception& error) {
@@ -331,12 +261,16 @@ int with_words(int argc, char** argv) {
 
 int run_program(int argc, char** argv) {
   try {
+    const ixos::CommandLine line = ixos::parse(argc, argv);
+    if (line.error.empty() && line.help.empty() && line.arguments.verify_restart)
+      return ixos::verify_restart(line.arguments);  // starts processes with MPI: must not have started it itself
+    ixos::start_hdf5();
     int none = 1;  // Kokkos would answer --help itself
     const Tpetra::ScopeGuard guard(&none, &argv);
     ixos::end_on_mpi_errors();
     std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
     running = true;
-    const int status = with_words(argc, argv);
+    const int status = with_words(line);
     running = false;
     return status;
   } catch (const std::bad_alloc&) {
@@ -354,6 +288,5 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   std::atexit(ended_by_a_library);
-  ixos::start_hdf5();
   return run_program(argc, argv);
 }

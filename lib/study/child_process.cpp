@@ -92,4 +92,12 @@ double ChildProcess::age() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
+std::string last_line(const std::string& log) {
+  std::ifstream file = open_text(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);)
+    if (!line.empty()) last = line;
+  return last.substr(0, 400);
+}
+
 }  // namespace ixos

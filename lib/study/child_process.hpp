@@ -37,4 +37,7 @@ class ChildProcess {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// Returns the start of the last line of a log that is not empty; empty if the log cannot be read.
+std::string last_line(const std::string& log);
+
 }  // namespace ixos

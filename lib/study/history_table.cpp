@@ -12,9 +12,8 @@
 #include "io/disk_file.hpp"
 
 namespace ixos {
-namespace {
 
-std::vector<std::string> cells(const std::string& line) {
+std::vector<std::string> csv_cells(const std::string& line) {
   std::vector<std::string> result;
   std::size_t start = 0;
   for (auto comma = line.find(','); comma != std::string::npos; comma = line.find(',', start)) {
@@ -25,17 +24,15 @@ std::vector<std::string> cells(const std::string& line) {
   return result;
 }
 
-}  // namespace
-
 HistoryTable::HistoryTable(const std::string& path) : path_(path) {
   std::ifstream file = open_text(path);
   std::string line;
   if (!std::getline(file, line)) throw FileError(path + ": cannot be read, or is empty");
-  names_ = cells(line);
+  names_ = csv_cells(line);
   for (const std::string& name : names_) columns_[name];
   if (columns_.size() != names_.size()) throw FileError(path + ": two columns have one name");
   for (std::size_t number = 2; std::getline(file, line); ++number) {
-    const std::vector<std::string> row = cells(line);
+    const std::vector<std::string> row = csv_cells(line);
     if (row.size() != names_.size())
       throw FileError(fmt::format("{}, line {}: {} cells, not {}", path, number, row.size(), names_.size()));
     for (std::size_t c = 0; c < row.size(); ++c) {

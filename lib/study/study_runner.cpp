@@ -40,14 +40,6 @@ T entry(const Json& record, const char* name, T otherwise) {
   return fits ? found->get<T>() : otherwise;
 }
 
-std::string last_line(const std::string& path) {
-  std::ifstream file = open_text(path);
-  std::string last;
-  for (std::string line; std::getline(file, line);)
-    if (!line.empty()) last = line;
-  return last.substr(0, 400);
-}
-
 /// Returns a mark of a program's file that changes when the program is rebuilt.
 std::string file_mark(const std::string& path) {
   std::error_code code;

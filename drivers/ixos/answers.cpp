@@ -1,0 +1,33 @@
+#include "ixos/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "base/pack.hpp"
+#include "console.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "solve/factorization.hpp"
+#include "solve/klu2_repair.hpp"
+#include "time/catalogue.hpp"
+
+namespace ixos {
+
+void print_schemes() {
+  for (const Scheme& scheme : schemes()) {
+    console::say("{}\n  order:     {}\n  stability: {}\n  conserves: {}\n  cost:      {}\n  from:      {}\n",
+                 scheme.name, scheme.order, scheme.stability, scheme.conserves, scheme.cost, scheme.citation);
+    for (const auto& [name, entry] : entries(scheme.parameters)) {
+      std::ostringstream value;
+      value << entry.getAny(false);
+      console::say("  {} = {}: {}\n", name, value.str(), entry.docString());
+    }
+  }
+}
+
+void print_version() {
+  console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION, pack_width,
+               fmt::format("{}", fmt::join(factorizations(), ", ")), klu2_library());
+}
+
+}  // namespace ixos

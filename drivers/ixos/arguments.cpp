@@ -1,0 +1,120 @@
+#include "ixos/arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "completion.hpp"
+#include "parameters/assignments.hpp"
+#include "scene/parameters.hpp"
+#include "scene/placed_message.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns a check that admits whole numbers from 1.
+CLI::Validator positive() { return CLI::Range(1L, 999'999'999L).description(""); }
+
+/// Adds the options of --verify-restart.
+void add_verification(CLI::App& app, Arguments& arguments, const std::vector<CLI::Option*>& others) {
+  CLI::Option* verify = app.add_flag("--verify-restart", arguments.verify_restart,
+                                     "run the scene undisturbed, run it again with kills and restarts, and compare "
+                                     "bit for bit; exit status 3 if anything differs");
+  CLI::Option* kills = app.add_option("--kills", arguments.kills,
+                                      "number of kills of --verify-restart, spread over the run (default: 3)")
+                           ->check(positive());
+  CLI::Option* steps = app.add_option("--kill-steps", arguments.kill_steps,
+                                      "steps from whose checkpoints --verify-restart resumes: 10,20,40")
+                           ->delimiter(',')
+                           ->allow_extra_args(false)
+                           ->check(positive());
+  CLI::Option* ranks =
+      app.add_option("--ranks", arguments.ranks, "number of ranks of the runs of --verify-restart (default: 1)")
+          ->check(positive());
+  kills->needs(verify)->excludes(steps);
+  steps->needs(verify);
+  ranks->needs(verify);
+  for (CLI::Option* other : others) verify->excludes(other);
+  CLI::Option* kill = app.add_option("--kill-after-step", arguments.kill_after_step)->check(positive())->group("");
+  verify->excludes(kill);
+}
+
+/// Declares all options.
+void declare(CLI::App& app, Arguments& arguments) {
+  app.footer(how_to_begin);
+  app.add_option("SCENE", arguments.scene, "scene file (XML)")->type_name("FILE");
+  app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
+      ->type_name("ASSIGNMENT")
+      ->allow_extra_args(false);
+  app.add_option("--output", arguments.output, "folder for the results (default: SCENE without its ending, .results)")
+      ->type_name("FOLDER");
+  app.add_flag("--overwrite", arguments.overwrite,
+               "replace the results of another scene in the results folder, or the file of --write-mesh");
+  CLI::Option* restart =
+      app.add_option("--restart", arguments.restart,
+                     "resume from this checkpoint, or from the newest sound checkpoint of this folder")
+          ->type_name("FILE")
+          ->check([](const std::string& file) { return file.empty() ? "a file is needed" : ""; });
+  CLI::Option* check = app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
+  CLI::Option* explain = app.add_flag("--explain", arguments.explain,
+                                      "print what the scene models and what it leaves out, but do not run it");
+  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block")
+      ->type_name("NAME");
+  CLI::Option* mesh = app.add_option("--write-mesh", arguments.mesh_file,
+                                     "write the scene's mesh to this Exodus file, but do not run it")
+                          ->type_name("FILE");
+  add_verification(app, arguments, {restart, check, explain, mesh});
+  app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
+  app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
+  app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");
+  app.add_flag("--version", arguments.version, "print version and build");
+  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+}
+
+}  // namespace
+
+const char* const how_to_begin =
+    "Ixos simulates dynamic adhesion. Give it a scene:\n"
+    "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
+    "  ixos xml/ball.xml --check                  check the scene\n"
+    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
+    "  ixos xml/ball.xml --verify-restart         verify that killed runs resume bit for bit\n"
+    "  ixos xml/ball.xml --explain                say what the scene models and what it leaves out\n"
+    "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
+    "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
+    "  ixos --list-schemes                        describe the time integrators\n"
+    "  ixos --help                                all options\n";
+
+CommandLine parse(int argc, char** argv) {
+  CommandLine line;
+  CLI::App app("Ixos simulates dynamic adhesion.", "ixos");
+  declare(app, line.arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    line.help = app.help();
+  } catch (const CLI::ParseError& error) {
+    line.error = error.what();
+  }
+  std::vector<long>& steps = line.arguments.kill_steps;
+  std::sort(steps.begin(), steps.end());
+  steps.erase(std::unique(steps.begin(), steps.end()), steps.end());
+  return line;
+}
+
+std::string completion_script() {
+  Arguments arguments;
+  CLI::App app("", "ixos");
+  declare(app, arguments);
+  return bash_completion(app, {{"--template", {"ball", "block"}}}, assignments(scene_parameters()));
+}
+
+std::string results_folder(const Arguments& arguments, const std::string& ending) {
+  return arguments.output.empty() ? std::filesystem::path(arguments.scene).stem().string() + ending : arguments.output;
+}
+
+std::string with_place(const std::string& message, const Arguments& arguments) {
+  return placed_message(message, arguments.scene, {results_folder(arguments), arguments.restart});
+}
+
+}  // namespace ixos

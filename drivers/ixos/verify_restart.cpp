@@ -1,0 +1,97 @@
+#include "ixos/verify_restart.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "console.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_file.hpp"
+#include "study/restart_check.hpp"
+
+namespace ixos {
+namespace {
+
+volatile std::sig_atomic_t signalled = 0;
+void on_signal(int) { signalled = 1; }
+
+int refuse(int status, const std::string& what) {
+  console::complain("ixos: {}\n", printable(what));
+  return status;
+}
+
+/// Returns whether a launcher of MPI started this process.
+bool is_launched() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
+    if (std::getenv(name) != nullptr) return true;
+  return false;
+}
+
+bool is_first() {
+  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
+  return rank == nullptr || std::string(rank) == "0";
+}
+
+RestartCheck restart_check(const Arguments& arguments) {
+  RestartCheck check;
+  if (arguments.ranks > 1) check.driver = {"/usr/bin/env", "mpirun", "-np", std::to_string(arguments.ranks)};
+  check.driver.push_back(std::filesystem::read_symlink("/proc/self/exe").string());
+  check.scene = arguments.scene;
+  check.settings = arguments.assignments;
+  check.folder = results_folder(arguments, ".restarts");
+  check.overwrite = arguments.overwrite;
+  check.steps = arguments.kill_steps;
+  check.kills = arguments.kills;
+  if (!arguments.quiet)
+    check.tell = [](const std::string& line) {
+      console::say("{}\n", printable(line));
+      console::flush();
+    };
+  check.interrupted = [] { return signalled != 0; };
+  return check;
+}
+
+int run_check(const Arguments& arguments) {
+  Teuchos::ParameterList scene = read_scene_file(arguments.scene);
+  for (const std::string& assignment : arguments.assignments) set_parameter(scene, scene_parameters(), assignment);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_signal);
+  const RestartCheck check = restart_check(arguments);
+  const RestartCheckResult result = check_restarts(check);
+  switch (result.status) {
+    case RestartCheckStatus::Same:
+      if (!arguments.quiet) console::say("Restarts are verified. The results are in {}\n", printable(check.folder));
+      return 0;
+    case RestartCheckStatus::Different:
+      return refuse(3, "a resumed run differs from the undisturbed one: " + result.message + ". The results are in " +
+                           check.folder);
+    case RestartCheckStatus::Interrupted:
+      return refuse(5, "interrupted");
+    default:
+      return refuse(result.exit_status,
+                    "a run ended with exit status " + std::to_string(result.exit_status) + ": " + result.message);
+  }
+}
+
+}  // namespace
+
+int verify_restart(const Arguments& arguments) {
+  std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
+  if (is_launched())
+    return is_first() ? refuse(2, "--verify-restart starts its runs itself: call it without mpirun, with --ranks N")
+                      : 2;
+  if (arguments.scene.empty()) return refuse(2, "a scene is needed: ixos SCENE.xml --verify-restart");
+  try {
+    const int status = run_check(arguments);
+    const std::string lost = console::lost();
+    return status != 0 || lost.empty() ? status : refuse(4, lost);
+  } catch (const InputError& error) {
+    return refuse(2, with_place(error.what(), arguments));
+  } catch (const FileError& error) {
+    return refuse(4, error.what());
+  }
+}
+
+}  // namespace ixos
