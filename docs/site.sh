@@ -15,5 +15,5 @@ pages=$work/pages
 mkdir "$pages"
 cd "$root"
 cat README.md docs/site/contents.md > "$pages/index.md"
-cp --parents -r docs meshes/README.md tests/embedding/main.cpp CONTRIBUTING.md CHANGELOG.md CITATION.cff LICENSE "$pages"
+cp --parents -r docs meshes/README.md CONTRIBUTING.md CHANGELOG.md CITATION.cff LICENSE "$pages"
 /usr/bin/python3 -m sphinx -q -W --keep-going -b html -d "$work/doctrees" -c docs/site "$pages" "$site"

@@ -1,5 +1,5 @@
 // Drives the ball's semi-discrete model with a Newmark loop of its own, through Thyra alone, and compares the motion
-// with Ixos' own "Newmark" table: consumer SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
+// with Ixos' own "Newmark" table: newmark SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_Core.hpp>
