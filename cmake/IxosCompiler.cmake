@@ -14,9 +14,11 @@ target_compile_options(ixos_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow 
 if(IXOS_WARNINGS_AS_ERRORS)
   target_compile_options(ixos_options INTERFACE -Werror)
 endif()
-if(IXOS_ARCH)
-  target_compile_options(ixos_options INTERFACE -march=${IXOS_ARCH})
-endif()
+# A target's property IXOS_ARCH goes before the option of that name.
+set(_arch $<TARGET_PROPERTY:IXOS_ARCH>)
+target_compile_options(ixos_options INTERFACE
+  $<$<BOOL:${_arch}>:-march=${_arch}>
+  $<$<AND:$<NOT:$<BOOL:${_arch}>>,$<BOOL:${IXOS_ARCH}>>:-march=${IXOS_ARCH}>)
 if(IXOS_SANITIZE)
   # Null and misaligned accesses fault by themselves, and sizes of objects are ASan's: half the time to compile.
   target_compile_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE} -fno-sanitize-recover=all

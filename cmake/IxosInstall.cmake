@@ -11,6 +11,7 @@ install(DIRECTORY drivers/plot DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos USE_SOU
 install(CODE "file(CREATE_LINK ../${CMAKE_INSTALL_DATADIR}/ixos/plot/overview.py
   \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/ixos-plot\" SYMBOLIC)")
 install(DIRECTORY xml DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos)
+install(DIRECTORY docs/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/ixos PATTERN "__pycache__" EXCLUDE)
 install(EXPORT IxosTargets NAMESPACE Ixos:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)
 configure_package_config_file(cmake/IxosConfig.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/IxosConfig.cmake
                               INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Ixos)

@@ -26,7 +26,7 @@ parser.add_argument("--small", action="store_true", help="a coarse mesh, long st
 parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("peel-strip"), help="folder of the results")
 arguments, _ = parser.parse_known_args()  # a notebook has arguments of its own
 here = pathlib.Path(globals().get("__file__", "docs/examples/peel_strip.py")).resolve()
-SCENE = here.parents[2] / "xml/strip.xml"
+SCENE = next(folder / "xml/strip.xml" for folder in here.parents if (folder / "xml/strip.xml").exists())
 
 # %% [markdown]
 # ## The scene

@@ -50,10 +50,10 @@ const char* const how_to_begin =
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
-/// The script that draws the plots and writes the report: beside an installed program, else in the source tree.
+/// The script that draws the plots and writes the report. It is in the folder of the script that the link ixos-plot beside
+/// this program points to.
 std::string report_script() {
-  const std::filesystem::path installed = own_folder() / "../share/ixos/plot/study.py";
-  return std::filesystem::exists(installed) ? installed.string() : std::string(IXOS_PLOT_DIRECTORY "/study.py");
+  return (std::filesystem::weakly_canonical(own_folder() / "ixos-plot").parent_path() / "study.py").string();
 }
 
 void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t total, const std::string& measure,

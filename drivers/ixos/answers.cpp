@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "base/pack.hpp"
+#include "base/simd_width.hpp"
 #include "console.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "solve/factorization.hpp"
@@ -26,7 +26,7 @@ void print_schemes() {
 }
 
 void print_version() {
-  console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION, pack_width,
+  console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION, simd_width(),
                fmt::format("{}", fmt::join(factorizations(), ", ")), klu2_library());
 }
 
