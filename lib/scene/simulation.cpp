@@ -137,7 +137,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inerti
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
-  add_conditions(scene.sublist("Boundary Conditions"), histories, materials_, *model_);
+  add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
