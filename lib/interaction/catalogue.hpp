@@ -20,8 +20,8 @@ const Catalogue<LawEntry>& laws();
 const Catalogue<ObstacleEntry>& obstacles();
 
 /// Return the law or the obstacle of that name, for programs: make_gap_law("Van der Waals", {{"Gamma L", 2.5}, {"Gamma
-/// W", 25.0}}), make_obstacle("Half-Space", 2, {{"Normal", {0.0, 1.0}}}). docs/parameters.md lists names, parameters and
-/// defaults ("Interactions"). Throw InputError.
+/// W", 25.0}}), make_obstacle("Half-Space", 2, {{"Normal", {0.0, 1.0}}}). docs/parameters.md lists names, parameters
+/// and defaults ("Interactions"). Throw InputError.
 std::shared_ptr<const GapLaw> make_gap_law(const std::string& name, const Settings& settings = {});
 std::shared_ptr<const Obstacle> make_obstacle(const std::string& name, std::size_t dimension,
                                               const Settings& settings = {});

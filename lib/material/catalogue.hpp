@@ -15,7 +15,8 @@ using ElasticEntry = CatalogueEntry<std::shared_ptr<const ElasticLaw>>;
 const Catalogue<ElasticEntry>& elastic_laws();
 
 /// Returns the elastic law of that name, for programs: make_elastic_law("Neo-Hooke", {{"Young's Modulus", 1.0},
-/// {"Poisson's Ratio", 0.2}}). docs/parameters.md lists names, parameters and defaults ("Materials"). Throws InputError.
+/// {"Poisson's Ratio", 0.2}}). docs/parameters.md lists names, parameters and defaults ("Materials"). Throws
+/// InputError.
 std::shared_ptr<const ElasticLaw> make_elastic_law(const std::string& name, const Settings& settings = {});
 
 /// Young's modulus [E0] and Poisson's ratio [-], which several laws share.

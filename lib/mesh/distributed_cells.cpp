@@ -11,8 +11,8 @@
 #include <tuple>
 
 #include "base/agreement.hpp"
-#include "base/error.hpp"
 #include "base/all_to_all.hpp"
+#include "base/error.hpp"
 
 namespace ixos {
 namespace {

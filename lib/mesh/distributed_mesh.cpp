@@ -46,9 +46,10 @@ void check_sides(const DistributedMesh& mesh, const SideSet& set) {
     const std::size_t cells = has_block ? mesh.blocks[static_cast<std::size_t>(side.block)].nodes.size() / n : 0;
     if (side.cell < 0 || static_cast<std::size_t>(side.cell) >= cells || side.side < 0 ||
         side.side >= sides_per_cell(type))
-      throw InputError(fmt::format("side set \"{}\" has side {} of cell {} of block {}, which does not exist on this "
-                                   "rank",
-                                   set.name, side.side, side.cell, side.block));
+      throw InputError(
+          fmt::format("side set \"{}\" has side {} of cell {} of block {}, which does not exist on this "
+                      "rank",
+                      set.name, side.side, side.cell, side.block));
     if (!seen.insert({side.block, side.cell, side.side}).second)
       throw InputError(fmt::format("side set \"{}\" has side {} of cell {} of block {} twice", set.name, side.side,
                                    side.cell, side.block));
@@ -79,9 +80,10 @@ void check_agreement(const DistributedMesh& mesh, const Comm& comm) {
   const std::string first = from_first_rank(comm, names);
   together<InputError>(comm, [&] {
     if (names != first)
-      throw InputError(fmt::format("all ranks must list the same blocks and sets in the same order: rank 0 has {}; "
-                                   "rank {} has {}",
-                                   first, comm->getRank(), names));
+      throw InputError(
+          fmt::format("all ranks must list the same blocks and sets in the same order: rank 0 has {}; "
+                      "rank {} has {}",
+                      first, comm->getRank(), names));
   });
 }
 
@@ -100,7 +102,9 @@ void add_nodes(const DistributedMesh& mesh, const TouchingCells& touching, const
   const auto mine = static_cast<long long>(mesh.nodes.size());
   Teuchos::gatherAll(*comm, 1, &mine, comm->getSize(), owned.data());
   for (std::size_t r = 1; r < first.size(); ++r) first[r] = first[r - 1] + owned[r - 1];
-  const auto global = [&](const NodeEntry& entry) { return first[static_cast<std::size_t>(entry.owner)] + entry.place; };
+  const auto global = [&](const NodeEntry& entry) {
+    return first[static_cast<std::size_t>(entry.owner)] + entry.place;
+  };
   std::vector<NodeEntry> others = directory.find({ghosts.begin(), ghosts.end()});
   std::sort(others.begin(), others.end(),
             [&](const NodeEntry& a, const NodeEntry& b) { return global(a) < global(b); });

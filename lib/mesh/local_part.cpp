@@ -24,8 +24,7 @@ void check_owners(const Mesh& mesh, const std::vector<int>& owner, int ranks) {
     throw InputError(fmt::format("{} nodes have owners, but the mesh has {} nodes", owner.size(), mesh.nodes()));
   for (std::size_t node = 0; node < owner.size(); ++node)
     if (owner[node] < 0 || owner[node] >= ranks)
-      throw InputError(
-          fmt::format("node {} is owned by rank {}; the ranks are 0 to {}", node, owner[node], ranks - 1));
+      throw InputError(fmt::format("node {} is owned by rank {}; the ranks are 0 to {}", node, owner[node], ranks - 1));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/agreement.hpp"
-#include "base/error.hpp"
 #include "base/all_to_all.hpp"
+#include "base/error.hpp"
 
 namespace ixos {
 namespace {

@@ -11,9 +11,9 @@ namespace ixos {
 /// A node of a distributed mesh.
 struct NodeEntry {
   long long id = -1;
-  long long number = -1;       ///< position in the ascending order of all ids: the same for every distribution
-  int owner = -1;              ///< rank; -1: no rank owns a node of that id
-  int place = -1;              ///< position among the owner's nodes
+  long long number = -1;      ///< position in the ascending order of all ids: the same for every distribution
+  int owner = -1;             ///< rank; -1: no rank owns a node of that id
+  int place = -1;             ///< position among the owner's nodes
   std::array<double, 3> x{};  ///< [L0]; the third is 0 in two dimensions
 };
 

@@ -52,9 +52,8 @@ void check_cells(const LocalMesh& mesh) {
         nodes.push_back(mesh.program_id(static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])));
       return fmt::format("the cell with nodes {}", fmt::join(nodes, ", "));
     };
-    with_element(block.type, [&](auto element) {
-      check<typename decltype(element)::type>(mesh.coordinates, block, name);
-    });
+    with_element(block.type,
+                 [&](auto element) { check<typename decltype(element)::type>(mesh.coordinates, block, name); });
   }
 }
 

@@ -20,7 +20,8 @@ void add_load(Model& model, const NodalNumbers& measure, const std::vector<doubl
               std::shared_ptr<const TimeFunction> history) {
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   if (vector.size() != d)
-    throw InputError(fmt::format("a load's vector has {} components, but the mesh has {} dimensions", vector.size(), d));
+    throw InputError(
+        fmt::format("a load's vector has {} components, but the mesh has {} dimensions", vector.size(), d));
   if (!history) throw InputError("a load has no function of time; constant(1) is one");
   std::vector<double> forces(measure.size() * d);
   for (std::size_t a = 0; a < measure.size(); ++a)
@@ -49,7 +50,8 @@ std::vector<int> components_of(const std::string& components, int dimension) {
   for (const char component : components == "all" ? allowed : components) {
     const auto number = allowed.find(component);
     if (number == std::string::npos)
-      throw InputError(fmt::format("\"{}\" names {}, but the mesh has {} dimensions", components, component, dimension));
+      throw InputError(
+          fmt::format("\"{}\" names {}, but the mesh has {} dimensions", components, component, dimension));
     numbers.push_back(static_cast<int>(number));
   }
   if (numbers.empty()) throw InputError("no component is named; \"all\" names all");
@@ -97,8 +99,7 @@ void add_point_force(Model& model, const std::string& node_set, const std::vecto
 void add_body_force(Model& model, const std::string& block, const std::vector<double>& vector,
                     std::shared_ptr<const TimeFunction> history) {
   NodalNumbers volume = no_measure(model);
-  for_each_block(model.mesh(), block,
-                 [&](const LocalBlock& part) { add_block_measure(model.mesh(), part, volume); });
+  for_each_block(model.mesh(), block, [&](const LocalBlock& part) { add_block_measure(model.mesh(), part, volume); });
   add_load(model, volume, vector, std::move(history));
 }
 

@@ -12,11 +12,11 @@ namespace ixos {
 struct Material {
   std::string block;
   std::shared_ptr<const ElasticLaw> law;  ///< see make_elastic_law()
-  double density = 0;            ///< [E0 T0^2/L0^2]
-  double mass_damping = 0;       ///< alpha_1 [1/T0]
-  double stiffness_damping = 0;  ///< alpha_2 [T0]
-  double viscosity = 0;          ///< over Lame's constants, see make_viscous_term() [T0]
-  int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
+  double density = 0;                     ///< [E0 T0^2/L0^2]
+  double mass_damping = 0;                ///< alpha_1 [1/T0]
+  double stiffness_damping = 0;           ///< alpha_2 [T0]
+  double viscosity = 0;                   ///< over Lame's constants, see make_viscous_term() [T0]
+  int points = 0;                         ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
 };
 

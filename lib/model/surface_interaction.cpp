@@ -52,9 +52,10 @@ std::string place_below(const Model& model, const Interactions& terms, const std
 void check_cutoff(const GapLaw& law, double cutoff) {
   const double adhesion_gap = law.adhesion_gap();
   if (cutoff != 0 && !(cutoff > adhesion_gap))
-    throw InputError(fmt::format("{} cuts off the attraction; it must be 0, or greater than the gap of largest "
-                                 "attraction, {:.6g}",
-                                 cutoff, adhesion_gap));
+    throw InputError(
+        fmt::format("{} cuts off the attraction; it must be 0, or greater than the gap of largest "
+                    "attraction, {:.6g}",
+                    cutoff, adhesion_gap));
 }
 
 void add_interaction(Model& model, const SurfaceInteraction& interaction) {
@@ -69,9 +70,10 @@ void add_interaction(Model& model, const SurfaceInteraction& interaction) {
     const std::string place = place_below(model, terms, rest);
     const char* what = interaction.obstacle->half_space() != nullptr ? "wall" : "obstacle";
     if (!place.empty())
-      throw InputError(fmt::format("the surface \"{}\" starts in or below the {}, {}; all gaps must be positive: move "
-                                   "the body or the {}, or change the mesh there",
-                                   interaction.side_set, what, place, what));
+      throw InputError(
+          fmt::format("the surface \"{}\" starts in or below the {}, {}; all gaps must be positive: move "
+                      "the body or the {}, or change the mesh there",
+                      interaction.side_set, what, place, what));
   }
   for (auto& term : terms) model.add_interaction(std::move(term), interaction.name);
 }
