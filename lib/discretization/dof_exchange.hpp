@@ -22,7 +22,7 @@ class DofExchange {
   /// InputError, on all ranks, if the program's map lacks a number, or two displacements have the same. Collective.
   DofExchange(const LocalMesh& mesh, const DofSpace& space, const Teuchos::RCP<const Map>& program,
               const Number& number);
-  /// The same with the number node * dimension + component.
+  /// Makes the exchange for the number node * dimension + component.
   DofExchange(const LocalMesh& mesh, const DofSpace& space, const Teuchos::RCP<const Map>& program);
   ~DofExchange();
   DofExchange(DofExchange&&) noexcept;

@@ -65,7 +65,7 @@ std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
   return all;
 }
 
-/// Of two cells with the same nodes, every rank that owns one of these nodes has both.
+/// Throws InputError for two cells with the same nodes: each rank that owns one of these nodes has received both.
 void refuse_repeated_cells(const std::vector<SentCell>& cells) {
   std::set<std::array<long long, 8>> seen;
   for (const SentCell& cell : cells) {

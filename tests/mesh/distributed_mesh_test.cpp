@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <tuple>

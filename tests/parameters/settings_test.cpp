@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Teuchos_Array.hpp>
+#include <cmath>
 
 #include "interaction/catalogue.hpp"
 #include "material/catalogue.hpp"
