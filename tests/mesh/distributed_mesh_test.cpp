@@ -95,9 +95,9 @@ std::vector<Mesh> meshes() {
   brick.dimension = 3;
   brick.divisions = {3, 2, 4};
   Mesh two = box(plane);
-  std::vector<int>& lower = two.blocks[0].nodes;
+  const std::vector<int> lower = two.blocks[0].nodes;
   two.blocks.push_back({"upper", CellType::Quad4, std::vector<int>(lower.begin() + 32, lower.end())});
-  lower.resize(32);
+  two.blocks[0].nodes.resize(32);
   for (SideSet& set : two.side_sets)
     for (Side& side : set.sides)
       if (side.cell >= 8) side = {1, side.cell - 8, side.side};
@@ -109,7 +109,8 @@ TEST(DistributedMeshTest, ItsPartsAreThoseOfTheWholeMesh) {
   for (const Mesh& mesh : meshes()) {
     std::vector<int> dealt;
     for (int node = 0; node < mesh.nodes(); ++node) dealt.push_back(node % comm->getSize());
-    for (const std::vector<int>& owner : {partition_nodes(mesh, comm->getSize()), dealt}) {
+    const std::vector<int> one(dealt.size(), 0);  // the other ranks have nothing
+    for (const std::vector<int>& owner : {partition_nodes(mesh, comm->getSize()), dealt, one}) {
       const LocalMesh whole = localize(mesh, owner, comm->getRank(), comm->getSize());
       const LocalMesh part = local_part(share_of(mesh, owner), comm);
       EXPECT_EQ(part.dimension, whole.dimension);
@@ -215,11 +216,11 @@ TEST(DistributedMeshTest, UnsoundMeshesAreRefusedOnAllRanks) {
                       m.blocks[0].nodes.insert(m.blocks[0].nodes.end(), m.blocks[0].nodes.begin(),
                                                m.blocks[0].nodes.begin() + 4);
                   }),
-                  "two cells have the nodes 100, 103, ");
+                  "two cells have the nodes ");
   expect_contains(message([&](DistributedMesh& m) {
                     if (first) std::swap(m.blocks[0].nodes[1], m.blocks[0].nodes[3]);
                   }),
-                  "block \"body\", the cell with nodes 100, ");
+                  "block \"body\", the cell with nodes ");
   expect_contains(message([&](DistributedMesh& m) {
                     if (!first) return;
                     m.nodes.push_back(7);
