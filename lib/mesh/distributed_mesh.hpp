@@ -19,10 +19,10 @@ struct DistributedNodeSet {
   std::vector<long long> nodes;  ///< ids of nodes of any rank
 };
 
-/// The share of one rank in a mesh: the nodes that it owns, and some cells. An id is any number from 0 on; ids need not be
-/// consecutive, nor in order. One rank owns a node, and one rank has a cell, usually the owner of one of its nodes. No
-/// ghosts are given. All ranks list the same blocks and sets in the same order, with no cells or nodes where they have
-/// none. With a Tpetra map of the nodes, `nodes` is a copy of its getNodeElementList().
+/// The share of one rank in a mesh: the nodes that it owns, and some cells. An id is any number from 0 on; ids need not
+/// be consecutive, nor in order. One rank owns a node, and one rank has a cell, usually the owner of one of its nodes.
+/// No ghosts are given. All ranks list the same blocks and sets in the same order, with no cells or nodes where they
+/// have none. With a Tpetra map of the nodes, `nodes` is a copy of its getNodeElementList().
 struct DistributedMesh {
   int dimension = 2;
   std::vector<long long> nodes;     ///< ids of the nodes that this rank owns

@@ -39,9 +39,9 @@ struct LocalMesh {
   std::vector<int> original_ids;      ///< per local node; the number in the Mesh
   /// Per local node: the id that the program gave it in a DistributedMesh; empty for a part of a Mesh.
   std::vector<long long> program_ids;
-  std::vector<double> coordinates;    ///< local nodes x dimension [L0]
-  std::vector<char> derivative;       ///< empty, or per local node: it stands for a derivative, see Mesh::derivative_of
-  std::vector<LocalBlock> blocks;     ///< all blocks of the mesh, possibly empty here
+  std::vector<double> coordinates;  ///< local nodes x dimension [L0]
+  std::vector<char> derivative;     ///< empty, or per local node: it stands for a derivative, see Mesh::derivative_of
+  std::vector<LocalBlock> blocks;   ///< all blocks of the mesh, possibly empty here
   std::vector<std::string> side_set_names;
   std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
   std::vector<std::string> node_set_names;
