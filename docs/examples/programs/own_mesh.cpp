@@ -1,6 +1,6 @@
-// Builds a body from a distributed mesh with ids and a dof map of the program's own, without a scene, and drives it with
-// an integrator of Ixos: an adhesive wall holds a block, whose top is pulled off. For comparison, the scene block.xml
-// runs beside it: own_mesh block.xml. The exit status is 0 if both motions agree to 1e-9 over 100 steps.
+// Builds a body from a distributed mesh with ids and a dof map of the program's own, without a scene, and drives it
+// with an integrator of Ixos: an adhesive wall holds a block, whose top is pulled off. For comparison, the scene
+// block.xml runs beside it: own_mesh block.xml. The exit status is 0 if both motions agree to 1e-9 over 100 steps.
 #include <Tpetra_Core.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
