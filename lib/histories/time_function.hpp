@@ -1,5 +1,6 @@
 /// Named histories in time, which drive a motion or scale a load.
 #pragma once
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -34,6 +35,11 @@ enum class RampShape {
   Cosine,  ///< (1 - cos(pi tau)) / 2: the rate is continuous
   Quintic  ///< 10 tau^3 - 15 tau^4 + 6 tau^5: the acceleration too
 };
+
+/// Returns a function of the program's own: f(t) returns value, rate and acceleration; a load needs the value only. It
+/// is called on every rank and must return the same there, and must not throw. The value and the rate of a motion must
+/// be continuous, and the rates those of the value: check_over() tests that.
+std::shared_ptr<const TimeFunction> function_of_time(std::function<TimeValue(double)> f);
 
 /// Returns the function that is `value` at all times.
 std::shared_ptr<const TimeFunction> constant(double value);

@@ -27,4 +27,13 @@ const Catalogue<ObstacleEntry>& obstacles() {
 }
 #undef ENTRY
 
+std::shared_ptr<const GapLaw> make_gap_law(const std::string& name, const Settings& settings) {
+  return laws().make_named("interaction law", name, settings);
+}
+
+std::shared_ptr<const Obstacle> make_obstacle(const std::string& name, std::size_t dimension,
+                                              const Settings& settings) {
+  return obstacles().make_named("obstacle", name, settings, dimension);
+}
+
 }  // namespace ixos

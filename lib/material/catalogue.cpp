@@ -18,6 +18,10 @@ const Catalogue<ElasticEntry>& elastic_laws() {
   return catalogue;
 }
 
+std::shared_ptr<const ElasticLaw> make_elastic_law(const std::string& name, const Settings& settings) {
+  return elastic_laws().make_named("elastic law", name, settings);
+}
+
 Options<IsotropicConstants> isotropic_options() {
   Options<IsotropicConstants> options;
   options.add("Young's Modulus", &IsotropicConstants::young, "Young's modulus E [E0].", greater_than(0))

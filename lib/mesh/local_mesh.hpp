@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/tpetra.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
@@ -36,9 +37,11 @@ struct LocalMesh {
   int owned_nodes = 0;
   std::vector<long long> global_ids;  ///< per local node; consecutive over the ranks
   std::vector<int> original_ids;      ///< per local node; the number in the Mesh
-  std::vector<double> coordinates;    ///< local nodes x dimension [L0]
-  std::vector<char> derivative;       ///< empty, or per local node: it stands for a derivative, see Mesh::derivative_of
-  std::vector<LocalBlock> blocks;     ///< all blocks of the mesh, possibly empty here
+  /// Per local node: the id that the program gave it in a DistributedMesh; empty for a part of a Mesh.
+  std::vector<long long> program_ids;
+  std::vector<double> coordinates;  ///< local nodes x dimension [L0]
+  std::vector<char> derivative;     ///< empty, or per local node: it stands for a derivative, see Mesh::derivative_of
+  std::vector<LocalBlock> blocks;   ///< all blocks of the mesh, possibly empty here
   std::vector<std::string> side_set_names;
   std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
   std::vector<std::string> node_set_names;
@@ -49,6 +52,13 @@ struct LocalMesh {
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
   bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
+  /// Returns the number that the program which gave the mesh has for the node: its id in a DistributedMesh, or its
+  /// number in the Mesh, from 0.
+  long long program_id(std::size_t node) const { return program_ids.empty() ? original_ids[node] : program_ids[node]; }
+  /// Returns the number of the node in messages: the program's id, or the number in the Mesh from 1, as files count.
+  long long message_number(std::size_t node) const {
+    return program_ids.empty() ? original_ids[node] + 1LL : program_ids[node];
+  }
   /// Returns whether enrich() added the node.
   bool is_added(std::size_t node) const { return plain_nodes >= 0 && original_ids[node] >= plain_nodes; }
   /// Returns the index of the set of that name. Throws InputError that names the nearest name if no set has it.
@@ -57,6 +67,13 @@ struct LocalMesh {
   /// Returns the indices of the blocks of that name, several if some cells are enriched. Throws InputError likewise.
   std::vector<std::size_t> blocks_named(const std::string& name) const;
 };
+
+/// Returns this rank's part of a whole mesh that is the same on all ranks. Ixos partitions the nodes, or `node_owner`
+/// has each node's rank. Throws InputError, on all ranks, if the mesh does not pass check_arrays(),
+/// refuse_repeated_cells() and check_cells(), or if an owner is no rank. A mesh that enrich() has changed must have
+/// passed the first two before. Collective.
+LocalMesh local_part(const Mesh& mesh, const Comm& comm);
+LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm);
 
 /// Extracts rank `rank`'s part of the mesh.
 LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks);

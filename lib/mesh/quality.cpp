@@ -1,6 +1,9 @@
 #include "mesh/quality.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
@@ -11,20 +14,21 @@
 namespace ixos {
 namespace {
 
-template <class Element>
-void check(const Mesh& mesh, const ElementBlock& block) {
+/// Throws InputError, with name(cell), for the first cell whose Jacobian is not positive.
+template <class Element, class Block, class Name>
+void check(const std::vector<double>& coordinates, const Block& block, const Name& name) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   const ShapeTable<Element> table(Element::default_points, block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const auto scale = cell_scales<Element>(block, cell);
     for (const auto& gradient : table.gradient) {
-      const double det = determinant(jacobian<D>(mesh.coordinates, &block.nodes[cell_entry(cell, N)], scale, gradient));
+      const double det = determinant(jacobian<D>(coordinates, &block.nodes[cell_entry(cell, N)], scale, gradient));
       if (!(det > 0))
         throw InputError(
-            fmt::format("block \"{}\", cell {}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered "
+            fmt::format("block \"{}\", {}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered "
                         "counter-clockwise, in a hexahedron the bottom face first",
-                        block.name, cell + 1, det));
+                        block.name, name(cell), det));
     }
   }
 }
@@ -33,7 +37,24 @@ void check(const Mesh& mesh, const ElementBlock& block) {
 
 void check_cells(const Mesh& mesh) {
   for (const ElementBlock& block : mesh.blocks)
-    with_element(block.type, [&](auto element) { check<typename decltype(element)::type>(mesh, block); });
+    with_element(block.type, [&](auto element) {
+      check<typename decltype(element)::type>(mesh.coordinates, block,
+                                              [](int cell) { return fmt::format("cell {}", cell + 1); });
+    });
+}
+
+void check_cells(const LocalMesh& mesh) {
+  for (const LocalBlock& block : mesh.blocks) {
+    const int n = nodes_per_cell(block.type);
+    const auto name = [&](int cell) {
+      std::vector<long long> nodes;
+      for (int a = 0; a < n; ++a)
+        nodes.push_back(mesh.program_id(static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])));
+      return fmt::format("the cell with nodes {}", fmt::join(nodes, ", "));
+    };
+    with_element(block.type,
+                 [&](auto element) { check<typename decltype(element)::type>(mesh.coordinates, block, name); });
+  }
 }
 
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
@@ -10,6 +11,9 @@ namespace ixos {
 /// Throws InputError, naming block and cell (from 1), if a cell's reference Jacobian is not positive at some corner
 /// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered.
 void check_cells(const Mesh& mesh);
+
+/// Does the same with the cells of a rank's part, and names a cell by its nodes' program_id().
+void check_cells(const LocalMesh& mesh);
 
 /// The place of a cell, as a message names it.
 struct CellPlace {

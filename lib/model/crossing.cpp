@@ -37,7 +37,7 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
     for (std::size_t i = 0; i < d; ++i)
       distance = std::max(distance, std::abs(mesh.coordinates[node * d + i] + u[node * d + i] - point.place[i]));
     if (distance <= 1e-12 * size)
-      return fmt::format("node {} of the mesh at {}", mesh.original_ids[node] + 1,
+      return fmt::format("node {} of the mesh at {}", mesh.message_number(node),
                          coordinates(point.place, mesh.dimension));
   }
   return "the place " + coordinates(point.place, mesh.dimension) + " on a side";

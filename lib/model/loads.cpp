@@ -7,8 +7,9 @@
 
 namespace ixos {
 
-void Loads::add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history) {
+std::size_t Loads::add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history) {
   loads_.push_back({std::move(forces), std::move(history)});
+  return loads_.size() - 1;
 }
 
 void Loads::add_force(double time, double factor, double* force) const {

@@ -1,6 +1,8 @@
 /// External forces.
 #pragma once
+#include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "histories/time_function.hpp"
@@ -17,7 +19,11 @@ struct TimePoint {
 /// degrees of freedom) [E0 L0^(D-1)].
 class Loads {
  public:
-  void add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history);
+  /// Returns the number of the load.
+  std::size_t add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history);
+  /// Replaces the nodal forces of a load, between steps: for forces that another solver computes. Throws
+  /// std::out_of_range if there is no such load. The integrator does not count the change as work.
+  void replace(std::size_t number, std::vector<double> forces) { loads_.at(number).forces = std::move(forces); }
   bool empty() const { return loads_.empty(); }
 
   /// Adds factor * f_ext(time) to a local array.

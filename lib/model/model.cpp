@@ -3,19 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 
 namespace ixos {
-
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
-    : discretization_(std::move(mesh), comm),
+    : materials_(materials),
+      discretization_(std::move(mesh), comm),
       mesh_(discretization_.mesh()),
       space_(discretization_.space()),
       pattern_(discretization_.pattern()) {
   if (inertia != Inertia::None) mass_ = std::make_unique<Mass>(mesh_, pattern_, inertia == Inertia::Lumped);
   for (const Material& material : materials) {
+    check_material(material, inertia != Inertia::None);
     const auto same = [&](const Material& other) { return other.block == material.block; };
     if (std::count_if(materials.begin(), materials.end(), same) > 1)
       throw InputError("block \"" + material.block + "\" has two materials; each list must name a different Block");
@@ -34,9 +35,6 @@ void Model::add_block(std::size_t number, const Material& material) {
   force_terms_.push_back({block.name, term.get()});
   add_term(std::move(term), block.name);
   if (material.viscosity != 0) {
-    if (!(material.viscosity > 0) || !std::isfinite(material.viscosity))
-      throw InputError(
-          fmt::format("block \"{}\": the viscosity {} must be at least 0 and finite", block.name, material.viscosity));
     if (material.formulation != Formulation::Standard)
       throw InputError("block \"" + block.name + "\": viscosity is offered for Standard elements only");
     const Lame lame = material.law->lame();

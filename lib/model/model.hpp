@@ -11,23 +11,12 @@
 #include "model/damping.hpp"
 #include "model/loads.hpp"
 #include "model/mass.hpp"
+#include "model/material.hpp"
 #include "term/elastic_term.hpp"
 #include "term/interaction.hpp"
 #include "term/viscous_term.hpp"
 
 namespace ixos {
-
-/// The material of one block.
-struct Material {
-  std::string block;
-  std::shared_ptr<const ElasticLaw> law;
-  double density = 0;            ///< [E0 T0^2/L0^2]
-  double mass_damping = 0;       ///< alpha_1 [1/T0]
-  double stiffness_damping = 0;  ///< alpha_2 [T0]
-  double viscosity = 0;          ///< over Lame's constants, see make_viscous_term() [T0]
-  int points = 0;                ///< Gauss points a direction of plain elements; 0: the element's own
-  Formulation formulation = Formulation::Standard;
-};
 
 /// A term and its name, which several terms may share.
 struct NamedTerm {
@@ -51,10 +40,19 @@ struct Momenta {
   std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D
 };
 
-/// The list of the terms that a scene asked for. Absent terms allocate nothing. Local arrays hold owned nodes, then
-/// ghosts; owned arrays hold the owned nodes only.
+/// The list of the terms that a scene or a program asked for. Absent terms allocate nothing. Local arrays hold owned
+/// nodes, then ghosts; owned arrays hold the owned nodes only.
+///
+/// A program makes one from its own mesh in these steps; docs/embedding.md shows them:
+/// - local_part() (mesh/local_mesh.hpp, mesh/distributed_mesh.hpp) makes the LocalMesh;
+/// - materials take their laws from make_elastic_law();
+/// - add_interaction() (model/surface_interaction.hpp) adds a wall; prescribe(), add_traction() and others
+///   (model/conditions.hpp) add conditions and loads.
+/// Then it reads what it needs at a displacement: energy(), interaction_report(), momenta(), force(), nodal_gap(),
+/// contact_pressure(), cell_stress(). State::reaction of an integrator has the forces at prescribed degrees of freedom.
 class Model {
  public:
+  /// Throws InputError, with the block, if a block has no material or two, or a material has a value out of range.
   Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials,
         Inertia inertia = Inertia::Consistent);
   Model(const Model&) = delete;
@@ -74,6 +72,8 @@ class Model {
   void couple(const std::vector<std::vector<int>>& stencils);
   const Mass* mass() const { return mass_.get(); }     ///< null if static
   const Damping* damping() const { return damping_; }  ///< null without Rayleigh damping
+  /// Returns the materials that the model was made with.
+  const std::vector<Material>& materials() const { return materials_; }
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
   bool has_interactions() const { return !interactions_.empty(); }
@@ -184,6 +184,7 @@ class Model {
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 
+  const std::vector<Material> materials_;
   Discretization discretization_;
   const LocalMesh& mesh_;
   const DofSpace& space_;

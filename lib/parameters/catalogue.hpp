@@ -11,6 +11,8 @@
 #include "parameters/one_of.hpp"
 #include "parameters/options.hpp"
 #include "parameters/scene_node.hpp"
+#include "parameters/settings.hpp"
+#include "parameters/validation.hpp"
 
 namespace ixos {
 
@@ -82,6 +84,22 @@ class Catalogue {
     const Entry& entry = chosen(node);
     const SceneNode own = declared(entry).has_sublist() ? node.sublist(entry.name) : node;
     return at(own.path(), [&] { return entry.make(own, std::forward<Context>(context)...); });
+  }
+
+  /// Makes the thing of that name for a program, whose settings are checked as those of a scene are. `kind`: "elastic
+  /// law". Throws InputError that begins with the kind and the name.
+  template <class... Context>
+  auto make_named(const std::string& kind, const std::string& name, const Settings& settings,
+                  Context&&... context) const {
+    return at(kind + " \"" + name + "\"", [&] {
+      Teuchos::ParameterList valid, given;
+      declare(valid);
+      given.set(choice_, name);
+      const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.name == name; });
+      if (found != entries_.end()) set(declared(*found).has_sublist() ? given.sublist(name) : given, settings);
+      const Teuchos::ParameterList complete = validated(given, valid);
+      return make(SceneNode(complete, ""), std::forward<Context>(context)...);
+    });
   }
 
  private:

@@ -4,9 +4,8 @@
 
 #include <Teuchos_Array.hpp>
 
-#include "base/agreement.hpp"
 #include "base/error.hpp"
-#include "discretization/nodal_measure.hpp"
+#include "model/conditions.hpp"
 
 namespace ixos {
 namespace {
@@ -21,89 +20,31 @@ void require_given(const SceneNode& node, const char* name, bool wanted) {
 }
 
 void add_displacement(const SceneNode& node, const Histories& histories, Model& model) {
-  const LocalMesh& mesh = model.mesh();
-  const std::size_t set = at(node.path_of("Node Set"), [&] { return mesh.node_set(node.text("Node Set")); });
-  std::string components = node.text("Components");
-  if (components == "all") components = mesh.dimension == 2 ? "xy" : "xyz";
-  const auto history = node.text("History");
+  const std::string &set = node.text("Node Set"), &components = node.text("Components"), &name = node.text("History");
+  at(node.path_of("Node Set"), [&] { return model.mesh().node_set(set); });
   std::shared_ptr<const TimeFunction> motion;
-  if (!history.empty())
-    motion = at(node.path_of("History"), [&] { return histories.get(history, HistoryUse::Motion); });
-  for (char component : components)
-    if (component - 'x' >= mesh.dimension)
-      node.refuse("Components",
-                  fmt::format("\"{}\" names z, but the mesh has {} dimensions", components, mesh.dimension));
-  together<InputError>(model.space().comm(), [&] {
-    for (char component : components)
-      for (int place : mesh.node_sets[set]) {
-        // A derivative along the boundary does not change if all points move alike.
-        const bool derivative = mesh.is_derivative(static_cast<std::size_t>(place));
-        try {
-          model.constraints().add(place * mesh.dimension + (component - 'x'), derivative ? 0.0 : 1.0,
-                                  derivative ? nullptr : motion);
-        } catch (const InputError& error) {
-          throw InputError(fmt::format("{}: {}: component {} of node {} of the mesh", node.path(), error.what(),
-                                       component, mesh.original_ids[static_cast<std::size_t>(place)] + 1));
-        }
-      }
-  });
+  if (!name.empty()) motion = at(node.path_of("History"), [&] { return histories.get(name, HistoryUse::Motion); });
+  at(node.path_of("Components"), [&] { return components_of(components, model.mesh().dimension); });
+  at(node.path(), [&] { prescribe(model, set, components, motion); });
 }
 
-/// Adds int N_a dV over a block, times its density for Gravity.
-void add_block(const LocalMesh& mesh, const LocalBlock& block, const std::string& type,
-               const std::vector<Material>& materials, std::vector<double>& measure) {
-  if (type != "Gravity") {
-    add_block_measure(mesh, block, measure);
-    return;
-  }
-  std::vector<double> volume(measure.size(), 0.0);
-  add_block_measure(mesh, block, volume);
-  for (const Material& material : materials)
-    if (material.block == block.name)
-      for (std::size_t a = 0; a < measure.size(); ++a) measure[a] += material.density * volume[a];
-}
-
-/// Returns int N_a over the surface or body on which the load acts, or 1 at the nodes of a set.
-std::vector<double> distribution(const SceneNode& node, const std::vector<Material>& materials, const LocalMesh& mesh) {
-  std::vector<double> measure(static_cast<std::size_t>(mesh.nodes()), 0.0);
-  const auto type = node.text("Type");
-  if (type == "Traction") {
-    const auto set = at(node.path_of("Side Set"), [&] { return mesh.side_set(node.text("Side Set")); });
-    add_side_measure(mesh, mesh.side_sets[set], measure);
-  } else if (type == "Point Force") {
-    const auto set = at(node.path_of("Node Set"), [&] { return mesh.node_set(node.text("Node Set")); });
-    // Nodes that a contact element adds do not count: the force would depend on the element.
-    for (int place : mesh.node_sets[set])
-      if (!mesh.is_added(static_cast<std::size_t>(place))) measure[static_cast<std::size_t>(place)] = 1;
-  } else {
-    const auto& name = node.text("Block");
-    if (name.empty())
-      for (const LocalBlock& block : mesh.blocks) add_block(mesh, block, type, materials, measure);
-    else
-      for (std::size_t b : at(node.path_of("Block"), [&] { return mesh.blocks_named(name); }))
-        add_block(mesh, mesh.blocks[b], type, materials, measure);
-  }
-  return measure;
-}
-
-void add_load(const SceneNode& node, const Histories& histories, const std::vector<Material>& materials, Model& model) {
-  const LocalMesh& mesh = model.mesh();
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  const auto vector = node.numbers("Vector", d, {});
+void add_load(const SceneNode& node, const Histories& histories, Model& model) {
+  const auto vector = node.numbers("Vector", static_cast<std::size_t>(model.mesh().dimension), {});
   const auto& name = node.text("History");
   const auto history =
       name.empty() ? constant(1.0) : at(node.path_of("History"), [&] { return histories.get(name, HistoryUse::Load); });
-  const std::vector<double> measure = distribution(node, materials, mesh);
-  std::vector<double> forces(measure.size() * d);
-  for (std::size_t a = 0; a < measure.size(); ++a)
-    for (std::size_t i = 0; i < d; ++i) forces[a * d + i] = measure[a] * vector[i];
-  model.loads().add(std::move(forces), history);
+  const auto& type = node.text("Type");
+  const char* where = type == "Traction" ? "Side Set" : type == "Point Force" ? "Node Set" : "Block";
+  const auto add = type == "Traction"      ? add_traction
+                   : type == "Point Force" ? add_point_force
+                   : type == "Gravity"     ? add_gravity
+                                           : add_body_force;
+  at(node.path_of(where), [&] { add(model, node.text(where), vector, history); });
 }
 
 }  // namespace
 
-void add_conditions(const SceneNode& conditions, const Histories& histories, const std::vector<Material>& materials,
-                    Model& model) {
+void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model) {
   for (const SceneNode& node : conditions.sublists()) {
     const std::string& type = node.text("Type");
     const bool displacement = type == "Displacement";
@@ -114,7 +55,7 @@ void add_conditions(const SceneNode& conditions, const Histories& histories, con
     if (displacement)
       add_displacement(node, histories, model);
     else
-      add_load(node, histories, materials, model);
+      add_load(node, histories, model);
   }
 }
 

@@ -5,9 +5,8 @@
 
 namespace ixos {
 
-/// Adds the conditions of the list "Boundary Conditions" to the model; Gravity takes densities of `materials`. Throws
-/// InputError with the list path, on all ranks alike. Collective.
-void add_conditions(const SceneNode& conditions, const Histories& histories, const std::vector<Material>& materials,
-                    Model& model);
+/// Adds the conditions of the list "Boundary Conditions" to the model. Throws InputError with the list path, on all
+/// ranks alike. Collective.
+void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model);
 
 }  // namespace ixos

@@ -6,16 +6,14 @@
 #include <map>
 #include <utility>
 
-#include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
-#include "model/crossing.hpp"
+#include "model/surface_interaction.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
-#include "term/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -59,47 +57,15 @@ const Options<Parameters>& options() {
   return all;
 }
 
-/// Returns "least gap -0.5 at node 3 of the mesh at (1, -0.5)" if some gap is not positive, otherwise an empty string.
-/// Before a curved obstacle, quadrature points may be below while all points of the grid of lowest_point() are above:
-/// then the text names no place. Equal on all ranks.
-std::string place_below(const Model& model, const Interactions& terms, const std::vector<double>& u) {
-  InteractionReport report;
-  LowestPoint lowest;
-  for (const auto& term : terms) {
-    term->report(u.data(), report);
-    if (const LowestPoint point = term->lowest_point(u.data()); point.gap < lowest.gap) lowest = point;
-  }
-  const double grid = model.space().minimum(lowest.gap), points = model.space().minimum(report.least_gap);
-  std::string text;
-  if (grid <= 0 && lowest.gap == grid)
-    text = fmt::format("least gap {:.6g} at {}", grid, in_words(model.mesh(), u.data(), lowest));
-  if (grid > 0 && points <= 0) text = fmt::format("least gap {:.6g} at a quadrature point", points);
-  return first_problem(model.space().comm(), text);
-}
-
 void add_interaction(const SceneInteraction& interaction, Model& model) {
-  const LocalMesh& mesh = model.mesh();
   const SceneNode& node = interaction.node;
-  const std::size_t set = at(node.path_of("Side Set"), [&] { return mesh.side_set(interaction.side_set); });
-  const double adhesion_gap = interaction.law->adhesion_gap();
-  if (interaction.cutoff > 0 && !(interaction.cutoff > adhesion_gap))
-    node.refuse("Cutoff", fmt::format("{} cuts off the attraction; it must be 0, or greater than the gap of largest "
-                                      "attraction, {:.6g}",
-                                      interaction.cutoff, adhesion_gap));
-  const auto law = interaction.cutoff > 0 ? interaction.law->cut_off(interaction.cutoff) : interaction.law;
-  const auto obstacle = obstacles().make(node, static_cast<std::size_t>(mesh.dimension));
-  Interactions terms = make_surface_terms(mesh, mesh.side_sets[set], model.pattern(), law, obstacle,
-                                          {interaction.surface_points, interaction.margin});
-  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  if (law->domain() == GapDomain::Positive) {
-    const std::string place = place_below(model, terms, rest);
-    if (!place.empty())
-      node.refuse("", fmt::format("the surface \"{}\" starts in or below the {}, {}; all gaps must be positive: move "
-                                  "the body or the {}, or change the mesh there",
-                                  interaction.side_set, obstacle->half_space() != nullptr ? "wall" : "obstacle", place,
-                                  obstacle->half_space() != nullptr ? "wall" : "obstacle"));
-  }
-  for (auto& term : terms) model.add_interaction(std::move(term), node.name());
+  at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
+  at(node.path_of("Cutoff"), [&] { check_cutoff(*interaction.law, interaction.cutoff); });
+  const auto obstacle = obstacles().make(node, static_cast<std::size_t>(model.mesh().dimension));
+  at(node.path(), [&] {
+    ixos::add_interaction(model, {interaction.side_set, interaction.law, obstacle, interaction.cutoff,
+                                  interaction.surface_points, interaction.margin, node.name()});
+  });
 }
 
 }  // namespace

@@ -30,6 +30,7 @@
 #include "scene/warnings.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "time/catalogue.hpp"
+#include "time/default_linear_solver.hpp"
 
 namespace ixos {
 namespace {
@@ -137,7 +138,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inerti
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
-  add_conditions(scene.sublist("Boundary Conditions"), histories, materials_, *model_);
+  add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
@@ -159,32 +160,18 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inerti
   chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
 }
 
-/// See ProblemSize.
-double Simulation::stiffness(const Table& table) const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const StepControlOptions& control = step_control();
-  const double dt = control.adaptive.on ? control.maximum_step : control.time_step;
-  if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
-  double damping = 0, largest = 0;
-  for (const Material& material : materials_)
-    damping = std::max(damping, material.stiffness_damping + material.viscosity);
-  for (const Stage& stage : table.stages) {
-    const double stiffness = stage.elastic.end_weight() * dt * dt + damping * stage.damping.unknown * dt;
-    largest = std::max(largest, stiffness * model_->stiffest() / stage.inertia.unknown);
-  }
-  return largest;
-}
-
 void Simulation::build_integrator(Table table) {
   const NamedScope scope("solver set-up");
   const SceneNode scene(parameters_, "");
+  const StepControlOptions& control = step_control();
+  const double longest = control.adaptive.on ? control.maximum_step : control.time_step;
   const ProblemSize size{model_->mesh().dimension,
                          model_->space().global(),
                          model_->space().comm()->getSize(),
                          asymmetry(scene, materials_, *model_, table),
                          matrix_only(scene, materials_),
                          level_width_,
-                         stiffness(table)};
+                         tangent_stiffness(*model_, table, longest)};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

@@ -67,7 +67,6 @@ class Simulation {
   using MakeMesh = std::function<Mesh(Teuchos::ParameterList& list)>;
   Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh);
   void build_model(const Comm& comm, const MakeMesh& make_mesh, Inertia inertia);
-  double stiffness(const Table& table) const;
   void build_integrator(Table table);
   void set_initial_state();
 

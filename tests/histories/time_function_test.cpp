@@ -229,6 +229,14 @@ TEST(TimeExpressionSerialTest, UndefinedValuesAreReturned) {
   expect_value(*f, 1, 1, 0, 0);
 }
 
+TEST(FunctionOfTimeSerialTest, ItIsTheFunctionGiven) {
+  const Function f = function_of_time([](double t) { return TimeValue{t * t * t, 3 * t * t, 6 * t}; });
+  expect_value(*f, 2, 8, 12, 12);
+  check_over(*f, -1, 1, true);
+  const Function wrong = function_of_time([](double t) { return TimeValue{t, 2, 0}; });
+  EXPECT_THROW(check_over(*wrong, 0, 1, true), InputError);
+}
+
 TEST(TimeExpressionSerialTest, BadExpressionsAreRefused) {
   const auto message = [](const std::string& value, const std::string& rate = "") {
     return refusal([&] { expression(value, rate, ""); });

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace ixos {
 namespace {
 
@@ -23,6 +25,17 @@ TEST(LoadsSerialTest, ForcesAreSumsOfHistoriesTimesTheirForces) {
   std::vector<double> f{100, 200};
   loads.add_force(2.0, 0.5, f.data());
   EXPECT_EQ(f, (std::vector<double>{100 + 0.5 * (2 + 30), 200 + 0.5 * 4}));
+}
+
+TEST(LoadsSerialTest, ForcesCanBeReplaced) {
+  Loads loads;
+  EXPECT_EQ(loads.add({1, 2}, constant(1)), 0);
+  EXPECT_EQ(loads.add({10, 20}, constant(2)), 1);
+  loads.replace(1, {3, 4});
+  std::vector<double> f(2, 0.0);
+  loads.add_force(0.0, 1.0, f.data());
+  EXPECT_EQ(f, (std::vector<double>{1 + 6, 2 + 8}));
+  EXPECT_THROW(loads.replace(2, {0, 0}), std::out_of_range);
 }
 
 TEST(LoadsSerialTest, AnUndefinedHistoryIsNotFinite) {

@@ -49,6 +49,7 @@ elsewhere = {
     "io/mesh_file.hpp": ("scene/scene_mesh_test.cpp", "meshes of gmsh and Exodus found and refused"),
     "io/hdf5_file.hpp": ("checkpoint/checkpoint_file_test.cpp", "checkpoints are their only files"),
     "material/discrete_neo_hooke.hpp": ("material/neo_hooke_test.cpp", "the tests of the discrete gradient"),
+    "mesh/distributed_cells.hpp": ("mesh/distributed_mesh_test.cpp", "the cells and sides of each rank's part"),
     "mesh/enrichment/contact_nodes.hpp": ("mesh/enrichment/enrich_test.cpp", "the steps of enrich()"),
     "mesh/generators/spatula_pad.hpp": ("mesh/generators/spatula_parts_test.cpp", "the pad's outline and faces"),
     "mesh/mesh.hpp": ("mesh/generators/generators_test.cpp", "mostly data; numbers of cells and nodes"),

@@ -4,7 +4,8 @@
     tests/structure/guide_test.py
 
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
-the suite compiles and tests, or of lib. Each block of XML in docs/user-guide.md must stand in a scene of tests/guide.
+the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md must stand in a program of
+docs/examples/programs. Each block of XML in docs/user-guide.md must stand in a scene of tests/guide.
 """
 import re
 import sys
@@ -25,21 +26,30 @@ def find_untested_scenes():
     return [block for block in blocks if not any(squeeze(block) in scene for scene in scenes)]
 
 
+def find_missing_code(page, sources):
+    """Returns the number of blocks of C++ of a page, and those that stand in none of the source files."""
+    code = [squeeze(path.read_text(encoding="utf-8")) for path in sources]
+    blocks = re.findall(r"```cpp\n(.*?)```", (ROOT / page).read_text(encoding="utf-8"), re.DOTALL)
+    if not blocks:
+        sys.exit(f"{page} has no C++ code: is the pattern out of date?")
+    return len(blocks), [block for block in blocks if not any(squeeze(block) in text for text in code)]
+
+
 def main():
     scenes = find_untested_scenes()
     for block in scenes:
         print("docs/user-guide.md: this scene is in no file of tests/guide:\n" + block)
-    sources = [*(ROOT / "tests/guide").glob("*.cpp"), *(ROOT / "lib").rglob("*.[ch]pp")]
-    code = [squeeze(path.read_text(encoding="utf-8")) for path in sources]
-    guide = (ROOT / "docs/developer-guide.md").read_text(encoding="utf-8")
-    blocks = re.findall(r"```cpp\n(.*?)```", guide, re.DOTALL)
-    missing = [block for block in blocks if not any(squeeze(block) in text for text in code)]
-    for block in missing:
-        print("docs/developer-guide.md: this code is in no source of tests/guide or lib:\n" + block)
-    if not blocks:
-        sys.exit("docs/developer-guide.md has no C++ code: is the pattern out of date?")
-    print(f"{len(blocks) - len(missing)} of {len(blocks)} blocks of the guide are compiled")
-    sys.exit(1 if missing or scenes else 0)
+    wrong = len(scenes)
+    for page, where, sources in (
+            ("docs/developer-guide.md", "tests/guide or lib",
+             [*(ROOT / "tests/guide").glob("*.cpp"), *(ROOT / "lib").rglob("*.[ch]pp")]),
+            ("docs/embedding.md", "docs/examples/programs", (ROOT / "docs/examples/programs").glob("*.cpp"))):
+        blocks, missing = find_missing_code(page, sources)
+        for block in missing:
+            print(f"{page}: this code is in no source of {where}:\n" + block)
+        print(f"{blocks - len(missing)} of {blocks} blocks of {page} are compiled")
+        wrong += len(missing)
+    sys.exit(1 if wrong else 0)
 
 
 if __name__ == "__main__":

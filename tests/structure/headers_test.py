@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """Compiles each header of lib alone: a header must include what it needs, and may be included twice.
 
-    tests/structure/headers_test.py BUILD_FOLDER [--all] [HEADER...]
+    tests/structure/headers_test.py BUILD_FOLDER [--all] [--installed] [HEADER...]
 
 The compiler only checks the syntax, with the flags that the build folder has for the sources of lib. Headers are named
 by their path below lib; default: all. A header is not checked again while its text, that of each header of lib that it
 includes, the flags and the version of the compiler are those of a check that it passed; --all checks it all the same.
-These checks are noted in $XDG_CACHE_HOME/ixos-headers (default ~/.cache/ixos-headers). The exit status is 1 if a header
-does not compile.
+With --installed, BUILD_FOLDER is that of a program that uses an installed Ixos: only the stable headers, lib/ixos,
+compile, with its flags. These checks are noted in $XDG_CACHE_HOME/ixos-headers (default ~/.cache/ixos-headers). The
+exit status is 1 if a header does not compile.
 """
 import argparse
 import concurrent.futures
@@ -22,14 +23,17 @@ sys.dont_write_bytecode = True
 from content_hash import PassedChecks, hash_contents  # noqa: E402
 from includes import LIB, ROOT, collect_headers, is_header_of_lib, list_files  # noqa: E402
 
+INSTALLATION = ROOT / "cmake" / "IxosHeaders.cmake"  # the headers are installed by it
 MOST_LINES = 3  # of one header's errors: the rest follows from the first
 ENVIRONMENT = {**os.environ, "LC_ALL": "C"}  # errors in English, so that they can be found
 
 
-def read_command(build):
-    """Returns the compiler with the flags of the sources of lib, and the folder where the build runs it."""
+def read_command(build, installed):
+    """Returns the compiler with the flags of the sources of lib, or of all sources of a program that uses an installed
+    Ixos, and the folder where the build runs it."""
     with open(build / "compile_commands.json", encoding="utf-8") as file:
-        entries = [e for e in json.load(file) if LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
+        entries = [e for e in json.load(file)
+                   if installed or LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
     if not entries:
         sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
     # The shortest command belongs to a source without additional flags.
@@ -58,13 +62,17 @@ def main():
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("headers", nargs="*")
     parser.add_argument("--all", action="store_true", help="check unchanged headers too")
+    parser.add_argument("--installed", action="store_true", help="check the stable headers as they are installed")
     options = parser.parse_args()
     if unknown := [header for header in options.headers if not is_header_of_lib(header)]:
         sys.exit(f"no header of lib: {', '.join(unknown)}")
-    command, folder = read_command(options.build.resolve())
+    command, folder = read_command(options.build.resolve(), options.installed)
     version = subprocess.run([command[0], "--version"], capture_output=True, text=True, check=True).stdout
     flags = [word.replace(str(ROOT), "") for word in command]  # the same in every clone
     headers = options.headers or list_files(".hpp")
+    if options.installed:
+        headers = [header for header in headers if header.startswith("ixos/")]
+        flags.append(INSTALLATION.read_text(encoding="utf-8"))
     keys = {header: hash_contents(LIB, collect_headers(header), header, version, *flags) for header in headers}
     passed = PassedChecks("ixos-headers")
     todo = [header for header in headers if options.all or keys[header] not in passed]

@@ -7,12 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-
-#include "scene/parameters.hpp"
-#include "scene/scene_file.hpp"
-#include "scene/simulation.hpp"
-#include "solve/klu2_repair.hpp"
-#include "solve/semi_discrete_evaluator.hpp"
+#include <ixos/evaluator.hpp>
+#include <ixos/simulation.hpp>
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "mesh/check_names.hpp"
 #include "parameters/range_validator.hpp"
 
 namespace ixos {
@@ -28,16 +29,6 @@ void check_node(const Mesh& mesh, int node, const std::string& place) {
   if (node < 0 || node >= mesh.nodes())
     throw InputError(
         fmt::format("{} has node {}; the points are numbered from 0 to {}", place, node, mesh.nodes() - 1));
-}
-
-/// `what`: "block", "node set" or "side set".
-template <class Named>
-void check_names(const std::vector<Named>& all, const char* what) {
-  std::set<std::string> names;
-  for (const Named& one : all) {
-    if (one.name.empty()) throw InputError(fmt::format("a {} has an empty name", what));
-    if (!names.insert(one.name).second) throw InputError(fmt::format("two {}s have the name \"{}\"", what, one.name));
-  }
 }
 
 void check_blocks(const Mesh& mesh) {

@@ -1,0 +1,16 @@
+/// Time integration of a Model, step by step.
+///
+/// The functions that are named after schemes make their tables; default_linear_solver() chooses the solver of their
+/// stages.
+///
+/// Stable: Integrator, StepResult, State, Table, newmark, bathe_composite, gautam_sauer_composite,
+/// average_vector_field, generalized_alpha, hht_alpha, midpoint, energy_momentum, central_difference,
+/// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver.
+#pragma once
+#include "solve/linear_solver.hpp"
+#include "solve/newton.hpp"
+#include "time/default_linear_solver.hpp"
+#include "time/integrator.hpp"
+#include "time/schemes.hpp"
+#include "time/state.hpp"
+#include "time/table.hpp"

@@ -1,0 +1,15 @@
+/// Meshes of the program's own, whole or distributed, and simple ones made in memory.
+///
+/// A program fills in a Mesh, which is whole and the same on all ranks, or a DistributedMesh, of which each rank has
+/// its own nodes and cells with its own ids. local_part() checks either and makes the LocalMesh that a Model takes.
+///
+/// Stable: Mesh, ElementBlock, Side, SideSet, NodeSet, CellType, DistributedMesh, DistributedBlock, DistributedNodeSet,
+/// LocalMesh, local_part, partition_nodes, ContactElement, enrich, DiskShape, disk, BoxShape, box.
+#pragma once
+#include "fem/cell_type.hpp"
+#include "mesh/distributed_mesh.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "mesh/local_mesh.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/partition.hpp"

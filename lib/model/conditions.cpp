@@ -1,0 +1,119 @@
+#include "model/conditions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "discretization/nodal_measure.hpp"
+
+namespace ixos {
+namespace {
+
+/// One number for each local node.
+using NodalNumbers = std::vector<double>;
+
+/// Adds the load measure[node] * vector.
+void add_load(Model& model, const NodalNumbers& measure, const std::vector<double>& vector,
+              std::shared_ptr<const TimeFunction> history) {
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  if (vector.size() != d)
+    throw InputError(
+        fmt::format("a load's vector has {} components, but the mesh has {} dimensions", vector.size(), d));
+  if (!history) throw InputError("a load has no function of time; constant(1) is one");
+  std::vector<double> forces(measure.size() * d);
+  for (std::size_t a = 0; a < measure.size(); ++a)
+    for (std::size_t i = 0; i < d; ++i) forces[a * d + i] = measure[a] * vector[i];
+  model.loads().add(std::move(forces), std::move(history));
+}
+
+NodalNumbers no_measure(const Model& model) {
+  return NodalNumbers(static_cast<std::size_t>(model.mesh().nodes()), 0.0);
+}
+
+/// Calls add(block) for the blocks of that name, or for all.
+template <class Add>
+void for_each_block(const LocalMesh& mesh, const std::string& name, const Add& add) {
+  if (name.empty())
+    for (const LocalBlock& block : mesh.blocks) add(block);
+  else
+    for (const std::size_t b : mesh.blocks_named(name)) add(mesh.blocks[b]);
+}
+
+}  // namespace
+
+std::vector<int> components_of(const std::string& components, int dimension) {
+  const std::string allowed = dimension == 2 ? "xy" : "xyz";
+  std::vector<int> numbers;
+  for (const char component : components == "all" ? allowed : components) {
+    const auto number = allowed.find(component);
+    if (number == std::string::npos)
+      throw InputError(
+          fmt::format("\"{}\" names {}, but the mesh has {} dimensions", components, component, dimension));
+    numbers.push_back(static_cast<int>(number));
+  }
+  if (numbers.empty()) throw InputError("no component is named; \"all\" names all");
+  return numbers;
+}
+
+void prescribe(Model& model, const std::string& node_set, const std::string& components,
+               const std::shared_ptr<const TimeFunction>& motion) {
+  const LocalMesh& mesh = model.mesh();
+  const std::size_t set = mesh.node_set(node_set);
+  const std::vector<int> numbers = components_of(components, mesh.dimension);
+  together<InputError>(model.space().comm(), [&] {
+    for (const int i : numbers)
+      for (const int node : mesh.node_sets[set]) {
+        // A derivative along the boundary does not change if all points move alike.
+        const bool derivative = mesh.is_derivative(static_cast<std::size_t>(node));
+        try {
+          model.constraints().add(node * mesh.dimension + i, derivative ? 0.0 : 1.0, derivative ? nullptr : motion);
+        } catch (const InputError& error) {
+          throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
+                                       mesh.message_number(static_cast<std::size_t>(node))));
+        }
+      }
+  });
+}
+
+void add_traction(Model& model, const std::string& side_set, const std::vector<double>& vector,
+                  std::shared_ptr<const TimeFunction> history) {
+  const LocalMesh& mesh = model.mesh();
+  NodalNumbers area = no_measure(model);
+  add_side_measure(mesh, mesh.side_sets[mesh.side_set(side_set)], area);
+  add_load(model, area, vector, std::move(history));
+}
+
+void add_point_force(Model& model, const std::string& node_set, const std::vector<double>& vector,
+                     std::shared_ptr<const TimeFunction> history) {
+  const LocalMesh& mesh = model.mesh();
+  NodalNumbers ones = no_measure(model);
+  // Nodes that a contact element adds do not count: the force would depend on the element.
+  for (const int node : mesh.node_sets[mesh.node_set(node_set)])
+    if (!mesh.is_added(static_cast<std::size_t>(node))) ones[static_cast<std::size_t>(node)] = 1;
+  add_load(model, ones, vector, std::move(history));
+}
+
+void add_body_force(Model& model, const std::string& block, const std::vector<double>& vector,
+                    std::shared_ptr<const TimeFunction> history) {
+  NodalNumbers volume = no_measure(model);
+  for_each_block(model.mesh(), block, [&](const LocalBlock& part) { add_block_measure(model.mesh(), part, volume); });
+  add_load(model, volume, vector, std::move(history));
+}
+
+void add_gravity(Model& model, const std::string& block, const std::vector<double>& vector,
+                 std::shared_ptr<const TimeFunction> history) {
+  NodalNumbers mass = no_measure(model);
+  for_each_block(model.mesh(), block, [&](const LocalBlock& part) {
+    NodalNumbers volume(mass.size(), 0.0);
+    add_block_measure(model.mesh(), part, volume);
+    for (const Material& material : model.materials())
+      if (material.block == part.name)
+        for (std::size_t a = 0; a < mass.size(); ++a) mass[a] += material.density * volume[a];
+  });
+  add_load(model, mass, vector, std::move(history));
+}
+
+}  // namespace ixos

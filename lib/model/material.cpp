@@ -1,0 +1,28 @@
+#include "model/material.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace ixos {
+
+void check_material(const Material& material, bool inertia) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError("the material of block \"" + material.block + "\" " + why);
+  };
+  if (!material.law) refuse("has no elastic law");
+  if (inertia && !(material.density > 0 && std::isfinite(material.density)))
+    refuse(fmt::format("has the density {}; it must be greater than 0 and finite", material.density));
+  for (const auto& [value, name] :
+       {std::pair(material.mass_damping, "mass damping"), std::pair(material.stiffness_damping, "stiffness damping"),
+        std::pair(material.viscosity, "viscosity")})
+    if (!(value >= 0 && std::isfinite(value)))
+      refuse(fmt::format("has the {} {}; it must be at least 0 and finite", name, value));
+  if (material.points < 0 || material.points > 10)
+    refuse(fmt::format("has {} Gauss points a direction; 0 to 10 are allowed", material.points));
+}
+
+}  // namespace ixos

@@ -1,0 +1,27 @@
+/// The materials of a model.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "material/elastic_law.hpp"
+#include "term/elastic_term.hpp"
+
+namespace ixos {
+
+/// The material of one block.
+struct Material {
+  std::string block;
+  std::shared_ptr<const ElasticLaw> law;  ///< see make_elastic_law()
+  double density = 0;                     ///< [E0 T0^2/L0^2]
+  double mass_damping = 0;                ///< alpha_1 [1/T0]
+  double stiffness_damping = 0;           ///< alpha_2 [T0]
+  double viscosity = 0;                   ///< over Lame's constants, see make_viscous_term() [T0]
+  int points = 0;                         ///< Gauss points a direction of plain elements; 0: the element's own
+  Formulation formulation = Formulation::Standard;
+};
+
+/// Throws InputError, with the block, if the law is missing or a value is out of range. The density must be positive if
+/// the model has inertia.
+void check_material(const Material& material, bool inertia);
+
+}  // namespace ixos

@@ -1,0 +1,21 @@
+/// The linear solver of a scheme's stages, chosen for a program that leaves the choice to Ixos.
+#pragma once
+#include <memory>
+
+#include "model/model.hpp"
+#include "solve/linear_solver.hpp"
+#include "time/table.hpp"
+
+namespace ixos {
+
+/// Returns how much the elastic forces weigh beside inertia in the tangents of a step of length dt, at the stiffest
+/// degree of freedom (ProblemSize::stiffness). Infinite for schemes without inertia, for explicit ones, and if dt is
+/// infinite.
+double tangent_stiffness(const Model& model, const Table& table, double dt);
+
+/// Returns the solver that a scene with this model and scheme gets if it asks for none, see completed_linear_solver().
+/// It does not look for slender bodies: beyond 30,000 degrees of freedom in three dimensions (5,000 on several ranks)
+/// these take MueLu too. Add interactions before. `longest_step`: of the steps that the program takes [T0]. Collective.
+std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table, double longest_step);
+
+}  // namespace ixos
