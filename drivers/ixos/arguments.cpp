@@ -86,7 +86,7 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");
   app.add_flag("--version", arguments.version, "print version and build");
-  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  app.add_flag("--quiet", arguments.quiet, "print errors only");
 }
 
 }  // namespace
