@@ -57,8 +57,8 @@ std::string how_to_begin() {
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
-/// The script that draws the plots and writes the report. It is in the folder of the script that the link ixos-plot beside
-/// this program points to.
+/// The script that draws the plots and writes the report. It is in the folder of the script that the link ixos-plot
+/// beside this program points to.
 std::string report_script() {
   return (std::filesystem::weakly_canonical(own_folder() / "ixos-plot").parent_path() / "study.py").string();
 }
