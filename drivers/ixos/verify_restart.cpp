@@ -62,8 +62,12 @@ int run_check(const Arguments& arguments) {
       return 0;
     case RestartCheckStatus::Different:
       return refuse(3, "a resumed run differs from the undisturbed one: " + result.message + ". The results are in " +
-                           check.folder + ". Some solvers do not repeat bit for bit: see the user guide, \"Verify " +
-                           "the restarts of your scene\"");
+                           check.folder);
+    case RestartCheckStatus::Unrepeatable:
+      return refuse(3, "two runs of the scene differ before the first restart: " + result.message +
+                           ". Restarts of such a scene cannot be verified: see the user guide, \"Linear solvers\". The "
+                           "results are in " +
+                           check.folder);
     case RestartCheckStatus::Interrupted:
       return refuse(5, "interrupted");
     default:

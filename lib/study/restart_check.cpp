@@ -27,14 +27,18 @@ long steps_of(const std::string& folder) {
   return summary["steps"].get<long>();
 }
 
-/// Returns the last message of ixos in a log, without the name of the program. A log without one is a launcher's:
-/// returns its last line.
+/// Returns the last message of ixos in a log, without the name of the program; it may have several lines. A log without
+/// one is a launcher's: returns its last line.
 std::string last_message(const std::string& log) {
-  const std::string prefix = "ixos: ";
+  const auto begins = [](const std::string& line, const std::string& start) { return line.rfind(start, 0) == 0; };
   std::ifstream file = open_text(log);
   std::string message;
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind(prefix, 0) == 0) message = line.substr(prefix.size());
+  for (std::string line; std::getline(file, line) && !begins(line, "---");) {  // mpirun speaks after a line of dashes
+    if (begins(line, "ixos: "))
+      message = line.substr(6);
+    else if (!message.empty())
+      message += '\n' + line;
+  }
   return message.empty() ? last_line(log) : message;
 }
 
@@ -107,6 +111,8 @@ class Checker {
       return true;
     }
     if (result_.status == RestartCheckStatus::Different) tell(name(before) + ": DIFFERENT: " + result_.message);
+    if (result_.status == RestartCheckStatus::Different && before == 0)
+      result_.status = RestartCheckStatus::Unrepeatable;
     return false;
   }
 

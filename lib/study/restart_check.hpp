@@ -21,7 +21,8 @@ struct RestartCheck {
   std::function<bool()> interrupted;             ///< called between polls; may be empty
 };
 
-enum class RestartCheckStatus { Same, Different, Refused, RunFailed, Interrupted };
+/// Unrepeatable: the second run differs before its first kill, so that restarts cannot be judged.
+enum class RestartCheckStatus { Same, Different, Unrepeatable, Refused, RunFailed, Interrupted };
 
 struct RestartCheckResult {
   RestartCheckStatus status = RestartCheckStatus::Same;

@@ -30,10 +30,11 @@ mkdir -p "$out"
 head -n $((from + 1)) "$out/history.csv" > "$out/kept" && mv "$out/kept" "$out/history.csv"
 [ $scene != unlucky ] || { echo "the disk is full"; exit 4; }
 [ $scene != unstarted ] || { echo "mpirun: not found"; exit 127; }
-[ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; echo "ixos: scene.xml: Mesh: bad"; echo -----; exit 2; }
+[ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; printf 'Notes\nixos: warning\nixos: x.xml: bad:\n  all\n----\nended'; exit 2; }
 for step in $(seq $((from + 1)) 10); do
   energy=$((step * step))
   [ $scene != forgets ] || [ $from = 0 ] || [ $step -lt 6 ] || energy=0
+  [ $scene != varies ] || [ $kill = 0 ] || energy=0
   echo "$step,$energy,$RANDOM" >> "$out/history.csv"
   [ $step != $kill ] || kill -KILL $$
   [ $step != "$interval" ] || touch "$out/checkpoint-$step.h5"
@@ -109,6 +110,12 @@ TEST_F(RestartCheckTest, TheFirstDifferenceEndsTheCheck) {
   EXPECT_EQ(told_.find("the end"), std::string::npos) << told_;
 }
 
+TEST_F(RestartCheckTest, ADifferenceBeforeTheFirstKillIsNoneOfARestart) {
+  const RestartCheckResult result = run("varies");
+  EXPECT_EQ(result.status, RestartCheckStatus::Unrepeatable);
+  EXPECT_EQ(result.message, "history.csv: step 1, column total_energy: 1 and 0");
+}
+
 TEST_F(RestartCheckTest, ADifferenceInTheSummaryIsFoundAtTheEnd) {
   const RestartCheckResult result = run("rounds");
   EXPECT_EQ(result.status, RestartCheckStatus::Different);
@@ -134,7 +141,7 @@ TEST_F(RestartCheckTest, ARefusedSceneGivesTheMessageOfIxosAndLeavesNothing) {
   const RestartCheckResult result = run("refused");
   EXPECT_EQ(result.status, RestartCheckStatus::Refused);
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_EQ(result.message, "scene.xml: Mesh: bad") << "not the last line, which is the launcher's";
+  EXPECT_EQ(result.message, "x.xml: bad:\n  all") << "neither the warning before nor the launcher's words after it";
   EXPECT_FALSE(std::filesystem::exists(check_.folder));
 }
 
