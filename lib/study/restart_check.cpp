@@ -27,19 +27,26 @@ long steps_of(const std::string& folder) {
   return summary["steps"].get<long>();
 }
 
-/// Returns the last message of ixos in a log, without the name of the program; it may have several lines. A log without
-/// one is a launcher's: returns its last line.
+/// Returns the last message of ixos in a log, without the name of the program; it may have several lines. Without one,
+/// returns the first line that mpirun wrote below a line of dashes, or else the last line of the log.
 std::string last_message(const std::string& log) {
   const auto begins = [](const std::string& line, const std::string& start) { return line.rfind(start, 0) == 0; };
   std::ifstream file = open_text(log);
-  std::string message;
-  for (std::string line; std::getline(file, line) && !begins(line, "---");) {  // mpirun speaks after a line of dashes
-    if (begins(line, "ixos: "))
+  std::string message, launcher;
+  bool below_dashes = false;
+  for (std::string line; std::getline(file, line);) {
+    if (begins(line, "---")) {
+      below_dashes = true;
+    } else if (below_dashes) {
+      if (launcher.empty()) launcher = line;
+    } else if (begins(line, "ixos: ")) {
       message = line.substr(6);
-    else if (!message.empty())
+    } else if (!message.empty()) {
       message += '\n' + line;
+    }
   }
-  return message.empty() ? last_line(log) : message;
+  if (!message.empty()) return message;
+  return launcher.empty() ? last_line(log) : launcher;
 }
 
 /// Returns the steps to resume from.

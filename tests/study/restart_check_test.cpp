@@ -29,7 +29,7 @@ mkdir -p "$out"
 [ $from != 0 ] || echo step,total_energy,wall_seconds > "$out/history.csv"
 head -n $((from + 1)) "$out/history.csv" > "$out/kept" && mv "$out/kept" "$out/history.csv"
 [ $scene != unlucky ] || { echo "the disk is full"; exit 4; }
-[ $scene != unstarted ] || { echo "mpirun: not found"; exit 127; }
+[ $scene != unstarted ] || { printf -- '---\nno slots\nAsk for fewer\n---\n'; exit 127; }
 [ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; printf 'Notes\nixos: warning\nixos: x.xml: bad:\n  all\n----\nended'; exit 2; }
 for step in $(seq $((from + 1)) 10); do
   energy=$((step * step))
@@ -134,7 +134,7 @@ TEST_F(RestartCheckTest, AStatusThatIsNoneOfIxosBecomesThatOfCommunication) {
   const RestartCheckResult result = run("unstarted");
   EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
   EXPECT_EQ(result.exit_status, 4);
-  EXPECT_EQ(result.message.find("a run ended with exit status 127: mpirun: not found"), 0U) << result.message;
+  EXPECT_EQ(result.message.find("a run ended with exit status 127: no slots (all"), 0U) << result.message;
 }
 
 TEST_F(RestartCheckTest, ARefusedSceneGivesTheMessageOfIxosAndLeavesNothing) {
