@@ -38,7 +38,7 @@ if(IXOS_HELP2MAN)
                   OUTPUT_QUIET ERROR_QUIET)
   if(_plot EQUAL 0)
     ixos_manual_page(ixos-plot ${PROJECT_BINARY_DIR}/drivers/ixos-plot "draw the results of a run"
-                     ${PROJECT_SOURCE_DIR}/drivers/plot/overview.py)
+                     ${PROJECT_SOURCE_DIR}/drivers/plot/overview.py ${PROJECT_SOURCE_DIR}/drivers/plot/options.py)
   else()
     message(STATUS "No manual page of ixos-plot: it needs python3-matplotlib")
   endif()

@@ -23,6 +23,7 @@ _@function@_settings() {
       line=$before$name${line#*'<any name>'}
     done
     line=${line%%'<any name>'*}
+    if [[ $line == "$start" && $start == */ ]]; then found[$start'<name>']=1; fi
     if [[ -z $line || $line != "$start"* || $line == "$start" ]]; then continue; fi
     rest=${line#"$start"}
     case $rest in
@@ -36,12 +37,13 @@ _@function@_settings() {
 
 _@function@() {
   local word=${COMP_WORDS[COMP_CWORD]} last=$((COMP_CWORD - 1)) joined="" quote="" option i
-  # bash separates words at "=" outside quotes.
-  if [[ $word == = ]]; then
-    joined=${COMP_WORDS[last]}= word="" last=$((last - 1))
-  elif [[ ${COMP_WORDS[last]} == = ]]; then
-    joined=${COMP_WORDS[last - 1]}= last=$((last - 2))
-  fi
+  # bash separates words at "=" outside quotes, in "--set=..." and in settings.
+  if [[ $word == = ]]; then word="" last=$COMP_CWORD; fi
+  while [[ ${COMP_WORDS[last]} == = ]]; do
+    last=$((last - 1))
+    if [[ ${COMP_WORDS[last]} == --* ]]; then break; fi
+    joined=${COMP_WORDS[last]}=$joined last=$((last - 1))
+  done
   option=${COMP_WORDS[last]}
   case $word in [\"\']*) quote=${word:0:1} word=${word:1} ;; esac
   COMPREPLY=()
@@ -50,15 +52,16 @@ _@function@() {
     if [[ -z $quote ]]; then start=${start//\\/}; fi
     mapfile -t candidates < <(_@function@_settings "$start")
     while ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == */ ]]; do  # the only list: its contents
-      mapfile -t shown < <(_@function@_settings "${candidates[0]}")
-      if ((${#shown[@]} == 0)); then break; fi
-      candidates=("${shown[@]}")
+      start=${candidates[0]}
+      mapfile -t candidates < <(_@function@_settings "$start")
     done
-    if ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == *'>' ]]; then  # shows the type, but does not insert it
-      candidates+=("$start")
-    elif ((${#candidates[@]} == 1)) && [[ ${candidates[0]} == *[=/] ]]; then  # bash closes quotes after a sole word
-      mapfile -t shown < <(_@function@_settings "${candidates[0]}")
-      if ((${#shown[@]})); then candidates+=("${shown[@]}"); else candidates+=("${candidates[0]}<name>"); fi
+    if ((${#candidates[@]} == 1)); then
+      case $quote${candidates[0]} in
+        *'>' | "'"*"'"*) candidates+=("$start") ;;  # shows a type, or what single quotes cannot hold; does not insert it
+        *=)  # bash closes quotes after a sole word
+          mapfile -t shown < <(_@function@_settings "${candidates[0]}")
+          candidates+=("${shown[@]}") ;;
+      esac
     fi
     for i in "${candidates[@]}"; do
       if [[ -n $joined ]]; then i=${i#*=}; fi

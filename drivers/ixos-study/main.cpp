@@ -16,6 +16,7 @@
 #include "base/printable.hpp"
 #include "completion.hpp"
 #include "console.hpp"
+#include "help.hpp"
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
 #include "study/child_process.hpp"
@@ -40,13 +41,19 @@ struct Arguments {
   bool quiet = false;
 };
 
-const char* const how_to_begin =
-    "ixos-study runs a scene with many settings and compares their accuracy and cost. Give it a study:\n"
+const char* const examples =
     "  ixos-study xml/ball-study.xml              run the study; results go to ball-study.results\n"
     "  ixos-study xml/ball-study.xml --list       list its runs, but do not run them\n"
-    "  ixos-study --parameters                    list the parameters of a study\n"
-    "  ixos-study --help                          list all options\n"
+    "  ixos-study --parameters                    list the parameters of a study\n";
+const char* const remark =
     "To resume an interrupted study, run the same command again; finished runs are not repeated.\n";
+
+std::string how_to_begin() {
+  return std::string(
+             "ixos-study runs a scene with many settings and compares their accuracy and cost. Give it a "
+             "study:\n") +
+         examples + "  ixos-study --help                          list all options\n" + remark;
+}
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
@@ -149,14 +156,14 @@ int guarded(const Arguments& arguments) {
 }
 
 void declare(CLI::App& app, Arguments& arguments) {
-  app.footer(how_to_begin);
+  ixos::set_help(app, examples, remark);
   app.add_option("STUDY", arguments.study, "study file (XML)")->type_name("FILE");
   app.add_option("--output", arguments.output,
                  "results folder (default: the name of STUDY with .results instead of .xml)")
       ->type_name("FOLDER");
   app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
-  app.add_flag("--parameters", arguments.parameters, "print all parameters of a study as Markdown");
+  app.add_flag("--parameters", arguments.parameters, "print every parameter of a study, as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");
   app.add_flag("--version", arguments.version, "print the version");
   app.add_flag("--quiet", arguments.quiet, "print errors only");
@@ -184,7 +191,7 @@ int answer(int argc, char** argv) {
   else if (arguments.completion)
     ixos::console::print(ixos::bash_completion(app, {}, {}));
   else
-    ixos::console::print(how_to_begin);
+    ixos::console::print(how_to_begin());
   return 0;
 }
 

@@ -1,16 +1,30 @@
 #include "ixos/arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 
 #include "completion.hpp"
+#include "help.hpp"
 #include "parameters/assignments.hpp"
+#include "scene/documentation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/placed_message.hpp"
 
 namespace ixos {
 namespace {
+
+const char* const examples =
+    "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
+    "  ixos xml/ball.xml --check                  check the scene\n"
+    "  ixos xml/ball.xml --explain                print what the scene models and what it leaves out\n"
+    "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\"   change a parameter\n"
+    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
+    "  ixos xml/ball.xml --verify-restart         verify that killed runs resume bit for bit\n"
+    "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
+    "  ixos --list-schemes                        describe the time integrators\n";
 
 /// Returns a check that admits whole numbers from 1.
 CLI::Validator positive() { return CLI::Range(1L, 999'999'999L).description(""); }
@@ -22,14 +36,17 @@ void add_verification(CLI::App& app, Arguments& arguments, const std::vector<CLI
                                      "bit for bit; exit status 3 if anything differs");
   CLI::Option* kills = app.add_option("--kills", arguments.kills,
                                       "number of kills of --verify-restart, spread over the run (default: 3)")
+                           ->type_name("N")
                            ->check(positive());
   CLI::Option* steps = app.add_option("--kill-steps", arguments.kill_steps,
                                       "steps from whose checkpoints --verify-restart resumes: 10,20,40")
+                           ->type_name("STEPS")
                            ->delimiter(',')
                            ->allow_extra_args(false)
                            ->check(positive());
   CLI::Option* ranks =
       app.add_option("--ranks", arguments.ranks, "number of ranks of the runs of --verify-restart (default: 1)")
+          ->type_name("N")
           ->check(positive());
   kills->needs(verify)->excludes(steps);
   steps->needs(verify);
@@ -41,7 +58,7 @@ void add_verification(CLI::App& app, Arguments& arguments, const std::vector<CLI
 
 /// Declares all options.
 void declare(CLI::App& app, Arguments& arguments) {
-  app.footer(how_to_begin);
+  set_help(app, examples);
   app.add_option("SCENE", arguments.scene, "scene file (XML)")->type_name("FILE");
   app.add_option("--set", arguments.assignments, "\"List/Sublist/Name=value\": changes the scene; may be repeated")
       ->type_name("ASSIGNMENT")
@@ -58,7 +75,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   CLI::Option* check = app.add_flag("--check", arguments.check, "check the scene and build it, but do not run it");
   CLI::Option* explain = app.add_flag("--explain", arguments.explain,
                                       "print what the scene models and what it leaves out, but do not run it");
-  app.add_option("--template", arguments.template_name, "print a complete, commented scene: ball or block")
+  app.add_option("--template", arguments.template_name,
+                 fmt::format("print a complete, commented scene: {}", fmt::join(template_names(), " or ")))
       ->type_name("NAME");
   CLI::Option* mesh = app.add_option("--write-mesh", arguments.mesh_file,
                                      "write the scene's mesh to this Exodus file, but do not run it")
@@ -68,22 +86,15 @@ void declare(CLI::App& app, Arguments& arguments) {
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");
   app.add_flag("--version", arguments.version, "print version and build");
-  app.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  app.add_flag("--quiet", arguments.quiet, "print errors only");
 }
 
 }  // namespace
 
-const char* const how_to_begin =
-    "Ixos simulates dynamic adhesion. Give it a scene:\n"
-    "  ixos xml/ball.xml                          run the ball; results go to ball.results\n"
-    "  ixos xml/ball.xml --check                  check the scene\n"
-    "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
-    "  ixos xml/ball.xml --verify-restart         verify that killed runs resume bit for bit\n"
-    "  ixos xml/ball.xml --explain                say what the scene models and what it leaves out\n"
-    "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
-    "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\" --output newmark.results\n"
-    "  ixos --list-schemes                        describe the time integrators\n"
-    "  ixos --help                                all options\n";
+std::string how_to_begin() {
+  return std::string("Ixos simulates dynamic adhesion. Give it a scene:\n") + examples +
+         "  ixos --help                                list all options\n";
+}
 
 CommandLine parse(int argc, char** argv) {
   CommandLine line;
@@ -106,7 +117,7 @@ std::string completion_script() {
   Arguments arguments;
   CLI::App app("", "ixos");
   declare(app, arguments);
-  return bash_completion(app, {{"--template", {"ball", "block"}}}, assignments(scene_parameters()));
+  return bash_completion(app, {{"--template", template_names()}}, assignments(scene_parameters()));
 }
 
 std::string results_folder(const Arguments& arguments, const std::string& ending) {

@@ -40,8 +40,8 @@ CommandLine parse(int argc, char** argv);
 /// Returns the script that completes commands of ixos in bash: options, parameters and values of --set.
 std::string completion_script();
 
-/// How to begin: the answer to a call without arguments, and the end of --help.
-extern const char* const how_to_begin;
+/// Returns how to begin: the answer to a call without arguments.
+std::string how_to_begin();
 
 /// Returns the folder for the results: --output, or the scene file's name without its folder and ending, with `ending`.
 std::string results_folder(const Arguments& arguments, const std::string& ending = ".results");

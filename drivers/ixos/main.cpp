@@ -216,7 +216,7 @@ int answer(const Arguments& arguments, const ixos::Comm& comm) {
   }
   if (!arguments.version && !arguments.list_schemes && !arguments.parameters && !arguments.completion &&
       arguments.template_name.empty())
-    ixos::console::print(ixos::how_to_begin);
+    ixos::console::print(ixos::how_to_begin());
   return 0;
 }
 

@@ -23,16 +23,11 @@ int refuse(int status, const std::string& what) {
   return status;
 }
 
-/// Returns whether a launcher of MPI started this process.
-bool is_launched() {
+/// Returns this process's rank if a launcher of MPI started it, else an empty text.
+std::string launched_rank() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(name) != nullptr) return true;
-  return false;
-}
-
-bool is_first() {
-  const char* rank = std::getenv("OMPI_COMM_WORLD_RANK");
-  return rank == nullptr || std::string(rank) == "0";
+    if (const char* rank = std::getenv(name); rank != nullptr) return rank;
+  return "";
 }
 
 RestartCheck restart_check(const Arguments& arguments) {
@@ -58,20 +53,25 @@ int run_check(const Arguments& arguments) {
   Teuchos::ParameterList scene = read_scene_file(arguments.scene);
   for (const std::string& assignment : arguments.assignments) set_parameter(scene, scene_parameters(), assignment);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_signal);
+  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
   const RestartCheck check = restart_check(arguments);
   const RestartCheckResult result = check_restarts(check);
   switch (result.status) {
     case RestartCheckStatus::Same:
-      if (!arguments.quiet) console::say("Restarts are verified. The results are in {}\n", printable(check.folder));
+      if (!arguments.quiet) console::say("Restarts are verified.\n");
       return 0;
     case RestartCheckStatus::Different:
       return refuse(3, "a resumed run differs from the undisturbed one: " + result.message + ". The results are in " +
                            check.folder);
+    case RestartCheckStatus::Unrepeatable:
+      return refuse(3, "two runs of the scene differ before the first restart: " + result.message +
+                           ". Restarts of such a scene cannot be verified: see the user guide, \"Linear solvers\". The "
+                           "results are in " +
+                           check.folder);
     case RestartCheckStatus::Interrupted:
       return refuse(5, "interrupted");
     default:
-      return refuse(result.exit_status,
-                    "a run ended with exit status " + std::to_string(result.exit_status) + ": " + result.message);
+      return refuse(result.exit_status, result.message);
   }
 }
 
@@ -79,9 +79,9 @@ int run_check(const Arguments& arguments) {
 
 int verify_restart(const Arguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
-  if (is_launched())
-    return is_first() ? refuse(2, "--verify-restart starts its runs itself: call it without mpirun, with --ranks N")
-                      : 2;
+  if (const std::string rank = launched_rank(); !rank.empty())
+    return rank == "0" ? refuse(2, "--verify-restart starts its runs itself: call it without mpirun, with --ranks N")
+                       : 2;
   if (arguments.scene.empty()) return refuse(2, "a scene is needed: ixos SCENE.xml --verify-restart");
   try {
     const int status = run_check(arguments);

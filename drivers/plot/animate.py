@@ -14,7 +14,7 @@ from fields import draw_body
 from results import ResultsError, Run, wall_height, within
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   animate.py ball.results                            at most 250 frames -> ball.results/animation.gif
   animate.py ball.results --every 4 --fps 20 --output ball.gif
   animate.py ball.results --time 0,1                 only these times

@@ -9,7 +9,7 @@ import style
 from results import ResultsError, Run
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   cost.py *.results                                  -> cost.png in the working folder
   cost.py a.results b.results --output strip --format png,svg
 

@@ -10,7 +10,7 @@ from exodus import Fields
 from results import ResultsError, wall_height
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   fields.py ball.results                             six evenly spaced times -> ball.results/fields.png
   fields.py ball.results --times 0,0.25,0.29,0.4     the frames nearest to these times
   fields.py spatula.results --range=-0.125,0.25 --view=0.2,-1,0.2

@@ -7,7 +7,7 @@ import style
 from results import ResultsError, Run
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   history.py ball.results                            -> ball.results/history.png
   history.py a.results b.results --output compared   -> compared.png
   history.py a.results b.results --relative initial  energy errors over the magnitude of the initial energy

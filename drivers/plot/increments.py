@@ -8,7 +8,7 @@ import style
 from results import ResultsError, Run, common
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   increments.py newmark.results bathe.results composite.results      -> increments.png in the working folder
   increments.py spatula.results --time 0,100 --logarithmic
 

@@ -90,11 +90,21 @@ def oscillation(text):
     return values[:2], values[2]
 
 
+class HelpFormatter(argparse.RawDescriptionHelpFormatter):
+    """Writes the titles with capitals, as the programs do: help2man looks for these."""
+
+    def add_usage(self, usage, actions, groups, prefix=None):
+        super().add_usage(usage, actions, groups, prefix or "Usage: ")
+
+    def start_section(self, heading):
+        super().start_section(heading.capitalize())
+
+
 class Parser(argparse.ArgumentParser):
     """A parser whose complaints take one line."""
 
     def __init__(self, description, epilog):
-        super().__init__(description=description, epilog=epilog, formatter_class=argparse.RawDescriptionHelpFormatter)
+        super().__init__(description=description, epilog=epilog, formatter_class=HelpFormatter)
 
     def add_si(self):
         """Adds --si; parse_args() carries it out."""

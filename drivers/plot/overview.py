@@ -13,13 +13,13 @@ import style
 from results import UNDAMPED, ResultsError, Run, wall_height
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   ixos-plot ball.results                      -> ball.results/overview.png
   ixos-plot strip.results --si --format svg   in SI units -> strip.results/overview.svg
 
 Configurations need fields.e (the scene must set Output/Fields Interval). An arrow shows the reaction of the set that the
 scene pulls, the longest one the largest force drawn. Forces and energies of plane bodies are per depth. The other
-scripts of this folder draw more, and compare runs."""
+scripts draw more, and compare runs: they are in drivers/plot, and in share/ixos/plot of an installed Ixos."""
 
 PANELS = 4  # configurations
 

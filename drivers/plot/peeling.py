@@ -13,7 +13,7 @@ import style
 from results import ResultsError, Run, common
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   peeling.py strip.results                                      force over time -> strip.results/peeling.png
   peeling.py a.results b.results --zoom 36,46 --zoom 120,140    two details of both runs -> peeling.png
   peeling.py q1c1.results q1c4.results --reference exact.results --against displacement --zoom 10,20,0,0.3

@@ -11,7 +11,7 @@ import style
 from results import ResultsError
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   spectral_properties > spectrum.csv; spectrum.py spectrum.csv        -> spectrum.png in the working folder
   spectrum.py spectrum.csv --until 0.2 --output docs/spectrum --format png,svg
 

@@ -15,7 +15,7 @@ from study_report import write_report
 from study_results import COSTS, ERRORS, Study, file_name
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   study.py ball.study     -> ball.study/work-precision-energy.png, .svg, ...; ball.study/report.html
 
 The script reads study.csv and study.json, which ixos-study writes. A line joins runs that differ only in the axis

@@ -15,7 +15,7 @@ SETS = {
     "peaks": "scheme,element,dt,start,start-time,snap-off,snap-off-time,detachment",
 }
 
-EPILOG = """examples:
+EPILOG = """Examples:
   summary_table.py a.results b.results                              energy errors and cost
   summary_table.py *.results --columns peeling                      peak force, detachment and cost
   summary_table.py *.results --columns scheme,dt,peak --reaction right_y --oscillation 60,100,5

@@ -7,7 +7,7 @@ import style
 from results import ResultsError, Run, common
 from style import plt
 
-EPILOG = """examples:
+EPILOG = """Examples:
   vibration.py damping/Newmark-* --output damping               x and z of the only probe
   vibration.py ball.results --probe Top --components xy --time 0,1
 

@@ -39,7 +39,8 @@ void document(const List& valid, const std::string& path, std::string& text) {
     text += "Free form: Ixos does not check the names in this list; what reads the list checks them.\n\n";
   for (const auto& [name, entry] : entries(valid)) {
     if (!entry.isList()) continue;
-    const std::string here = path.empty() ? name : fmt::format("{} / {}", path, name);
+    const std::string word = name == any_name ? fmt::format("`{}`", name) : name;  // HTML, if it is not marked as code
+    const std::string here = path.empty() ? word : fmt::format("{} / {}", path, word);
     text += fmt::format("## {}\n\n", here);
     if (!entry.docString().empty()) text += entry.docString() + "\n\n";
     document(valid.sublist(name), here, text);
@@ -131,11 +132,16 @@ std::string parameter_documentation(const List& valid, const std::string& title,
   return text.substr(0, text.size() - 1);
 }
 
+std::vector<std::string> template_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, settings] : template_settings()) names.push_back(name);
+  return names;
+}
+
 std::string scene_template(const std::string& name) {
   const auto found = template_settings().find(name);
   if (found == template_settings().end()) {
-    std::vector<std::string> names;
-    for (const auto& [key, settings] : template_settings()) names.push_back(key);
+    const std::vector<std::string> names = template_names();
     throw InputError("there is no template \"" + name + "\"; did you mean \"" + closest_name(name, names) +
                      "\"? There are " + quoted_list(names));
   }

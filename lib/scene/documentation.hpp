@@ -2,6 +2,7 @@
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>
+#include <vector>
 
 namespace ixos {
 
@@ -10,6 +11,9 @@ namespace ixos {
 /// command that prints the text.
 std::string parameter_documentation(const Teuchos::ParameterList& valid, const std::string& title,
                                     const std::string& command);
+
+/// Returns the names that scene_template() accepts.
+std::vector<std::string> template_names();
 
 /// Returns a complete, commented scene that runs as it is: "ball" (two dimensions) or "block" (three). Throws
 /// InputError with the nearest name.

@@ -101,7 +101,7 @@ std::string history_difference(const std::string& expected, const std::string& f
 
 std::string summary_difference(const std::string& expected, const std::string& found) {
   static const std::set<std::string> ignored{"restarts", "wall_seconds",      "setup_seconds", "seconds_per_increment",
-                                             "seconds",  "peak_memory_bytes", "checkpoint",    "warnings"};
+                                             "seconds",  "peak_memory_bytes", "checkpoint"};
   const Json mine = read_object(expected), theirs = read_object(found);
   for (const auto& [key, value] : mine.items()) {
     if (ignored.count(key) > 0) continue;

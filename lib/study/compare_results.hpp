@@ -12,8 +12,8 @@ std::string history_difference(const std::string& expected, const std::string& f
                                long last_step = std::numeric_limits<long>::max());
 
 /// Returns the first difference of two files summary.json, as "steps: 40 and 41"; empty if there is none. Ignores what
-/// no two runs share, or what counts restarts: clocks, memory, `restarts`, the name of the newest checkpoint, and
-/// `warnings`, which lists those since the last restart only. Throws FileError.
+/// no two runs share, or what counts restarts: clocks, memory, `restarts`, and the name of the newest checkpoint.
+/// Throws FileError.
 std::string summary_difference(const std::string& expected, const std::string& found);
 
 /// Returns the first difference of the folders of two complete runs: history.csv, summary.json, and every byte of the

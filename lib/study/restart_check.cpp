@@ -17,7 +17,7 @@
 namespace ixos {
 namespace {
 
-constexpr int killed = 128 + SIGKILL, diverged = 3, interrupted = 5;
+constexpr int killed = 128 + SIGKILL, bad_input = 2, diverged = 3, lost = 4, interrupted = 5;
 
 long steps_of(const std::string& folder) {
   std::ifstream file = open_text(folder + "/summary.json");
@@ -25,6 +25,28 @@ long steps_of(const std::string& folder) {
   if (!summary.is_object() || !summary.contains("steps") || !summary["steps"].is_number_integer())
     throw FileError(folder + "/summary.json: cannot be read");
   return summary["steps"].get<long>();
+}
+
+/// Returns the last message of ixos in a log, without the name of the program; it may have several lines. Without one,
+/// returns the first line that mpirun wrote below a line of dashes, or else the last line of the log.
+std::string last_message(const std::string& log) {
+  const auto begins = [](const std::string& line, const std::string& start) { return line.rfind(start, 0) == 0; };
+  std::ifstream file = open_text(log);
+  std::string message, launcher;
+  bool below_dashes = false;
+  for (std::string line; std::getline(file, line);) {
+    if (begins(line, "---")) {
+      below_dashes = true;
+    } else if (below_dashes) {
+      if (launcher.empty()) launcher = line;
+    } else if (begins(line, "ixos: ")) {
+      message = line.substr(6);
+    } else if (!message.empty()) {
+      message += '\n' + line;
+    }
+  }
+  if (!message.empty()) return message;
+  return launcher.empty() ? last_line(log) : launcher;
 }
 
 /// Returns the steps to resume from.
@@ -51,8 +73,11 @@ class Checker {
     std::error_code code;
     std::filesystem::create_directories(check_.folder, code);
     if (code) throw FileError(check_.folder + ": cannot be created: " + code.message());
+    tell(fmt::format("Runs {} without kills, then with kills. Results and messages go to {}", check_.scene,
+                     check_.folder));
     const int end = process(whole_, "undisturbed.log", check_.overwrite ? Words{"--overwrite"} : Words{});
     if (stopped_) return {RestartCheckStatus::Interrupted, "", interrupted};
+    if (end == bad_input) return refused();
     if (end != 0 && end != diverged) return failed(end, "undisturbed.log");
     const long total = steps_of(whole_);
     tell(fmt::format("Undisturbed: {} steps{}", total,
@@ -93,6 +118,8 @@ class Checker {
       return true;
     }
     if (result_.status == RestartCheckStatus::Different) tell(name(before) + ": DIFFERENT: " + result_.message);
+    if (result_.status == RestartCheckStatus::Different && before == 0)
+      result_.status = RestartCheckStatus::Unrepeatable;
     return false;
   }
 
@@ -136,9 +163,21 @@ class Checker {
     return outcome.exit_status;
   }
 
+  /// Bad input leaves nothing behind.
+  RestartCheckResult refused() const {
+    const std::string log = check_.folder + "/undisturbed.log";
+    const std::string message = last_message(log);
+    std::error_code code;
+    std::filesystem::remove(log, code);
+    std::filesystem::remove(check_.folder, code);  // unless it has other files
+    return {RestartCheckStatus::Refused, message, bad_input};
+  }
   RestartCheckResult failed(int status, const std::string& log) const {
     const std::string path = check_.folder + '/' + log;
-    return {RestartCheckStatus::RunFailed, last_line(path) + " (all messages are in " + path + ")", status};
+    return {
+        RestartCheckStatus::RunFailed,
+        fmt::format("a run ended with exit status {}: {} (all messages are in {})", status, last_message(path), path),
+        status > interrupted ? lost : status};
   }
   void differs(const std::string& difference) {
     if (result_.message.empty()) result_ = {RestartCheckStatus::Different, difference, 0};

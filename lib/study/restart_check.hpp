@@ -21,19 +21,22 @@ struct RestartCheck {
   std::function<bool()> interrupted;             ///< called between polls; may be empty
 };
 
-enum class RestartCheckStatus { Same, Different, RunFailed, Interrupted };
+/// Unrepeatable: the second run differs before its first kill, so that restarts cannot be judged.
+enum class RestartCheckStatus { Same, Different, Unrepeatable, Refused, RunFailed, Interrupted };
 
 struct RestartCheckResult {
   RestartCheckStatus status = RestartCheckStatus::Same;
-  std::string message;  ///< the first difference, or the last words of a run that failed; else empty
-  int exit_status = 0;  ///< of the run that failed
+  std::string message;  ///< the first difference, or the last message of a run that was refused or failed; else empty
+  int exit_status =
+      0;  ///< of a run that was refused or failed; 4 if that is none of ixos, as for a run that was killed
 };
 
 /// Runs the scene once undisturbed, then once more with kills: for each chosen step s in turn, a process writes a
 /// checkpoint at s, ends by SIGKILL after step s + 1, and the next process resumes from that checkpoint. The rows of
 /// history.csv are compared before each resumption, all results at the end. Ends with the first difference: all that
-/// follows has the same cause. A scene whose run ends with exit status 3 is verified up to there. Throws InputError if
-/// a chosen step is beyond the run, or if the run is too short, and FileError.
+/// follows has the same cause. A scene whose run ends with exit status 3 is verified up to there. A scene that ixos
+/// refuses leaves nothing in the folder. Throws InputError if a chosen step is beyond the run, or if the run is too
+/// short, and FileError.
 RestartCheckResult check_restarts(const RestartCheck& check);
 
 }  // namespace ixos

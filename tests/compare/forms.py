@@ -1,4 +1,4 @@
-"""The scenes and studies of xml/ in short forms, for bitwise.py."""
+"""The scenes and studies of xml/ in short forms, for bitwise.py and for tests/scenes/restarts_test.py."""
 import os
 import pathlib
 import sys
@@ -116,13 +116,18 @@ def write_short_study(study, short, folder):
     return path
 
 
+def forgotten_files():
+    """Returns the names of the files of xml/ that have no short form here."""
+    covered = {scene for _, scene, *_ in scene_forms([])} | set(STUDIES)
+    return sorted(str(path.relative_to(XML)) for path in XML.rglob("*.xml")
+                  if str(path.relative_to(XML).with_suffix("")) not in covered)
+
+
 def forms_to_compare(schemes, folder):
     """Returns all forms. Writes the short studies into the folder."""
+    if forgotten_files():
+        sys.exit(f"these files of xml/ have no short form in tests/compare/forms.py: {', '.join(forgotten_files())}")
     forms = [Form(name, XML / (scene + ".xml"), *rest) for name, scene, *rest in scene_forms(schemes)]
-    covered = {form.file.stem for form in forms} | set(STUDIES)
-    forgotten = sorted(path.name for path in XML.glob("*.xml") if path.stem not in covered)
-    if forgotten:
-        sys.exit(f"these files of xml/ have no short form in tests/compare/forms.py: {', '.join(forgotten)}")
     return forms + [Form(study, write_short_study(study, short, folder), [], 1, "ixos-study")
                     for study, short in STUDIES.items()]
 

@@ -57,7 +57,14 @@ TEST_F(DriverTest, WithoutASceneItTellsHowToBegin) {
   const Outcome outcome = ixos({}, folder_);
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.output.find("ixos xml/ball.xml"), std::string::npos);
-  EXPECT_EQ(ixos({"--help"}, folder_).status, 0);
+}
+
+TEST_F(DriverTest, HelpHasOptionsAndExamplesInTheFormOfManualPages) {
+  const Outcome help = ixos({"--help"}, folder_);
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.output.find("\nUsage: ixos [OPTIONS] [SCENE]\n"), std::string::npos) << help.output;
+  EXPECT_NE(help.output.find("\n  --ranks N  "), std::string::npos) << "without what it needs";
+  EXPECT_NE(help.output.find("\nExamples:\n  ixos xml/ball.xml  "), std::string::npos);
 }
 
 TEST_F(DriverTest, TemplatesRunAsTheyAre) {

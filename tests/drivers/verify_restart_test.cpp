@@ -25,12 +25,13 @@ class VerifyRestartTest : public DriverTest {
 TEST_F(VerifyRestartTest, TheBallResumesBitForBit) {
   const Outcome outcome = verify({"--kill-steps", "12,3"});
   EXPECT_EQ(outcome.status, 0) << outcome.output;
-  EXPECT_EQ(outcome.output,
-            "Undisturbed: 20 steps\n"
-            "From the beginning, killed after step 4: the same up to step 3\n"
-            "Resumed from step 3, killed after step 13: the same up to step 12\n"
-            "Resumed from step 12: the same up to the end\n"
-            "Restarts are verified. The results are in ball.restarts\n");
+  EXPECT_EQ(outcome.output, "Runs " + ball +
+                                " without kills, then with kills. Results and messages go to ball.restarts\n"
+                                "Undisturbed: 20 steps\n"
+                                "From the beginning, killed after step 4: the same up to step 3\n"
+                                "Resumed from step 3, killed after step 13: the same up to step 12\n"
+                                "Resumed from step 12: the same up to the end\n"
+                                "Restarts are verified.\n");
   const std::string summary = contents(folder_ + "/ball.restarts/killed/summary.json");
   EXPECT_NE(summary.find("\"restarts\": 2"), std::string::npos) << summary;
 }
@@ -83,9 +84,14 @@ TEST_F(VerifyRestartTest, AStepBeyondTheRunAndARunWithoutStepsAreRefused) {
 }
 
 TEST_F(VerifyRestartTest, TheMessageOfARunThatFailsIsPassedOn) {
-  const Outcome outcome = verify({"--set", "Materials/Ball/Block=nowhere"});
-  EXPECT_EQ(outcome.status, 2) << outcome.output;
-  EXPECT_NE(outcome.output.find("nowhere"), std::string::npos) << outcome.output;
+  for (const char* ranks : {"1", "2"}) {
+    const Outcome outcome =
+        verify({"--set", "Materials/Ball/Block=nowhere", "--quiet", "--output", "bad", "--ranks", ranks});
+    EXPECT_EQ(outcome.status, 2) << outcome.output;
+    EXPECT_EQ(outcome.output.find("ixos: " + ball + ": Materials: block \"nowhere\" does not exist"), 0U)
+        << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder_ + "/bad"));
+  }
 }
 
 }  // namespace

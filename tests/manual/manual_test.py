@@ -64,13 +64,13 @@ class PageTest(unittest.TestCase):
             self.assertEqual(shown.stderr, "")
 
     def test_ixos(self):
-        self.check("ixos", ["ixos - simulate dynamic adhesion", "EXIT STATUS", "history.csv", "--verify-restart"])
+        self.check("ixos", ["ixos - simulate dynamic adhesion", "SYNOPSIS", "EXIT STATUS", "history.csv", "EXAMPLES"])
 
     def test_ixos_study(self):
-        self.check("ixos-study", ["EXIT STATUS", "study.csv"])
+        self.check("ixos-study", ["SYNOPSIS", "EXIT STATUS", "study.csv", "EXAMPLES"])
 
     def test_ixos_plot(self):
-        self.check("ixos-plot", ["RESULTS", "SEE ALSO"])
+        self.check("ixos-plot", ["SYNOPSIS", "RESULTS", "SH OPTIONS", "EXAMPLES", "SEE ALSO"])
 
 
 class CompletionTest(unittest.TestCase):
@@ -116,7 +116,7 @@ class CompletionTest(unittest.TestCase):
         path, found = "", 0
         for line in output(PROGRAMS["ixos"], "--parameters").splitlines():
             if line.startswith("## "):
-                path = line[3:].replace(" / ", "/")
+                path = line[3:].replace(" / ", "/").replace("`", "")
             elif line.startswith("| ") and not line.startswith("| parameter |"):
                 self.assertIn(f"{path}/{line.split('|')[1].strip()}", names)
                 found += 1
@@ -133,6 +133,9 @@ class CompletionTest(unittest.TestCase):
         for line, offered in (
                 ('ixos x.xml --set "Interactions/W/Gamma', ["Interactions/W/Gamma L=", "Interactions/W/Gamma W="]),
                 ('ixos x.xml --set "Materials/A/Plane', []),
+                ('ixos x.xml --set "Materials/', ["Materials/", "Materials/<name>"]),
+                ("ixos x.xml --set=Materials/", ["Materials/", "Materials/\\<name\\>"]),
+                ("ixos x.xml --set 'Materials/A/You", ["Materials/A/You", "Materials/A/Young's Modulus="]),
                 ('ixos x.xml --set "Output/Energies=', ["Output/Energies=false", "Output/Energies=true"]),
                 ("ixos x.xml --set Time\\ Integrator/Type=Newm", ["Newmark"]),
                 ("ixos x.xml --set Output/Energies=", ["false", "true"])):

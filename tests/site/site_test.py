@@ -1,9 +1,10 @@
 #!/usr/bin/python3
-"""Makes the site of the documents and checks that it opens offline: links, pictures and search.
+"""Makes the site of the documents and checks that it opens offline: links, pictures, style and search.
 
     tests/site/site_test.py [SITE]
 
-Takes a site that was made already, or makes one. Exit status 77, a skipped test, if Sphinx is missing.
+Takes a site that was made already, or makes one. Every document and every example must have a page, and the start page
+must name the version. Exit status 77, a skipped test, if Sphinx is missing.
 """
 import html.parser
 import pathlib
@@ -52,13 +53,39 @@ def problems(site):
     return found
 
 
+def style_problems(site):
+    """Returns a line for each file that a style sheet names, if it is not there."""
+    found = []
+    for sheet in (site / "_static").rglob("*.css"):
+        for reference in re.findall(r"url\([\"']?([^\"')]+)", sheet.read_text(encoding="utf-8")):
+            if not reference.startswith(("data:", "#")) and not (sheet.parent / reference).is_file():
+                found.append(f"{sheet.relative_to(site)}: {reference}: no such file")
+    return found
+
+
 def unfound(site):
     """Returns what is missing from the index of the search, which a page loads as a script: that works offline."""
     index = (site / "searchindex.js").read_text(encoding="utf-8")
-    documents = sorted(path.relative_to(ROOT).with_suffix("").as_posix() for path in (ROOT / "docs").rglob("*.md")
-                       if path.parent.name != "site")
+    documents = [path.relative_to(ROOT).with_suffix("").as_posix() for path in (ROOT / "docs").rglob("*.md")]
+    examples = [path.relative_to(ROOT).as_posix() for path in (ROOT / "docs/examples").rglob("*")
+                if path.suffix in (".cpp", ".py")]
     words = [word for word in WORDS if not re.search(rf'\b{word}"?:', index)]
-    return words + [document for document in documents if f'"{document}"' not in index]
+    return words + [page for page in sorted(documents + examples) if f'"{page}"' not in index]
+
+
+def version_problems(site):
+    version = re.search(r"project\(Ixos VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+    start = (site / "index.html").read_text(encoding="utf-8")
+    return [] if f"Ixos {version}" in start else [f"index.html does not name the version {version}"]
+
+
+def overwrites_other_files():
+    """Returns whether docs/site.sh replaces a folder with files that are no site."""
+    with tempfile.TemporaryDirectory() as folder:
+        thesis = pathlib.Path(folder, "thesis.tex")
+        thesis.touch()
+        made = subprocess.run([ROOT / "docs/site.sh", folder], capture_output=True, check=False)
+        return made.returncode == 0 or not thesis.exists()
 
 
 def main():
@@ -72,7 +99,10 @@ def main():
             if made.returncode != 0:
                 print(made.stdout + made.stderr)
                 return 1
-        wrong = problems(site) + [f"the search does not find {missing}" for missing in unfound(site)]
+        wrong = problems(site) + style_problems(site) + version_problems(site)
+        if overwrites_other_files():
+            wrong.append("docs/site.sh replaces a folder with other files")
+        wrong += [f"the search does not find {missing}" for missing in unfound(site)]
     print("\n".join(wrong))
     return 1 if wrong else 0
 

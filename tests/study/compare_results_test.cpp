@@ -65,6 +65,7 @@ TEST_F(CompareResultsTest, NamesTheFirstDifferenceOfASummary) {
   };
   EXPECT_EQ(after(R"({"status": "completed", "steps": 3})"), "summary.json: steps: 2 and 3");
   EXPECT_EQ(after(R"({"steps": 2})"), "summary.json: status is missing");
+  EXPECT_EQ(after(R"({"status": "completed", "steps": 2, "warnings": [1]})"), "summary.json: warnings is new");
   EXPECT_EQ(after(R"({"status": "completed", "steps": 2, "dofs": 1})"), "summary.json: dofs is new");
   EXPECT_THROW(after("no object"), FileError);
 }

@@ -29,9 +29,12 @@ mkdir -p "$out"
 [ $from != 0 ] || echo step,total_energy,wall_seconds > "$out/history.csv"
 head -n $((from + 1)) "$out/history.csv" > "$out/kept" && mv "$out/kept" "$out/history.csv"
 [ $scene != unlucky ] || { echo "the disk is full"; exit 4; }
+[ $scene != unstarted ] || { printf -- '---\nno slots\nAsk for fewer\n---\n'; exit 127; }
+[ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; printf 'Notes\nixos: warning\nixos: x.xml: bad:\n  all\n----\nended'; exit 2; }
 for step in $(seq $((from + 1)) 10); do
   energy=$((step * step))
   [ $scene != forgets ] || [ $from = 0 ] || [ $step -lt 6 ] || energy=0
+  [ $scene != varies ] || [ $kill = 0 ] || energy=0
   echo "$step,$energy,$RANDOM" >> "$out/history.csv"
   [ $step != $kill ] || kill -KILL $$
   [ $step != "$interval" ] || touch "$out/checkpoint-$step.h5"
@@ -68,12 +71,12 @@ TEST_F(RestartCheckTest, ASceneThatResumesWellIsVerifiedInOneChainOfKills) {
   // Ten steps and three kills, spread evenly: 10/4, 20/4, 30/4.
   EXPECT_EQ(test::contents(check_.folder + "/calls"),
             "good from 0\ngood from 0\ngood from 2\ngood from 5\ngood from 7\n");
-  EXPECT_EQ(told_,
-            "Undisturbed: 10 steps\n"
-            "From the beginning, killed after step 3: the same up to step 2\n"
-            "Resumed from step 2, killed after step 6: the same up to step 5\n"
-            "Resumed from step 5, killed after step 8: the same up to step 7\n"
-            "Resumed from step 7: the same up to the end\n");
+  EXPECT_EQ(told_, "Runs good without kills, then with kills. Results and messages go to " + check_.folder +
+                       "\nUndisturbed: 10 steps\n"
+                       "From the beginning, killed after step 3: the same up to step 2\n"
+                       "Resumed from step 2, killed after step 6: the same up to step 5\n"
+                       "Resumed from step 5, killed after step 8: the same up to step 7\n"
+                       "Resumed from step 7: the same up to the end\n");
 }
 
 TEST_F(RestartCheckTest, StepsMayBeChosenDownToTheFirstAndTheLastButOne) {
@@ -96,7 +99,7 @@ TEST_F(RestartCheckTest, MoreKillsThanStepsAreOneForEachStep) {
 
 TEST_F(RestartCheckTest, ARunThatDivergesIsVerifiedUpToThere) {
   EXPECT_EQ(run("diverges").status, RestartCheckStatus::Same);
-  EXPECT_EQ(told_.rfind("Undisturbed: 10 steps, then the solution cannot be continued\n", 0), 0U) << told_;
+  EXPECT_NE(told_.find("\nUndisturbed: 10 steps, then the solution cannot be continued\n"), std::string::npos) << told_;
 }
 
 TEST_F(RestartCheckTest, TheFirstDifferenceEndsTheCheck) {
@@ -105,6 +108,12 @@ TEST_F(RestartCheckTest, TheFirstDifferenceEndsTheCheck) {
   EXPECT_EQ(result.message, "history.csv: step 6, column total_energy: 36 and 0");
   EXPECT_NE(told_.find("Resumed from step 5: DIFFERENT: history.csv: step 6"), std::string::npos) << told_;
   EXPECT_EQ(told_.find("the end"), std::string::npos) << told_;
+}
+
+TEST_F(RestartCheckTest, ADifferenceBeforeTheFirstKillIsNoneOfARestart) {
+  const RestartCheckResult result = run("varies");
+  EXPECT_EQ(result.status, RestartCheckStatus::Unrepeatable);
+  EXPECT_EQ(result.message, "history.csv: step 1, column total_energy: 1 and 0");
 }
 
 TEST_F(RestartCheckTest, ADifferenceInTheSummaryIsFoundAtTheEnd) {
@@ -117,7 +126,23 @@ TEST_F(RestartCheckTest, ARunThatFailsGivesItsStatusAndItsWords) {
   const RestartCheckResult result = run("unlucky");
   EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
   EXPECT_EQ(result.exit_status, 4);
-  EXPECT_EQ(result.message, "the disk is full (all messages are in " + check_.folder + "/undisturbed.log)");
+  const std::string log = check_.folder + "/undisturbed.log";
+  EXPECT_EQ(result.message, "a run ended with exit status 4: the disk is full (all messages are in " + log + ")");
+}
+
+TEST_F(RestartCheckTest, AStatusThatIsNoneOfIxosBecomesThatOfCommunication) {
+  const RestartCheckResult result = run("unstarted");
+  EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
+  EXPECT_EQ(result.exit_status, 4);
+  EXPECT_EQ(result.message.find("a run ended with exit status 127: no slots (all"), 0U) << result.message;
+}
+
+TEST_F(RestartCheckTest, ARefusedSceneGivesTheMessageOfIxosAndLeavesNothing) {
+  const RestartCheckResult result = run("refused");
+  EXPECT_EQ(result.status, RestartCheckStatus::Refused);
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_EQ(result.message, "x.xml: bad:\n  all") << "neither the warning before nor the launcher's words after it";
+  EXPECT_FALSE(std::filesystem::exists(check_.folder));
 }
 
 TEST_F(RestartCheckTest, AnInterruptionEndsIt) {
