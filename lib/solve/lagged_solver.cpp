@@ -245,7 +245,9 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
-  Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;  ///< the caller's, or null
+  /// The caller's preconditioner, or null.
+  Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;
+
   mutable bool stale_ = true;                          ///< renew before the next matrix
   mutable bool fresh_ = false;                         ///< renewed, and not used since
   mutable std::vector<int> least_iterations_;          ///< of the solves with this preconditioner, by family
@@ -279,9 +281,9 @@ bool LaggedSolverFactory::supportsPreconditionerInputType(const Thyra::EPrecondi
   return krylov_->supportsPreconditionerInputType(type);
 }
 
-void LaggedSolverFactory::initializePreconditionedOp(
-    const Teuchos::RCP<const Source>& source, const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given,
-    Op* op, const Thyra::ESupportSolveUse) const {
+void LaggedSolverFactory::initializePreconditionedOp(const Teuchos::RCP<const Source>& source,
+                                                     const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given,
+                                                     Op* op, const Thyra::ESupportSolveUse) const {
   dynamic_cast<LaggedSolve&>(*op).initialize(source, given);
 }
 

@@ -111,8 +111,8 @@ Teuchos::RCP<const ThyraFactory> LinearSolverFactory::strategy() const { return 
 Teuchos::RCP<OperatorPreconditioner> LinearSolverFactory::preconditioner() const {
   const Implementation& self = *implementation_;
   if (!self.preconditioned) return Teuchos::null;
-  return Teuchos::rcp(new OperatorPreconditioner(self.preconditioner_builder.createPreconditioningStrategy(""),
-                                                 self.lagged.of_matrix));
+  return Teuchos::rcp(
+      new OperatorPreconditioner(self.preconditioner_builder.createPreconditioningStrategy(""), self.lagged.of_matrix));
 }
 
 bool LinearSolverFactory::matrix_free() const { return implementation_->matrix_free; }

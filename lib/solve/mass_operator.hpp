@@ -25,9 +25,9 @@ class MassOperator final : public Operator {
   mutable std::vector<double> x_, product_;  ///< scratch
 };
 
-/// S M S of the consistent mass with S = diag(M)^-1/2, constrained degrees of freedom decoupled with 1 on the diagonal. Its condition number
-/// is independent of the mesh (Wathen 1987), so CG needs neither a preconditioner nor a matrix. The model must outlive
-/// it.
+/// S M S of the consistent mass with S = diag(M)^-1/2, constrained degrees of freedom decoupled with 1 on the diagonal.
+/// Its condition number is independent of the mesh (Wathen 1987), so CG needs neither a preconditioner nor a matrix.
+/// The model must outlive it.
 class ScaledMass final : public Operator {
  public:
   explicit ScaledMass(const Model& model);

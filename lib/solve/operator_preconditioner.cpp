@@ -7,6 +7,31 @@
 #include "base/phase_timer.hpp"
 
 namespace ixos {
+namespace {
+
+/// An operator that hands single vectors on as multivectors of one column: MueLu's accepts nothing else.
+class OnMultiVectors final : public Thyra::LinearOpBase<double> {
+ public:
+  explicit OnMultiVectors(Teuchos::RCP<const Thyra::LinearOpBase<double>> op) : op_(std::move(op)) {}
+  VectorSpace range() const override { return op_->range(); }
+  VectorSpace domain() const override { return op_->domain(); }
+
+ private:
+  bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return op_->opSupported(transpose); }
+  void applyImpl(const Thyra::EOpTransp transpose, const Thyra::MultiVectorBase<double>& x,
+                 const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& y, const double alpha,
+                 const double beta) const override {
+    const auto from = Thyra::createConstMultiVector<double, LocalId, GlobalId, Node>(
+        Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(x)), x.range());
+    const auto to = Thyra::createMultiVector<double, LocalId, GlobalId, Node>(
+        Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(y)), y->range());
+    Thyra::apply(*op_, transpose, *from, to.ptr(), alpha, beta);
+  }
+
+  Teuchos::RCP<const Thyra::LinearOpBase<double>> op_;
+};
+
+}  // namespace
 
 void initialize_preconditioner(const PreconditionerFactory& factory, bool of_matrix,
                                const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
@@ -24,7 +49,9 @@ OperatorPreconditioner::OperatorPreconditioner(Teuchos::RCP<PreconditionerFactor
 void OperatorPreconditioner::compute(const Teuchos::RCP<const Thyra::LinearOpBase<double>>& op) {
   const TimedScope timed(Phase::Factorization);
   initialize_preconditioner(*factory_, of_matrix_, Thyra::defaultLinearOpSource(op), *made_);
-  initializeUnspecified(made_->getUnspecifiedPrecOp());
+  const Teuchos::RCP<const Thyra::LinearOpBase<double>> made =
+      Teuchos::rcp(new OnMultiVectors(made_->getUnspecifiedPrecOp()));
+  initializeUnspecified(made);
 }
 
 }  // namespace ixos

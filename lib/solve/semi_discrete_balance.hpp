@@ -54,7 +54,7 @@ class SemiDiscreteBalance {
   MotionState state_;
   std::vector<double> u_, v_, elastic_, interaction_, part_, sum_;
   std::vector<double> judged_;  ///< the u of the last verdict
-  bool verdict_ = false;        ///< of this rank
+  bool verdict_ = true;         ///< of this rank
   bool has_velocity_ = false, has_forces_ = false, has_sum_ = false;
 };
 

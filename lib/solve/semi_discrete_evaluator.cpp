@@ -19,6 +19,13 @@ const Vector* tpetra(const Teuchos::RCP<const Thyra::VectorBase<double>>& x) {
   return x.is_null() ? nullptr : Extract::getConstTpetraVector(x).get();
 }
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void fill(CrsMatrix& matrix, double value) {
+  const auto values = matrix.getLocalMatrixHost().values;
+  std::fill_n(values.data(), values.extent(0), value);
+}
+
 void copy(const std::vector<double>& from, Thyra::VectorBase<double>& to) {
   const auto view = Extract::getTpetraVector(Teuchos::rcpFromRef(to))->getLocalViewHost(Tpetra::Access::OverwriteAll);
   std::copy_n(from.data(), view.extent(0), view.data());
@@ -45,7 +52,7 @@ SemiDiscreteEvaluator::SemiDiscreteEvaluator(const Model& model,
       responses_(model, reactions),
       balance_(model) {
   make_arguments(nonnull(linear_solver_->preconditioner()));
-  create_W_op();  // refuses a matrix-free operator that is not possible
+  if (linear_solver_->matrix_free()) SemiDiscreteOperator{model_};  // throws if that is not possible
 }
 
 void SemiDiscreteEvaluator::make_arguments(bool preconditioned) {
@@ -146,17 +153,15 @@ void SemiDiscreteEvaluator::evaluate_gradients(const OutArgs& out) const {
 }
 
 void SemiDiscreteEvaluator::fail(const OutArgs& out) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   out.setFailed();  // f and g are NaN now
-  for (const auto& gradient :
-       {out.get_DgDx(energies).getMultiVector(), out.get_DgDx_dot(energies).getMultiVector()})
+  for (const auto& gradient : {out.get_DgDx(energies).getMultiVector(), out.get_DgDx_dot(energies).getMultiVector()})
     if (nonnull(gradient)) Thyra::assign(gradient.ptr(), nan);
   if (out.get_W_op().is_null()) return;
   const auto op = Extract::getTpetraOperator(out.get_W_op());
   if (const auto matrix_free = Teuchos::rcp_dynamic_cast<SemiDiscreteOperator>(op); nonnull(matrix_free))
     matrix_free->invalidate();
   else
-    Teuchos::rcp_dynamic_cast<CrsMatrix>(op, true)->setAllToScalar(nan);
+    fill(*Teuchos::rcp_dynamic_cast<CrsMatrix>(op, true), nan);
 }
 
 SemiDiscreteEvaluator::LinearOp SemiDiscreteEvaluator::mass() const {
@@ -168,7 +173,7 @@ SemiDiscreteEvaluator::LinearOp SemiDiscreteEvaluator::unconstrained(const InArg
   enter(in);
   const auto matrix = model_.pattern().create_matrix(model_.space());
   set_semi_discrete_tangent(model_, weights, balance_.displacement(), balance_.velocity(), *matrix);
-  if (!balance_.admissible()) matrix->setAllToScalar(std::numeric_limits<double>::quiet_NaN());
+  if (!balance_.admissible()) fill(*matrix, nan);
   return linear_op(matrix, space_);
 }
 
@@ -177,8 +182,8 @@ bool SemiDiscreteEvaluator::nodal_force(NodalForce part, const InArgs& in,
   enter(in);
   const bool admissible = balance_.admissible();
   copy(balance_.force(part), *force);
-  const bool of_x = part == NodalForce::Elastic || part == NodalForce::Interaction;
-  if (of_x && !admissible) Thyra::assign(force, std::numeric_limits<double>::quiet_NaN());
+  const bool of_x = part != NodalForce::Inertia && part != NodalForce::External;
+  if (of_x && !admissible) Thyra::assign(force, nan);
   return admissible;
 }
 

@@ -24,15 +24,15 @@ namespace ixos {
 /// | W_op | W_x_dot_dot_coeff M + alpha C + beta K; see below | NaN |
 /// | W_prec | a preconditioner of W_op | stays as it was |
 /// | g_j | see Response | NaN |
-/// | DgDx, DgDx_dot of g_0 | gradients of the energies, x-space by components; other derivatives are not offered | NaN |
+/// | DgDx, DgDx_dot of g_0 | gradients of the energies: a column for each component | NaN |
 ///
 /// W has beta (W_x_dot_dot_coeff if beta is 0) on the diagonal of constrained degrees of freedom and zeros in their
 /// rows and columns: start Newton's method from an x that meets them. K is df/dx of elasticity, interactions and
-/// viscosity. isFailed() of the caller's OutArgs stays false, because Thyra evaluates a copy of them: test f, g or the
-/// norm of W for NaN.
+/// viscosity. Only g_0 has derivatives. isFailed() of the caller's OutArgs stays false, because Thyra evaluates a copy
+/// of them: test f, g or the norm of W for NaN.
 ///
 /// If W_op and W_prec are evaluated together, W_prec refers to that W_op and reads it at each application; alone it has
-/// an operator of its own. Every evaluation renews it, a multigrid on the prolongators of its first matrix. Throws
+/// its own operator. Every evaluation renews it, a multigrid on the prolongators of its first matrix. Throws
 /// std::runtime_error if the matrix cannot be factored, std::logic_error for operators of another version of the
 /// discretization. Operators and preconditioners apply to MultiVectors of any number of columns.
 ///
@@ -44,8 +44,8 @@ class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<do
   using InArgs = Thyra::ModelEvaluatorBase::InArgs<double>;
   using OutArgs = Thyra::ModelEvaluatorBase::OutArgs<double>;
 
-  /// Without a linear solver get_W_factory() is null, and the caller solves with W_op by other means. There is no
-  /// W_prec.
+  /// Without a linear solver get_W_factory() is null, and the caller solves with W_op by other means. W_prec is
+  /// not offered.
   explicit SemiDiscreteEvaluator(const Model& model, Factory linear_solver = Teuchos::null);
 
   /// With Ixos' linear solvers: get_W_factory() is the list's solver with its kept preconditioner, which also accepts a
@@ -77,8 +77,8 @@ class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<do
   LinearOp unconstrained_W(const InArgs& in) const { return unconstrained(in, weights(in)); }
 
   /// Sets `force`, on the x-space, to one part of the balance, in rows of constrained degrees of freedom too. The
-  /// balance adds all parts but External, which it subtracts. Returns whether x is admissible; if it is not, elastic and
-  /// interaction forces are NaN.
+  /// balance adds all parts but External, which it subtracts. Returns whether x is admissible; if it is not, the
+  /// parts that depend on x are NaN.
   bool nodal_force(NodalForce part, const InArgs& in, const Teuchos::Ptr<Thyra::VectorBase<double>>& force) const;
 
  private:

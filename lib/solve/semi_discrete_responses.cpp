@@ -36,8 +36,7 @@ SemiDiscreteResponses::SemiDiscreteResponses(const Model& model, const std::vect
 
 void SemiDiscreteResponses::add_names(std::vector<std::string> names) {
   const auto size = static_cast<Tpetra::global_size_t>(names.size());
-  spaces_.push_back(
-      vector_space(Teuchos::rcp(new Map(size, 0, model_.space().comm(), Tpetra::LocallyReplicated))));
+  spaces_.push_back(vector_space(Teuchos::rcp(new Map(size, 0, model_.space().comm(), Tpetra::LocallyReplicated))));
   names_.push_back(std::move(names));
 }
 
@@ -46,8 +45,7 @@ void SemiDiscreteResponses::add_reaction_set(const std::string& name) {
   const std::size_t set = mesh.node_set(name);
   double held = 0;
   for (const int node : mesh.node_sets[set])
-    for (int i = 0; i < mesh.dimension; ++i)
-      held += model_.constraints().holds(node * mesh.dimension + i) ? 1 : 0;
+    for (int i = 0; i < mesh.dimension; ++i) held += model_.constraints().holds(node * mesh.dimension + i) ? 1 : 0;
   if (model_.space().maximum(held) == 0)
     throw InputError("reactions of an evaluator: no displacement of the node set \"" + name +
                      "\" is prescribed, so it has no reaction");
@@ -78,7 +76,8 @@ std::vector<double> SemiDiscreteResponses::values(Response response, SemiDiscret
       all.insert(all.end(), {report.measure, report.least_gap});
       return all;
     }
-    case Response::Reactions: break;
+    case Response::Reactions:
+      break;
   }
   return reactions(balance);
 }
