@@ -5,7 +5,6 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
-#include "model/model.hpp"
 #include "solve/factorization.hpp"
 
 namespace ixos {
@@ -177,20 +176,6 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
 }
 
 }  // namespace
-
-ProblemSize problem_size(const Model& model) {
-  ProblemSize size;
-  size.dimension = model.mesh().dimension;
-  size.dofs = model.space().global();
-  size.ranks = model.space().comm()->getSize();
-  if (model.has_viscosity()) size.asymmetry = size.matrix_only = "the viscosity";
-  for (const NamedForceTerm& named : model.force_terms()) {
-    const std::string name = "\"" + named.name + "\"";
-    if (!named.term->is_gradient(end_rule())) size.asymmetry = name;
-    if (named.term->create_action() == nullptr) size.matrix_only = name;
-  }
-  return size;
-}
 
 ParameterList completed_linear_solver(const ParameterList& user, const ProblemSize& size) {
   try {

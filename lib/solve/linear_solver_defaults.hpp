@@ -5,8 +5,6 @@
 
 namespace ixos {
 
-class Model;
-
 /// The properties on which the choice depends.
 struct ProblemSize {
   int dimension = 2;
@@ -17,10 +15,6 @@ struct ProblemSize {
   double width = 1e300;       ///< mean_level_width() of the mesh; asked for in three dimensions only
   double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
 };
-
-/// Returns the properties of the derivatives of a model's semi-discrete equation, for solvers that no scene describes:
-/// without width and stiffness. A viscosity makes W unsymmetric. Collective.
-ProblemSize problem_size(const Model& model);
 
 /// Fills in a scene's "Linear Solver" list if its "Linear Solver Type" is "Automatic" or missing. Same on all ranks.
 /// - Chooses a sparse factorisation when that is cheap (one rank: to 300,000 degrees of freedom in 2D, 30,000 in 3D;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/simulation.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/problem_size.hpp"
 #include "solve/semi_discrete_evaluator.hpp"
 #include "support/scene_text.hpp"
 
@@ -93,5 +93,38 @@ inline double relative_distance(const Thyra::VectorBase<double>& a, const Thyra:
 inline std::shared_ptr<const LinearSolverFactory> solvers(const Model& model, const Teuchos::ParameterList& list = {}) {
   return std::make_shared<LinearSolverFactory>(completed_linear_solver(list, problem_size(model)), &model);
 }
+
+/// A list with Belos, this preconditioner and operator.
+inline Teuchos::ParameterList belos(const std::string& preconditioner, const std::string& op = "Assembled") {
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Belos").set("Preconditioner Type", preconditioner).set("Operator", op);
+  return list;
+}
+
+/// A moving state of a held block, and an evaluator with reactions.
+struct EvaluatorExample {
+  explicit EvaluatorExample(int dimension = 2, const Teuchos::ParameterList& list = belos("MueLu"))
+      : simulation(held_block(dimension)),
+        model(simulation->model()),
+        factory(solvers(model, list)),
+        evaluator(model, factory, {"left"}),
+        in(arguments(evaluator, wave(model, 0.02, 0), wave(model, 0.1, 1), wave(model, 0.3, 2), 0.5)) {
+    in.set_W_x_dot_dot_coeff(40.0);
+    in.set_alpha(2.0);
+    in.set_beta(1.0);
+  }
+  /// The InArgs of a surface below the wall.
+  Thyra::ModelEvaluatorBase::InArgs<double> inadmissible() const {
+    Thyra::ModelEvaluatorBase::InArgs<double> result = in;
+    result.set_x(thyra(uniform(model, -0.7, static_cast<std::size_t>(model.mesh().dimension) - 1)));
+    return result;
+  }
+
+  std::unique_ptr<Simulation> simulation;
+  const Model& model;
+  std::shared_ptr<const LinearSolverFactory> factory;
+  SemiDiscreteEvaluator evaluator;
+  Thyra::ModelEvaluatorBase::InArgs<double> in;
+};
 
 }  // namespace ixos::test

@@ -1,5 +1,5 @@
-// Drives the ball's semi-discrete model with a Newmark loop (newmark_loop.hpp), through Thyra alone, and compares the motion
-// with Ixos' own "Newmark" table: newmark SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
+// Drives the ball's semi-discrete model with a Newmark loop (newmark_loop.hpp), through Thyra alone, and compares the
+// motion with Ixos' own "Newmark" table: newmark SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
 #include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_Core.hpp>
 #include <Tpetra_Vector.hpp>
