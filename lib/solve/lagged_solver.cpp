@@ -1,13 +1,11 @@
 #include "solve/lagged_solver.hpp"
 
-#include <Thyra_DefaultLinearOpSource.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Thyra_PreconditionerFactoryHelpers.hpp>
 #include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -17,6 +15,7 @@
 
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
+#include "solve/operator_preconditioner.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
@@ -30,6 +29,10 @@ constexpr int unknown = std::numeric_limits<int>::max() / 2;  ///< more iteratio
 /// Belos' CG reports this in the message only.
 bool shows_negative_curvature(const std::exception& error) {
   return std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
+}
+
+int iterations(const Status& status) {
+  return status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
 }
 
 class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
@@ -47,11 +50,19 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
 
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
+    given_ = Teuchos::null;
     fresh_ = false;
     if (loaded_) rebuild();
     loaded_ = false;
     if (stale_) return renew();
     attach();
+  }
+  /// Solves with a preconditioner of the caller until the next initialize().
+  void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
+                  const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given) {
+    source_ = source;
+    given_ = given;
+    krylov_factory_->initializePreconditionedOp(source, given, krylov_.get(), Thyra::SUPPORT_SOLVE_UNSPECIFIED);
   }
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
 
@@ -93,13 +104,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   }
 
   /// Makes the preconditioner from the matrix's present values.
-  void make() const {
-    std::srand(1);
-    if (!options_.of_matrix) return factory_->initializePrec(source_, preconditioner_.get());
-    const Teuchos::RCP<const Operator> matrix = matrix_of(*source_);
-    factory_->initializePrec(Thyra::defaultLinearOpSource(const_linear_op(matrix, source_->getOp()->range())),
-                             preconditioner_.get());
-  }
+  void make() const { initialize_preconditioner(*factory_, options_.of_matrix, source_, *preconditioner_); }
   void renew() const {
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
@@ -173,6 +178,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Status solveImpl(const Thyra::EOpTransp, const Thyra::MultiVectorBase<double>& b,
                    const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                    const Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override {
+    if (nonnull(given_)) return counted(b, x, criteria);
     const bool old = !fresh_;
     try {
       Status status = attempt(b, x, criteria);
@@ -205,23 +211,28 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     }
   }
 
-  Status attempt(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+  /// Solves, and counts the iterations.
+  Status counted(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                  const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const TimedScope timed(Phase::LinearSolve);
+    Thyra::assign(x, 0.0);
+    Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
+    statistics_->iterations += iterations(status);
+    return status;
+  }
+
+  Status attempt(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                 const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const bool first = fresh_;
     fresh_ = false;
     stale_ = true;  // should this throw, or not converge
-    Thyra::assign(x, 0.0);
-    Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
-    const int iterations =
-        status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
-    statistics_->iterations += iterations;
+    Status status = counted(b, x, criteria);
     if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED) return status;
     refused_ = false;
     if (first) least_iterations_.clear();
     int& least = least_iterations();
-    least = std::min(least, iterations);
-    excess_ += iterations - least;
+    least = std::min(least, iterations(status));
+    excess_ += iterations(status) - least;
     stale_ = excess_ > options_.setup_cost;
     return status;
   }
@@ -234,6 +245,9 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
   mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
+  /// The caller's preconditioner, or null.
+  Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;
+
   mutable bool stale_ = true;                          ///< renew before the next matrix
   mutable bool fresh_ = false;                         ///< renewed, and not used since
   mutable std::vector<int> least_iterations_;          ///< of the solves with this preconditioner, by family
@@ -261,6 +275,16 @@ Teuchos::RCP<LaggedSolverFactory::Op> LaggedSolverFactory::createOp() const {
 void LaggedSolverFactory::initializeOp(const Teuchos::RCP<const Source>& source, Op* op,
                                        const Thyra::ESupportSolveUse) const {
   dynamic_cast<LaggedSolve&>(*op).initialize(source);
+}
+
+bool LaggedSolverFactory::supportsPreconditionerInputType(const Thyra::EPreconditionerInputType type) const {
+  return krylov_->supportsPreconditionerInputType(type);
+}
+
+void LaggedSolverFactory::initializePreconditionedOp(const Teuchos::RCP<const Source>& source,
+                                                     const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given,
+                                                     Op* op, const Thyra::ESupportSolveUse) const {
+  dynamic_cast<LaggedSolve&>(*op).initialize(source, given);
 }
 
 void LaggedSolverFactory::uninitializeOp(Op* op, Teuchos::RCP<const Source>* source,

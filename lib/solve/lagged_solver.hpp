@@ -39,6 +39,12 @@ class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<dou
   bool isCompatible(const Source& source) const override { return krylov_->isCompatible(source); }
   Teuchos::RCP<Op> createOp() const override;
   void initializeOp(const Teuchos::RCP<const Source>& source, Op* op, Thyra::ESupportSolveUse support) const override;
+  /// Takes a preconditioner of the caller in place of the kept one, which is neither used nor renewed until the next
+  /// initializeOp(). A failed solve is not repeated.
+  bool supportsPreconditionerInputType(Thyra::EPreconditionerInputType type) const override;
+  void initializePreconditionedOp(const Teuchos::RCP<const Source>& source,
+                                  const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given, Op* op,
+                                  Thyra::ESupportSolveUse support) const override;
   void uninitializeOp(Op* op, Teuchos::RCP<const Source>* source,
                       Teuchos::RCP<const Thyra::PreconditionerBase<double>>* preconditioner,
                       Teuchos::RCP<const Source>* approximate, Thyra::ESupportSolveUse* support) const override;

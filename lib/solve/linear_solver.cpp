@@ -14,6 +14,7 @@
 #include "solve/direct_solver.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/lagged_solver.hpp"
+#include "solve/operator_preconditioner.hpp"
 #include "solve/rigid_body_modes.hpp"
 #include "solve/thyra.hpp"
 
@@ -106,6 +107,13 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
 LinearSolverFactory::~LinearSolverFactory() = default;
 
 Teuchos::RCP<const ThyraFactory> LinearSolverFactory::strategy() const { return implementation_->strategy(); }
+
+Teuchos::RCP<OperatorPreconditioner> LinearSolverFactory::preconditioner() const {
+  const Implementation& self = *implementation_;
+  if (!self.preconditioned) return Teuchos::null;
+  return Teuchos::rcp(
+      new OperatorPreconditioner(self.preconditioner_builder.createPreconditioningStrategy(""), self.lagged.of_matrix));
+}
 
 bool LinearSolverFactory::matrix_free() const { return implementation_->matrix_free; }
 

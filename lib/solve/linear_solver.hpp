@@ -14,6 +14,7 @@ class LinearOpWithSolveFactoryBase;
 namespace ixos {
 
 class Model;
+class OperatorPreconditioner;
 
 /// Counts of the work that the iterative solvers of a factory did so far.
 struct LinearStatistics {
@@ -42,6 +43,9 @@ class LinearSolverFactory {
 
   /// Returns a new Thyra factory at each call, so that each caller owns the state of its operators (see StateKeeper).
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> strategy() const;
+  /// Returns a new preconditioner of the list's type, which does not renew itself; null if the list has none. The
+  /// factory must outlive it.
+  Teuchos::RCP<OperatorPreconditioner> preconditioner() const;
   const LinearStatistics& statistics() const;
   /// Returns whether tangents are to be applied without a matrix.
   bool matrix_free() const;

@@ -5,6 +5,21 @@
 
 namespace ixos {
 
+MassOperator::MassOperator(const Model& model)
+    : model_(model),
+      x_(static_cast<std::size_t>(model.space().local())),
+      product_(static_cast<std::size_t>(model.space().owned()), 0.0) {}
+
+void MassOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
+  for (std::size_t j = 0; j < x.getNumVectors(); ++j) {
+    model_.space().import(*x.getVector(j), x_.data());
+    if (model_.mass() != nullptr) model_.mass()->multiply(x_.data(), product_.data());
+    const auto to = y.getVectorNonConst(j)->getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (std::size_t i = 0; i < product_.size(); ++i)
+      to(i, 0) = beta == 0 ? alpha * product_[i] : alpha * product_[i] + beta * to(i, 0);
+  }
+}
+
 ScaledMass::ScaledMass(const Model& model)
     : model_(model),
       scale_(static_cast<std::size_t>(model.space().owned()), 0.0),

@@ -24,7 +24,7 @@ struct TangentPoint {
 
 /// y = W x from the data that the terms keep at their quadrature points, consistent mass and damping included. The
 /// model must outlive it.
-class TangentOperator final : public AssemblableOperator {
+class TangentOperator : public AssemblableOperator {
  public:
   /// `assemble` fills matrix values (Pattern::create_matrix's layout, zero before) with the tangent at the last
   /// linearize(), constraints included. Throws InputError if a term cannot be applied matrix-free.

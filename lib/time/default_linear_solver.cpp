@@ -4,25 +4,10 @@
 #include <limits>
 #include <string>
 
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/problem_size.hpp"
+#include "time/stage_problem.hpp"
 
 namespace ixos {
-namespace {
-
-bool is_symmetric(const Model& model, const Table& table) {
-  return std::all_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
-    return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
-  });
-}
-
-bool needs_matrix(const Model& model) {
-  return std::any_of(model.materials().begin(), model.materials().end(), [](const Material& material) {
-    return material.viscosity != 0 || !has_action(*material.law, material.formulation);
-  });
-}
-
-}  // namespace
-
 double tangent_stiffness(const Model& model, const Table& table, double dt) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
@@ -38,12 +23,10 @@ double tangent_stiffness(const Model& model, const Table& table, double dt) {
 
 std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table,
                                                                  double longest_step) {
-  ProblemSize size;
-  size.dimension = model.mesh().dimension;
-  size.dofs = model.space().global();
-  size.ranks = model.space().comm()->getSize();
-  if (!is_symmetric(model, table)) size.asymmetry = "the scheme \"" + table.name + "\" with this model";
-  if (needs_matrix(model)) size.matrix_only = "a material";
+  ProblemSize size = problem_size(model);
+  size.asymmetry.clear();  // that of the table's tangents, not that of the semi-discrete equation
+  if (!std::all_of(table.stages.begin(), table.stages.end(), [&](const Stage& s) { return is_symmetric(model, s); }))
+    size.asymmetry = "the scheme \"" + table.name + "\" with this model";
   size.stiffness = tangent_stiffness(model, table, longest_step);
   auto solver = std::make_shared<const LinearSolverFactory>(completed_linear_solver({}, size), &model);
   if (solver->matrix_free() && !is_explicit(table)) model.do_without_matrices();

@@ -1,4 +1,5 @@
-// The scaled consistent mass, against its assembled matrix and against eigenvalues that are known.
+// The mass, against sums that are known; the scaled consistent mass, against its assembled matrix and against
+// eigenvalues that are known.
 #include "solve/mass_operator.hpp"
 
 #include <gtest/gtest.h>
@@ -162,6 +163,33 @@ TEST(ScaledMassTest, AppliesToSeveralColumnsAndAddsToWhatIsThere) {
     expected.update(-2.0, *y.getVector(column), 3.0);
     EXPECT_LT(distance(*sum.getVector(column), expected), 1e-14 * expected.norm2());
   }
+}
+
+// Every column of the plain mass: e_i.M e_j is the body's mass if i = j, whatever is held.
+TEST(MassOperatorTest, SumsToTheMassOfTheBodyAlongEachAxis) {
+  for (int dimension : {2, 3})
+    for (const Inertia inertia : {Inertia::Consistent, Inertia::Lumped, Inertia::None}) {
+      BoxShape shape;
+      shape.dimension = dimension;
+      shape.lengths = {3, 2, 1};
+      shape.divisions = {4, 3, 2};
+      const auto model = test::model_of(box(shape), test::elastic(linear_elastic, 0.2), inertia);
+      model->constraints().add(0, 1.0, nullptr);
+      const auto d = static_cast<std::size_t>(dimension);
+      MultiVector x(model->space().owned_map(), d), y(model->space().owned_map(), d);
+      {
+        const auto view = x.getLocalViewHost(Tpetra::Access::OverwriteAll);
+        for (std::size_t i = 0; i < view.extent(0); ++i)
+          for (std::size_t j = 0; j < d; ++j) view(i, j) = i % d == j ? 1.0 : 0.0;
+      }
+      y.putScalar(1.0);
+      const MassOperator mass(*model);
+      mass.apply(x, y, Teuchos::NO_TRANS, 2.0, 0.5);
+      std::vector<double> sums(d);
+      y.dot(x, Teuchos::ArrayView<double>(sums.data(), dimension));
+      const double nodes = static_cast<double>(model->space().global()) / dimension;
+      for (const double sum : sums) EXPECT_NEAR(sum, (inertia == Inertia::None ? 0 : 2 * 6) + 0.5 * nodes, 1e-11);
+    }
 }
 
 }  // namespace

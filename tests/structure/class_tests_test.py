@@ -93,8 +93,7 @@ elsewhere = {
     "solve/linear_solver_defaults.hpp": ("solve/multigrid_test.cpp", "LinearSolverDefaultsSerialTest"),
     "solve/nonlinear_problem.hpp": ("solve/newton_test.cpp", "an interface; problems with known solutions"),
     "solve/rigid_body_modes.hpp": ("solve/multigrid_test.cpp", "the modes carry no elastic force"),
-    "solve/semi_discrete_evaluator.hpp": (
-        "../docs/examples/programs/newmark.cpp", "another program evaluates the model"),
+    "solve/problem_size.hpp": ("solve/semi_discrete_preconditioner_test.cpp", "solvers of models without a scene"),
     "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
     "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),
     "study/study_result.hpp": ("study/study_test.cpp", "recommendation and files"),

@@ -1,6 +1,5 @@
-// Drives the ball's semi-discrete model with a Newmark loop of its own, through Thyra alone, and compares the motion
-// with Ixos' own "Newmark" table: newmark SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
-#include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
+// Drives the ball's semi-discrete model with a Newmark loop (newmark_loop.hpp), through Thyra alone, and compares the
+// motion with Ixos' own "Newmark" table: newmark SCENE.xml. Exit status 0 where they agree to 1e-10 over 100 steps.
 #include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_Core.hpp>
 #include <Tpetra_Vector.hpp>
@@ -10,71 +9,7 @@
 #include <ixos/evaluator.hpp>
 #include <ixos/simulation.hpp>
 
-namespace {
-
-using ThyraVector = Teuchos::RCP<Thyra::VectorBase<double>>;
-
-/// Newmark's method with beta = 1/4, gamma = 1/2 on f(a, v, u, t) = 0, unknown u.
-class NewmarkLoop {
- public:
-  explicit NewmarkLoop(const Thyra::ModelEvaluator<double>& model)
-      : model_(model), w_(model.create_W_op()), solver_(model.get_W_factory()->createOp()) {
-    for (ThyraVector* x : {&u, &v, &a, &f_, &du_}) {
-      *x = Thyra::createMember(model.get_x_space());
-      Thyra::assign(x->ptr(), 0.0);
-    }
-    solve(1.0, 0.0, 0.0, a);  // M a + f(u_0) = 0 is linear in a
-  }
-
-  void step(double dt) {
-    const ThyraVector u0 = u->clone_v(), v0 = v->clone_v(), a0 = a->clone_v();
-    const auto kinematics = [&] {
-      Thyra::linear_combination<double>(
-          Teuchos::tuple(4 / (dt * dt), -4 / (dt * dt), -4 / dt, -1.0),
-          Teuchos::tuple<Teuchos::Ptr<const Thyra::VectorBase<double>>>(u.ptr(), u0.ptr(), v0.ptr(), a0.ptr()), 0.0,
-          a.ptr());
-      Thyra::linear_combination<double>(
-          Teuchos::tuple(2 / dt, -2 / dt, -1.0),
-          Teuchos::tuple<Teuchos::Ptr<const Thyra::VectorBase<double>>>(u.ptr(), u0.ptr(), v0.ptr()), 0.0, v.ptr());
-    };
-    time += dt;
-    kinematics();
-    for (int iteration = 0; iteration < 12; ++iteration) {
-      solve(4 / (dt * dt), 2 / dt, 1.0, u);
-      kinematics();
-    }
-  }
-
-  ThyraVector u, v, a;
-  double time = 0;
-
- private:
-  /// target -= W^-1 f with W = mass M + alpha C + beta K.
-  void solve(double mass, double alpha, double beta, const ThyraVector& target) {
-    auto in = model_.createInArgs();
-    in.set_x(u);
-    in.set_x_dot(v);
-    in.set_x_dot_dot(a);
-    in.set_t(time);
-    in.set_W_x_dot_dot_coeff(mass);
-    in.set_alpha(alpha);
-    in.set_beta(beta);
-    auto out = model_.createOutArgs();
-    out.set_f(f_);
-    out.set_W_op(w_);
-    model_.evalModel(in, out);
-    Thyra::initializeOp<double>(*model_.get_W_factory(), w_, solver_.ptr());
-    Thyra::solve<double>(*solver_, Thyra::NOTRANS, *f_, du_.ptr());
-    Thyra::Vp_StV(target.ptr(), -1.0, *du_);
-  }
-
-  const Thyra::ModelEvaluator<double>& model_;
-  Teuchos::RCP<Thyra::LinearOpBase<double>> w_;
-  Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> solver_;
-  ThyraVector f_, du_;
-};
-
-}  // namespace
+#include "newmark_loop.hpp"
 
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
@@ -89,7 +24,9 @@ int main(int argc, char** argv) {
   linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
   const ixos::LinearSolverFactory factory(linear);
   const ixos::SemiDiscreteEvaluator evaluator(simulation.model(), factory.strategy());
-  NewmarkLoop loop(evaluator);
+  const auto at_rest = Thyra::createMember(evaluator.get_x_space());
+  Thyra::assign(at_rest.ptr(), 0.0);
+  NewmarkLoop loop(evaluator, at_rest);
 
   double largest = 0, moved = 0;
   ixos::Vector difference(simulation.model().space().owned_map());

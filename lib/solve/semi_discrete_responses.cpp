@@ -1,0 +1,101 @@
+#include "solve/semi_discrete_responses.hpp"
+
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+std::string axes(const Model& model) { return model.mesh().dimension == 2 ? "xy" : "xyz"; }
+
+void append(std::vector<std::string>& names, const std::string& stem, const std::string& axes) {
+  for (const char axis : axes) names.push_back(stem + "_" + axis);
+}
+
+}  // namespace
+
+SemiDiscreteResponses::SemiDiscreteResponses(const Model& model, const std::vector<std::string>& reactions)
+    : model_(model) {
+  add_names({"kinetic_energy", "elastic_energy", "contact_energy"});
+  std::vector<std::string> momenta, interaction, sets;
+  append(momenta, "linear_momentum", axes(model));
+  append(momenta, "angular_momentum", model.mesh().dimension == 2 ? "z" : "xyz");
+  add_names(std::move(momenta));
+  append(interaction, "contact_force", axes(model));
+  interaction.insert(interaction.end(), {"contact_measure", "min_gap"});
+  add_names(std::move(interaction));
+  for (const std::string& name : reactions) {
+    add_reaction_set(name);
+    append(sets, "reaction_" + name, axes(model));
+  }
+  if (!sets.empty()) add_names(std::move(sets));
+}
+
+void SemiDiscreteResponses::add_names(std::vector<std::string> names) {
+  const auto size = static_cast<Tpetra::global_size_t>(names.size());
+  spaces_.push_back(vector_space(Teuchos::rcp(new Map(size, 0, model_.space().comm(), Tpetra::LocallyReplicated))));
+  names_.push_back(std::move(names));
+}
+
+void SemiDiscreteResponses::add_reaction_set(const std::string& name) {
+  const LocalMesh& mesh = model_.mesh();
+  const std::size_t set = mesh.node_set(name);
+  double held = 0;
+  for (const int node : mesh.node_sets[set])
+    for (int i = 0; i < mesh.dimension; ++i) held += model_.constraints().holds(node * mesh.dimension + i) ? 1 : 0;
+  if (model_.space().maximum(held) == 0)
+    throw InputError("reactions of an evaluator: no displacement of the node set \"" + name +
+                     "\" is prescribed, so it has no reaction");
+  reaction_sets_.push_back(set);
+}
+
+void SemiDiscreteResponses::evaluate(int response, SemiDiscreteBalance& balance, Vector& g) const {
+  const std::vector<double> components = values(static_cast<Response>(response), balance);
+  const auto view = g.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  std::copy(components.begin(), components.end(), view.data());
+}
+
+std::vector<double> SemiDiscreteResponses::values(Response response, SemiDiscreteBalance& balance) const {
+  const double* u = balance.displacement().data();
+  switch (response) {
+    case Response::Energies:
+      return {model_.momenta(u, balance.velocity().data()).kinetic_energy, model_.energy(Part::Elastic, u),
+              model_.energy(Part::Interaction, u)};
+    case Response::Momenta: {
+      const Momenta momenta = model_.momenta(u, balance.velocity().data());
+      std::vector<double> all(momenta.linear);
+      all.insert(all.end(), momenta.angular.begin(), momenta.angular.end());
+      return all;
+    }
+    case Response::Interaction: {
+      const InteractionReport report = model_.interaction_report(u);
+      std::vector<double> all(report.force);
+      all.insert(all.end(), {report.measure, report.least_gap});
+      return all;
+    }
+    case Response::Reactions:
+      break;
+  }
+  return reactions(balance);
+}
+
+std::vector<double> SemiDiscreteResponses::reactions(SemiDiscreteBalance& balance) const {
+  const LocalMesh& mesh = model_.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const std::vector<double>& forces = balance.sum();
+  std::vector<double> sums(reaction_sets_.size() * d, 0.0);
+  for (std::size_t s = 0; s < reaction_sets_.size(); ++s)
+    for (const int node : mesh.node_sets[reaction_sets_[s]]) {
+      const auto n = static_cast<std::size_t>(node);
+      if (node >= mesh.owned_nodes || mesh.is_derivative(n)) continue;
+      for (std::size_t i = 0; i < d; ++i)
+        if (model_.constraints().holds(static_cast<int>(n * d + i))) sums[s * d + i] += forces[n * d + i];
+    }
+  model_.space().sum(sums.data(), static_cast<int>(sums.size()));
+  return sums;
+}
+
+}  // namespace ixos
