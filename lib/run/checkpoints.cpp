@@ -120,18 +120,7 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
     record.text("mesh", mesh);
     transfer(record);
   };
-  CheckpointSize size;
-  name_all(size);
-  const std::string path = checkpoint_path(folder_, step);
-  try {
-    CheckpointWriter writer(path, model.space(), model.mesh(), size.bytes());
-    name_all(writer);
-    writer.publish();
-  } catch (const FileError&) {
-    std::error_code code;
-    if (model.space().comm()->getRank() == 0) fs::remove(beside(path), code);
-    throw;
-  }
+  write_checkpoint_file(checkpoint_path(folder_, step), model.space(), model.mesh(), name_all);
   last_step_ = step;
   last_time_ = Teuchos::Time::wallTime();
   steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());
