@@ -98,11 +98,12 @@ std::string lagged(const std::string& preconditioner, const std::string& scheme,
 
 TEST(RepeatedStepsTest, LaggedPreconditionersComeBack) {
   for (const char* op : {"Assembled", "Matrix-Free"})
-    for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct", "Chebyshev"})
-      for (const double cost : {3.0, 1e6}) {
-        SCOPED_TRACE(std::string(op) + ", " + preconditioner + ", " + std::to_string(cost));
-        expect_repeatable(lagged(preconditioner, "Newmark", cost, op));
-      }
+    for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct", "Chebyshev"}) {
+      SCOPED_TRACE(std::string(op) + ", " + preconditioner);
+      expect_repeatable(lagged(preconditioner, "Newmark", 3, op));
+    }
+  SCOPED_TRACE("never renewed");
+  expect_repeatable(lagged("MueLu", "Newmark", 1e6));
   SCOPED_TRACE("two stages");
   expect_repeatable(lagged("MueLu", "Bathe Composite", 3));
   SCOPED_TRACE("KLU, whose order of pivots is older than its matrix");
