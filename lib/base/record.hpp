@@ -14,8 +14,8 @@ namespace ixos {
 /// The part of a model that an array by degree of freedom covers: the rank's own nodes, or its ghosts too.
 enum class Extent { Owned, Local };
 
-/// Access to a checkpoint, for writing or reading, or to a Snapshot. An object's one function transfer(Record&) names its members once
-/// for both. Collective: all ranks name the same things in the same order.
+/// Access to a checkpoint, for writing or reading, or to a Snapshot. An object's one function transfer(Record&) names
+/// its members once for both. Collective: all ranks name the same things in the same order.
 class Record {
  public:
   virtual ~Record() = default;
@@ -28,8 +28,8 @@ class Record {
   /// Returns, when loading, whether the partition is equal. If not, shares of ranks must not be asked for.
   virtual bool same_partition() const = 0;
   bool exact() const { return same_scene() && same_solution() && same_partition(); }
-  /// Returns whether the record stays in this process. What then loads is what saved, and may keep all that has not
-  /// changed since.
+  /// Returns whether the record stays in this process: the object that loads is the one that saved, and may keep what
+  /// has not changed since.
   virtual bool in_memory() const { return false; }
   /// Returns, when loading, whether the present section has a section of that name; true when writing.
   virtual bool has_section(const std::string& /*name*/) const { return true; }

@@ -20,15 +20,15 @@ class Snapshot::Memory final : public Record {
     return !loading_ || (next != values_.end() && next->first.rfind(path, 0) == 0);
   }
 
-  void text(const char* name, std::string& value) override { move(value, of(name).text); }
-  void field(const char* name, std::vector<double>& values, Extent) override { move(values, of(name).numbers); }
-  void share(const char* name, std::vector<double>& values) override { move(values, of(name).numbers); }
+  void text(const char* name, std::string& value) override { hand_over(value, of(name).text); }
+  void field(const char* name, std::vector<double>& values, Extent) override { hand_over(values, of(name).numbers); }
+  void share(const char* name, std::vector<double>& values) override { hand_over(values, of(name).numbers); }
   void all_shares(const char*, std::vector<double>&) override {
-    throw std::logic_error("a snapshot has the shares of its own rank only");
+    throw std::logic_error("a snapshot has no shares of other ranks");
   }
 
  private:
-  void scalar(const char* name, double& value) override { move(value, of(name).number); }
+  void scalar(const char* name, double& value) override { hand_over(value, of(name).number); }
   void enter(const std::string& name) override {
     lengths_.push_back(path_.size());
     path_ += name + '/';
@@ -45,7 +45,7 @@ class Snapshot::Memory final : public Record {
     return found->second;
   }
   template <class T>
-  void move(T& here, T& kept) const {
+  void hand_over(T& here, T& kept) const {
     if (loading_)
       here = kept;
     else

@@ -13,7 +13,7 @@ namespace {
 
 void transfer_loop(Record& record, Integrator& integrator, const std::vector<ProgramState>& states) {
   if (!record.has_section("integrator"))
-    throw InputError("is the checkpoint of a run, not of a program with a time loop of its own");
+    throw InputError("is the checkpoint of a run: resume it with run() or ixos --restart");
   transfer(record, states);
   integrator.transfer(record);
 }

@@ -18,7 +18,7 @@ void write_checkpoint(const std::string& path, Simulation& simulation, const std
 std::vector<std::string> read_checkpoint(const std::string& path, Simulation& simulation,
                                          const std::vector<ProgramState>& states = {});
 
-/// The same for an integrator of a model without a scene. The file names the scheme and has the coordinates of the
+/// Write and read an integrator of a model without a scene. The file names the scheme and has the coordinates of the
 /// nodes: reading throws InputError if either differs. It cannot know what else the program built otherwise than
 /// before.
 void write_checkpoint(const std::string& path, Integrator& integrator, const std::vector<ProgramState>& states = {});

@@ -1,7 +1,8 @@
-// A partitioned coupling: a block above an adhesive wall hangs on a stage, a mass on a spring that a solver of its own
-// moves. The block's top follows the stage; the stage feels the block's reaction. In each coupling step the two iterate
-// to a common motion (fixed point with Aitken's relaxation). Ixos takes two steps in it, the stage's solver eight; both
-// go back to the beginning of the coupling step before each iteration.
+// Couples a block, which Ixos moves, to a stage, which a solver of this program moves: a partitioned coupling. The
+// block hangs above an adhesive wall on the stage, a mass on a spring. The block's top follows the stage; the stage
+// feels the block's reaction. In each coupling step the two iterate to a common motion (fixed point with Aitken's
+// relaxation). Ixos takes two steps in it, the stage's solver eight; both go back to the beginning of the coupling step
+// before each iteration.
 //
 // Checks:
 // - the total energy of body and stage, and what the viscosity dissipates, stays constant: to 3e-3 of the energy of the
