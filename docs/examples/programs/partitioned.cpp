@@ -10,13 +10,17 @@
 // - a coupling step that is repeated has the same bits;
 // - so has a run that stops in the middle and resumes from a checkpoint, with the stage's state beside Ixos'.
 // Usage: partitioned [FILE], where FILE is the checkpoint. Exit status 0 if all of this holds.
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_XMLParameterListHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "base/snapshot.hpp"
 #include "histories/waveform.hpp"
