@@ -1,4 +1,4 @@
-/// The named contents of an object in a checkpoint.
+/// The named contents of an object in a checkpoint, or in memory.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -14,8 +14,8 @@ namespace ixos {
 /// The part of a model that an array by degree of freedom covers: the rank's own nodes, or its ghosts too.
 enum class Extent { Owned, Local };
 
-/// Access to a checkpoint, for writing or reading. An object's one function transfer(Record&) names its members once
-/// for both. Collective: all ranks name the same things in the same order.
+/// Access to a checkpoint, for writing or reading, or to a Snapshot. An object's one function transfer(Record&) names
+/// its members once for both. Collective: all ranks name the same things in the same order.
 class Record {
  public:
   virtual ~Record() = default;
@@ -28,6 +28,11 @@ class Record {
   /// Returns, when loading, whether the partition is equal. If not, shares of ranks must not be asked for.
   virtual bool same_partition() const = 0;
   bool exact() const { return same_scene() && same_solution() && same_partition(); }
+  /// Returns whether the record stays in this process: the object that loads is the one that saved, and may keep what
+  /// has not changed since.
+  virtual bool in_memory() const { return false; }
+  /// Returns, when loading, whether the present section has a section of that name; true when writing.
+  virtual bool has_section(const std::string& /*name*/) const { return true; }
 
   /// Transfers a number or a truth value that is the same on all ranks; if it is not, the first rank's value is used.
   /// Throws InputError if a loaded value does not fit the type.
@@ -51,6 +56,9 @@ class Record {
   virtual void field(const char* name, std::vector<double>& values, Extent extent) = 0;
   /// Transfers an array of any length that belongs to the rank.
   virtual void share(const char* name, std::vector<double>& values) = 0;
+  /// Transfers an array that belongs to the rank and has its length when it loads. Throws InputError, on all ranks, if
+  /// the length differs on any rank, if a value is not finite, or if another number of ranks wrote it.
+  virtual void array(const char* name, std::vector<double>& values) { share(name, values); }
   /// Reads the arrays of all ranks that wrote with share(), one after the other. Loading only, on any partition. Throws
   /// InputError if a value is not finite.
   virtual void all_shares(const char* /*name*/, std::vector<double>& /*values*/) {

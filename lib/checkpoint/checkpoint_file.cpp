@@ -1,9 +1,12 @@
 #include "checkpoint/checkpoint_file.hpp"
 
+#include <fmt/format.h>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 #include "base/agreement.hpp"
@@ -88,6 +91,21 @@ void CheckpointWriter::publish() {
   });
 }
 
+void write_checkpoint_file(const std::string& path, const DofSpace& space, const LocalMesh& mesh,
+                           const std::function<void(Record&)>& transfer) {
+  CheckpointSize size;
+  transfer(size);
+  try {
+    CheckpointWriter writer(path, space, mesh, size.bytes());
+    transfer(writer);
+    writer.publish();
+  } catch (const FileError&) {
+    std::error_code code;
+    if (space.comm()->getRank() == 0) std::filesystem::remove(beside(path), code);
+    throw;
+  }
+}
+
 CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& space, const LocalMesh& mesh)
     : space_(space) {
   const std::vector<long long> nodes = owned_nodes(mesh);
@@ -123,6 +141,10 @@ void CheckpointReader::text(const char* name, std::string& value) {
   together<InputError>(space_.comm(), [&] { value = file_->text(name); });
 }
 
+bool CheckpointReader::has_section(const std::string& name) const {
+  return space_.minimum(file_->has_group(name) ? 1 : 0) > 0;
+}
+
 void CheckpointReader::enter(const std::string& name) {
   together<InputError>(space_.comm(), [&] { file_->enter(name); });
 }
@@ -154,13 +176,32 @@ void CheckpointReader::field(const char* name, std::vector<double>& values, Exte
   if (present && extent == Extent::Local) space_.update_ghosts(values.data());
 }
 
+/// Returns the lengths of the shares of all ranks.
+std::vector<long long> CheckpointReader::lengths(const char* name) const {
+  const auto ranks = static_cast<unsigned long long>(space_.comm()->getSize());
+  std::vector<long long> lengths = file_->integers(lengths_name(name).c_str(), {0, ranks, 0});
+  for (long long length : lengths)
+    if (length < 0) throw InputError(std::string("\"") + name + "\" has a share of negative length");
+  return lengths;
+}
+
 void CheckpointReader::share(const char* name, std::vector<double>& values) {
+  together<InputError>(space_.comm(),
+                       [&] { values = file_->numbers(name, share_slab(lengths(name), space_.comm()->getRank())); });
+}
+
+void CheckpointReader::array(const char* name, std::vector<double>& values) {
   together<InputError>(space_.comm(), [&] {
-    const auto ranks = static_cast<unsigned long long>(space_.comm()->getSize());
-    const std::vector<long long> lengths = file_->integers(lengths_name(name).c_str(), {0, ranks, 0});
-    for (long long length : lengths)
-      if (length < 0) throw InputError(std::string("\"") + name + "\" has a share of negative length");
-    values = file_->numbers(name, share_slab(lengths, space_.comm()->getRank()));
+    if (ranks_ != space_.comm()->getSize())
+      throw InputError(fmt::format("\"{}\" was written by {} rank(s), and cannot be read by {}", name, ranks_,
+                                   space_.comm()->getSize()));
+    const Slab slab = share_slab(lengths(name), space_.comm()->getRank());
+    if (slab.count != values.size())
+      throw InputError(fmt::format("\"{}\" has {} values on rank {}, not {}", name, slab.count,
+                                   space_.comm()->getRank(), values.size()));
+    values = file_->numbers(name, slab);
+    if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+      throw InputError(fmt::format("\"{}\" has a value that is not finite", name));
   });
 }
 

@@ -1,5 +1,6 @@
 /// Checkpoints on the disk.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,11 @@
 #include "mesh/local_mesh.hpp"
 
 namespace ixos {
+
+/// Writes a checkpoint to a path: `transfer` names its contents, twice, first to learn their size. Throws FileError;
+/// then the previous file remains, and no other. Collective.
+void write_checkpoint_file(const std::string& path, const DofSpace& space, const LocalMesh& mesh,
+                           const std::function<void(Record&)>& transfer);
 
 /// A record that computes the size of a checkpoint. Not collective.
 class CheckpointSize final : public Record {
@@ -73,9 +79,11 @@ class CheckpointReader final : public Record {
   bool same_scene() const override { return same_scene_; }
   bool same_solution() const override { return same_solution_; }
   bool same_partition() const override { return same_partition_; }
+  bool has_section(const std::string& name) const override;
   void text(const char* name, std::string& value) override;
   void field(const char* name, std::vector<double>& values, Extent extent) override;
   void share(const char* name, std::vector<double>& values) override;
+  void array(const char* name, std::vector<double>& values) override;
   void all_shares(const char* name, std::vector<double>& values) override;
 
   int ranks() const { return ranks_; }  ///< number of ranks that wrote it
@@ -88,6 +96,7 @@ class CheckpointReader final : public Record {
   void scalar(const char* name, double& value) override;
   void enter(const std::string& name) override;
   void leave() override { file_->leave(); }
+  std::vector<long long> lengths(const char* name) const;
   void find_places(const std::vector<long long>& nodes);
 
   const DofSpace& space_;

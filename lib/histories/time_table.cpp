@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "histories/catalogue.hpp"
+#include "histories/quintic.hpp"
 
 namespace ixos {
 namespace {
@@ -54,30 +55,12 @@ class Table final : public TimeFunction {
     }
     const auto above = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
     const auto i = static_cast<std::size_t>(above - times_.begin()) - 1;
-    return between(knots_[i], knots_[i + 1], times_[i + 1] - times_[i], time - times_[i]);
+    return quintic(knots_[i], knots_[i + 1], times_[i + 1] - times_[i], time - times_[i]);
   }
   double first_time() const override { return times_.front(); }
   double last_time() const override { return times_.back(); }
 
  private:
-  /// The polynomial of degree 5 in tau = since / length that has the values and derivatives of both ends: `from` gives
-  /// its first three coefficients, the conditions at `to` the others.
-  static TimeValue between(const TimeValue& from, const TimeValue& to, double length, double since) {
-    const double tau = since / length;
-    const double c0 = from.value;
-    const double c1 = length * from.rate;
-    const double c2 = length * length * from.acceleration / 2;
-    const double value = to.value - c0 - c1 - c2;
-    const double rate = length * to.rate - c1 - 2 * c2;
-    const double acceleration = length * length * to.acceleration - 2 * c2;
-    const double c3 = 10 * value - 4 * rate + acceleration / 2;
-    const double c4 = -15 * value + 7 * rate - acceleration;
-    const double c5 = 6 * value - 3 * rate + acceleration / 2;
-    return {c0 + tau * (c1 + tau * (c2 + tau * (c3 + tau * (c4 + tau * c5)))),
-            (c1 + tau * (2 * c2 + tau * (3 * c3 + tau * (4 * c4 + tau * 5 * c5)))) / length,
-            (2 * c2 + tau * (6 * c3 + tau * (12 * c4 + tau * 20 * c5))) / (length * length)};
-  }
-
   std::vector<double> times_;
   std::vector<TimeValue> knots_;
 };

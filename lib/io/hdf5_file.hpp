@@ -66,6 +66,7 @@ class Hdf5Input {
   Hdf5Input(const Hdf5Input&) = delete;
   Hdf5Input& operator=(const Hdf5Input&) = delete;
 
+  bool has_group(const std::string& name) const;
   void enter(const std::string& group);
   void leave();
   double number(const char* name) const;

@@ -88,6 +88,12 @@ Hdf5Input::Hdf5Input(const std::string& path) {
 
 Hdf5Input::~Hdf5Input() { implementation_->groups.clear(); }
 
+bool Hdf5Input::has_group(const std::string& name) const {
+  if (H5Lexists(implementation_->here(), name.c_str(), H5P_DEFAULT) <= 0) return false;
+  const Handle handle(H5Gopen2(implementation_->here(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  return handle >= 0;
+}
+
 void Hdf5Input::enter(const std::string& group) {
   Handle handle(H5Gopen2(implementation_->here(), group.c_str(), H5P_DEFAULT), H5Gclose);
   if (handle < 0) implementation_->missing(group.c_str());

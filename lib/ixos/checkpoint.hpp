@@ -1,6 +1,8 @@
-/// Checkpoints: records that write and read the state of an Integrator and of a program.
+/// The state of an Integrator and of a program, in memory (Snapshot) and in checkpoints.
 ///
-/// Stable: Record, CheckpointSize, CheckpointWriter, CheckpointReader.
+/// Stable: Record, Snapshot, ProgramState, write_checkpoint, read_checkpoint.
 #pragma once
 #include "base/record.hpp"
-#include "checkpoint/checkpoint_file.hpp"
+#include "base/snapshot.hpp"
+#include "checkpoint/program_state.hpp"
+#include "run/loop_checkpoint.hpp"

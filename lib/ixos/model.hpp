@@ -8,13 +8,14 @@
 /// MultiVector, GlobalId, LocalId, DofSpace, DofExchange, Settings, make_elastic_law, make_gap_law, make_obstacle,
 /// flat_wall, HalfSpace, SurfaceInteraction, add_interaction, prescribe, add_traction, add_point_force, add_body_force,
 /// add_gravity, Constraints, Loads, TimeFunction, TimeValue, function_of_time, constant, value_ramp, rate_ramp,
-/// RampShape, sine, interpolated, check_over.
+/// RampShape, sine, interpolated, Waveform, check_over.
 #pragma once
 #include "base/tpetra.hpp"
 #include "discretization/dof_exchange.hpp"
 #include "discretization/dof_space.hpp"
 #include "fem/rule.hpp"
 #include "histories/time_function.hpp"
+#include "histories/waveform.hpp"
 #include "interaction/catalogue.hpp"
 #include "interaction/half_space.hpp"
 #include "interaction/obstacle.hpp"

@@ -55,6 +55,13 @@ std::string build_name() {
   return fmt::format("Ixos {}, {} doubles wide, compiler {}", IXOS_VERSION, pack_width, __VERSION__);
 }
 
+void write_identity(Record& record, const Simulation& simulation) {
+  std::string build = build_name(), scene = scene_text(simulation.parameters()), mesh = simulation.mesh_fingerprint();
+  record.text("build", build);
+  record.text("scene", scene);
+  record.text("mesh", mesh);
+}
+
 std::vector<long> checkpoint_steps(const std::string& folder) {
   std::vector<long> steps;
   for (const std::string& name : names_in(folder))
@@ -113,25 +120,11 @@ void Checkpoints::write(long step, const std::function<void(Record&)>& transfer)
   if (step == last_step_) return;
   const TimedScope timed(Phase::Output);
   const Model& model = simulation_.model();
-  std::string build = build_name(), scene = scene_text(simulation_.parameters()), mesh = simulation_.mesh_fingerprint();
   const auto name_all = [&](Record& record) {
-    record.text("build", build);
-    record.text("scene", scene);
-    record.text("mesh", mesh);
+    write_identity(record, simulation_);
     transfer(record);
   };
-  CheckpointSize size;
-  name_all(size);
-  const std::string path = checkpoint_path(folder_, step);
-  try {
-    CheckpointWriter writer(path, model.space(), model.mesh(), size.bytes());
-    name_all(writer);
-    writer.publish();
-  } catch (const FileError&) {
-    std::error_code code;
-    if (model.space().comm()->getRank() == 0) fs::remove(beside(path), code);
-    throw;
-  }
+  write_checkpoint_file(checkpoint_path(folder_, step), model.space(), model.mesh(), name_all);
   last_step_ = step;
   last_time_ = Teuchos::Time::wallTime();
   steps_.erase(std::remove(steps_.begin(), steps_.end(), step), steps_.end());

@@ -50,6 +50,9 @@ class Checkpoints {
   std::vector<long> steps_;  ///< of those that are kept
 };
 
+/// Names the build, the scene and the mesh in a record that is written. Restart compares them.
+void write_identity(Record& record, const Simulation& simulation);
+
 /// Returns the version of Ixos, the width of vectors and the compiler. Another build may round differently.
 std::string build_name();
 

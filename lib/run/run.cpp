@@ -77,6 +77,11 @@ class Run {
     result_.status = RunStatus::Diverged;
     result_.reason = reason;
   }
+  void stop(const std::string& reason) {
+    if (reason.empty() || result_.status != RunStatus::Completed) return;
+    result_.status = RunStatus::Stopped;
+    result_.reason = reason;
+  }
 
   Simulation& simulation_;
   const RunOptions& options_;
@@ -126,8 +131,7 @@ void Run::go_on() {
     begin_files();
   tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) tell(note);
-  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
-  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+  stop(stop_.reason(simulation_.model(), integrator_.state()));
 }
 
 /// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.
@@ -181,15 +185,14 @@ void Run::step() {
   integrator_.accept();
   control_.succeeded();
   ++result_.steps;
-  result_.reason = stop_.reason(simulation_.model(), integrator_.state());
-  if (!result_.reason.empty()) result_.status = RunStatus::Stopped;
+  stop(stop_.reason(simulation_.model(), integrator_.state()));
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps);
   if (files_.recorded()) measures_.row(files_.history());
   watch_energy();
   const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds};
   if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
-  if (options_.observe) options_.observe(progress);
+  if (options_.observe) stop(first_problem(comm_, options_.observe(progress)));
 }
 
 /// Looks at the row of the present state, if it has one.
@@ -268,6 +271,9 @@ void Run::checkpoint() {
 }
 
 void Run::transfer(Record& record) {
+  if (!record.has_section("run"))
+    throw InputError("was written by a program with a time loop of its own: no run can resume from it");
+  ixos::transfer(record, options_.states);
   const Record::Section section(record, "run");
   record.number("steps", result_.steps);
   record.number("rejected steps", result_.rejected_steps);

@@ -7,6 +7,7 @@
 
 #include "base/phase_timer.hpp"
 #include "base/warning.hpp"
+#include "checkpoint/program_state.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -29,12 +30,18 @@ struct RunOptions {
   std::function<void(const std::string&)> warn;  ///< the same of warnings
   std::function<void(const Progress&)> watch;    ///< called after every step on rank 0; may be empty
   std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
-  /// Called on every rank after each accepted step, when its row is recorded. It may read the simulation, collectively
-  /// too, and must not change it. It must not throw. May be empty.
-  std::function<void(const Progress&)> observe;
+  /// Called on every rank after each accepted step, when its row is recorded: a step that is rejected is not seen. It
+  /// may read all that the simulation's const functions return and Integrator::acceleration(), in collective calls too.
+  /// It must not change the simulation, and must not throw. If it returns a text on any rank, the run ends there with
+  /// RunStatus::Stopped and that reason. May be empty.
+  std::function<std::string(const Progress&)> observe;
+  /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
+  /// it, and a restart reads it. A checkpoint with other states is refused with InputError.
+  std::vector<ProgramState> states;
 };
 
-enum class RunStatus { Completed, Stopped, Diverged, Interrupted };  ///< Stopped: a stop criterion holds
+/// Stopped: a stop criterion holds, or the observer ended the run.
+enum class RunStatus { Completed, Stopped, Diverged, Interrupted };
 
 struct RunResult {
   RunStatus status = RunStatus::Completed;

@@ -68,7 +68,7 @@ Driving::Driving(const SceneNode& scene, const Histories& histories, const StepC
     : times_(times_of(control)), fixed_(!control.adaptive.on), part_of_node_(parts) {
   const SceneNode initial = scene.sublist("Initial Conditions");
   velocity_ = point(initial.numbers("Velocity"));
-  for (double value : initial.numbers("Velocity Gradient")) turns_ = turns_ || value != 0;
+  for (double value : initial.numbers("Velocity Gradient")) moves_ = moves_ || value != 0;
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     if (node.text("Type") == "Displacement")
       add_motion(node, histories, mesh);
@@ -107,6 +107,10 @@ void Driving::add_motion(const SceneNode& node, const Histories& histories, cons
   };
   mark(prescribed_);
   if (name.empty()) return mark(held_);
+  if (histories.is_given(name)) {  // its future is unknown
+    moves_ = true;
+    return;
+  }
   const TimeFunction& function = *histories.get(name, HistoryUse::Motion);
   Action& way = ways_[node.text("Node Set")];
   if (way.path.empty()) way = {node.path(), parts, std::vector<Point>(times_.size(), Point{})};
@@ -146,6 +150,8 @@ void Driving::add_load(const SceneNode& node, const Histories& histories, const 
   Action load{node.path(), parts_of(node, mesh), {}};
   if (name.empty()) {
     load.values.push_back(vector);
+  } else if (histories.is_given(name)) {
+    load.values.push_back({});  // of unknown size
   } else {
     const TimeFunction& function = *histories.get(name, HistoryUse::Load);  // which also checks it
     for (double time : times_) {

@@ -48,7 +48,7 @@ class Driving {
 
   const std::vector<Motion>& motions() const { return motions_; }
   bool has_loads() const { return !loads_.empty(); }
-  bool turns() const { return turns_; }  ///< the initial velocity has a gradient
+  bool moves() const { return moves_; }  ///< the initial velocity has a gradient, or the program moves a body
 
   /// Returns the motions and loads of a connected part of the mesh (see connected_parts()) before an obstacle with that
   /// normal.
@@ -72,7 +72,7 @@ class Driving {
   bool fixed_;  ///< the times are the ends of steps
   std::vector<int> part_of_node_;
   Point velocity_{};
-  bool turns_ = false;
+  bool moves_ = false;
   std::vector<Motion> motions_;
   std::map<std::string, Action> ways_;  ///< by node set
   std::vector<Action> loads_;

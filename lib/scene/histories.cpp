@@ -7,9 +7,14 @@
 #include "histories/catalogue.hpp"
 
 namespace ixos {
-Histories::Histories(const SceneNode& list, double initial_time, double final_time)
-    : list_(list), initial_time_(initial_time), final_time_(final_time) {
+
+Histories::Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given)
+    : given_(given), list_(list), initial_time_(initial_time), final_time_(final_time) {
   for (const SceneNode& node : list.sublists()) functions_[node.name()] = histories().make(node);
+  for (const auto& [name, function] : given) {
+    if (function == nullptr) throw InputError("the program gives no function for the history \"" + name + "\"");
+    functions_[name] = function;
+  }
 }
 
 const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& name, HistoryUse use) const {
@@ -20,6 +25,7 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
     if (names.empty()) throw InputError("history \"" + name + "\" does not exist; the list Histories is empty");
     throw InputError(no_such("history", name, names, "There are"));
   }
+  if (is_given(name)) return found->second;
   const SceneNode own = list_.sublist(name);
   if (use == HistoryUse::Motion && own.text("Type") == "Expression")
     for (const char* derivative : {"Velocity", "Acceleration"})

@@ -12,19 +12,26 @@ namespace ixos {
 /// The use of a history: a motion needs its derivatives.
 enum class HistoryUse { Motion, Load };
 
+/// Functions of the calling program by name, in plain numbers.
+using GivenHistories = std::map<std::string, std::shared_ptr<const TimeFunction>>;
+
 /// The list "Histories", which must outlive this. It is read at once; each history is checked over the run at the first
-/// request for it.
+/// request for it. Functions of the program join those of the list; one of the same name takes the list's place.
 class Histories {
  public:
   /// Throws InputError with the list path.
-  Histories(const SceneNode& list, double initial_time, double final_time);
+  Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given = {});
 
   /// Returns the history of that name. Throws InputError if none has that name, if a table or a ramp does not fit the
-  /// run, or if the function is no such motion or load (see check_over).
+  /// run, or if the function is no such motion or load (see check_over). A function of the program is not checked: it
+  /// may be set step by step.
   const std::shared_ptr<const TimeFunction>& get(const std::string& name, HistoryUse use) const;
+  /// Returns whether the program gives it.
+  bool is_given(const std::string& name) const { return given_.count(name) > 0; }
 
  private:
   std::map<std::string, std::shared_ptr<const TimeFunction>> functions_;
+  GivenHistories given_;
   SceneNode list_;
   double initial_time_, final_time_;
 };

@@ -29,7 +29,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   const Driving driving(scene, histories, control, mesh, parts);
   facts.motions = driving.motions();
   facts.loaded = driving.has_loads();
-  facts.moves = driving.turns();
+  facts.moves = driving.moves();
   for (const SurfaceNumbers& surface : numbers.surfaces) {
     const SceneInteraction& interaction = interactions[surface.interaction];
     SurfaceFacts own;

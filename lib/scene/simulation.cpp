@@ -48,14 +48,14 @@ void check_resolution(const StepControlOptions& control, const std::string& path
 
 }  // namespace
 
-Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder)
-    : Simulation(scene, comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); })) {}
+Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
+    : Simulation(scene, comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); }), given) {}
 
-Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm)
+Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
     : Simulation(with_given_mesh(scene, mesh.dimension), comm,
-                 MakeMesh([&mesh](List& list) { return scene_mesh(list, mesh); })) {}
+                 MakeMesh([&mesh](List& list) { return scene_mesh(list, mesh); }), given) {}
 
-Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make_mesh)
+Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given)
     : parameters_(complete_scene(scene)),
       units_(scene_units(parameters_)),
       output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
@@ -78,7 +78,7 @@ Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make
   materials_ = read_materials(scene_node.sublist("Materials"));
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
-  build_model(comm, make_mesh, table.mass);
+  build_model(comm, make_mesh, given, table.mass);
   check_cutoffs(interactions_, *model_, table);
   build_integrator(std::move(table));
   set_initial_state();
@@ -109,7 +109,8 @@ std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia iner
   return partition_nodes(mesh, ranks, node_work(mesh, contact, inertia == Inertia::Lumped ? 0 : 500));
 }
 
-void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inertia inertia) {
+void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given,
+                             Inertia inertia) {
   const NamedScope scope("mesh and model");
   Mesh mesh;
   together<InputError>(comm, [&] {
@@ -137,7 +138,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, Inerti
   add_interactions(interactions_, *model_);
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
-  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time);
+  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, given);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};

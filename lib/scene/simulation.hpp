@@ -10,6 +10,7 @@
 #include "base/warning.hpp"
 #include "mesh/quality.hpp"
 #include "scene/characteristic_numbers.hpp"
+#include "scene/histories.hpp"
 #include "scene/interactions.hpp"
 #include "scene/output_options.hpp"
 #include "scene/probes.hpp"
@@ -26,13 +27,15 @@ namespace ixos {
 class Simulation {
  public:
   /// `scene` is as a user writes it; the constructor converts units and validates it. `folder` is the folder of the
-  /// scene's file, for mesh files named relative to it. Throws InputError with the list path.
-  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".");
+  /// scene's file, for mesh files named relative to it. `given` are histories that the program evaluates, see
+  /// Histories. Throws InputError with the list path.
+  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const std::string& folder = ".",
+             const GivenHistories& given = {});
 
   /// Makes the simulation on a mesh of the caller's, which is whole and the same on all ranks. It takes the place of
   /// the scene's mesh; the scene's "Mesh/Sets" are added to its own. Throws InputError also for arrays that
   /// check_arrays() refuses.
-  Simulation(const Teuchos::ParameterList& scene, const Mesh& mesh, const Comm& comm);
+  Simulation(const Teuchos::ParameterList& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given = {});
 
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -65,8 +68,9 @@ class Simulation {
   Table chosen_table() const;
   std::vector<int> partition(const Mesh& mesh, int ranks, Inertia inertia) const;
   using MakeMesh = std::function<Mesh(Teuchos::ParameterList& list)>;
-  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh);
-  void build_model(const Comm& comm, const MakeMesh& make_mesh, Inertia inertia);
+  Simulation(const Teuchos::ParameterList& scene, const Comm& comm, const MakeMesh& make_mesh,
+             const GivenHistories& given);
+  void build_model(const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given, Inertia inertia);
   void build_integrator(Table table);
   void set_initial_state();
 

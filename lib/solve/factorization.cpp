@@ -1,5 +1,6 @@
 #include "solve/factorization.hpp"
 
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <utility>
 
@@ -41,6 +42,12 @@ void KeptFactorization::transfer(Record& record) {
   record.number("indefinite", memory.indefinite);
   record.share("pivots for", memory.pivots_for);
   if (!record.loading()) return;
+  if (record.in_memory() && factorization_) {
+    const int changed = memory == factorization_->memory() ? 0 : 1;
+    int any = 0;
+    Teuchos::reduceAll(*matrix_->getComm(), Teuchos::REDUCE_MAX, 1, &changed, &any);
+    if (any == 0) return;
+  }
   factorization_.reset();
   loaded_ = std::move(memory);
 }

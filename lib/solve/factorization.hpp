@@ -14,6 +14,9 @@ namespace ixos {
 struct FactorizationMemory {
   bool indefinite = false;         ///< some matrix was not positive definite
   std::vector<double> pivots_for;  ///< on the first rank: the values that the order of pivots was chosen for
+  bool operator==(const FactorizationMemory& other) const {
+    return indefinite == other.indefinite && pivots_for == other.pivots_for;
+  }
 };
 
 /// A factorisation of one matrix, whose sparsity stays: analyze() once, factor() for each set of values.
@@ -67,7 +70,8 @@ class KeptFactorization {
   /// Sets x = A^-1 b for each column.
   void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }
 
-  /// Writes or reads the state for checkpoints. A loaded state takes effect with the next matrix.
+  /// Writes or reads the state for checkpoints. A loaded state takes effect with the next matrix. The present
+  /// factorisation stays if its state is the one that a record in memory has. Collective.
   void transfer(Record& record);
 
  private:

@@ -67,16 +67,18 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
 
   void transfer(Record& record) override {
+    if (record.in_memory() && transfer_setup(record)) return transfer_counts(record);
     record.number("matrices", matrices_);
     record.share("first matrix", first_matrix_);
     record.share("matrix", matrix_);
-    record.number("stale", stale_);
-    transfer_least_iterations(record);
-    record.number("excess", excess_);
-    record.number("refused", refused_);
+    transfer_counts(record);
+    if (record.loading()) {
+      preconditioner_ = factory_->createPrec();  // no trace of later matrices
+      if (!record.in_memory()) setup_ = ++statistics_->setups;
+      loaded_ = true;
+    }
     const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
     if (nonnull(inner)) inner->transfer(record);
-    if (record.loading()) loaded_ = true;
   }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override { return krylov_->range(); }
@@ -85,6 +87,25 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
  private:
   auto values() const { return Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(*source_))->getLocalMatrixHost().values; }
 
+  /// Transfers the number of the set-up that the preconditioner is of. Returns whether it is that of the record: then
+  /// the preconditioner is as it was.
+  bool transfer_setup(Record& record) {
+    if (!record.loading() && options_.of_matrix && !options_.restartable)
+      throw InputError(
+          "Output/Checkpoint/Keep is 0, so the preconditioner does not keep the matrices that it came from: a step "
+          "cannot be repeated from a saved state; let Keep be at least 1");
+    long setup = setup_;
+    record.number("setup", setup);
+    const bool same = record.loading() && setup >= 0 && setup == setup_;
+    setup_ = setup;
+    return same;
+  }
+  void transfer_counts(Record& record) {
+    record.number("stale", stale_);
+    transfer_least_iterations(record);
+    record.number("excess", excess_);
+    record.number("refused", refused_);
+  }
   void transfer_least_iterations(Record& record) {
     auto families = static_cast<int>(least_iterations_.size());
     record.number("families", families);
@@ -108,13 +129,14 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   void renew() const {
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
+    setup_ = -1;
     make();
     if (options_.restartable && options_.of_matrix) note_matrix();
     attach();
     stale_ = false;
     fresh_ = true;
     excess_ = 0;
-    ++statistics_->setups;
+    setup_ = ++statistics_->setups;
   }
   /// A renewed multigrid keeps prolongators of its first matrix.
   void note_matrix() const {
@@ -254,6 +276,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   mutable double excess_ = 0;                          ///< iterations beyond the least, summed
   mutable bool refused_ = false;                       ///< the last matrix was found not positive definite
   mutable bool loaded_ = false;                        ///< from a checkpoint: the preconditioner is yet to be made
+  mutable long setup_ = 0;                             ///< its number in the factory; 0: none yet, -1: it failed
   mutable int matrices_ = 0;                           ///< kept: none, the last one, or the first and the last one
   mutable std::vector<double> first_matrix_, matrix_;  ///< values
 };

@@ -75,10 +75,10 @@ class Integrator {
   /// Returns what was dissipated before that restart.
   double dissipated_before() const { return dissipated_before_; }
 
-  /// Writes or reads, for checkpoints between steps, everything that later steps depend on, to the last bit. Loading
-  /// onto another partition leaves out the state of the linear solvers. Loading into another scene resumes from
-  /// displacements, velocities, time and sums alone; it throws InputError if they are inadmissible there, or a
-  /// prescribed displacement would jump. Collective.
+  /// Writes or reads, for checkpoints and snapshots (see Snapshot), everything that later steps depend on, to the last
+  /// bit. Discards an attempt that waits to be accepted. Loading onto another partition leaves out the state of the
+  /// linear solvers. Loading into another scene resumes from displacements, velocities, time and sums alone; it throws
+  /// InputError if they are inadmissible there, or a prescribed displacement would jump. Collective.
   void transfer(Record& record);
 
  private:

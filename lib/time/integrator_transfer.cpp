@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "time/integrator.hpp"
@@ -18,6 +19,12 @@ void Integrator::check_whole(const char* name, const std::vector<double>& field,
 
 void Integrator::transfer(Record& record) {
   const Record::Section section(record, "integrator");
+  if (record.in_memory()) {
+    long version = model_.discretization().version();
+    record.number("discretization", version);
+    if (version != model_.discretization().version())
+      throw std::logic_error("the discretization has changed since the state was saved");
+  }
   State& state = states_.front();
   record.field("displacement", state.u, Extent::Local);
   record.field("velocity", state.v, Extent::Local);

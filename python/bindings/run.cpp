@@ -53,7 +53,10 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
   options.overwrite = overwrite;
   options.restart = restart;
   if (!tell.is_none()) options.tell = [&](const std::string& line) { guarded([&] { tell(line); }); };
-  options.observe = [&](const Progress&) { guarded([&] { notify(self); }); };
+  options.observe = [&](const Progress&) {
+    guarded([&] { notify(self); });
+    return std::string();
+  };
   options.interrupted = [&] {
     guarded([] {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();

@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/record.hpp"
+#include "histories/waveform.hpp"
 #include "input.hpp"
 #include "run/history.hpp"
 #include "run/run_files.hpp"
@@ -86,6 +87,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     stop.transfer(record);
     control.transfer(record);
     integrator.transfer(record);
+    Waveform().transfer(record);
     if (control.done(integrator.time())) return 0;
     const double dt = control.next(integrator.time());
     if (dt > 0) integrator.attempt(dt);

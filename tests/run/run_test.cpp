@@ -82,6 +82,7 @@ TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {
     times.push_back(progress.time);
     EXPECT_EQ(progress.step, static_cast<long>(times.size()));
     forces.push_back(set_reactions(simulation, {simulation.model().mesh().node_set("left")})[0]);  // collective
+    return std::string();
   };
   run(simulation, options);
   ASSERT_EQ(times.size(), 30U);
@@ -89,6 +90,22 @@ TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {
     EXPECT_NEAR(times[k], 1 + 0.1 * static_cast<double>(k + 1), 1e-12);
     EXPECT_NEAR(forces[k], -0.02, 1e-11);
   }
+}
+
+TEST_F(RunTest, AnObserverEndsTheRun) {
+  Simulation simulation(test::scene(pulled("", "")), world());
+  RunOptions options;
+  options.folder = folder_;
+  options.overwrite = true;
+  const int last = world()->getSize() - 1;
+  options.observe = [&](const Progress& progress) {  // one rank is enough
+    return std::string(progress.step == 7 && world()->getRank() == last ? "the stage stands" : "");
+  };
+  const RunResult result = run(simulation, options);
+  EXPECT_EQ(result.status, RunStatus::Stopped);
+  EXPECT_EQ(result.reason, "the stage stands");
+  EXPECT_EQ(result.steps, 7);
+  EXPECT_EQ(table().column("step").back(), 7);
 }
 
 TEST_F(RunTest, StepsEndAtTheTimesOfOutput) {

@@ -30,7 +30,7 @@ Mesh squares() {
   return mesh;
 }
 
-Driving driving(const std::string& conditions, const std::string& histories = "") {
+Driving driving(const std::string& conditions, const std::string& histories = "", const GivenHistories& given = {}) {
   const Teuchos::ParameterList scene = validated(
       test::scene(list("Materials", list("Rubber", number("Density", 1))) + list("Boundary Conditions", conditions) +
                   list("Histories", histories) + test::time_integrator("Newmark", 0.1, 10)),
@@ -40,7 +40,7 @@ Driving driving(const std::string& conditions, const std::string& histories = ""
   control.final_time = 10;
   control.time_step = 0.1;
   const Mesh mesh = squares();
-  return Driving(node, Histories(node.sublist("Histories"), 0, 10), control, mesh, connected_parts(mesh));
+  return Driving(node, Histories(node.sublist("Histories"), 0, 10, given), control, mesh, connected_parts(mesh));
 }
 
 std::string condition(const std::string& name, const std::string& set, const std::string& components,
@@ -105,6 +105,21 @@ TEST(DrivingTest, ASymmetryHoldsNoBodyAlongTheNormal) {
   EXPECT_FALSE(driving(condition("Symmetry", "left", "x")).of_part(0, up).held);
   EXPECT_TRUE(driving(condition("Symmetry", "left", "x")).of_part(0, {1, 0, 0}).held);
   EXPECT_TRUE(driving(condition("Clamp", "left", "all")).of_part(0, up).held);
+}
+
+TEST(DrivingTest, WhatTheProgramGivesIsUnforeseen) {
+  const std::string load =
+      list("Load", word("Type", "Body Force") + numbers("Vector", {3, -4}) + word("History", "Up"));
+  const GivenHistories given{{"Up", constant(1)}};
+  const Driving motion = driving(condition("Pull", "right", "y", "Up"), ramp("Up", 3), given);
+  EXPECT_TRUE(motion.moves());
+  EXPECT_TRUE(motion.motions().empty()) << "the list's history was taken instead";
+  EXPECT_TRUE(motion.of_part(4, up).held);
+  EXPECT_EQ(motion.of_part(4, up).pulls.size(), 0U);
+  const Driving loaded = driving(load, "", given);
+  EXPECT_TRUE(loaded.has_loads());
+  EXPECT_FALSE(loaded.moves());
+  EXPECT_EQ(loaded.of_part(0, up).pulls.at(0).towards, 0) << "of unknown size";
 }
 
 TEST(DrivingTest, VelocitiesThatJumpLater) {

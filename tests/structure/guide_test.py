@@ -4,8 +4,9 @@
     tests/structure/guide_test.py
 
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
-the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md must stand in a program of
-docs/examples/programs. Each block of XML in docs/user-guide.md must stand in a scene of tests/guide.
+the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md and
+docs/embedding-stepping.md must stand in a program of docs/examples/programs. Each block of XML in docs/user-guide.md
+must stand in a scene of tests/guide.
 """
 import re
 import sys
@@ -40,10 +41,12 @@ def main():
     for block in scenes:
         print("docs/user-guide.md: this scene is in no file of tests/guide:\n" + block)
     wrong = len(scenes)
+    programs = list((ROOT / "docs/examples/programs").glob("*.cpp"))
     for page, where, sources in (
             ("docs/developer-guide.md", "tests/guide or lib",
              [*(ROOT / "tests/guide").glob("*.cpp"), *(ROOT / "lib").rglob("*.[ch]pp")]),
-            ("docs/embedding.md", "docs/examples/programs", (ROOT / "docs/examples/programs").glob("*.cpp"))):
+            ("docs/embedding.md", "docs/examples/programs", programs),
+            ("docs/embedding-stepping.md", "docs/examples/programs", programs)):
         blocks, missing = find_missing_code(page, sources)
         for block in missing:
             print(f"{page}: this code is in no source of {where}:\n" + block)

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "base/error.hpp"
+#include "histories/waveform.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
@@ -73,6 +75,44 @@ TEST(DrivenTest, ReactionOfARigidMotionIsMassTimesAccelerationAndDamping) {
       before = after;
     }
   }
+}
+
+// The same motion, which the program sets step by step, and wrongly at first.
+TEST(DrivenTest, AMotionThatTheProgramSetsBeforeEachAttempt) {
+  const double m = 6, dt = 0.05;
+  const auto shake = [](double t) {
+    return TimeValue{0.3 * std::sin(2 * t), 0.6 * std::cos(2 * t), -1.2 * std::sin(2 * t)};
+  };
+  for (const char* scheme : {"Newmark", "Bathe Composite", "Central Difference"}) {
+    const auto motion = std::make_shared<Waveform>();
+    motion->set(0, shake(0), dt, shake(dt));
+    Simulation s(
+        test::scene(block("Neo-Hooke") +
+                    list("Boundary Conditions", driven("Hold", "all", "y", "") + driven("Shake", "all", "x", "Stage")) +
+                    test::time_integrator(scheme, dt, 2)),
+        world(), ".", {{"Stage", motion}});
+    for (int n = 1; n <= 20; ++n) {
+      const double t = n * dt;
+      motion->set(t - dt, shake(t - dt), t, {1, 2, 3});
+      ASSERT_TRUE(s.integrator().attempt(dt).converged) << scheme;
+      motion->set(t - dt, shake(t - dt), t, shake(t));
+      ASSERT_TRUE(s.integrator().step(dt).converged) << scheme;
+      EXPECT_NEAR(reaction(s, 0), m * shake(t).acceleration, 2e-11) << scheme << ", step " << n;
+      EXPECT_NEAR(s.integrator().state().u[0], shake(t).value, 1e-13);
+    }
+    const StepResult beyond = s.integrator().step(dt);
+    EXPECT_FALSE(beyond.converged) << "the motion ends at the end of the last step";
+    EXPECT_NE(beyond.reason.find("is not a finite number"), std::string::npos) << beyond.reason;
+  }
+}
+
+TEST(DrivenTest, AHistoryThatNobodyGivesIsRefused) {
+  const Teuchos::ParameterList scene =
+      test::scene(block("Neo-Hooke") + list("Boundary Conditions", driven("Shake", "all", "x", "Stage")) +
+                  test::time_integrator("Newmark", 0.1, 1));
+  EXPECT_THROW(Simulation(scene, world()), InputError);
+  EXPECT_THROW(Simulation(scene, world(), ".", {{"Stage", nullptr}}), InputError);
+  EXPECT_THROW(Simulation(scene, world(), ".", {{"Table", constant(0)}}), InputError);
 }
 
 TEST(DrivenTest, TheEnergyBalanceCloses) {
