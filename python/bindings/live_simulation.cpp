@@ -28,18 +28,40 @@ LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::s
 
 Simulation& LiveSimulation::get() const {
   if (!simulation_) throw std::runtime_error("the simulation has ended with Ixos' session");
+  if (computing_) throw std::runtime_error("another thread computes with this simulation; wait until it is done");
   return *simulation_;
+}
+
+Computing::Computing(const LiveSimulation& simulation) : simulation_(simulation) {
+  simulation_.computing_ = true;
+  release_.emplace();
+}
+
+Computing::~Computing() {
+  release_.reset();
+  simulation_.computing_ = false;
+}
+
+Changing::Changing(LiveSimulation& simulation) : simulation_(simulation) {
+  simulation_.get();
+  if (simulation_.changing_)
+    throw std::runtime_error("the simulation is within a step or a run: an observer may read it, but not change it");
+  simulation_.changing_ = true;
 }
 
 py::list observers(const py::object& simulation) {
   return simulation.attr("__dict__").attr("setdefault")(observers_key, py::list());
 }
 
-void notify(const py::object& simulation) {
+bool has_observers(const py::object& simulation) {
   const auto own = py::reinterpret_steal<py::dict>(PyObject_GenericGetDict(simulation.ptr(), nullptr));
-  if (!own.contains(observers_key)) return;  // most simulations have none, and steps may be short
+  return own.contains(observers_key) && py::len(own[observers_key]) > 0;
+}
+
+void notify(const py::object& simulation) {
+  if (!has_observers(simulation)) return;  // most simulations have none, and steps may be short
   // A copy: an observer may remove itself.
-  for (const py::handle observer : py::tuple(own[observers_key])) observer(simulation);
+  for (const py::handle observer : py::tuple(observers(simulation))) observer(simulation);
 }
 
 }  // namespace ixos::python

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "scene/simulation.hpp"
@@ -18,6 +19,7 @@ class LiveSimulation {
   LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const pybind11::object& comm,
                  const Mesh* mesh);
 
+  /// Throws std::runtime_error while another thread of Python computes with the simulation.
   Simulation& get() const;
   const Model& model() const { return get().model(); }
   Integrator& integrator() const { return get().integrator(); }
@@ -25,14 +27,69 @@ class LiveSimulation {
   const std::string& file() const { return file_; }  ///< of the scene; may be empty
 
  private:
+  friend class Computing;
+  friend class Changing;
   std::string file_;
   pybind11::object comm_;
   std::unique_ptr<Simulation> simulation_;
+  mutable bool computing_ = false;  ///< written with the interpreter's lock held only
+  bool changing_ = false;
   EndsWithSession end_;
+};
+
+/// A guard of a function that may solve or communicate: other threads of Python run meanwhile, but cannot use the
+/// simulation.
+class Computing {
+ public:
+  explicit Computing(const LiveSimulation& simulation);
+  ~Computing();
+  Computing(const Computing&) = delete;
+  Computing& operator=(const Computing&) = delete;
+
+  /// Holds the interpreter and lets Python read the simulation, for a call of a Python function.
+  class Pause {
+   public:
+    explicit Pause(const LiveSimulation& simulation) : simulation_(simulation) { simulation_.computing_ = false; }
+    ~Pause() { simulation_.computing_ = true; }
+    Pause(const Pause&) = delete;
+    Pause& operator=(const Pause&) = delete;
+
+   private:
+    pybind11::gil_scoped_acquire hold_;
+    const LiveSimulation& simulation_;
+  };
+
+ private:
+  const LiveSimulation& simulation_;
+  std::optional<pybind11::gil_scoped_release> release_;
+};
+
+/// Calls a function of the Simulation under the guard Computing.
+template <class Function>
+auto compute(const LiveSimulation& simulation, const Function& function) {
+  Simulation& inner = simulation.get();
+  const Computing guard(simulation);
+  return function(inner);
+}
+
+/// A guard of a function that changes the state. Throws std::runtime_error inside another one: an observer may read
+/// the simulation only.
+class Changing {
+ public:
+  explicit Changing(LiveSimulation& simulation);
+  ~Changing() { simulation_.changing_ = false; }
+  Changing(const Changing&) = delete;
+  Changing& operator=(const Changing&) = delete;
+
+ private:
+  LiveSimulation& simulation_;
 };
 
 /// Returns the list of functions to call after each accepted step of a Python object of this class.
 pybind11::list observers(const pybind11::object& simulation);
+
+/// Returns whether that list has any functions.
+bool has_observers(const pybind11::object& simulation);
 
 /// Calls the functions in the list of observers of a Python object of this class, each with the object.
 void notify(const pybind11::object& simulation);

@@ -122,7 +122,7 @@ class ResultsTest(FolderTest):
             results["gap"]
 
     def test_missing_and_damaged_files_are_refused(self):
-        with self.assertRaisesRegex(ixos.FileError, "history.csv: No such file"):
+        with self.assertRaisesRegex(ixos.FileError, "history.csv does not exist"):
             ixos.results(self.folder)
         (self.folder / "history.csv").write_text("step,time\n0,x\n1,1\n")
         with self.assertRaisesRegex(ixos.FileError, "history.csv: could not convert"):

@@ -108,9 +108,11 @@ class StepTest(unittest.TestCase):
         self.assertIsNone(gone())
 
     def test_steps_must_be_positive(self):
-        for dt in (0, -1, float("nan")):
-            with self.assertRaisesRegex(ixos.InputError, "must be greater than 0"):
-                free_block().simulation().step(dt)
+        simulation = free_block().simulation()
+        for call in (simulation.step, simulation.attempt, lambda dt: simulation.steps(1, dt)):
+            for dt in (0, -1, float("nan"), float("inf")):
+                with self.assertRaisesRegex(ixos.InputError, f"dt: a step of {dt} T0 .* finite and greater than 0"):
+                    call(dt)
 
 
 class ViewTest(unittest.TestCase):
