@@ -28,31 +28,36 @@ std::string on_rank(const Model& model) {
 
 /// Returns the numbers of an array of the rank's nodes x dimension. Throws InputError for another shape and for what is
 /// no array of numbers.
-Values numbers(const py::object& object, const char* name, const Model& model) {
-  const py::array given = py::array::ensure(object);
-  const std::string kind = given ? given.dtype().attr("kind").cast<std::string>() : "";
-  if (kind != "f" && kind != "i" && kind != "u")
-    throw InputError(fmt::format("{}{}: an array of numbers is needed", name, on_rank(model)));
+Values numbers(const py::object& object, const std::string& name, const Model& model) {
+  const Numbers given = real_numbers(object, name + on_rank(model));
   const int nodes = model.mesh().nodes(), d = model.space().dimension();
   if (given.ndim() != 2 || given.shape(0) != nodes || given.shape(1) != d)
     throw InputError(fmt::format("{}{}: the array has the shape {}; ({}, {}) is needed, nodes x dimension", name,
                                  on_rank(model), py::str(given.attr("shape")).cast<std::string>(), nodes, d));
-  const py::array_t<double, py::array::c_style | py::array::forcecast> array(given);
-  return Values(array.data(), array.data() + array.size());
+  return Values(given.data(), given.data() + given.size());
 }
 
-/// Throws InputError for a number that is not finite, and for one that differs from that of the scene's conditions.
+/// Throws InputError for an owned node's number that is not finite, or differs from that of the scene's conditions.
 void check_values(const Values& values, const Values& prescribed, const char* name, double time, const Model& model) {
   const auto d = static_cast<std::size_t>(model.space().dimension());
   double size = 0;
   for (const double value : prescribed) size = std::max(size, std::abs(value));
-  for (std::size_t i = 0; i < values.size(); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(model.space().owned()); ++i) {
     if (std::abs(values[i] - prescribed[i]) <= 1e-9 * size) continue;
     const std::string place = fmt::format("{}[{}, {}]{}", name, i / d, i % d, on_rank(model));
     if (!std::isfinite(values[i])) throw InputError(fmt::format("{}: {} is not a finite number", place, values[i]));
     throw InputError(fmt::format("{}: {} is not possible; the scene's Boundary Conditions prescribe {} at t = {} T0",
                                  place, values[i], prescribed[i], time));
   }
+}
+
+void check_velocities(const Values& v, const Values& prescribed, double time, const Simulation& simulation) {
+  // In momentum form a constrained velocity is the scheme's own, so that it may differ from the motion's.
+  check_values(v, has_exact_rates(simulation.integrator().table()) ? prescribed : v, "v", time, simulation.model());
+  const bool moves =
+      std::any_of(v.begin(), v.begin() + simulation.model().space().owned(), [](double x) { return x != 0; });
+  if (moves && simulation.model().mass() == nullptr)
+    throw InputError("v: the scheme \"" + simulation.time_integrator().scheme + "\" has no velocities");
 }
 
 void check_time(double time, const Simulation& simulation) {
@@ -98,11 +103,7 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
       Values prescribed_u(u), prescribed_v(v);
       model.constraints().set(time, prescribed_u.data(), prescribed_v.data(), nullptr);
       if (!given_u.is_none()) check_values(u, prescribed_u, "u", time, model);
-      // In momentum form a constrained velocity is the scheme's own, so that it may differ from the motion's.
-      const bool exact = has_exact_rates(s.integrator().table());
-      if (!given_v.is_none()) check_values(v, exact ? prescribed_v : v, "v", time, model);
-      if (!given_v.is_none() && model.mass() == nullptr && std::any_of(v.begin(), v.end(), [](double x) { return x != 0; }))
-        throw InputError("v: the scheme \"" + s.time_integrator().scheme + "\" has no velocities");
+      if (!given_v.is_none()) check_velocities(v, prescribed_v, time, s);
       u = std::move(prescribed_u);
       v = std::move(prescribed_v);
     });

@@ -39,8 +39,8 @@ Momenta momenta(const LiveSimulation& simulation) {
 }
 
 py::dict contact(const LiveSimulation& simulation) {
-  InteractionReport report = compute(
-      simulation, [](Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); });
+  InteractionReport report =
+      compute(simulation, [](Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); });
   py::dict result;
   result["contact_force"] = taken(std::move(report.force));
   result["contact_measure"] = report.measure;
@@ -90,12 +90,10 @@ void bind_measures(SimulationClass& simulation) {
       .def_property_readonly("energies", &energies,
                              "Energies and work by their names in history.csv [E0 L0^D]. Collective.")
       .def_property_readonly(
-          "linear_momentum",
-          [](const LiveSimulation& s) { return taken(momenta(s).linear); },
+          "linear_momentum", [](const LiveSimulation& s) { return taken(momenta(s).linear); },
           "Linear momentum. Collective.")
       .def_property_readonly(
-          "angular_momentum",
-          [](const LiveSimulation& s) { return taken(momenta(s).angular); },
+          "angular_momentum", [](const LiveSimulation& s) { return taken(momenta(s).angular); },
           "Angular momentum about the origin: z in two dimensions. Collective.")
       .def_property_readonly("contact", &contact,
                              "contact_force, contact_measure and min_gap, as in history.csv. Collective.")
@@ -106,12 +104,10 @@ void bind_measures(SimulationClass& simulation) {
           "gaps", [](const LiveSimulation& s) { return nodal(s, &Model::nodal_gap); },
           "Gaps to the nearest obstacle by node [L0]; NaN away from interacting surfaces. Valid for owned nodes.")
       .def_property_readonly(
-          "pressure",
-          [](const LiveSimulation& s) { return nodal(s, &Model::contact_pressure); },
+          "pressure", [](const LiveSimulation& s) { return nodal(s, &Model::contact_pressure); },
           "Traction of the interactions along the obstacles' normals by node [E0]. Valid for owned nodes.")
       .def_property_readonly(
-          "traction",
-          [](const LiveSimulation& s) { return nodal(s, &Model::interaction_traction); },
+          "traction", [](const LiveSimulation& s) { return nodal(s, &Model::interaction_traction); },
           "Traction of the interactions, nodes x dimension [E0]. Valid for owned nodes.");
 }
 

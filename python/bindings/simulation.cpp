@@ -113,7 +113,8 @@ the library's own memory: they show the present state until the next step; ask f
            "Takes one step of length dt [T0]. If it fails, nothing has changed. Calls the observers.")
       .def("step", &nominal_step, "Takes one step of the scene's Time Step.")
       .def("steps", &steps, py::arg("count"), py::arg("dt"),
-           "Takes up to `count` steps, until one fails. Returns the number of accepted steps. Without observers Python is "
+           "Takes up to `count` steps, until one fails. Returns the number of accepted steps. Without observers Python "
+           "is "
            "not called between them.")
       .def("attempt", &attempt, py::arg("dt"),
            "Computes a step without accepting it: judge it, then accept() it or attempt another length.")

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Steps, views and measures, on any number of ranks."""
 import gc
+import threading
 import unittest
 import weakref
 
@@ -106,6 +107,63 @@ class StepTest(unittest.TestCase):
         del simulation
         gc.collect()
         self.assertIsNone(gone())
+
+    def test_an_observer_cannot_change_the_simulation(self):
+        simulation, refused = free_block().simulation(), []
+
+        def meddle(now):
+            for call in (now.step, lambda: now.attempt(0.01), lambda: now.steps(1, 0.01), lambda: now.run("none"),
+                         lambda: now.set_state(v=now.v)):
+                with self.assertRaisesRegex(RuntimeError, "an observer may read it, but not change it"):
+                    call()
+                refused.append(now.time)
+
+        simulation.observers.append(meddle)
+        self.assertEqual(simulation.steps(2, 0.01), 2)
+        np.testing.assert_allclose(refused, 5 * [0.01] + 5 * [0.02])
+        simulation.observers.clear()
+        self.assertTrue(simulation.step(0.01))
+
+    def test_an_observers_exception_leaves_the_step_accepted(self):
+        simulation = free_block().simulation()
+        simulation.observers.append(lambda now: now.nothing)
+        for call in (lambda: simulation.step(0.01), lambda: simulation.steps(5, 0.01)):
+            with self.assertRaisesRegex(AttributeError, "nothing"):
+                call()
+        self.assertAlmostEqual(simulation.time, 0.02, places=15)
+
+    def test_steps_with_and_without_observers_are_the_same(self):
+        one, other = (ixos.Scene(BALL).simulation() for _ in range(2))
+        other.observers.append(lambda now: None)
+        self.assertEqual((one.steps(20, 0.001), other.steps(20, 0.001)), (20, 20))
+        np.testing.assert_array_equal(one.u, other.u)
+
+    def test_another_thread_waits(self):
+        if free_block().simulation().ranks > 1:
+            self.skipTest("ranks would have to agree on who is first")
+        simulation = ixos.Scene(BALL).simulation()
+        refused = []
+        thread = threading.Thread(target=lambda: simulation.steps(10000, 1e-5))
+        thread.start()
+        while thread.is_alive() and not refused:
+            for look in (lambda: simulation.u, lambda: simulation.energies, simulation.step):
+                try:
+                    look()
+                except RuntimeError as error:
+                    refused.append(str(error))
+        thread.join()
+        self.assertIn("another thread computes with this simulation", refused[0])
+        self.assertGreater(simulation.energies["kinetic_energy"], 0)
+
+    def test_unknown_names_are_refused_with_the_nearest(self):
+        simulation = ixos.Scene(BALL).set("Output/Probes/Top/Point={0, 12.2547}").simulation()
+        self.assertEqual(simulation.probe("Top")["u"].shape, (2,))
+        for call, words in ((lambda: simulation.probe("Tip"), 'probe "Tip" does not exist; did you mean "Top"?'),
+                            (lambda: simulation.reaction("centre"), 'did you mean "center"?'),
+                            (lambda: simulation.node_set("surfase"), 'did you mean "surface"?')):
+            with self.assertRaises(ixos.InputError) as caught:
+                call()
+            self.assertIn(words, str(caught.exception))
 
     def test_steps_must_be_positive(self):
         simulation = free_block().simulation()
