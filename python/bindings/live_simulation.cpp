@@ -1,6 +1,7 @@
 #include "live_simulation.hpp"
 
 #include <filesystem>
+#include <thread>
 
 #include "scene_list.hpp"
 
@@ -12,6 +13,10 @@ namespace {
 /// Where the object's own dictionary has the list: Python's collector sees it there.
 constexpr const char* observers_key = "_observers";
 
+// The guards Computing that exist, and the thread that has them. Read and written with the interpreter held only.
+int computing = 0;
+std::thread::id computing_thread;
+
 }  // namespace
 
 LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const py::object& comm,
@@ -19,7 +24,7 @@ LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::s
     : file_(file), comm_(comm), end_([this] { simulation_.reset(); }) {
   const Comm ranks = communicator(comm_);
   const std::string folder = std::filesystem::path(file).parent_path().string();
-  const py::gil_scoped_release free;
+  const Computing guard;
   simulation_ = at_scene(file, {}, [&] {
     return mesh != nullptr ? std::make_unique<Simulation>(scene, *mesh, ranks)
                            : std::make_unique<Simulation>(scene, ranks, folder);
@@ -28,18 +33,25 @@ LiveSimulation::LiveSimulation(const Teuchos::ParameterList& scene, const std::s
 
 Simulation& LiveSimulation::get() const {
   if (!simulation_) throw std::runtime_error("the simulation has ended with Ixos' session");
-  if (computing_) throw std::runtime_error("another thread computes with this simulation; wait until it is done");
+  Computing::check();
   return *simulation_;
 }
 
-Computing::Computing(const LiveSimulation& simulation) : simulation_(simulation) {
-  simulation_.computing_ = true;
+Computing::Computing() {
+  check();
+  computing_thread = std::this_thread::get_id();
+  ++computing;
   release_.emplace();
 }
 
 Computing::~Computing() {
   release_.reset();
-  simulation_.computing_ = false;
+  --computing;
+}
+
+void Computing::check() {
+  if (computing > 0 && computing_thread != std::this_thread::get_id())
+    throw std::runtime_error("another thread computes with Ixos; wait until it is done");
 }
 
 Changing::Changing(LiveSimulation& simulation) : simulation_(simulation) {

@@ -19,7 +19,7 @@ class LiveSimulation {
   LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const pybind11::object& comm,
                  const Mesh* mesh);
 
-  /// Throws std::runtime_error while another thread of Python computes with the simulation.
+  /// Throws std::runtime_error while another thread of Python computes.
   Simulation& get() const;
   const Model& model() const { return get().model(); }
   Integrator& integrator() const { return get().integrator(); }
@@ -27,40 +27,26 @@ class LiveSimulation {
   const std::string& file() const { return file_; }  ///< of the scene; may be empty
 
  private:
-  friend class Computing;
   friend class Changing;
   std::string file_;
   pybind11::object comm_;
   std::unique_ptr<Simulation> simulation_;
-  mutable bool computing_ = false;  ///< written with the interpreter's lock held only
   bool changing_ = false;
   EndsWithSession end_;
 };
 
-/// A guard of a function that may solve or communicate: other threads of Python run meanwhile, but cannot use the
-/// simulation.
+/// A guard of a function that may solve or communicate: other threads of Python run meanwhile, but cannot use any
+/// simulation, because MPI and Trilinos serve one thread. An observer of a run, in the same thread, can.
 class Computing {
  public:
-  explicit Computing(const LiveSimulation& simulation);
+  /// Throws std::runtime_error if another thread has such a guard.
+  Computing();
   ~Computing();
   Computing(const Computing&) = delete;
   Computing& operator=(const Computing&) = delete;
-
-  /// Holds the interpreter and lets Python read the simulation, for a call of a Python function.
-  class Pause {
-   public:
-    explicit Pause(const LiveSimulation& simulation) : simulation_(simulation) { simulation_.computing_ = false; }
-    ~Pause() { simulation_.computing_ = true; }
-    Pause(const Pause&) = delete;
-    Pause& operator=(const Pause&) = delete;
-
-   private:
-    pybind11::gil_scoped_acquire hold_;
-    const LiveSimulation& simulation_;
-  };
+  static void check();  ///< throws as the constructor does
 
  private:
-  const LiveSimulation& simulation_;
   std::optional<pybind11::gil_scoped_release> release_;
 };
 
@@ -68,7 +54,7 @@ class Computing {
 template <class Function>
 auto compute(const LiveSimulation& simulation, const Function& function) {
   Simulation& inner = simulation.get();
-  const Computing guard(simulation);
+  const Computing guard;
   return function(inner);
 }
 

@@ -41,7 +41,7 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
   const Changing change(simulation);
   std::exception_ptr stopped;
   const auto guarded = [&](const auto& call) {
-    const Computing::Pause pause(simulation);
+    const py::gil_scoped_acquire hold;
     try {
       if (!stopped) call();
     } catch (...) {

@@ -87,6 +87,24 @@ class RunTest(FolderTest):
             scene.run(self.folder / "run")
         self.assertEqual(scene.run(self.folder / "run", overwrite=True).status, "completed")
 
+    def test_runs_are_refused_with_the_commands_words(self):
+        folder, file, damaged = self.folder / "run", self.folder / "scene.xml", self.folder / "damaged.h5"
+        scene = short_ball()
+        scene.run(folder)
+        scene.materials.Ball.density = 1e-6
+        scene.write(file)
+        damaged.write_text("no checkpoint")
+        absent = self.folder / "absent.h5"
+        for kind, status, options, arguments in (
+                (ixos.InputError, 2, ["--output", folder], {"output": folder}),
+                (ixos.InputError, 2, ["--output", folder, "--restart", absent], {"output": folder, "restart": absent}),
+                (ixos.InputError, 2, ["--output", folder, "--restart", damaged], {"output": folder, "restart": damaged}),
+                (ixos.FileError, 4, ["--output", file], {"output": file})):
+            with self.assertRaises(kind) as caught:
+                ixos.Scene(file).run(**arguments)
+            done, words = command(file, *options)
+            self.assertEqual((done, words.splitlines()[-1]), (status, f"ixos: {caught.exception}"))
+
     def test_a_run_that_fails_is_warned_of(self):
         scene = short_ball()
         scene.nonlinear_solver.maximum_iterations = 1
