@@ -113,23 +113,24 @@ class Fields:
         return (name for name, (_, parts) in self._columns.items() if not any(
             name in others and name != whole for whole, (_, others) in self._columns.items()))
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> np.ndarray:
         return self.at(name, slice(0, len(self.times)))
 
-    def at(self, name, frame):
+    def at(self, name: str, frame: int) -> np.ndarray:
         """Returns a field at a frame: a value, or a row of components, for each node or cell."""
         if name not in self._columns:
             raise FileError(f"{self.path} has no field '{name}'; it has {', '.join(sorted(self))}")
         kind, names = self._columns[name]
-        columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., self._order[kind]]
+        order = self._order[kind]
+        columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., order]
                    for column in names]
         return columns[0] if names == [name] else np.stack(columns, -1)
 
-    def frame(self, time):
+    def frame(self, time: float) -> int:
         """Returns the number of the frame nearest to a time, see nearest_frame()."""
         return nearest_frame(self.path, self.times, time)
 
-    def information(self):
+    def information(self) -> dict:
         """Returns the file's records by key: scene, units, what wrote it."""
         lines = []
         for text in self._parts[0].records:
@@ -140,8 +141,8 @@ class Fields:
         return dict(line.split(": ", 1) for line in lines if ": " in line)
 
     def __repr__(self):
-        return (f"<ixos.Fields: {self.path}, {len(self.times)} frames, {len(self.points)} nodes, {len(self.cells)} cells: "
-                f"{', '.join(self)}>")
+        return (f"<ixos.Fields: {self.path}, {len(self.times)} frames, {len(self.points)} nodes, {len(self.cells)} "
+                f"cells: {', '.join(self)}>")
 
 
 def nearest_frame(path, times, time):

@@ -1,4 +1,6 @@
 // Quantities that are computed from the present state: energies, momenta, contact, reactions, gaps, stresses.
+#include <algorithm>
+
 #include "arrays.hpp"
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
@@ -83,6 +85,19 @@ py::array nodal(const LiveSimulation& simulation, const Values& values) {
   return taken(std::move(result), shape);
 }
 
+/// Returns the part's forces f(u), which stand on the left of M a + C v + f(u) = loads; zero for ghosts.
+py::array forces(const LiveSimulation& simulation, Part part) {
+  const DofSpace& space = simulation.model().space();
+  std::vector<double> result(static_cast<std::size_t>(space.local()), 0.0);
+  compute(simulation, [&](Simulation& s) {
+    const Segment here{nullptr, nullptr, s.integrator().state().u.data()};
+    s.model().force(part, here, end_rule(), result.data());
+  });
+  std::fill(result.begin() + space.owned(), result.end(), 0.0);
+  const py::ssize_t nodes = simulation.model().mesh().nodes(), d = space.dimension();
+  return taken(std::move(result), {nodes, d});
+}
+
 }  // namespace
 
 void bind_measures(SimulationClass& simulation) {
@@ -100,6 +115,13 @@ void bind_measures(SimulationClass& simulation) {
       .def("reaction", &reaction, py::arg("node_set"),
            "Returns the sum of the reactions of a node set [E0 L0^(D-1)]. Collective.")
       .def("probe", &probe, py::arg("name"), "Returns displacement u and velocity v of a probe. Collective.")
+      .def_property_readonly(
+          "elastic_forces", [](const LiveSimulation& s) { return forces(s, Part::Elastic); },
+          "Nodal forces of elasticity, nodes x dimension [E0 L0^(D-1)], as in M a + C v + f_el + f_c = loads; zero for "
+          "ghosts.")
+      .def_property_readonly(
+          "interaction_forces", [](const LiveSimulation& s) { return forces(s, Part::Interaction); },
+          "Nodal forces f_c of the interactions, likewise. They sum to -contact_force.")
       .def_property_readonly(
           "gaps", [](const LiveSimulation& s) { return nodal(s, &Model::nodal_gap); },
           "Gaps to the nearest obstacle by node [L0]; NaN away from interacting surfaces. Valid for owned nodes.")

@@ -129,6 +129,8 @@ class Simulation:
     linear_momentum: ndarray
     angular_momentum: ndarray
     contact: dict[str, Any]
+    elastic_forces: ndarray
+    interaction_forces: ndarray
     gaps: ndarray
     pressure: ndarray
     traction: ndarray

@@ -4,8 +4,8 @@
     PYTHONPATH=build/release/python tests/bench/python_overhead.py [--check]
 
 A ball of 8 cells flies freely; Central Difference takes microseconds a step. `steps(n, dt)` loops in C++ without the
-interpreter; the other loops call `step(dt)` n times from Python. The difference is the price of Python: with --check the
-exit status is 1 if a step, a view of u and an observer together cost 5 microseconds or more.
+interpreter; the other loops call `step(dt)` n times from Python. The difference is the price of Python: with --check
+the exit status is 1 if a step, a view of u and an observer together cost 5 microseconds or more.
 """
 import pathlib
 import statistics

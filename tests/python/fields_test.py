@@ -94,7 +94,8 @@ class FieldsTest(unittest.TestCase):
         results, _ = self.run_ball()
         fields = results.fields
         area = areas(fields.points, fields.cells)
-        np.testing.assert_allclose(fields["energy_density"] @ area, results["elastic_energy"][::5], rtol=1e-12, atol=1e-16)
+        np.testing.assert_allclose(fields["energy_density"] @ area, results["elastic_energy"][::5], rtol=1e-12,
+                                   atol=1e-16)
         self.assertEqual(fields["stress"].shape, (5, 48, 4))  # XX, YY, ZZ, XY
         np.testing.assert_allclose(fields["stress"][..., :3].sum(axis=-1), fields["first_stress_invariant"], atol=1e-14)
         for name, values in fields.totals.items():
@@ -106,8 +107,8 @@ class FieldsTest(unittest.TestCase):
         np.testing.assert_array_equal(fields.points, mesh.points)
         np.testing.assert_array_equal(fields.cells[fields.blocks["body"]], mesh.blocks["body"])
         np.testing.assert_array_equal(fields.node_sets["center"], mesh.node_sets["center"])
-        self.assertEqual(set(fields), {"displacement", "velocity", "acceleration", "interaction_traction", "gap", "stress",
-                                       "first_stress_invariant", "jacobian", "energy_density"})
+        self.assertEqual(set(fields), {"displacement", "velocity", "acceleration", "interaction_traction", "gap",
+                                       "stress", "first_stress_invariant", "jacobian", "energy_density"})
         self.assertEqual(fields.information()["scene"], "Ball")
 
     def test_enriched_cells_are_blocks_of_their_own(self):
@@ -120,8 +121,9 @@ class FieldsTest(unittest.TestCase):
 
     def test_what_is_not_there_is_refused(self):
         results, _ = self.run_ball()
-        for call, words in ((lambda: results.fields["stres"], "has no field 'stres'; it has acceleration, displacement"),
-                            (lambda: results.fields.frame(7), "has no frame near time 7: its 5 frames go from 0 to 0.02")):
+        fields = results.fields
+        for call, words in ((lambda: fields["stres"], "has no field 'stres'; it has acceleration, displacement"),
+                            (lambda: fields.frame(7), "has no frame near time 7: its 5 frames go from 0 to 0.02")):
             with self.assertRaises(ixos.FileError) as caught:
                 call()
             self.assertIn(words, str(caught.exception))

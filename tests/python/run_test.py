@@ -52,6 +52,15 @@ class RunTest(FolderTest):
         for name in seen[0]:
             np.testing.assert_allclose([row[name] for row in seen], done.results[name][1:], rtol=1e-14, atol=1e-18)
 
+    def test_an_observer_may_remove_itself(self):
+        def once(simulation):
+            seen.append(simulation.time)
+            simulation.observers.remove(once)
+
+        seen = []
+        self.assertEqual(short_ball().run(self.folder / "run", observer=once).steps, 50)
+        self.assertEqual(seen, [0.001])
+
     def test_an_observers_exception_ends_the_run_with_a_checkpoint(self):
         def stop(simulation):
             if simulation.time > 0.0195:

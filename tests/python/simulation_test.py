@@ -51,6 +51,24 @@ class StepTest(unittest.TestCase):
         if simulation.ranks == 1:
             self.assertAlmostEqual(right[:, 0].sum(), force, places=12)
 
+    def test_forces_balance(self):
+        pulled = pulled_block().simulation()
+        while pulled.time < 1 - 1e-12:
+            self.assertTrue(pulled.step())
+        own = slice(pulled.owned_nodes)
+        np.testing.assert_allclose(pulled.elastic_forces[own], pulled.reactions, atol=1e-11)
+        np.testing.assert_array_equal(pulled.interaction_forces, np.zeros(pulled.u.shape))
+        ball = ixos.Scene(BALL).simulation()
+        ball.steps(50, 0.001)
+        force = ball.contact["contact_force"]
+        self.assertLess(force[1], 0)  # the wall attracts
+        np.testing.assert_allclose(total(ball, ball.interaction_forces), -force, rtol=1e-12, atol=1e-15)
+        np.testing.assert_allclose(total(ball, ball.elastic_forces), 0, atol=1e-13)
+        # What is left accelerates the ball: its momentum grows at the rate of the wall's force.
+        before, time = ball.linear_momentum, ball.time
+        ball.step(1e-6)
+        np.testing.assert_allclose((ball.linear_momentum - before) / (ball.time - time), force, rtol=1e-4, atol=1e-9)
+
     def test_attempts_leave_no_trace(self):
         simulation, other = free_block().simulation(), free_block().simulation()
         self.assertTrue(simulation.attempt(0.02))

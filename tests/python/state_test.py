@@ -24,7 +24,7 @@ class SetStateTest(unittest.TestCase):
     def test_energy_and_momenta_are_those_of_the_state(self):
         simulation = free_block((0, 0)).simulation()
         simulation.set_state(v=spinning(simulation, (2, 0)))
-        # About the centre (2, 1): v = (1, 2), and the inertia of a rectangle of 4 x 2 about its centre is m (16 + 4)/12.
+        # At the centre (2, 1) v is (1, 2); the inertia of a rectangle of 4 x 2 about its centre is m (16 + 4)/12.
         mass = AREA * DENSITY
         self.assertAlmostEqual(simulation.energies["kinetic_energy"], mass * 5 / 2 + mass * 20 / 12 / 2, places=11)
         np.testing.assert_allclose(simulation.linear_momentum, [mass, 2 * mass], atol=1e-11)
