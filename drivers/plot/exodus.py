@@ -83,7 +83,7 @@ class Fields:
         return [positions[self._outline(whole)] for whole in self.wholes]
 
     def _outline(self, whole):
-        """The nodes around a whole cell. The first side of its pieces is the enriched one, the third the opposite one."""
+        """The nodes around a whole cell. The first side of its pieces is the enriched one, the third its opposite."""
         cells = self.cells[whole]
         return cells[0] if len(cells) == 1 else np.concatenate([cells[:, 0], cells[-1, 1:3], cells[::-1, 3]])
 

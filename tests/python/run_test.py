@@ -76,6 +76,19 @@ class RunTest(FolderTest):
         for column in ("kinetic_energy", "min_gap"):
             np.testing.assert_array_equal(resumed.results[column], whole.results[column])
 
+    def test_a_restart_leaves_views_valid(self):
+        for settings in ((), ("Materials/Ball/Density=6e-7",)):  # a changed scene resumes from u and v alone
+            scene = short_ball().set("Time Integrator/Type=Bathe Composite")
+            checkpoint = scene.run(self.folder / "run", overwrite=True).checkpoint
+            simulation, places = scene.set(*settings).simulation(), set()
+            for _ in range(4):
+                simulation.step(0.001)
+                places |= {simulation.u.ctypes.data, simulation.v.ctypes.data, simulation.a.ctypes.data}
+            self.assertEqual(len(places), 6)
+            simulation.run(self.folder / "other", restart=checkpoint, overwrite=True)
+            self.assertAlmostEqual(simulation.time, 0.05)
+            self.assertLessEqual({simulation.u.ctypes.data, simulation.v.ctypes.data, simulation.a.ctypes.data}, places)
+
     def test_control_c_ends_the_run(self):
         def press(simulation):
             if len(pressed) < 5:
@@ -107,7 +120,8 @@ class RunTest(FolderTest):
         for kind, status, options, arguments in (
                 (ixos.InputError, 2, ["--output", folder], {"output": folder}),
                 (ixos.InputError, 2, ["--output", folder, "--restart", absent], {"output": folder, "restart": absent}),
-                (ixos.InputError, 2, ["--output", folder, "--restart", damaged], {"output": folder, "restart": damaged}),
+                (ixos.InputError, 2, ["--output", folder, "--restart", damaged],
+                 {"output": folder, "restart": damaged}),
                 (ixos.FileError, 4, ["--output", file], {"output": file})):
             with self.assertRaises(kind) as caught:
                 ixos.Scene(file).run(**arguments)

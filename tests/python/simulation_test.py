@@ -64,7 +64,7 @@ class StepTest(unittest.TestCase):
         self.assertLess(force[1], 0)  # the wall attracts
         np.testing.assert_allclose(total(ball, ball.interaction_forces), -force, rtol=1e-12, atol=1e-15)
         np.testing.assert_allclose(total(ball, ball.elastic_forces), 0, atol=1e-13)
-        # What is left accelerates the ball: its momentum grows at the rate of the wall's force.
+        # The momentum of the ball grows at the rate of the wall's force.
         before, time = ball.linear_momentum, ball.time
         ball.step(1e-6)
         np.testing.assert_allclose((ball.linear_momentum - before) / (ball.time - time), force, rtol=1e-4, atol=1e-9)
