@@ -40,9 +40,10 @@ Values numbers(const py::object& object, const std::string& name, const Model& m
 /// Throws InputError for an owned node's number that is not finite, or differs from that of the scene's conditions.
 void check_values(const Values& values, const Values& prescribed, const char* name, double time, const Model& model) {
   const auto d = static_cast<std::size_t>(model.space().dimension());
+  const auto owned = static_cast<std::size_t>(model.space().owned());
   double size = 0;
-  for (const double value : prescribed) size = std::max(size, std::abs(value));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(model.space().owned()); ++i) {
+  for (std::size_t i = 0; i < owned; ++i) size = std::max(size, std::abs(prescribed[i]));
+  for (std::size_t i = 0; i < owned; ++i) {
     if (std::abs(values[i] - prescribed[i]) <= 1e-9 * size) continue;
     const std::string place = fmt::format("{}[{}, {}]{}", name, i / d, i % d, on_rank(model));
     if (!std::isfinite(values[i])) throw InputError(fmt::format("{}: {} is not a finite number", place, values[i]));
