@@ -10,6 +10,7 @@ import measures
 import options
 import pull
 import style
+from exodus import Fields
 from results import UNDAMPED, ResultsError, Run, wall_height
 from style import plt
 
@@ -27,9 +28,8 @@ PANELS = 4  # configurations
 def read_fields(folder):
     """The fields, or None with a note where there are none or they cannot be read."""
     try:
-        from exodus import Fields  # VTK is loaded only where it is needed
         return Fields(folder)
-    except (ResultsError, ImportError) as error:
+    except ResultsError as error:
         print(f"no configurations: {error}", file=sys.stderr)
         return None
 
@@ -174,7 +174,7 @@ def main():
     if fields:
         try:
             draw_configurations(parts[0], run, fields)
-        except ResultsError as error:  # a body in space needs a display
+        except (ResultsError, ImportError) as error:  # a body in space needs VTK and a display
             print(f"no configurations: {error}", file=sys.stderr)
     if rows:
         grid = parts[-1].subplots(len(rows), 1, sharex=True, squeeze=False, height_ratios=heights)[:, 0]

@@ -7,9 +7,9 @@ import sys
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer itself)
 from matplotlib import colormaps
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList, vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -47,11 +47,9 @@ def body(fields, frame, values, colors):
     points.SetData(numpy_to_vtk(fields.coordinates + fields.displacement(frame), deep=True))
     grid = vtkUnstructuredGrid()
     grid.SetPoints(points)
-    for kind, cell in zip(fields.cell_types, fields.cells):
-        nodes = vtkIdList()
-        for node in cell:
-            nodes.InsertNextId(int(node))
-        grid.InsertNextCell(int(kind), nodes)
+    cells = vtkCellArray()
+    cells.SetData(8, numpy_to_vtkIdTypeArray(fields.cells.ravel(), deep=True))
+    grid.SetCells(VTK_HEXAHEDRON, cells)
     grid.GetCellData().SetScalars(numpy_to_vtk(values, deep=True))
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)

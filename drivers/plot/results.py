@@ -1,11 +1,10 @@
-"""Reads a results folder: history.csv, summary.json, effective.xml (fields.e, or its series: exodus.py)."""
-import csv
+"""A run by its results folder: history.csv, summary.json, effective.xml (fields.e, or its series: exodus.py)."""
 import functools
-import json
 import pathlib
 
 import numpy as np
 
+import result_files
 import units
 from scene_file import ResultsError, existing, find, read_scene
 
@@ -21,7 +20,9 @@ class Run:
 
     def __init__(self, folder, interval=None):
         self.folder = existing(folder)
-        self.columns = read_history(self.folder / "history.csv")
+        self.columns = result_files.read_history(self.folder / "history.csv")
+        if not len(self["time"]):
+            self._refuse("no rows")
         self.dimension = 3 if "linear_momentum_z" in self.columns else 2
         self.up = "z" if self.dimension == 3 else "y"
         self._scales = units.scales(self.folder)
@@ -35,11 +36,7 @@ class Run:
                 raise ResultsError(f"{self.folder / 'history.csv'} has no rows from time {interval[0]:g} to "
                                    f"{interval[1]:g}: it goes from {self['time'][0]:g} to {self['time'][-1]:g}")
             self.columns = {name: values[inside] for name, values in self.columns.items()}
-        summary = self.folder / "summary.json"
-        try:
-            self.summary = json.loads(summary.read_text()) if summary.is_file() else {}
-        except ValueError as error:
-            raise ResultsError(f"{summary}: {error}") from None
+        self.summary = result_files.read_summary(self.folder / "summary.json")
         self.scheme = self.summary.get("scheme", self.folder.resolve().name)
 
     def __getitem__(self, name):
@@ -167,24 +164,6 @@ def within(times, interval):
     """Tells for each time whether it lies in the interval, up to round-off."""
     slack = 1e-9 * (interval[1] - interval[0])
     return (times >= interval[0] - slack) & (times <= interval[1] + slack)
-
-
-def read_history(path):
-    """Columns of history.csv by name. A last row cut short (the run was killed, or still writes) is left out."""
-    if not path.is_file():
-        raise ResultsError(f"the file {path} does not exist")
-    with open(path, newline="") as file:
-        rows = list(csv.reader(file))
-    names, rows = (rows[0], rows[1:]) if rows else ([], [])
-    if rows and len(rows[-1]) != len(names):
-        rows.pop()
-    if not rows:
-        raise ResultsError(f"{path} has no rows")
-    try:
-        values = np.array([[float(cell) if cell else np.nan for cell in row] for row in rows])
-        return dict(zip(names, values.reshape(len(rows), len(names)).T))
-    except ValueError as error:
-        raise ResultsError(f"{path}: {error}") from None
 
 
 def labels(runs):

@@ -2,9 +2,7 @@
 import pathlib
 import xml.etree.ElementTree
 
-
-class ResultsError(Exception):
-    """Requested data are missing or damaged. The message has one line."""
+from result_files import FileError as ResultsError  # requested data are missing or damaged
 
 
 def existing(folder):

@@ -2,9 +2,9 @@
 
 By default numbers stay as the results have them. After use_si() all that is read is converted: to SI units with the
 prefix that makes the scene's own unit a number from 1 to 1000. Forces and energies of plane bodies are per depth."""
-import json
 import re
 
+import result_files
 from scene_file import ResultsError, existing
 
 # A quantity in a body of dimension d: its powers of L0, E0 and T0, its SI unit in space and, per depth, in the plane.
@@ -39,7 +39,7 @@ class Scales:
         if not path.is_file():
             raise ResultsError(f"{path}: --si needs this file, which Ixos writes at the end of a run")
         try:
-            known = json.loads(path.read_text())["units"]
+            known = result_files.read_summary(path)["units"]
             self.factors = [float(known[kind]["si"]) for kind in ("length", "stress", "time")]
         except (ValueError, KeyError, TypeError):
             raise ResultsError(f"{path}: it has no units, which --si needs: run the scene with this version") from None

@@ -84,7 +84,8 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   dissipations_.assign(model_.dissipation_names().size(), 0.0);
   model_.initialize();
   State& start = states_.front();
-  start = {std::move(u), std::move(v), {}, {}, {}};
+  const State given{std::move(u), std::move(v), {}};
+  start = given;  // a copy: the arrays keep their memory, so that views of them stay valid
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
   if (needs_acceleration_ || table_.closing != Closing::Collocate || has_external_)

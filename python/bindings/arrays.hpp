@@ -3,8 +3,11 @@
 #include <pybind11/numpy.h>
 
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "base/error.hpp"
 
 namespace ixos::python {
 
@@ -36,6 +39,19 @@ template <class T>
 pybind11::array_t<T> taken(std::vector<T> values) {
   const auto size = static_cast<pybind11::ssize_t>(values.size());
   return taken(std::move(values), Shape{size});
+}
+
+using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// Returns the letter of the kind of an array's elements, as NumPy has it: i, u, f, ...; 0 for what is no array.
+inline char kind_of(const pybind11::array& array) { return array ? array.dtype().kind() : '\0'; }
+
+/// Returns what a caller gave as an array of real numbers. Throws InputError with the place if it is none.
+inline Numbers real_numbers(const pybind11::object& given, const std::string& place) {
+  const auto array = pybind11::array::ensure(given);
+  const char kind = kind_of(array);
+  if (kind != 'f' && kind != 'i' && kind != 'u') throw InputError(place + ": an array of numbers is needed");
+  return Numbers::ensure(array);
 }
 
 }  // namespace ixos::python

@@ -14,6 +14,7 @@ void bind_study(pybind11::module_& module);
 class LiveSimulation;
 using SimulationClass = pybind11::class_<LiveSimulation>;
 void bind_state(SimulationClass& simulation);
+void bind_initial_state(SimulationClass& simulation);
 void bind_measures(SimulationClass& simulation);
 void bind_local_mesh(pybind11::module_& module, SimulationClass& simulation);
 void bind_run(pybind11::module_& module, SimulationClass& simulation);

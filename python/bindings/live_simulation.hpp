@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "scene/simulation.hpp"
@@ -18,6 +19,7 @@ class LiveSimulation {
   LiveSimulation(const Teuchos::ParameterList& scene, const std::string& file, const pybind11::object& comm,
                  const Mesh* mesh);
 
+  /// Throws std::runtime_error while another thread of Python computes.
   Simulation& get() const;
   const Model& model() const { return get().model(); }
   Integrator& integrator() const { return get().integrator(); }
@@ -25,14 +27,55 @@ class LiveSimulation {
   const std::string& file() const { return file_; }  ///< of the scene; may be empty
 
  private:
+  friend class Changing;
   std::string file_;
   pybind11::object comm_;
   std::unique_ptr<Simulation> simulation_;
+  bool changing_ = false;
   EndsWithSession end_;
+};
+
+/// A guard of a function that may solve or communicate: other threads of Python run meanwhile, but cannot use any
+/// simulation, because MPI and Trilinos serve one thread. An observer of a run, in the same thread, can.
+class Computing {
+ public:
+  /// Throws std::runtime_error if another thread has such a guard.
+  Computing();
+  ~Computing();
+  Computing(const Computing&) = delete;
+  Computing& operator=(const Computing&) = delete;
+  static void check();  ///< throws as the constructor does
+
+ private:
+  std::optional<pybind11::gil_scoped_release> release_;
+};
+
+/// Calls a function of the Simulation under the guard Computing.
+template <class Function>
+auto compute(const LiveSimulation& simulation, const Function& function) {
+  Simulation& inner = simulation.get();
+  const Computing guard;
+  return function(inner);
+}
+
+/// A guard of a function that changes the state. Throws std::runtime_error inside another one: an observer may read
+/// the simulation only.
+class Changing {
+ public:
+  explicit Changing(LiveSimulation& simulation);
+  ~Changing() { simulation_.changing_ = false; }
+  Changing(const Changing&) = delete;
+  Changing& operator=(const Changing&) = delete;
+
+ private:
+  LiveSimulation& simulation_;
 };
 
 /// Returns the list of functions to call after each accepted step of a Python object of this class.
 pybind11::list observers(const pybind11::object& simulation);
+
+/// Returns whether that list has any functions.
+bool has_observers(const pybind11::object& simulation);
 
 /// Calls the functions in the list of observers of a Python object of this class, each with the object.
 void notify(const pybind11::object& simulation);

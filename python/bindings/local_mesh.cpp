@@ -8,17 +8,18 @@ namespace py = pybind11;
 namespace ixos::python {
 namespace {
 
-/// A block of the rank's part, and the simulation that has it.
-struct Block {
-  const LocalBlock* block;
-  py::object simulation;
-};
-
 const LocalMesh& mesh_of(const py::object& self) { return self.cast<const LiveSimulation&>().model().mesh(); }
+
+/// A block of the rank's part: its number, and the simulation that has it.
+struct Block {
+  std::size_t number;
+  py::object simulation;
+  const LocalBlock& get() const { return mesh_of(simulation).blocks[number]; }
+};
 
 py::list blocks(const py::object& self) {
   py::list result;
-  for (const LocalBlock& block : mesh_of(self).blocks) result.append(Block{&block, self});
+  for (std::size_t number = 0; number < mesh_of(self).blocks.size(); ++number) result.append(Block{number, self});
   return result;
 }
 
@@ -32,17 +33,19 @@ py::array nodes_of_set(const py::object& self, const std::string& name) {
 
 void bind_local_mesh(py::module_& module, SimulationClass& simulation) {
   py::class_<Block>(module, "Block", "The cells of a block that a rank has, owned ones and ghosts.")
-      .def_property_readonly("name", [](const Block& b) { return b.block->name; })
+      .def_property_readonly("name", [](const Block& b) { return b.get().name; })
       .def_property_readonly(
           "nodes",
           [](const Block& b) {
-            return view(b.block->nodes.data(), {b.block->cells(), nodes_per_cell(b.block->type)}, b.simulation);
+            const LocalBlock& block = b.get();
+            return view(block.nodes.data(), {block.cells(), nodes_per_cell(block.type)}, b.simulation);
           },
           "Local node numbers, cells x nodes per cell: a view. Enriched cells have their further nodes last.")
       .def_property_readonly(
           "owned",
           [](const Block& b) {
-            return view(reinterpret_cast<const bool*>(b.block->owned.data()), {b.block->cells()}, b.simulation);
+            const LocalBlock& block = b.get();
+            return view(reinterpret_cast<const bool*>(block.owned.data()), {block.cells()}, b.simulation);
           },
           "Whether the rank owns the cell: a view.");
   simulation.def_property_readonly("dimension", [](const LiveSimulation& s) { return s.model().mesh().dimension; })

@@ -1,5 +1,9 @@
 // Quantities that are computed from the present state: energies, momenta, contact, reactions, gaps, stresses.
+#include <algorithm>
+
 #include "arrays.hpp"
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
 #include "run/set_reactions.hpp"
@@ -11,11 +15,14 @@ namespace {
 
 /// The names are those of history.csv.
 py::dict energies(const LiveSimulation& simulation) {
-  const Model& model = simulation.model();
-  const State& state = simulation.state();
-  const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
-  const double elastic = model.energy(Part::Elastic, state.u.data());
-  const double contact = model.has_interactions() ? model.energy(Part::Interaction, state.u.data()) : 0.0;
+  double kinetic = 0, elastic = 0, contact = 0;
+  compute(simulation, [&](Simulation& s) {
+    const Model& model = s.model();
+    const State& state = s.integrator().state();
+    kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
+    elastic = model.energy(Part::Elastic, state.u.data());
+    if (model.has_interactions()) contact = model.energy(Part::Interaction, state.u.data());
+  });
   py::dict result;
   result["kinetic_energy"] = kinetic;
   result["elastic_energy"] = elastic;
@@ -26,8 +33,16 @@ py::dict energies(const LiveSimulation& simulation) {
   return result;
 }
 
+Momenta momenta(const LiveSimulation& simulation) {
+  return compute(simulation, [](Simulation& s) {
+    const State& state = s.integrator().state();
+    return s.model().momenta(state.u.data(), state.v.data());
+  });
+}
+
 py::dict contact(const LiveSimulation& simulation) {
-  InteractionReport report = simulation.model().interaction_report(simulation.state().u.data());
+  InteractionReport report =
+      compute(simulation, [](Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); });
   py::dict result;
   result["contact_force"] = taken(std::move(report.force));
   result["contact_measure"] = report.measure;
@@ -37,25 +52,50 @@ py::dict contact(const LiveSimulation& simulation) {
 
 py::array reaction(const LiveSimulation& simulation, const std::string& set) {
   const std::size_t number = simulation.model().mesh().node_set(set);
-  return taken(set_reactions(simulation.get(), {number}));
+  return taken(compute(simulation, [&](Simulation& s) { return set_reactions(s, {number}); }));
 }
 
 py::dict probe(const LiveSimulation& simulation, const std::string& name) {
+  std::vector<std::string> names;
   for (const Probe& probe : simulation.get().probes()) {
+    names.push_back(probe.name);
     if (probe.name != name) continue;
     const DofSpace& space = simulation.model().space();
+    std::vector<double> u, v;
+    compute(simulation, [&](Simulation& s) {
+      u = probe.point.value(space, s.integrator().state().u);
+      v = probe.point.value(space, s.integrator().state().v);
+    });
     py::dict result;
-    result["u"] = taken(probe.point.value(space, simulation.state().u));
-    result["v"] = taken(probe.point.value(space, simulation.state().v));
+    result["u"] = taken(std::move(u));
+    result["v"] = taken(std::move(v));
     return result;
   }
-  throw py::key_error("the scene has no probe \"" + name + "\"");
+  throw InputError(no_such("probe", name, names, "The scene has"));
 }
 
-py::array by_node(const LiveSimulation& simulation, std::vector<double> values) {
+/// Returns nodal values of the model at the present displacement, a row a node if there are several a node.
+template <class Values>
+py::array nodal(const LiveSimulation& simulation, const Values& values) {
+  std::vector<double> result =
+      compute(simulation, [&](Simulation& s) { return (s.model().*values)(s.integrator().state().u.data()); });
   const py::ssize_t d = simulation.model().space().dimension();
   const auto nodes = static_cast<py::ssize_t>(simulation.model().mesh().nodes());
-  return taken(std::move(values), static_cast<py::ssize_t>(values.size()) == nodes ? Shape{nodes} : Shape{nodes, d});
+  const Shape shape = static_cast<py::ssize_t>(result.size()) == nodes ? Shape{nodes} : Shape{nodes, d};
+  return taken(std::move(result), shape);
+}
+
+/// Returns the part's forces f(u), which stand on the left of M a + C v + f(u) = loads; zero for ghosts.
+py::array forces(const LiveSimulation& simulation, Part part) {
+  const DofSpace& space = simulation.model().space();
+  std::vector<double> result(static_cast<std::size_t>(space.local()), 0.0);
+  compute(simulation, [&](Simulation& s) {
+    const Segment here{nullptr, nullptr, s.integrator().state().u.data()};
+    s.model().force(part, here, end_rule(), result.data());
+  });
+  std::fill(result.begin() + space.owned(), result.end(), 0.0);
+  const py::ssize_t nodes = simulation.model().mesh().nodes(), d = space.dimension();
+  return taken(std::move(result), {nodes, d});
 }
 
 }  // namespace
@@ -65,16 +105,10 @@ void bind_measures(SimulationClass& simulation) {
       .def_property_readonly("energies", &energies,
                              "Energies and work by their names in history.csv [E0 L0^D]. Collective.")
       .def_property_readonly(
-          "linear_momentum",
-          [](const LiveSimulation& s) {
-            return taken(s.model().momenta(s.state().u.data(), s.state().v.data()).linear);
-          },
+          "linear_momentum", [](const LiveSimulation& s) { return taken(momenta(s).linear); },
           "Linear momentum. Collective.")
       .def_property_readonly(
-          "angular_momentum",
-          [](const LiveSimulation& s) {
-            return taken(s.model().momenta(s.state().u.data(), s.state().v.data()).angular);
-          },
+          "angular_momentum", [](const LiveSimulation& s) { return taken(momenta(s).angular); },
           "Angular momentum about the origin: z in two dimensions. Collective.")
       .def_property_readonly("contact", &contact,
                              "contact_force, contact_measure and min_gap, as in history.csv. Collective.")
@@ -82,15 +116,20 @@ void bind_measures(SimulationClass& simulation) {
            "Returns the sum of the reactions of a node set [E0 L0^(D-1)]. Collective.")
       .def("probe", &probe, py::arg("name"), "Returns displacement u and velocity v of a probe. Collective.")
       .def_property_readonly(
-          "gaps", [](const LiveSimulation& s) { return by_node(s, s.model().nodal_gap(s.state().u.data())); },
+          "elastic_forces", [](const LiveSimulation& s) { return forces(s, Part::Elastic); },
+          "Nodal forces of elasticity, nodes x dimension [E0 L0^(D-1)], as in M a + C v + f_el + f_c = loads; zero for "
+          "ghosts.")
+      .def_property_readonly(
+          "interaction_forces", [](const LiveSimulation& s) { return forces(s, Part::Interaction); },
+          "Nodal forces f_c of the interactions, likewise. They sum to -contact_force.")
+      .def_property_readonly(
+          "gaps", [](const LiveSimulation& s) { return nodal(s, &Model::nodal_gap); },
           "Gaps to the nearest obstacle by node [L0]; NaN away from interacting surfaces. Valid for owned nodes.")
       .def_property_readonly(
-          "pressure",
-          [](const LiveSimulation& s) { return by_node(s, s.model().contact_pressure(s.state().u.data())); },
+          "pressure", [](const LiveSimulation& s) { return nodal(s, &Model::contact_pressure); },
           "Traction of the interactions along the obstacles' normals by node [E0]. Valid for owned nodes.")
       .def_property_readonly(
-          "traction",
-          [](const LiveSimulation& s) { return by_node(s, s.model().interaction_traction(s.state().u.data())); },
+          "traction", [](const LiveSimulation& s) { return nodal(s, &Model::interaction_traction); },
           "Traction of the interactions, nodes x dimension [E0]. Valid for owned nodes.");
 }
 

@@ -20,16 +20,15 @@ namespace py = pybind11;
 namespace ixos::python {
 namespace {
 
-using Points = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Table = py::array_t<long long, py::array::c_style | py::array::forcecast>;
 
 std::string quoted(const char* what, const std::string& name) { return fmt::format("{} \"{}\"", what, name); }
 
 /// Throws InputError unless the array holds integers in `dimensions` dimensions.
 Table integers(const py::object& object, py::ssize_t dimensions, const std::string& place) {
-  const py::array array = py::array::ensure(object);
-  const std::string kind = array ? array.dtype().attr("kind").cast<std::string>() : "";
-  if (kind != "i" && kind != "u") throw InputError(place + ": an array of integers is needed");
+  const auto array = py::array::ensure(object);
+  const char kind = kind_of(array);
+  if (kind != 'i' && kind != 'u') throw InputError(place + ": an array of integers is needed");
   if (array.ndim() != dimensions)
     throw InputError(fmt::format("{}: the array has {} dimensions; {} are needed", place, array.ndim(), dimensions));
   return Table::ensure(array);
@@ -86,7 +85,8 @@ void add_side_set(Mesh& mesh, const std::string& name, const py::object& sides, 
   mesh.side_sets.push_back(std::move(set));
 }
 
-Mesh make_mesh(const Points& points, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets) {
+Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& node_sets, const py::dict& side_sets) {
+  const Numbers points = real_numbers(given, "points");
   if (points.ndim() != 2)
     throw InputError(
         fmt::format("points: the array has {} dimensions; 2 are needed, points x coordinates", points.ndim()));

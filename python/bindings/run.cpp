@@ -38,8 +38,9 @@ std::vector<std::string> messages(const std::vector<Warning>& warnings) {
 RunResult run_live(const py::object& self, const std::string& folder, bool overwrite, const std::string& restart,
                    const py::object& tell) {
   auto& simulation = self.cast<LiveSimulation&>();
+  const Changing change(simulation);
   std::exception_ptr stopped;
-  const auto guarded = [&stopped](const auto& call) {
+  const auto guarded = [&](const auto& call) {
     const py::gil_scoped_acquire hold;
     try {
       if (!stopped) call();
@@ -63,11 +64,9 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
     });
     return stopped != nullptr;
   };
-  RunResult result;
-  {
-    const py::gil_scoped_release free;
-    result = at_scene(simulation.file(), {folder, restart}, [&] { return run(simulation.get(), options); });
-  }
+  RunResult result = compute(simulation, [&](Simulation& inner) {
+    return at_scene(simulation.file(), {folder, restart}, [&] { return run(inner, options); });
+  });
   if (stopped) std::rethrow_exception(stopped);
   return result;
 }

@@ -4,7 +4,7 @@
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "io/hdf5_file.hpp"
@@ -15,8 +15,9 @@ namespace py = pybind11;
 namespace ixos::python {
 namespace {
 
-std::set<EndsWithSession*>& living() {
-  static auto* objects = new std::set<EndsWithSession*>;  // never destroyed: Python's own objects may end after statics
+/// The living objects in the order of their making. It is that of all ranks: destroying a solver may be collective.
+std::map<long, EndsWithSession*>& living() {
+  static auto* objects = new std::map<long, EndsWithSession*>;  // never destroyed: Python's objects may outlive statics
   return *objects;
 }
 
@@ -26,7 +27,7 @@ bool ended = false;
 
 void end_session() {
   ended = true;
-  for (const EndsWithSession* object : std::exchange(living(), {})) object->destroy_();
+  for (const auto& [number, object] : std::exchange(living(), {})) object->destroy_();
   Tpetra::finalize();
 }
 
@@ -43,10 +44,12 @@ void start_session() {
 
 EndsWithSession::EndsWithSession(std::function<void()> destroy) : destroy_(std::move(destroy)) {
   if (ended) throw std::runtime_error("Python is about to end: no simulation can be made");
-  living().insert(this);
+  static long made = 0;
+  number_ = ++made;
+  living()[number_] = this;
 }
 
-EndsWithSession::~EndsWithSession() { living().erase(this); }
+EndsWithSession::~EndsWithSession() { living().erase(number_); }
 
 Comm communicator(const py::object& object) {
   if (object.is_none()) return Tpetra::getDefaultComm();

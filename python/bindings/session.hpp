@@ -23,6 +23,7 @@ class EndsWithSession {
 
  private:
   std::function<void()> destroy_;
+  long number_ = 0;
   friend void end_session();
 };
 

@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <stdexcept>
+#include <chrono>
+#include <cmath>
 
 #include "bindings.hpp"
 #include "live_simulation.hpp"
@@ -14,24 +15,31 @@ namespace py = pybind11;
 namespace ixos::python {
 namespace {
 
+/// Throws InputError unless a step may have this length.
+void check_length(double dt) {
+  if (!(dt > 0 && std::isfinite(dt)))
+    throw InputError(fmt::format("dt: a step of {} T0 is not possible; it must be finite and greater than 0", dt));
+}
+
 StepResult attempt(LiveSimulation& simulation, double dt) {
-  if (!(dt > 0)) throw InputError(fmt::format("a step of {} T0 is not possible; it must be greater than 0", dt));
-  const py::gil_scoped_release free;
-  return simulation.integrator().attempt(dt);
+  check_length(dt);
+  const Changing change(simulation);
+  return compute(simulation, [&](Simulation& s) { return s.integrator().attempt(dt); });
 }
 
 void accept(const py::object& self) {
   auto& simulation = self.cast<LiveSimulation&>();
-  {
-    const py::gil_scoped_release free;
-    simulation.integrator().accept();
-  }
+  const Changing change(simulation);
+  compute(simulation, [](Simulation& s) { s.integrator().accept(); });
   notify(self);
 }
 
 StepResult step(const py::object& self, double dt) {
-  StepResult result = attempt(self.cast<LiveSimulation&>(), dt);
-  if (result.converged) accept(self);
+  check_length(dt);
+  auto& simulation = self.cast<LiveSimulation&>();
+  const Changing change(simulation);
+  StepResult result = compute(simulation, [&](Simulation& s) { return s.integrator().step(dt); });
+  if (result.converged) notify(self);
   return result;
 }
 
@@ -39,11 +47,34 @@ StepResult nominal_step(const py::object& self) {
   return step(self, self.cast<LiveSimulation&>().get().step_control().time_step);
 }
 
-/// Takes up to `count` steps without a call from Python for each. Returns how many were accepted.
+/// Takes steps without a call from Python for each, until a twentieth of a second has passed, so that Python sees
+/// signals. Returns how many were accepted; sets `failed` if the last one was not.
+long some_steps(const LiveSimulation& simulation, long count, double dt, bool& failed) {
+  return compute(simulation, [&](Simulation& s) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+    long done = 0;
+    while (done < count && !failed) {
+      failed = !s.integrator().step(dt).converged;
+      if (!failed) ++done;
+      if (std::chrono::steady_clock::now() > end) break;
+    }
+    return done;
+  });
+}
+
+/// Takes up to `count` steps. Returns how many were accepted.
 long steps(const py::object& self, long count, double dt) {
+  check_length(dt);
+  auto& simulation = self.cast<LiveSimulation&>();
   long done = 0;
-  while (done < count && step(self, dt).converged) {
-    ++done;
+  for (bool failed = false; done < count && !failed;) {
+    if (has_observers(self)) {
+      failed = !step(self, dt).converged;
+      if (!failed) ++done;
+    } else {
+      const Changing change(simulation);
+      done += some_steps(simulation, count - done, dt, failed);
+    }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
   return done;
@@ -82,18 +113,27 @@ the library's own memory: they show the present state until the next step; ask f
            "Takes one step of length dt [T0]. If it fails, nothing has changed. Calls the observers.")
       .def("step", &nominal_step, "Takes one step of the scene's Time Step.")
       .def("steps", &steps, py::arg("count"), py::arg("dt"),
-           "Takes up to `count` steps, until one fails. Returns the number of accepted steps.")
+           "Takes up to `count` steps, until one fails. Returns the number of accepted steps. Without observers Python "
+           "is "
+           "not called between them.")
       .def("attempt", &attempt, py::arg("dt"),
            "Computes a step without accepting it: judge it, then accept() it or attempt another length.")
       .def("accept", &accept, "Accepts the attempted step. Calls the observers.")
       .def(
-          "error", [](const LiveSimulation& s) { return s.integrator().error(); },
+          "error",
+          [](const LiveSimulation& s) { return compute(s, [](Simulation& now) { return now.integrator().error(); }); },
           "Returns the local error of a displacement in the attempted step [L0].")
       .def(
-          "gap_ratio", [](const LiveSimulation& s) { return s.integrator().gap_ratio(); },
+          "gap_ratio",
+          [](const LiveSimulation& s) {
+            return compute(s, [](Simulation& now) { return now.integrator().gap_ratio(); });
+          },
           "Returns the largest ratio of the gaps that a point of a surface has in the attempted step.")
       .def(
-          "stable_step", [](const LiveSimulation& s, double wanted) { return s.integrator().stable_step(wanted); },
+          "stable_step",
+          [](const LiveSimulation& s, double wanted) {
+            return compute(s, [&](Simulation& now) { return now.integrator().stable_step(wanted); });
+          },
           py::arg("wanted"), "Returns the longest stable step no longer than `wanted` [T0].")
       .def_property_readonly(
           "time", [](const LiveSimulation& s) { return s.integrator().time(); }, "Time [T0].")
@@ -123,13 +163,14 @@ the library's own memory: they show the present state until the next step; ask f
       .def_property_readonly(
           "notes", [](const LiveSimulation& s) { return s.get().notes(); }, "What Ixos left out of a mesh file.")
       .def(
-          "explain", [](const LiveSimulation& s) { return explain(s.get()); },
+          "explain", [](const LiveSimulation& s) { return compute(s, [](Simulation& now) { return explain(now); }); },
           "Returns what the scene models and what it leaves out.")
       .def("__repr__", [](const LiveSimulation& s) {
         return fmt::format("<ixos.Simulation: {}, {} degrees of freedom, t = {:.6g} T0>", s.get().parameters().name(),
                            s.model().space().global(), s.integrator().time());
       });
   bind_state(simulation);
+  bind_initial_state(simulation);
   bind_measures(simulation);
   bind_local_mesh(module, simulation);
   bind_run(module, simulation);

@@ -15,12 +15,8 @@ py::array by_node(const std::vector<double>& values, const py::object& self) {
 }
 
 py::array acceleration(const py::object& self) {
-  auto& simulation = self.cast<LiveSimulation&>();
-  const std::vector<double>* values = nullptr;
-  {
-    const py::gil_scoped_release free;
-    values = &simulation.integrator().acceleration();
-  }
+  const auto* values =
+      compute(self.cast<const LiveSimulation&>(), [](Simulation& s) { return &s.integrator().acceleration(); });
   return by_node(*values, self);
 }
 

@@ -9,10 +9,11 @@ Scene: what a run computes. Simulation: a scene at some time. Mesh: a mesh from 
 Study: many runs. On several ranks, run the script with mpirun; MPI starts with the import.
 """
 from ._core import FileError, InputError, Mesh, RunResult, Simulation, StepResult, __version__
+from .result_files import Fields
 from .results import Results, results
 from .scene import Scene
 from .simulation import SceneWarning
 from .study import Study, StudyResults
 
-__all__ = ["FileError", "InputError", "Mesh", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
+__all__ = ["Fields", "FileError", "InputError", "Mesh", "Results", "RunResult", "Scene", "SceneWarning", "Simulation",
            "StepResult", "Study", "StudyResults", "__version__", "results"]

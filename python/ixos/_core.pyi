@@ -5,13 +5,13 @@ from typing import Any, Callable, Mapping
 from numpy import ndarray
 from numpy.typing import ArrayLike
 
+from .result_files import FileError
 from .results import Results
 from .scene import Scene
 
 __version__: str
 
 class InputError(ValueError): ...
-class FileError(OSError): ...
 
 class SceneList:
     def __init__(self, name: str = "Scene") -> None: ...
@@ -101,6 +101,7 @@ class Simulation:
     def error(self) -> float: ...
     def gap_ratio(self) -> float: ...
     def stable_step(self, wanted: float) -> float: ...
+    def set_state(self, u: ArrayLike | None = None, v: ArrayLike | None = None, time: float | None = None) -> None: ...
     def reaction(self, node_set: str) -> ndarray: ...
     def probe(self, name: str) -> dict[str, ndarray]: ...
     def node_set(self, name: str) -> ndarray: ...
@@ -123,10 +124,13 @@ class Simulation:
     a: ndarray
     loads: ndarray
     reactions: ndarray
+    constrained: ndarray
     energies: dict[str, float]
     linear_momentum: ndarray
     angular_momentum: ndarray
     contact: dict[str, Any]
+    elastic_forces: ndarray
+    interaction_forces: ndarray
     gaps: ndarray
     pressure: ndarray
     traction: ndarray

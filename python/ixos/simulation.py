@@ -33,7 +33,7 @@ def run(self, output, overwrite=False, restart=None, observer=None, tell=None):
         folder = os.fspath(output)
         result = self._run(folder, overwrite, os.fspath(restart or ""), tell)
     finally:
-        if observer is not None:
+        if observer in self.observers:  # it may have removed itself
             self.observers.remove(observer)
     result.folder = folder
     report(self, result.warnings + result.findings)

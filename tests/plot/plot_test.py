@@ -97,13 +97,12 @@ class PlotTest(ScriptTest):
                 np.testing.assert_allclose(ends[0].min(), ends[1].min(), atol=1e-8)
 
     def test_energy_density_sums_to_the_elastic_energy(self):
-        # As exact as the areas: VTK reads coordinates in single precision.
         fields, run = Fields(self.ball), Run(self.ball)
         frame = len(fields.times) - 1
         corners = [fields.coordinates[cell] for cell in fields.cells]
         areas = [0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) for x, y in (c.T for c in corners)]
         total = float(np.dot(areas, fields.element("energy_density", frame)))
-        self.assertAlmostEqual(total / run["elastic_energy"][-1], 1.0, delta=1e-6)
+        self.assertAlmostEqual(total / run["elastic_energy"][-1], 1.0, delta=1e-13)
 
     def test_history(self):
         png, svg = self.draw("history.py", self.ball, "--format", "png,svg")

@@ -81,6 +81,9 @@ class MeshTest(FolderTest):
         for words, changes in (
                 ("points: the array has 1 dimensions", {"points": POINTS[0]}),
                 ("points: they have 1 coordinates; 2 or 3 are allowed", {"points": POINTS[:, :1]}),
+                ("points: an array of numbers is needed", {"points": [[0, 0], [1]]}),
+                ("points: an array of numbers is needed", {"points": POINTS.astype(complex)}),
+                ("points: an array of numbers is needed", {"points": "ab"}),
                 ("point 0 has the coordinate nan", {"points": np.where(POINTS == 0, np.nan, POINTS)}),
                 ("point 6 belongs to no cell", {"points": np.vstack([POINTS, [[9, 9]]])}),
                 ('block "body" has node 6; the points are numbered from 0 to 5', {"blocks": {"body": CELLS + 1}}),

@@ -74,7 +74,7 @@ class CommunicatorTest(unittest.TestCase):
         self.assertTrue(ixos._core.klu2_library().startswith("libixos"))
 
 
-kept = ixos.Scene(BALL).simulation()  # alive when the interpreter ends
+kept = [ixos.Scene(BALL).simulation() for _ in range(4)]  # alive when the interpreter ends
 
 if __name__ == "__main__":
     main()

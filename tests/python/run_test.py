@@ -52,6 +52,15 @@ class RunTest(FolderTest):
         for name in seen[0]:
             np.testing.assert_allclose([row[name] for row in seen], done.results[name][1:], rtol=1e-14, atol=1e-18)
 
+    def test_an_observer_may_remove_itself(self):
+        def once(simulation):
+            seen.append(simulation.time)
+            simulation.observers.remove(once)
+
+        seen = []
+        self.assertEqual(short_ball().run(self.folder / "run", observer=once).steps, 50)
+        self.assertEqual(seen, [0.001])
+
     def test_an_observers_exception_ends_the_run_with_a_checkpoint(self):
         def stop(simulation):
             if simulation.time > 0.0195:
@@ -66,6 +75,19 @@ class RunTest(FolderTest):
         self.assertEqual(resumed.steps, 50)
         for column in ("kinetic_energy", "min_gap"):
             np.testing.assert_array_equal(resumed.results[column], whole.results[column])
+
+    def test_a_restart_leaves_views_valid(self):
+        for settings in ((), ("Materials/Ball/Density=6e-7",)):  # a changed scene resumes from u and v alone
+            scene = short_ball().set("Time Integrator/Type=Bathe Composite")
+            checkpoint = scene.run(self.folder / "run", overwrite=True).checkpoint
+            simulation, places = scene.set(*settings).simulation(), set()
+            for _ in range(4):
+                simulation.step(0.001)
+                places |= {simulation.u.ctypes.data, simulation.v.ctypes.data, simulation.a.ctypes.data}
+            self.assertEqual(len(places), 6)
+            simulation.run(self.folder / "other", restart=checkpoint, overwrite=True)
+            self.assertAlmostEqual(simulation.time, 0.05)
+            self.assertLessEqual({simulation.u.ctypes.data, simulation.v.ctypes.data, simulation.a.ctypes.data}, places)
 
     def test_control_c_ends_the_run(self):
         def press(simulation):
@@ -86,6 +108,25 @@ class RunTest(FolderTest):
         with self.assertRaisesRegex(ixos.InputError, "results of another scene"):
             scene.run(self.folder / "run")
         self.assertEqual(scene.run(self.folder / "run", overwrite=True).status, "completed")
+
+    def test_runs_are_refused_with_the_commands_words(self):
+        folder, file, damaged = self.folder / "run", self.folder / "scene.xml", self.folder / "damaged.h5"
+        scene = short_ball()
+        scene.run(folder)
+        scene.materials.Ball.density = 1e-6
+        scene.write(file)
+        damaged.write_text("no checkpoint")
+        absent = self.folder / "absent.h5"
+        for kind, status, options, arguments in (
+                (ixos.InputError, 2, ["--output", folder], {"output": folder}),
+                (ixos.InputError, 2, ["--output", folder, "--restart", absent], {"output": folder, "restart": absent}),
+                (ixos.InputError, 2, ["--output", folder, "--restart", damaged],
+                 {"output": folder, "restart": damaged}),
+                (ixos.FileError, 4, ["--output", file], {"output": file})):
+            with self.assertRaises(kind) as caught:
+                ixos.Scene(file).run(**arguments)
+            done, words = command(file, *options)
+            self.assertEqual((done, words.splitlines()[-1]), (status, f"ixos: {caught.exception}"))
 
     def test_a_run_that_fails_is_warned_of(self):
         scene = short_ball()
@@ -122,7 +163,7 @@ class ResultsTest(FolderTest):
             results["gap"]
 
     def test_missing_and_damaged_files_are_refused(self):
-        with self.assertRaisesRegex(ixos.FileError, "history.csv: No such file"):
+        with self.assertRaisesRegex(ixos.FileError, "history.csv does not exist"):
             ixos.results(self.folder)
         (self.folder / "history.csv").write_text("step,time\n0,x\n1,1\n")
         with self.assertRaisesRegex(ixos.FileError, "history.csv: could not convert"):

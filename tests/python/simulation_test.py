@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Steps, views and measures, on any number of ranks."""
 import gc
+import threading
 import unittest
 import weakref
 
@@ -49,6 +50,24 @@ class StepTest(unittest.TestCase):
         right = simulation.reactions[simulation.points[:simulation.owned_nodes, 0] == simulation.points[:, 0].max()]
         if simulation.ranks == 1:
             self.assertAlmostEqual(right[:, 0].sum(), force, places=12)
+
+    def test_forces_balance(self):
+        pulled = pulled_block().simulation()
+        while pulled.time < 1 - 1e-12:
+            self.assertTrue(pulled.step())
+        own = slice(pulled.owned_nodes)
+        np.testing.assert_allclose(pulled.elastic_forces[own], pulled.reactions, atol=1e-11)
+        np.testing.assert_array_equal(pulled.interaction_forces, np.zeros(pulled.u.shape))
+        ball = ixos.Scene(BALL).simulation()
+        ball.steps(50, 0.001)
+        force = ball.contact["contact_force"]
+        self.assertLess(force[1], 0)  # the wall attracts
+        np.testing.assert_allclose(total(ball, ball.interaction_forces), -force, rtol=1e-12, atol=1e-15)
+        np.testing.assert_allclose(total(ball, ball.elastic_forces), 0, atol=1e-13)
+        # The momentum of the ball grows at the rate of the wall's force.
+        before, time = ball.linear_momentum, ball.time
+        ball.step(1e-6)
+        np.testing.assert_allclose((ball.linear_momentum - before) / (ball.time - time), force, rtol=1e-4, atol=1e-9)
 
     def test_attempts_leave_no_trace(self):
         simulation, other = free_block().simulation(), free_block().simulation()
@@ -107,10 +126,69 @@ class StepTest(unittest.TestCase):
         gc.collect()
         self.assertIsNone(gone())
 
+    def test_an_observer_cannot_change_the_simulation(self):
+        simulation, refused = free_block().simulation(), []
+
+        def meddle(now):
+            for call in (now.step, lambda: now.attempt(0.01), lambda: now.steps(1, 0.01), lambda: now.run("none"),
+                         lambda: now.set_state(v=now.v)):
+                with self.assertRaisesRegex(RuntimeError, "an observer may read it, but not change it"):
+                    call()
+                refused.append(now.time)
+
+        simulation.observers.append(meddle)
+        self.assertEqual(simulation.steps(2, 0.01), 2)
+        np.testing.assert_allclose(refused, 5 * [0.01] + 5 * [0.02])
+        simulation.observers.clear()
+        self.assertTrue(simulation.step(0.01))
+
+    def test_an_observers_exception_leaves_the_step_accepted(self):
+        simulation = free_block().simulation()
+        simulation.observers.append(lambda now: now.nothing)
+        for call in (lambda: simulation.step(0.01), lambda: simulation.steps(5, 0.01)):
+            with self.assertRaisesRegex(AttributeError, "nothing"):
+                call()
+        self.assertAlmostEqual(simulation.time, 0.02, places=15)
+
+    def test_steps_with_and_without_observers_are_the_same(self):
+        one, other = (ixos.Scene(BALL).simulation() for _ in range(2))
+        other.observers.append(lambda now: None)
+        self.assertEqual((one.steps(20, 0.001), other.steps(20, 0.001)), (20, 20))
+        np.testing.assert_array_equal(one.u, other.u)
+
+    def test_another_thread_waits(self):
+        if free_block().simulation().ranks > 1:
+            self.skipTest("ranks would have to agree on who is first")
+        simulation, other = ixos.Scene(BALL).simulation(), free_block().simulation()
+        refused = []
+        thread = threading.Thread(target=lambda: simulation.steps(10000, 1e-5))
+        thread.start()
+        while thread.is_alive() and not refused:
+            for call in (lambda: simulation.u, lambda: simulation.energies, other.step, free_block().simulation):
+                try:
+                    call()
+                except RuntimeError as error:
+                    refused.append(str(error))
+        thread.join()
+        self.assertEqual(set(refused), {"another thread computes with Ixos; wait until it is done"})
+        self.assertGreater(simulation.energies["kinetic_energy"], 0)
+
+    def test_unknown_names_are_refused_with_the_nearest(self):
+        simulation = ixos.Scene(BALL).set("Output/Probes/Top/Point={0, 12.2547}").simulation()
+        self.assertEqual(simulation.probe("Top")["u"].shape, (2,))
+        for call, words in ((lambda: simulation.probe("Tip"), 'probe "Tip" does not exist; did you mean "Top"?'),
+                            (lambda: simulation.reaction("centre"), 'did you mean "center"?'),
+                            (lambda: simulation.node_set("surfase"), 'did you mean "surface"?')):
+            with self.assertRaises(ixos.InputError) as caught:
+                call()
+            self.assertIn(words, str(caught.exception))
+
     def test_steps_must_be_positive(self):
-        for dt in (0, -1, float("nan")):
-            with self.assertRaisesRegex(ixos.InputError, "must be greater than 0"):
-                free_block().simulation().step(dt)
+        simulation = free_block().simulation()
+        for call in (simulation.step, simulation.attempt, lambda dt: simulation.steps(1, dt)):
+            for dt in (0, -1, float("nan"), float("inf")):
+                with self.assertRaisesRegex(ixos.InputError, f"dt: a step of {dt} T0 .* finite and greater than 0"):
+                    call(dt)
 
 
 class ViewTest(unittest.TestCase):

@@ -21,7 +21,8 @@ def public(thing):
 
 class StubsTest(unittest.TestCase):
     def test_the_module_has_what_its_stubs_say(self):
-        self.assertEqual(names(STUBS.body), public(ixos._core))
+        imported = {alias.name for node in STUBS.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+        self.assertEqual(names(STUBS.body), public(ixos._core) - imported)
 
     def test_each_class_has_what_its_stubs_say(self):
         for node in STUBS.body:

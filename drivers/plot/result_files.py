@@ -1,0 +1,226 @@
+"""Reads the files of a results folder into NumPy arrays: history.csv, summary.json, and fields.e or its series.
+
+The scripts of drivers/plot and the Python module ixos share this file. It imports nothing of Ixos, because the scripts
+work without the module too."""
+import csv
+import json
+import pathlib
+import re
+
+import numpy as np
+
+COMPONENT = re.compile(r"(.+?)_?(XX|YY|ZZ|XY|YZ|ZX|X|Y|Z|1|2|3)")  # files of earlier versions have the underscore
+NETCDF = b"CDF\x01", b"CDF\x02", b"CDF\x05", b"\x89HDF"  # how such files begin
+
+
+class FileError(OSError):
+    """A file or folder is missing or damaged, or could not be written or read. The message has one line."""
+
+
+def read_history(path):
+    """Returns the columns of history.csv by name; an empty cell is NaN.
+
+    Leaves out a last row that is cut short: the run was killed, or still writes."""
+    path = pathlib.Path(path)
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            names, *rows = list(csv.reader(file)) or [[]]
+    except FileNotFoundError:
+        raise FileError(f"the file {path} does not exist") from None
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}") from None
+    except (csv.Error, ValueError) as error:
+        raise FileError(f"{path}: {error}") from None
+    if not names:
+        raise FileError(f"{path} is empty")
+    if rows and len(rows[-1]) != len(names):
+        rows.pop()
+    for line, row in enumerate(rows, 2):
+        if len(row) != len(names):
+            raise FileError(f"{path}, line {line}: it has {len(row)} cells, the header {len(names)}")
+    try:
+        values = np.array([[float(cell) if cell else np.nan for cell in row] for row in rows])
+    except ValueError as error:
+        raise FileError(f"{path}: {error}") from None
+    return dict(zip(names, values.reshape(len(rows), len(names)).T))
+
+
+def read_summary(path):
+    """Returns summary.json as a dictionary, empty if the run has not ended."""
+    path = pathlib.Path(path)
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}") from None
+    except ValueError as error:
+        raise FileError(f"{path}: {error}") from None
+    if not isinstance(summary, dict):
+        raise FileError(f"{path}: it has no keys")
+    return summary
+
+
+class Fields:
+    """The mesh and the fields of fields.e, or of its series of one file a rank. Needs netCDF4.
+
+    times: of the frames. dimension: 2 or 3. points: reference coordinates, a row a node. cells: the nodes of each cell,
+    a row a cell. mesh_nodes: for each node its number in the mesh, from 0. blocks and node_sets: numbers of cells and
+    of nodes by name. totals: the global variables of all frames, such as total_energy, by name. Nodes and cells are in
+    the order of the mesh, whatever the number of ranks.
+
+    `fields["displacement"]` is an array of frames x nodes x components, `fields["jacobian"]` one of frames x cells;
+    `fields.at("displacement", frame)` reads one frame. `list(fields)` has the names. A component has a name of its own
+    too: "displacementX". A cell of a block without the field has NaN.
+    """
+
+    def __init__(self, folder):
+        self.path = pathlib.Path(folder) / "fields.e"
+        paths = [self.path] if self.path.is_file() else sorted(self.path.parent.glob("fields.e.*.*"))
+        if not paths:
+            raise FileError(f"the file {self.path} does not exist, nor does a series {self.path}.N.0, ... (the scene "
+                            "must set Output/Fields Interval to write one)")
+        expected = 1 if self.path.is_file() else int(paths[0].name.split(".")[2])
+        if len(paths) != expected:
+            raise FileError(f"{self.path}: the series has {len(paths)} files, not {expected}")
+        self._parts = [_Part(path) for path in paths]
+        self._read_mesh()
+        first = self._parts[0]
+        count = min(len(part.times) for part in self._parts)  # a run that still writes may be between two files
+        self.times = first.times[:count]
+        self.totals = {name: values[:count] for name, values in first.totals.items()}
+        self._columns = {**_columns("node", first.names["node"]), **_columns("cell", first.names["cell"])}
+
+    def _read_mesh(self):
+        def gathered(name):
+            return np.concatenate([getattr(part, name) for part in self._parts])
+
+        ids, first, place = np.unique(gathered("node_ids"), return_index=True, return_inverse=True)
+        self.mesh_nodes = ids - 1
+        self._order = {"node": first, "cell": np.argsort(gathered("cell_ids"))}
+        self.points = gathered("points")[first]
+        self.dimension = self.points.shape[1]
+        starts = np.cumsum([0] + [len(part.node_ids) for part in self._parts])
+        cells = [place[start + part.cells] for start, part in zip(starts, self._parts) if len(part.cells)]
+        self.cells = np.concatenate(cells)[self._order["cell"]]
+        blocks = gathered("block_of_cell")[self._order["cell"]]
+        self.blocks = {name: np.flatnonzero(blocks == name) for name in self._parts[0].blocks}
+        sets = {}
+        for start, part in zip(starts, self._parts):
+            for name, nodes in part.node_sets.items():
+                sets.setdefault(name, []).append(place[start + nodes])
+        self.node_sets = {name: np.unique(np.concatenate(nodes)) for name, nodes in sets.items()}
+
+    def __iter__(self):
+        return (name for name, (_, parts) in self._columns.items() if not any(
+            name in others and name != whole for whole, (_, others) in self._columns.items()))
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        return self.at(name, slice(0, len(self.times)))
+
+    def at(self, name: str, frame: int) -> np.ndarray:
+        """Returns a field at a frame: a value, or a row of components, for each node or cell."""
+        if name not in self._columns:
+            raise FileError(f"{self.path} has no field '{name}'; it has {', '.join(sorted(self))}")
+        kind, names = self._columns[name]
+        order = self._order[kind]
+        columns = [np.concatenate([part.values(kind, column, frame) for part in self._parts], -1)[..., order]
+                   for column in names]
+        return columns[0] if names == [name] else np.stack(columns, -1)
+
+    def frame(self, time: float) -> int:
+        """Returns the number of the frame nearest to a time, see nearest_frame()."""
+        return nearest_frame(self.path, self.times, time)
+
+    def information(self) -> dict:
+        """Returns the file's records by key: scene, units, what wrote it."""
+        lines = []
+        for text in self._parts[0].records:
+            if text.startswith("  ") and lines:
+                lines[-1] += text[2:]
+            else:
+                lines.append(text)
+        return dict(line.split(": ", 1) for line in lines if ": " in line)
+
+    def __repr__(self):
+        return (f"<ixos.Fields: {self.path}, {len(self.times)} frames, {len(self.points)} nodes, {len(self.cells)} "
+                f"cells: {', '.join(self)}>")
+
+
+def nearest_frame(path, times, time):
+    """Returns the number of the nearest of the times of frames; a FileError if it is more than half a frame away."""
+    if not len(times):
+        raise FileError(f"{path} has no frames")
+    frame = int(np.argmin(np.abs(times - time)))
+    reach = 0.5 * float(np.diff(times).max()) if len(times) > 1 else 0.0
+    if not abs(times[frame] - time) <= reach * (1 + 1e-9):
+        raise FileError(f"{path} has no frame near time {time:g}: its {len(times)} frames go from {times[0]:g} to "
+                        f"{times[-1]:g}")
+    return frame
+
+
+def _columns(kind, names):
+    """The variables of each field: of each component, and of the components that differ in their ends alone."""
+    joined = {}
+    for name in names:
+        found = COMPONENT.fullmatch(name)
+        if found:
+            joined.setdefault(found[1], []).append(name)
+    return {name: (kind, parts) for name, parts in {**joined, **{name: [name] for name in names}}.items()}
+
+
+class _Part:
+    """One file of the series: ids of nodes and cells, and its own arrays in the order of the file."""
+
+    def __init__(self, path):
+        try:
+            import netCDF4  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            raise FileError(f"{path}: the Python package netCDF4 reads it (Debian: python3-netcdf4)") from None
+        try:
+            with open(path, "rb") as file:
+                if not file.read(4).startswith(NETCDF):
+                    raise FileError(f"{path} is not an Exodus file")
+            self._data = netCDF4.Dataset(path)
+            self._data.set_auto_maskandscale(False)
+            self._read()
+        except FileError:
+            raise
+        except (OSError, RuntimeError, LookupError, ValueError) as error:
+            raise FileError(f"{path} is not an Exodus file, or damaged: {error}") from None
+
+    def _read(self):
+        sizes = {name: len(dimension) for name, dimension in self._data.dimensions.items()}
+        count = sizes.get("num_nodes", 0)
+        self.times = self._array("time_whole", np.zeros(0))
+        self.node_ids = self._array("node_num_map", np.arange(1, count + 1))
+        self.cell_ids = self._array("elem_num_map", np.arange(1, sizes.get("num_elem", 0) + 1))
+        self.points = np.stack([self._array("coord" + axis, np.zeros(count)) for axis in "xyz"[:sizes["num_dim"]]], -1)
+        self.blocks = self._texts("eb_names")
+        self._sizes = [sizes.get(f"num_el_in_blk{number}", 0) for number in range(1, len(self.blocks) + 1)]
+        self.block_of_cell = np.repeat(np.array(self.blocks, object), self._sizes)
+        connected = [self._data[f"connect{number}"][:] - 1 for number, size in enumerate(self._sizes, 1) if size]
+        self.cells = np.concatenate(connected) if connected else np.zeros((0, 0), int)
+        self.node_sets = {name: self._data[f"node_ns{number}"][:] - 1 for number, name in
+                          enumerate(self._texts("ns_names"), 1) if f"node_ns{number}" in self._data.variables}
+        self.names = {"node": self._texts("name_nod_var"), "cell": self._texts("name_elem_var")}
+        totals = self._array("vals_glo_var", np.zeros((len(self.times), 0)))
+        self.totals = dict(zip(self._texts("name_glo_var"), totals.T))
+        self.records = self._texts("info_records")
+
+    def _array(self, name, otherwise):
+        return self._data[name][:] if name in self._data.variables else otherwise
+
+    def _texts(self, name):
+        return [row.tobytes().split(b"\0")[0].decode() for row in self._array(name, ())]
+
+    def values(self, kind, name, frame):
+        """Returns a variable at a frame, or at a slice of frames, in the order of the file."""
+        number = self.names[kind].index(name) + 1
+        if kind == "node":
+            return self._data[f"vals_nod_var{number}"][frame]
+        rows = () if isinstance(frame, (int, np.integer)) else (len(self.times[frame]),)
+        blocks = []
+        for block, size in enumerate(self._sizes, 1):
+            variable = f"vals_elem_var{number}eb{block}"
+            there = variable in self._data.variables
+            blocks.append(self._data[variable][frame] if there else np.full((*rows, size), np.nan))
+        return np.concatenate(blocks, -1)
