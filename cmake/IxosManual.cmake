@@ -4,7 +4,8 @@ find_program(IXOS_HELP2MAN help2man)
 set(_manual ${PROJECT_BINARY_DIR}/manual)
 file(MAKE_DIRECTORY ${_manual}/man1 ${_manual}/completions)
 # A build machine may have no remote shell, which MPI would miss.
-set(_run ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 OMPI_MCA_plm_rsh_agent=/bin/false ASAN_OPTIONS=detect_leaks=0)
+set(_run ${CMAKE_COMMAND} -E env LC_ALL=C.UTF-8 OMPI_MCA_plm_rsh_agent=/bin/false
+         PYTHONDONTWRITEBYTECODE=1 ASAN_OPTIONS=detect_leaks=0)
 
 # ixos_manual_page(program path sentence [dependency])
 function(ixos_manual_page program path sentence)
@@ -34,7 +35,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/drivers/plot/completion.bash RENAME ixos-plo
 if(IXOS_HELP2MAN)
   ixos_manual_page(ixos $<TARGET_FILE:ixos_driver> "simulate dynamic adhesion" ixos_driver)
   ixos_manual_page(ixos-study $<TARGET_FILE:ixos_study> "measure what accuracy costs" ixos_study)
-  execute_process(COMMAND ${PROJECT_SOURCE_DIR}/drivers/plot/overview.py --help RESULT_VARIABLE _plot
+  execute_process(COMMAND ${_run} ${PROJECT_SOURCE_DIR}/drivers/plot/overview.py --help RESULT_VARIABLE _plot
                   OUTPUT_QUIET ERROR_QUIET)
   if(_plot EQUAL 0)
     ixos_manual_page(ixos-plot ${PROJECT_BINARY_DIR}/drivers/ixos-plot "draw the results of a run"

@@ -16,7 +16,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEBIAN = ROOT / "debian"
 OPTIONAL = {"usr/share/doc/ixos/html", "usr/share/man", "usr/lib/*/glibc-hwcaps",
             "usr/lib/python3/dist-packages/ixos"}  # what a build may leave out
-ONLY_TESTS = {"ccache", "libgtest-dev", "libbenchmark-dev", "g++"}  # g++ comes with build-essential
+ONLY_TESTS = {"ccache", "libgtest-dev", "libbenchmark-dev", "python3-mpi4py"}
+ESSENTIAL = {"g++"}  # of every build
 
 
 def in_package(path):
@@ -25,6 +26,12 @@ def in_package(path):
     if parts[0] == "lib" and parts[1] != "python3":
         parts = ("lib", "x86_64-linux-gnu", *parts[1:])
     return "/".join(("usr", *parts))
+
+
+def matches(path, pattern):
+    """Returns whether the pattern names the path or a folder of it. A star stands for one component or a part of it."""
+    parts, wanted = path.split("/"), pattern.split("/")
+    return len(parts) >= len(wanted) and all(map(fnmatch.fnmatchcase, parts, wanted))
 
 
 def install_lines():
@@ -36,10 +43,10 @@ def file_problems(installed):
     paths = [in_package(path.relative_to(installed)) for path in sorted(installed.rglob("*")) if not path.is_dir()]
     lines, used = install_lines(), set()
     for path in paths:
-        matches = [line for line in lines if fnmatch.fnmatch(path, line[1]) or fnmatch.fnmatch(path, line[1] + "/*")]
-        used.update(matches)
-        if len(matches) != 1:
-            yield f"{path} is in {len(matches)} packages"
+        found = [line for line in lines if matches(path, line[1])]
+        used.update(found)
+        if len(found) != 1:
+            yield f"{path} is in {len(found)} lines of debian/*.install"
     for package, pattern in lines:
         if (package, pattern) not in used and pattern not in OPTIONAL:
             yield f"debian/{package}.install: nothing is installed as {pattern}"
@@ -57,7 +64,7 @@ def dependency_problems():
     control = (DEBIAN / "control").read_text()
     stated = re.search(r"^Build-Depends:(.*?)^\S", control, re.MULTILINE | re.DOTALL)[1]
     stated = {entry.split()[0] for entry in stated.split(",")}
-    for package in sorted(set(needed) - stated - ONLY_TESTS):
+    for package in sorted(set(needed) - stated - ONLY_TESTS - ESSENTIAL):
         yield f"debian/control: Build-Depends lacks {package}, which drivers/common.sh installs"
 
 

@@ -146,6 +146,7 @@ double pull(ContactElement element, int n, const Sphere& sphere) {
     if (k % 3 < 2 && std::lround(mesh.coordinates[k] / h) % 2 == 1) mesh.coordinates[k] += h / 2;
   enrich(mesh, "bottom", element);
   Material rubber;
+  rubber.density = 1;
   rubber.block = "body";
   rubber.law = neo_hooke(lame_constants(1.0, 0.3));
   const Comm comm = world();
