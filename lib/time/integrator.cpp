@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "fem/row_on_states.hpp"
 #include "model/crossing.hpp"
+#include "time/compatibility.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -39,6 +40,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
+  check_compatible(model, table_);
   if (is_static(table_) != (model.mass() == nullptr))
     throw std::invalid_argument("scheme \"" + table_.name + "\": " +
                                 (is_static(table_) ? "it has no inertia, but the model has a mass"
