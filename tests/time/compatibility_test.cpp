@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/local_mesh.hpp"
