@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Teuchos_CommHelpers.hpp>
+#include <stdexcept>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -62,6 +63,7 @@ class Run {
   bool interlude();
   void step();
   void end();
+  void observe(double wall_seconds);
   void checkpoint();
   bool watch_energy();
   void go_back();
@@ -189,10 +191,18 @@ void Run::step() {
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps);
   if (files_.recorded()) measures_.row(files_.history());
-  if (watch_energy()) return;
-  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds};
+  if (!watch_energy()) observe(seconds);
+}
+
+/// Shows the accepted step to the caller.
+void Run::observe(double wall_seconds) {
+  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations,
+                          wall_seconds};
   if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
-  if (options_.observe) stop(first_problem(comm_, options_.observe(progress)));
+  if (!options_.observe) return;
+  std::string text;
+  together<std::runtime_error>(comm_, [&] { text = options_.observe(progress); });
+  stop(first_problem(comm_, text));
 }
 
 /// Looks at the row of the present state, if it has one. Returns whether the state is then an earlier one.
