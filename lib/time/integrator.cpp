@@ -48,6 +48,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
   if (model.mass() != nullptr && model.mass()->is_lumped() != (table_.mass == Inertia::Lumped))
     throw std::invalid_argument("scheme \"" + table_.name +
                                 "\": it needs a lumped mass and the model has a consistent one, or the reverse");
+  model.close();
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
