@@ -92,8 +92,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   bool transfer_setup(Record& record) {
     if (!record.loading() && options_.of_matrix && !options_.restartable)
       throw InputError(
-          "Output/Checkpoint/Keep is 0, so the preconditioner does not keep the matrices that it came from: a step "
-          "cannot be repeated from a saved state; let Keep be at least 1");
+          "the preconditioner does not keep the matrices that it came from, so a step cannot be repeated from a saved "
+          "state (Output/Checkpoint/Keep is 0, or LinearSolverFactory was made with restartable = false)");
     long setup = setup_;
     record.number("setup", setup);
     const bool same = record.loading() && setup >= 0 && setup == setup_;
