@@ -58,12 +58,14 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Adds an interaction of that name, before close().
+  /// Adds an interaction of that name. A model that has interactions takes further ones after close(), too: nothing is
+  /// kept for them (see force_and_keep).
   void add_interaction(std::unique_ptr<Interaction> term, const std::string& name = "interaction");
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
   /// Ends the adding of interactions, constraints and loads: what is made of the model has arrays and solvers for those
-  /// that it has. Integrators and evaluators call this, also of a model that several share. Adding one then throws
+  /// that it has. Integrators and evaluators call this, also of a model that several share. The functions of
+  /// model/conditions.hpp and model/surface_interaction.hpp, Constraints::add() and Loads::add() then throw
   /// std::logic_error.
   void close() const {
     closed_ = true;
