@@ -1,5 +1,6 @@
 #include "base/snapshot.hpp"
 
+#include <iterator>
 #include <stdexcept>
 
 namespace ixos {
@@ -7,7 +8,8 @@ namespace ixos {
 /// The record of a snapshot. Sections make paths of names.
 class Snapshot::Memory final : public Record {
  public:
-  Memory(std::map<std::string, Value>& values, bool loading) : values_(values), loading_(loading) {}
+  /// `save`: the number of the save(), or 0 to load.
+  Memory(std::map<std::string, Value>& values, long save) : values_(values), save_(save), loading_(save == 0) {}
 
   bool loading() const override { return loading_; }
   bool same_scene() const override { return true; }
@@ -39,7 +41,11 @@ class Snapshot::Memory final : public Record {
   }
 
   Value& of(const char* name) {
-    if (!loading_) return values_[path_ + name];
+    if (!loading_) {
+      Value& value = values_[path_ + name];
+      value.saved = save_;
+      return value;
+    }
     const auto found = values_.find(path_ + name);
     if (found == values_.end()) throw std::logic_error("the snapshot has no \"" + path_ + name + "\"");
     return found->second;
@@ -53,6 +59,7 @@ class Snapshot::Memory final : public Record {
   }
 
   std::map<std::string, Value>& values_;
+  long save_;
   bool loading_;
   std::string path_;
   std::vector<std::size_t> lengths_;  ///< of the paths of the outer sections
@@ -60,14 +67,16 @@ class Snapshot::Memory final : public Record {
 
 void Snapshot::save() {
   full_ = false;
-  Memory memory(values_, false);
+  Memory memory(values_, ++saves_);
   transfer_(memory);
+  for (auto value = values_.begin(); value != values_.end();)  // of earlier saves, which this one did not name
+    value = value->second.saved == saves_ ? std::next(value) : values_.erase(value);
   full_ = true;
 }
 
 void Snapshot::restore() {
   if (!full_) throw std::logic_error("nothing was saved to restore");
-  Memory memory(values_, true);
+  Memory memory(values_, 0);
   transfer_(memory);
 }
 

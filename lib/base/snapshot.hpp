@@ -31,11 +31,13 @@ class Snapshot {
     double number = 0;
     std::string text;
     std::vector<double> numbers;
+    long saved = 0;  ///< the number of the save() that named it
   };
   class Memory;
 
   std::function<void(Record&)> transfer_;
   std::map<std::string, Value> values_;  ///< by path
+  long saves_ = 0;
   bool full_ = false;
 };
 

@@ -99,7 +99,7 @@ void write_checkpoint_file(const std::string& path, const DofSpace& space, const
     CheckpointWriter writer(path, space, mesh, size.bytes());
     transfer(writer);
     writer.publish();
-  } catch (const FileError&) {
+  } catch (...) {  // a FileError, or what a state of the program throws
     std::error_code code;
     if (space.comm()->getRank() == 0) std::filesystem::remove(beside(path), code);
     throw;
@@ -115,7 +115,7 @@ CheckpointReader::CheckpointReader(const std::string& path, const DofSpace& spac
     if (!(ranks >= 1 && ranks < 1e9)) throw InputError(path + ": \"ranks\" is not a number of ranks");
     ranks_ = static_cast<int>(ranks);
     if (file_->length("nodes") != static_cast<unsigned long long>(mesh.global_nodes))
-      throw InputError(path + ": has another number of nodes than the scene's mesh");
+      throw InputError(path + ": has another number of nodes than the mesh");
     same_partition_ = ranks_ == space.comm()->getSize() && file_->integers("nodes", owned_slab(space, 1)) == nodes;
   });
   same_partition_ = space.minimum(same_partition_ ? 1 : 0) > 0;
@@ -155,7 +155,7 @@ void CheckpointReader::field(const char* name, std::vector<double>& values, Exte
     const unsigned long long length = file_->length(name);
     present = length > 0;
     if (present && length != static_cast<unsigned long long>(space_.global()))
-      throw InputError(std::string("\"") + name + "\" has another length than the scene's model");
+      throw InputError(std::string("\"") + name + "\" has another length than the model");
     values.assign(static_cast<std::size_t>(!present                  ? 0
                                            : extent == Extent::Local ? space_.local()
                                                                      : space_.owned()),

@@ -12,8 +12,8 @@
 
 namespace ixos {
 
-/// Writes a checkpoint to a path: `transfer` names its contents, twice, first to learn their size. Throws FileError;
-/// then the previous file remains, and no other. Collective.
+/// Writes a checkpoint to a path: `transfer` names its contents, twice, first to learn their size. Throws FileError,
+/// and what `transfer` throws; then the previous file remains, and no other. Collective.
 void write_checkpoint_file(const std::string& path, const DofSpace& space, const LocalMesh& mesh,
                            const std::function<void(Record&)>& transfer);
 

@@ -25,6 +25,8 @@ class GapLaw {
   virtual Pack mean_traction(const Pack& r0, const Pack& r1) const = 0;
   virtual Pack mean_stiffness(const Pack& r0, const Pack& r1) const = 0;
   virtual Pack mean_potential(const Pack& r0, const Pack& r1) const = 0;
+  /// Returns whether the potential has a closed form: a law with a cutoff has none, see CutOff.
+  virtual bool has_mean_potential() const = 0;
   /// Scale of the rounding error of the traction [E0].
   virtual Pack magnitude(const Pack& r) const = 0;
 
@@ -57,6 +59,7 @@ class GapLawOf final : public GapLaw {
   Pack mean_traction(const Pack& r0, const Pack& r1) const override { return law_.mean_traction(r0, r1); }
   Pack mean_stiffness(const Pack& r0, const Pack& r1) const override { return law_.mean_stiffness(r0, r1); }
   Pack mean_potential(const Pack& r0, const Pack& r1) const override { return law_.mean_potential(r0, r1); }
+  bool has_mean_potential() const override { return !IsCutOff<Law>::value; }
   Pack magnitude(const Pack& r) const override { return law_.magnitude(r); }
   GapDomain domain() const override { return Law::domain; }
   double equilibrium_gap() const override { return law_.equilibrium_gap(); }
@@ -102,6 +105,7 @@ class AnyGapLaw {
   Pack mean_stiffness(const Pack& r0, const Pack& r1) const { return law_->mean_stiffness(r0, r1); }
   Pack mean_potential(const Pack& r0, const Pack& r1) const { return law_->mean_potential(r0, r1); }
   Pack magnitude(const Pack& r) const { return law_->magnitude(r); }
+  bool has_mean_potential() const { return law_->has_mean_potential(); }
   double range() const { return range_; }
   double equilibrium_gap() const { return equilibrium_gap_; }
   double adhesion_gap() const { return adhesion_gap_; }

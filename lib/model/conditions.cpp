@@ -22,7 +22,6 @@ void add_load(Model& model, const NodalNumbers& measure, const std::vector<doubl
   if (vector.size() != d)
     throw InputError(
         fmt::format("a load's vector has {} components, but the mesh has {} dimensions", vector.size(), d));
-  if (!history) throw InputError("a load has no function of time; constant(1) is one");
   std::vector<double> forces(measure.size() * d);
   for (std::size_t a = 0; a < measure.size(); ++a)
     for (std::size_t i = 0; i < d; ++i) forces[a * d + i] = measure[a] * vector[i];
@@ -63,18 +62,27 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
   const LocalMesh& mesh = model.mesh();
   const std::size_t set = mesh.node_set(node_set);
   const std::vector<int> numbers = components_of(components, mesh.dimension);
-  together<InputError>(model.space().comm(), [&] {
+  model.check_open();
+  const auto for_each = [&](const auto& visit) {
     for (const int i : numbers)
       for (const int node : mesh.node_sets[set]) {
         // A derivative along the boundary does not change if all points move alike.
         const bool derivative = mesh.is_derivative(static_cast<std::size_t>(node));
-        try {
-          model.constraints().add(node * mesh.dimension + i, derivative ? 0.0 : 1.0, derivative ? nullptr : motion);
-        } catch (const InputError& error) {
-          throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
-                                       mesh.message_number(static_cast<std::size_t>(node))));
-        }
+        visit(node, i, derivative ? 0.0 : 1.0, derivative ? nullptr : motion);
       }
+  };
+  together<InputError>(model.space().comm(), [&] {
+    for_each([&](int node, int i, double factor, const std::shared_ptr<const TimeFunction>& function) {
+      try {
+        model.constraints().check(node * mesh.dimension + i, factor, function);
+      } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
+                                     mesh.message_number(static_cast<std::size_t>(node))));
+      }
+    });
+  });
+  for_each([&](int node, int i, double factor, const std::shared_ptr<const TimeFunction>& function) {
+    model.constraints().add(node * mesh.dimension + i, factor, function);
   });
 }
 

@@ -2,26 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "base/error.hpp"
 
 namespace ixos {
 
+void Constraints::check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const {
+  if (!holds(dof)) return;
+  const Entry& known = entries_[static_cast<std::size_t>(index_[dof_index(dof)])];
+  if (motions_[known.motion] != motion || known.factor != factor)
+    throw InputError("two conditions prescribe different motions for one degree of freedom");
+}
+
 void Constraints::add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {
+  if (closed_)
+    throw std::logic_error("a constraint is added after an integrator or an evaluator was made of the model");
+  check(dof, factor, motion);
+  if (holds(dof)) return;
   auto found = std::find(motions_.begin(), motions_.end(), motion);
   if (found == motions_.end()) found = motions_.insert(found, motion);
-  const auto number = static_cast<std::size_t>(found - motions_.begin());
   if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
-  int& entry = index_[dof_index(dof)];
-  if (entry >= 0) {
-    const Entry& known = entries_[static_cast<std::size_t>(entry)];
-    if (known.motion != number || known.factor != factor)
-      throw InputError("two conditions prescribe different motions for one degree of freedom");
-    return;
-  }
-  entry = static_cast<int>(entries_.size());
+  index_[dof_index(dof)] = static_cast<int>(entries_.size());
   dofs_.push_back(dof);
-  entries_.push_back({number, factor});
+  entries_.push_back({static_cast<std::size_t>(found - motions_.begin()), factor});
   driven_ = driven_ || motion != nullptr;
 }
 

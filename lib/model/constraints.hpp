@@ -13,8 +13,12 @@ namespace ixos {
 class Constraints {
  public:
   /// Constrains a degree of freedom; without a motion it is held at zero. A constrained one may be constrained again by
-  /// the same motion and factor. Throws InputError if motion or factor differ.
+  /// the same motion and factor. Throws InputError if motion or factor differ; std::logic_error after Model::close().
   void add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
+  /// Throws the InputError of add(), and changes nothing.
+  void check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const;
+  /// Ends the adding, see Model::close().
+  void close() const { closed_ = true; }
 
   bool empty() const { return entries_.empty(); }
   bool holds(int dof) const { return static_cast<std::size_t>(dof) < index_.size() && index_[dof_index(dof)] >= 0; }
@@ -38,6 +42,7 @@ class Constraints {
   std::vector<int> index_;      ///< by dof: its entry, or -1
   std::vector<std::shared_ptr<const TimeFunction>> motions_;
   bool driven_ = false;
+  mutable bool closed_ = false;
 };
 
 }  // namespace ixos

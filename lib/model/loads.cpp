@@ -1,15 +1,34 @@
 #include "model/loads.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
+
+#include "base/error.hpp"
 
 namespace ixos {
 
+void Loads::check(const std::vector<double>& forces) const {
+  if (forces.size() != local_)
+    throw InputError(fmt::format("a load has {} forces; the rank has {} degrees of freedom, ghosts included",
+                                 forces.size(), local_));
+}
+
 std::size_t Loads::add(std::vector<double> forces, std::shared_ptr<const TimeFunction> history) {
+  if (closed_) throw std::logic_error("a load is added after an integrator or an evaluator was made of the model");
+  check(forces);
+  if (!history) throw InputError("a load has no function of time; constant(1) is one");
   loads_.push_back({std::move(forces), std::move(history)});
   return loads_.size() - 1;
+}
+
+void Loads::replace(std::size_t number, std::vector<double> forces) {
+  check(forces);
+  loads_.at(number).forces = std::move(forces);
 }
 
 void Loads::add_force(double time, double factor, double* force) const {

@@ -23,6 +23,8 @@ void check_material(const Material& material, bool inertia) {
       refuse(fmt::format("has the {} {}; it must be at least 0 and finite", name, value));
   if (material.points < 0 || material.points > 10)
     refuse(fmt::format("has {} Gauss points a direction; 0 to 10 are allowed", material.points));
+  if (material.formulation == Formulation::Enhanced && material.points == 1)
+    refuse("has 1 Gauss point a direction, which is too few for Enhanced elements: their modes vanish at the centre");
 }
 
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -13,7 +14,8 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
       discretization_(std::move(mesh), comm),
       mesh_(discretization_.mesh()),
       space_(discretization_.space()),
-      pattern_(discretization_.pattern()) {
+      pattern_(discretization_.pattern()),
+      loads_(static_cast<std::size_t>(space_.local())) {
   if (inertia != Inertia::None) mass_ = std::make_unique<Mass>(mesh_, pattern_, inertia == Inertia::Lumped);
   for (const Material& material : materials) {
     check_material(material, inertia != Inertia::None);
@@ -66,6 +68,12 @@ void Model::add_damping(const LocalBlock& block, const Material& material, const
 void Model::add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name) {
   rates_.push_back(term.get());
   add_term(std::move(term), name);
+}
+
+void Model::check_open() const {
+  if (closed_)
+    throw std::logic_error(
+        "an interaction or a condition is added after an integrator or an evaluator was made of the model");
 }
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {

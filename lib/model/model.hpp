@@ -58,11 +58,22 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Adds an interaction of that name. Interactions, constraints and loads are added before the model is given to an
-  /// integrator or an evaluator.
+  /// Adds an interaction of that name. A model that has interactions takes further ones after close(), too: nothing is
+  /// kept for them (see force_and_keep).
   void add_interaction(std::unique_ptr<Interaction> term, const std::string& name = "interaction");
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
+  /// Ends the adding of interactions, constraints and loads: what is made of the model has arrays and solvers for those
+  /// that it has. Integrators and evaluators call this, also of a model that several share. The functions of
+  /// model/conditions.hpp and model/surface_interaction.hpp, Constraints::add() and Loads::add() then throw
+  /// std::logic_error.
+  void close() const {
+    closed_ = true;
+    constraints_.close();
+    loads_.close();
+  }
+  /// Throws std::logic_error after close().
+  void check_open() const;
 
   const LocalMesh& mesh() const { return mesh_; }
   const DofSpace& space() const { return space_; }
@@ -207,6 +218,7 @@ class Model {
   mutable std::unique_ptr<ConstrainedEntries> constrained_entries_;  ///< made at the first use
   mutable std::vector<double> surface_measure_;                      ///< made at the first use
   Loads loads_;
+  mutable bool closed_ = false;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;
   double stiffest_ = 0;

@@ -59,6 +59,7 @@ void check_cutoff(const GapLaw& law, double cutoff) {
 }
 
 void add_interaction(Model& model, const SurfaceInteraction& interaction) {
+  model.check_open();
   check(interaction);
   const LocalMesh& mesh = model.mesh();
   const std::size_t set = mesh.side_set(interaction.side_set);

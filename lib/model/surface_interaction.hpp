@@ -24,7 +24,7 @@ void check_cutoff(const GapLaw& law, double cutoff);
 
 /// Adds the interaction to the model. Throws InputError, on all ranks, if the side set does not exist, law or obstacle
 /// are missing, a number is out of range, or the surface at rest is in or below an obstacle whose law needs positive
-/// gaps. Collective.
+/// gaps; std::logic_error after Model::close(). Collective.
 void add_interaction(Model& model, const SurfaceInteraction& interaction);
 
 }  // namespace ixos

@@ -20,6 +20,8 @@ void transfer_loop(Record& record, Integrator& integrator, const std::vector<Pro
 
 /// Names what an integrator's model must have in common with that of the file.
 void transfer_model(Record& record, const Integrator& integrator) {
+  if (!record.has_section("model")) throw InputError("was written for a scene: read it with its Simulation");
+  const Record::Section section(record, "model");
   std::string scheme = integrator.table().name;
   record.text("scheme", scheme);
   if (scheme != integrator.table().name)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Teuchos_CommHelpers.hpp>
+#include <stdexcept>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -62,8 +63,9 @@ class Run {
   bool interlude();
   void step();
   void end();
+  void observe(double wall_seconds);
   void checkpoint();
-  void watch_energy();
+  bool watch_energy();
   void go_back();
   std::string with_position(const std::string& message) const;
   void transfer(Record& record);
@@ -189,28 +191,39 @@ void Run::step() {
   files_.record(result_.steps, dt, before);
   measures_.step(result_.steps);
   if (files_.recorded()) measures_.row(files_.history());
-  watch_energy();
-  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations, seconds};
-  if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
-  if (options_.observe) stop(first_problem(comm_, options_.observe(progress)));
+  if (!watch_energy()) observe(seconds);
 }
 
-/// Looks at the row of the present state, if it has one.
-void Run::watch_energy() {
-  if (!watch_.on() || !files_.recorded()) return;
+/// Shows the accepted step to the caller.
+void Run::observe(double wall_seconds) {
+  const Progress progress{integrator_.time(), times_.final_time, result_.steps, result_.newton_iterations,
+                          wall_seconds};
+  if (options_.watch && comm_->getRank() == 0) options_.watch(progress);
+  if (!options_.observe) return;
+  std::string text;
+  together<std::runtime_error>(comm_, [&] { text = options_.observe(progress); });
+  stop(first_problem(comm_, text));
+}
+
+/// Looks at the row of the present state, if it has one. Returns whether the state is then an earlier one.
+bool Run::watch_energy() {
+  if (!watch_.on() || !files_.recorded()) return false;
   const History& history = files_.history();
   // Memory may be damaged on one rank only; what follows is collective.
   const std::string wrong =
       first_problem(comm_, watch_.look(result_.steps, history.balance(), history.largest_energy()));
-  if (wrong.empty()) return;
+  if (wrong.empty()) return false;
   const bool resumes = watch_.action() == WatchAction::Resume && !checkpoints_.newest().empty() &&
                        checkpoints_.newest() != resumed_from_;
   if (result_.warnings.empty() || resumes) {
     warn(wrong);
     result_.warnings.push_back({"energy watch", wrong});
   }
-  if (resumes) return go_back();
-  if (watch_.action() != WatchAction::Warn) fail(wrong);
+  if (resumes)
+    go_back();
+  else if (watch_.action() != WatchAction::Warn)
+    fail(wrong);
+  return resumes;
 }
 
 /// Resumes from the newest checkpoint; a second time only from a later one.
@@ -229,6 +242,7 @@ void Run::go_back() {
   result_.warnings = warnings;
   if (!problem.empty()) return fail(problem);
   ++result_.restarts;
+  result_.status = RunStatus::Completed;  // a stop criterion may have held in the damaged state
   result_.reason.clear();
   tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", resumed_from_, integrator_.time(), result_.steps));
 }

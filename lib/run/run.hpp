@@ -32,8 +32,10 @@ struct RunOptions {
   std::function<bool()> interrupted;             ///< asked before every step; set on all ranks or on none
   /// Called on every rank after each accepted step, when its row is recorded: a step that is rejected is not seen. It
   /// may read all that the simulation's const functions return and Integrator::acceleration(), in collective calls too.
-  /// It must not change the simulation, and must not throw. If it returns a text on any rank, the run ends there with
-  /// RunStatus::Stopped and that reason. May be empty.
+  /// It must not change the simulation. If it returns a text on any rank, the run ends there with RunStatus::Stopped
+  /// and that reason. After the energy watch went back to a checkpoint (WatchAction::Resume), the steps from there are
+  /// observed again; the damaged step itself is not. If it throws on any rank, run() throws on all ranks, with the
+  /// message of the first of them (see together() for the type), and writes no last checkpoint. May be empty.
   std::function<std::string(const Progress&)> observe;
   /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
   /// it, and a restart reads it. A checkpoint with other states is refused with InputError.

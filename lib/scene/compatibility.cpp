@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/error.hpp"
 #include "scene/interactions.hpp"
+#include "time/compatibility.hpp"
 
 namespace ixos {
 namespace {
@@ -41,8 +40,7 @@ void check_adaptive(const std::vector<SceneInteraction>& interactions, const Ada
 }
 
 void check_materials(const SceneNode& lists, const std::vector<Material>& materials, const Table& table) {
-  const bool discrete = std::any_of(table.stages.begin(), table.stages.end(),
-                                    [](const Stage& stage) { return stage.elastic.mean == Mean::DiscreteGradient; });
+  const bool discrete = needs_discrete_gradient(table);
   const std::vector<SceneNode> nodes = lists.sublists();
   for (std::size_t i = 0; i < materials.size(); ++i) {
     const SceneNode& node = nodes[i];
@@ -50,9 +48,10 @@ void check_materials(const SceneNode& lists, const std::vector<Material>& materi
       node.refuse(entry, "\"" + node.text(entry) + "\" has no discrete gradient, which the scheme \"" + table.name +
                              "\" needs; use \"" + use + "\", or the scheme \"Average Vector Field\"");
     };
-    if (discrete && materials[i].formulation != Formulation::Standard)
-      no_discrete_gradient("Element Formulation", "Standard");
-    if (discrete && !materials[i].law->has_discrete_gradient()) no_discrete_gradient("Model", "Neo-Hooke");
+    if (discrete && !has_discrete_gradient(materials[i])) {
+      if (materials[i].formulation != Formulation::Standard) no_discrete_gradient("Element Formulation", "Standard");
+      no_discrete_gradient("Model", "Neo-Hooke");
+    }
     if (materials[i].viscosity != 0 && materials[i].formulation != Formulation::Standard)
       node.refuse("Viscosity", fmt::format("{} with \"{}\" elements: their viscous stress would lock; use 0, "
                                            "Stiffness Damping, or the Element Formulation \"Standard\"",
@@ -73,16 +72,9 @@ void check_compatibility(const SceneNode& scene, const std::vector<Material>& ma
 }
 
 void check_cutoffs(const std::vector<SceneInteraction>& interactions, const Model& model, const Table& table) {
-  // Before a curved obstacle the exact mean is no gradient, so nobody asks for its potential.
-  const auto has_potential = [&](const NamedForceTerm& named) {
-    return std::any_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
-      return stage.interaction.mean == Mean::Exact && named.term->is_gradient(stage.interaction);
-    });
-  };
   for (const SceneInteraction& interaction : interactions)
     for (const NamedForceTerm& named : model.force_terms())
-      if (interaction.cutoff > 0 && named.term->part() == Part::Interaction && named.name == interaction.node.name() &&
-          has_potential(named))
+      if (named.name == interaction.node.name() && lacks_potential(*named.term, table))
         interaction.node.refuse(
             "Cutoff",
             fmt::format("{} is not allowed: with these settings the scheme \"{}\" takes the exact mean of the "

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <string>
+#include <vector>
 
+#include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "model/conditions.hpp"
 
@@ -42,6 +46,18 @@ void add_load(const SceneNode& node, const Histories& histories, Model& model) {
   at(node.path_of(where), [&] { add(model, node.text(where), vector, history); });
 }
 
+/// A function of the program that nothing uses is presumably a name that is spelt differently.
+void refuse_unused(const SceneNode& conditions, const Histories& histories) {
+  std::vector<std::string> used;
+  for (const SceneNode& node : conditions.sublists())
+    if (const std::string& name = node.text("History"); !name.empty()) used.push_back(name);
+  for (const auto& [name, function] : histories.given()) {
+    if (std::find(used.begin(), used.end(), name) != used.end()) continue;
+    const std::string hint = used.empty() ? "" : "; did you mean \"" + closest_name(name, used) + "\"?";
+    throw InputError("the program gives the history \"" + name + "\", which no condition names" + hint);
+  }
+}
+
 }  // namespace
 
 void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model) {
@@ -57,6 +73,7 @@ void add_conditions(const SceneNode& conditions, const Histories& histories, Mod
     else
       add_load(node, histories, model);
   }
+  refuse_unused(conditions, histories);
 }
 
 }  // namespace ixos

@@ -28,6 +28,8 @@ class Histories {
   const std::shared_ptr<const TimeFunction>& get(const std::string& name, HistoryUse use) const;
   /// Returns whether the program gives it.
   bool is_given(const std::string& name) const { return given_.count(name) > 0; }
+  /// Returns the functions of the program.
+  const GivenHistories& given() const { return given_; }
 
  private:
   std::map<std::string, std::shared_ptr<const TimeFunction>> functions_;

@@ -2,9 +2,7 @@
 
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
-#include <Thyra_PreconditionerFactoryHelpers.hpp>
 #include <Thyra_VectorStdOps.hpp>
-#include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
 #include <limits>
 #include <new>
@@ -13,9 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
-#include "solve/operator_preconditioner.hpp"
+#include "solve/kept_preconditioner.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
@@ -41,19 +38,17 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
               Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner, const LaggedOptions& options,
               std::shared_ptr<LinearStatistics> statistics, std::shared_ptr<const int> family)
       : krylov_factory_(std::move(krylov)),
-        factory_(std::move(preconditioner)),
         options_(options),
         statistics_(std::move(statistics)),
         family_(std::move(family)),
         krylov_(krylov_factory_->createOp()),
-        preconditioner_(factory_->createPrec()) {}
+        preconditioner_(std::move(preconditioner), options, statistics_) {}
 
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
     given_ = Teuchos::null;
     fresh_ = false;
-    if (loaded_) rebuild();
-    loaded_ = false;
+    preconditioner_.rebuild(source_, stale_);
     if (stale_) return renew();
     attach();
   }
@@ -67,45 +62,17 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
 
   void transfer(Record& record) override {
-    if (record.in_memory() && transfer_setup(record)) return transfer_counts(record);
-    record.number("matrices", matrices_);
-    record.share("first matrix", first_matrix_);
-    record.share("matrix", matrix_);
-    transfer_counts(record);
-    if (record.loading()) {
-      preconditioner_ = factory_->createPrec();  // no trace of later matrices
-      if (!record.in_memory()) setup_ = ++statistics_->setups;
-      loaded_ = true;
-    }
-    const auto inner = Teuchos::rcp_dynamic_cast<KeptState>(preconditioner_->getNonconstUnspecifiedPrecOp());
-    if (nonnull(inner)) inner->transfer(record);
+    record.number("stale", stale_);
+    transfer_least_iterations(record);
+    record.number("excess", excess_);
+    record.number("refused", refused_);
+    preconditioner_.transfer(record);
   }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override { return krylov_->range(); }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override { return krylov_->domain(); }
 
  private:
-  auto values() const { return Teuchos::rcp_const_cast<CrsMatrix>(matrix_of(*source_))->getLocalMatrixHost().values; }
-
-  /// Transfers the number of the set-up that the preconditioner is of. Returns whether it is that of the record: then
-  /// the preconditioner is as it was.
-  bool transfer_setup(Record& record) {
-    if (!record.loading() && options_.of_matrix && !options_.restartable)
-      throw InputError(
-          "Output/Checkpoint/Keep is 0, so the preconditioner does not keep the matrices that it came from: a step "
-          "cannot be repeated from a saved state; let Keep be at least 1");
-    long setup = setup_;
-    record.number("setup", setup);
-    const bool same = record.loading() && setup >= 0 && setup == setup_;
-    setup_ = setup;
-    return same;
-  }
-  void transfer_counts(Record& record) {
-    record.number("stale", stale_);
-    transfer_least_iterations(record);
-    record.number("excess", excess_);
-    record.number("refused", refused_);
-  }
   void transfer_least_iterations(Record& record) {
     auto families = static_cast<int>(least_iterations_.size());
     record.number("families", families);
@@ -124,65 +91,17 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     return least_iterations_[family];
   }
 
-  /// Makes the preconditioner from the matrix's present values.
-  void make() const { initialize_preconditioner(*factory_, options_.of_matrix, source_, *preconditioner_); }
   void renew() const {
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
-    setup_ = -1;
-    make();
-    if (options_.restartable && options_.of_matrix) note_matrix();
+    preconditioner_.renew(source_);
     attach();
     stale_ = false;
     fresh_ = true;
     excess_ = 0;
-    setup_ = ++statistics_->setups;
-  }
-  /// A renewed multigrid keeps prolongators of its first matrix.
-  void note_matrix() const {
-    const auto present = values();
-    if (options_.from_scratch && matrices_ == 1) first_matrix_ = std::move(matrix_);
-    matrix_.assign(present.data(), present.data() + present.extent(0));
-    matrices_ = options_.from_scratch ? std::min(matrices_ + 1, 2) : 1;
-  }
-  /// Some parts are made at the first use only (MueLu's coarsest level), from the values that the matrix has then.
-  void force() const {
-    const auto op = preconditioner_->getUnspecifiedPrecOp();
-    if (op.is_null()) return;
-    const auto x = Thyra::createMembers(op->domain(), 1);
-    const auto y = Thyra::createMembers(op->range(), 1);
-    Thyra::assign(x.ptr(), 0.0);
-    Thyra::apply(*op, Thyra::NOTRANS, *x, y.ptr());
-  }
-  /// Makes the preconditioner as it was when the checkpoint was written.
-  void rebuild() const {
-    const TimedScope timed(Phase::Factorization);
-    if (!options_.of_matrix) return make();
-    const auto here = values();
-    const std::vector<double> present(here.data(), here.data() + here.extent(0));
-    const auto make_from = [&](const std::vector<double>& earlier) {
-      together<InputError>(matrix_of(*source_)->getComm(), [&] {
-        if (earlier.size() != present.size()) throw InputError("a matrix of the checkpoint has a different size");
-      });
-      std::copy(earlier.begin(), earlier.end(), here.data());
-      make();
-      force();
-    };
-    // They could be made once, so they can be made again. If the last one is stale, only the traces of the first one
-    // count.
-    if (matrices_ > 1) make_from(first_matrix_);
-    if (matrices_ == 1 || (matrices_ > 1 && !stale_)) make_from(matrix_);
-    // A multigrid's finest level is the matrix itself. If only preconditioners have a matrix, it resumes with the
-    // values from which they were made, as in an uninterrupted run.
-    const auto assemblable =
-        Teuchos::rcp_dynamic_cast<const AssemblableOperator>(Extract::getConstTpetraOperator(source_->getOp()));
-    if (nonnull(assemblable))
-      assemblable->forget_values();
-    else
-      std::copy(present.begin(), present.end(), here.data());
   }
   void attach() const {
-    krylov_factory_->initializePreconditionedOp(source_, preconditioner_, krylov_.get(),
+    krylov_factory_->initializePreconditionedOp(source_, preconditioner_.get(), krylov_.get(),
                                                 Thyra::SUPPORT_SOLVE_UNSPECIFIED);
   }
 
@@ -218,11 +137,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       }
       if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     }
-    if (options_.from_scratch) {
-      preconditioner_ = factory_->createPrec();
-      matrices_ = 0;
-      first_matrix_.clear();
-    }
+    if (options_.from_scratch) preconditioner_.start_over();
     renew();
     try {
       return attempt(b, x, criteria);
@@ -260,25 +175,20 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   }
 
   Teuchos::RCP<const KrylovFactory> krylov_factory_;
-  Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> factory_;
   LaggedOptions options_;
   std::shared_ptr<LinearStatistics> statistics_;
   std::shared_ptr<const int> family_;  ///< of the present matrix
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> krylov_;
-  mutable Teuchos::RCP<Thyra::PreconditionerBase<double>> preconditioner_;
+  mutable KeptPreconditioner preconditioner_;
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
   /// The caller's preconditioner, or null.
   Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;
 
-  mutable bool stale_ = true;                          ///< renew before the next matrix
-  mutable bool fresh_ = false;                         ///< renewed, and not used since
-  mutable std::vector<int> least_iterations_;          ///< of the solves with this preconditioner, by family
-  mutable double excess_ = 0;                          ///< iterations beyond the least, summed
-  mutable bool refused_ = false;                       ///< the last matrix was found not positive definite
-  mutable bool loaded_ = false;                        ///< from a checkpoint: the preconditioner is yet to be made
-  mutable long setup_ = 0;                             ///< its number in the factory; 0: none yet, -1: it failed
-  mutable int matrices_ = 0;                           ///< kept: none, the last one, or the first and the last one
-  mutable std::vector<double> first_matrix_, matrix_;  ///< values
+  mutable bool stale_ = true;                  ///< renew before the next matrix
+  mutable bool fresh_ = false;                 ///< renewed, and not used since
+  mutable std::vector<int> least_iterations_;  ///< of the solves with this preconditioner, by family
+  mutable double excess_ = 0;                  ///< iterations beyond the least, summed
+  mutable bool refused_ = false;               ///< the last matrix was found not positive definite
 };
 
 }  // namespace

@@ -56,6 +56,7 @@ SemiDiscreteEvaluator::SemiDiscreteEvaluator(const Model& model,
 }
 
 void SemiDiscreteEvaluator::make_arguments(bool preconditioned) {
+  model_.close();
   const std::string description = "Ixos semi-discrete model";
   Base::InArgsSetup<double> in;
   in.setModelEvalDescription(description);

@@ -141,6 +141,8 @@ class CurvedSurfaceTerm final : public Interaction, private CurvedPoints<SideEle
     throw std::logic_error("the exact mean before a curved obstacle has no potential");
   }
 
+  bool has_mean_potential() const override { return false; }
+
   double gap_ratio(const double* from, const double* to) const override {
     if (!needs_positive_gaps()) return 1;
     const double near = 10 * law_.equilibrium_gap();

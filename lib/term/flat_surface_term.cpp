@@ -1,6 +1,7 @@
 // Interaction of a surface with a half-space.
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "interaction/surface_kernel.hpp"
 #include "interaction/van_der_waals.hpp"
@@ -110,6 +111,13 @@ class FlatSurfaceTerm final : public Interaction {
                                    Kernel::interpolate(sides_.quadrature().value[q], to));
     }
     return total(sum);
+  }
+
+  bool has_mean_potential() const override {
+    if constexpr (std::is_same_v<Law, AnyGapLaw>)
+      return law_.has_mean_potential();
+    else
+      return !IsCutOff<Law>::value;
   }
 
   double gap_ratio(const double* from, const double* to) const override {

@@ -38,8 +38,11 @@ class Interaction : public ForceTerm {
   virtual double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const = 0;
 
   /// Returns this rank's share of the potential whose derivative in u_to is the force of the exact rule. Called only if
-  /// is_gradient() holds for that rule.
+  /// is_gradient() holds for that rule, and has_mean_potential().
   virtual double mean_potential(const Segment& segment) const = 0;
+
+  /// Returns whether the law has that potential. Equal on all ranks.
+  virtual bool has_mean_potential() const = 0;
 
   /// Returns the largest ratio of the gaps at a quadrature point in a step. Only points whose lesser gap is below ten
   /// times the equilibrium gap count. Returns 1 if the law is defined at every gap.

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "fem/row_on_states.hpp"
 #include "model/crossing.hpp"
+#include "time/compatibility.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -39,6 +40,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
   check(table_);
+  check_compatible(model, table_);
   if (is_static(table_) != (model.mass() == nullptr))
     throw std::invalid_argument("scheme \"" + table_.name + "\": " +
                                 (is_static(table_) ? "it has no inertia, but the model has a mass"
@@ -46,6 +48,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
   if (model.mass() != nullptr && model.mass()->is_lumped() != (table_.mass == Inertia::Lumped))
     throw std::invalid_argument("scheme \"" + table_.name +
                                 "\": it needs a lumped mass and the model has a consistent one, or the reverse");
+  model.close();
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);

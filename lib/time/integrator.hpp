@@ -30,7 +30,8 @@ struct StepResult {
 class Integrator {
  public:
   /// Throws std::invalid_argument if the table is inconsistent (see check), or if only one of table and model has
-  /// inertia.
+  /// inertia; InputError if the model does not have what the table needs (see check_compatible). Closes the model, see
+  /// Model::close().
   Integrator(Model& model, Table table, std::shared_ptr<const LinearSolverFactory> linear_solver,
              const NewtonOptions& newton);
   Integrator(const Integrator&) = delete;

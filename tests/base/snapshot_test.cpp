@@ -88,6 +88,32 @@ TEST(SnapshotTest, TheRecordKnowsItsSections) {
   EXPECT_FALSE(part);
 }
 
+TEST(SnapshotTest, NamesOfAnEarlierSaveAreForgotten) {
+  bool more = true, section = false;
+  Snapshot snapshot([&](Record& record) {
+    double value = 5;
+    record.number("value", value);
+    if (record.loading()) section = record.has_section("more");
+    if (!more) return;
+    const Record::Section inner(record, "more");
+    record.number("value", value);
+  });
+  snapshot.save();
+  const double bytes = snapshot.bytes();
+  snapshot.restore();
+  EXPECT_TRUE(section);
+  more = false;
+  snapshot.save();
+  EXPECT_LT(snapshot.bytes(), bytes);
+  snapshot.restore();
+  EXPECT_FALSE(section);
+  more = true;
+  EXPECT_THROW(snapshot.restore(), std::logic_error);
+  snapshot.save();
+  snapshot.restore();
+  EXPECT_TRUE(section);
+}
+
 TEST(SnapshotTest, WhatWasNotSavedIsNotRestored) {
   bool more = false, fails = false;
   Snapshot snapshot([&](Record& record) {

@@ -110,6 +110,8 @@ TEST(GapLawTest, ACutOffEndsTheTraction) {
               1e-13 * van_der_waals.magnitude(0.5));
   EXPECT_EQ(law->traction(2.5)[0], 0);
   EXPECT_THROW(law->mean_potential(0.3, 0.4), std::logic_error);
+  EXPECT_FALSE(law->has_mean_potential());
+  EXPECT_TRUE(gap_law(van_der_waals)->has_mean_potential());
 }
 
 // A law cut off at 1 and then at 3 would be zero from 1 on if the second range did not take the place of the first.

@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
+#include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "model/surface_interaction.hpp"
+#include "solve/semi_discrete_evaluator.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
+#include "time/schemes.hpp"
 
 namespace ixos {
 namespace {
@@ -85,6 +91,42 @@ TEST(ConditionsTest, WrongNamesAndVectorsAreRefused) {
   // The corner belongs to both sets; it is node 28 of the mesh, from 0.
   expect_contains(refusal([&] { prescribe(*model, "top", "x", constant(1)); }),
                   "two conditions prescribe different motions for one degree of freedom: component x of node 29");
+}
+
+TEST(ConditionsTest, ARefusedMotionPrescribesNothing) {
+  auto model = plate();
+  prescribe(*model, "left", "x");
+  const std::vector<int> before = model->constraints().dofs();
+  // The y of all nodes at the top is free, the x of one corner is not.
+  expect_contains(refusal([&] { prescribe(*model, "top", "yx", constant(1)); }), "component x of node 29");
+  EXPECT_EQ(model->constraints().dofs(), before);
+  EXPECT_FALSE(model->constraints().driven());
+}
+
+void expect_closed(Model& model) {
+  EXPECT_THROW(prescribe(model, "left", "x"), std::logic_error);
+  EXPECT_THROW(add_traction(model, "right", {1, 0}, constant(1)), std::logic_error);
+  EXPECT_THROW(model.constraints().add(0, 1.0, nullptr), std::logic_error);
+  SurfaceInteraction wall;
+  wall.side_set = "bottom";
+  wall.law = gap_law(VanDerWaals(2.5, 25));
+  wall.obstacle = flat_wall({{0.0, -1.0, 0.0}, {0.0, 1.0, 0.0}});
+  EXPECT_THROW(add_interaction(model, wall), std::logic_error);
+  EXPECT_TRUE(model.loads().empty());
+  EXPECT_TRUE(model.constraints().empty());
+  EXPECT_FALSE(model.has_interactions());
+}
+
+TEST(ConditionsTest, AnIntegratorClosesTheModel) {
+  auto model = plate();
+  const Integrator integrator = test::direct(*model, newmark(0.25, 0.5));
+  expect_closed(*model);
+}
+
+TEST(ConditionsTest, AnEvaluatorClosesTheModel) {
+  auto model = plate();
+  const SemiDiscreteEvaluator evaluator(*model);
+  expect_closed(*model);
 }
 
 TEST(ConditionsSerialTest, AllComponentsAreThoseOfTheDimension) {

@@ -24,6 +24,7 @@ class Silent final : public Interaction {
   bool needs_positive_gaps() const override { return positive_; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
+  bool has_mean_potential() const override { return true; }
   double rounding(const double*) const override { return 0; }
   void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override {}

@@ -30,6 +30,8 @@ TEST(MaterialSerialTest, ValuesOutOfRangeAreRefused) {
   test::expect_contains(message([](Material& m) { m.stiffness_damping = NAN; }), "stiffness damping nan");
   test::expect_contains(message([](Material& m) { m.viscosity = -2; }), "viscosity -2");
   test::expect_contains(message([](Material& m) { m.points = 11; }), "11 Gauss points");
+  test::expect_contains(message([](Material& m) { m.points = 1, m.formulation = Formulation::Enhanced; }),
+                        "1 Gauss point a direction, which is too few for Enhanced elements");
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The watch on the energy balance: quiet while a scheme keeps its promise, and awake when memory is damaged.
 #include <cmath>
+#include <functional>
+#include <vector>
 
 #include "run/restart_fixture.hpp"
 #include "support/bodies.hpp"
@@ -19,7 +21,7 @@ std::string flying(const std::string& scheme, const std::string& watch, double d
 
 class EnergyWatchTest : public RestartTest {
  protected:
-  /// Runs to the end. Before step `at` a velocity's exponent loses a bit, once.
+  /// Runs to the end, observed. Before step `at` the velocities are damaged, once: by default an exponent loses a bit.
   RunResult disturbed(const std::string& scene, const std::string& name, int at) {
     Simulation simulation(test::scene(scene), world());
     RunOptions options;
@@ -27,16 +29,29 @@ class EnergyWatchTest : public RestartTest {
     options.overwrite = true;  // one test runs several scenes into a folder
     options.tell = [this](const std::string& line) { told_ += line + "\n"; };
     options.warn = [this](const std::string& line) { ++warnings_, told_ += line + "\n"; };
+    observed_.clear();
+    calls_ = 0;
+    options.observe = [&](const Progress& progress) {
+      ++calls_;
+      observed_.push_back(progress.time);
+      return std::string();
+    };
+    options.states = {{"observer", [this](Record& record) { record.share("times", observed_); }}};
     int steps = 0;
     options.interrupted = [&] {
       auto& v = const_cast<std::vector<double>&>(simulation.integrator().state().v);
-      if (++steps == at && world()->getRank() == 0) v.at(1) /= 2;
+      if (++steps == at) damage_(v);
       return false;
     };
     return run(simulation, options);
   }
 
-  int warnings_ = 0;  ///< on the first rank
+  int warnings_ = 0;              ///< on the first rank
+  int calls_ = 0;                 ///< of the observer
+  std::vector<double> observed_;  ///< the times that it saw, a state of the program
+  std::function<void(std::vector<double>&)> damage_ = [](std::vector<double>& v) {
+    if (world()->getRank() == 0) v.at(1) /= 2;
+  };
 };
 
 TEST_F(EnergyWatchTest, AnUndamagedRunIsQuiet) {
@@ -76,6 +91,37 @@ TEST_F(EnergyWatchTest, TheRunGoesBackToItsCheckpointAndForgetsTheDamage) {
   EXPECT_EQ(result.steps, whole.steps);
   EXPECT_EQ(result.max_energy_error, whole.max_energy_error);
   expect_same("whole", "parts");
+}
+
+TEST_F(EnergyWatchTest, StepsAfterTheCheckpointAreObservedAgain) {
+  const std::string scene = flying("Energy-Momentum", word("Action", "Resume"));
+  disturbed(scene, "whole", -1);
+  const std::vector<double> whole = observed_;
+  ASSERT_EQ(whole.size(), 20U);
+  EXPECT_EQ(calls_, 20);
+  disturbed(scene, "parts", 11);
+  EXPECT_EQ(observed_, whole);
+  EXPECT_EQ(calls_, 22);  // not the damaged step 11, but the steps 9 and 10 twice
+}
+
+TEST_F(EnergyWatchTest, AStopCriterionThatHeldInTheDamagedStateIsForgotten) {
+  std::string scene = flying("Energy-Momentum", word("Action", "Resume"));
+  const auto into = [&](const std::string& name, const std::string& entries) {
+    const std::string start = "<ParameterList name=\"" + name + "\">";
+    scene.insert(scene.find(start) + start.size(), entries);
+  };
+  into("Output", list("Probes", list("Edge", numbers("Point", {0, 0}))));
+  into("Time Integrator",
+       list("Stop", list("Fast", word("Type", "Probe") + list("Probe", word("Name", "Edge") + word("Quantity", "vx") +
+                                                                           number("Limit", 0.2)))));
+  damage_ = [](std::vector<double>& v) {
+    for (double& value : v) value *= 4;  // the block flies at 0.1 L0/T0 to the right
+  };
+  const RunResult result = disturbed(scene, "whole", 11);
+  EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
+  EXPECT_EQ(result.reason, "");
+  EXPECT_EQ(result.restarts, 1);
+  EXPECT_EQ(result.steps, 20);
 }
 
 TEST_F(EnergyWatchTest, OtherSchemesAndDampedBodiesAreWatchedOnlyWithATolerance) {

@@ -7,6 +7,7 @@
 
 #include "histories/waveform.hpp"
 #include "run/restart_fixture.hpp"
+#include "support/comparison.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos::test {
@@ -122,6 +123,8 @@ TEST_F(LoopCheckpointTest, WhatDoesNotFitIsRefusedWithTheFilesName) {
     expect_contains(message, text);
   };
   refused([&] { read_checkpoint(path_, program.simulation()); }, "holds \"stage\"");
+  refused([&] { read_checkpoint(path_, program.integrator(), program.stage().states()); },
+          "was written for a scene: read it with its Simulation");
   refused([&] { run_scene(drawn(word("Type", "Newmark") + steps(0.02, 1)), "run", path_); }, "a time loop of its own");
   write_checkpoint(path_, program.integrator());
   refused([&] { read_checkpoint(path_, program.integrator(), program.stage().states()); }, "lacks \"stage\"");
@@ -131,6 +134,31 @@ TEST_F(LoopCheckpointTest, WhatDoesNotFitIsRefusedWithTheFilesName) {
   refused([&] { read_checkpoint(path_, longer.integrator()); }, "another mesh");
   refused([&] { read_checkpoint(path_, other.integrator()); }, "\"Newmark\", not to \"Midpoint\"");
   refused([&] { read_checkpoint(path_ + "x", other.integrator()); }, "");
+}
+
+TEST_F(LoopCheckpointTest, AnotherNumberOfRanksGoesOn) {
+  const Teuchos::ParameterList scene = test::scene(
+      block_of(2, "Newmark") +
+      list("Initial Conditions", numbers("Velocity", {0.1, 0}) + numbers("Velocity Gradient", {0, -0.5, 0.5, 0})));
+  Simulation one(scene, self()), all(scene, world());  // each rank has the whole body, and its share of it
+  const auto advance = [](Simulation& simulation) {
+    bool converged = true;
+    for (int step = 0; step < 5 && converged; ++step) converged = simulation.integrator().step(0.02).converged;
+    return converged;
+  };
+  const auto displacement = [](const Simulation& simulation) {
+    return gathered(simulation.model(), simulation.integrator().state().u);
+  };
+  ASSERT_TRUE(advance(one));
+  on_first([&] { write_checkpoint(path_, one.integrator()); });
+  const std::vector<std::string> notes = read_checkpoint(path_, all.integrator());
+  EXPECT_EQ(notes.empty(), world()->getSize() == 1);
+  if (!notes.empty()) expect_contains(notes.front(), "It was written on 1 rank(s)");
+  EXPECT_EQ(displacement(all), displacement(one));
+  EXPECT_EQ(all.integrator().time(), one.integrator().time());
+  ASSERT_TRUE(advance(one));
+  ASSERT_TRUE(advance(all));
+  EXPECT_LT(distance(displacement(all), displacement(one)), 1e-9);
 }
 
 TEST_F(LoopCheckpointTest, RunsKeepTheProgramsStateToo) {

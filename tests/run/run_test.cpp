@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <type_traits>
 
 #include "interaction/van_der_waals.hpp"
 #include "run/set_reactions.hpp"
@@ -106,6 +108,28 @@ TEST_F(RunTest, AnObserverEndsTheRun) {
   EXPECT_EQ(result.reason, "the stage stands");
   EXPECT_EQ(result.steps, 7);
   EXPECT_EQ(table().column("step").back(), 7);
+}
+
+TEST_F(RunTest, AnObserverThatThrowsOnOneRankEndsTheRunOnAll) {
+  const int last = world()->getSize() - 1;
+  const auto message = [&](const auto& error) {
+    Simulation simulation(test::scene(pulled("", "")), world());
+    RunOptions options;
+    options.folder = folder_;
+    options.overwrite = true;
+    options.observe = [&](const Progress& progress) {
+      if (progress.step == 3 && world()->getRank() == last) throw error;
+      return std::string();
+    };
+    try {
+      run(simulation, options);
+    } catch (const std::remove_reference_t<decltype(error)>& caught) {
+      return std::string(caught.what());
+    }
+    return std::string("nothing was thrown");
+  };
+  EXPECT_EQ(message(std::runtime_error("the stage is lost")), "the stage is lost");
+  EXPECT_EQ(message(InputError("the stage has no place")), "the stage has no place");
 }
 
 TEST_F(RunTest, StepsEndAtTheTimesOfOutput) {

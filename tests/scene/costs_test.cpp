@@ -42,6 +42,7 @@ class CountingTerm final : public Interaction {
   bool needs_positive_gaps() const override { return true; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
+  bool has_mean_potential() const override { return true; }
   double rounding(const double*) const override { return 0; }
   LowestPoint lowest_point(const double*) const override {
     ++calls_.lowest_point;

@@ -86,6 +86,7 @@ elsewhere = {
     "solve/chebyshev_preconditioner.hpp": ("solve/chebyshev_test.cpp", "the polynomial"),
     "solve/direct_preconditioner.hpp": ("solve/multigrid_test.cpp", "a kept factorisation"),
     "solve/factorization.hpp": ("solve/direct_solver_test.cpp", "each factorisation solves"),
+    "solve/kept_preconditioner.hpp": ("time/repeated_steps_test.cpp", "comes back with a step that is repeated"),
     "solve/kept_state.hpp": ("solve/multigrid_test.cpp", "families of matrices"),
     "solve/klu2_repair.hpp": ("solve/direct_solver_test.cpp", "the repaired solver is the one in use"),
     "solve/lagged_solver.hpp": ("solve/multigrid_test.cpp", "LaggedSolverTest"),

@@ -8,6 +8,7 @@
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -113,6 +114,19 @@ TEST(DrivenTest, AHistoryThatNobodyGivesIsRefused) {
   EXPECT_THROW(Simulation(scene, world()), InputError);
   EXPECT_THROW(Simulation(scene, world(), ".", {{"Stage", nullptr}}), InputError);
   EXPECT_THROW(Simulation(scene, world(), ".", {{"Table", constant(0)}}), InputError);
+}
+
+TEST(DrivenTest, AHistoryThatNoConditionNamesIsRefused) {
+  const auto message = [](const std::string& condition) {
+    const std::string scene =
+        block("Neo-Hooke") +
+        list("Histories", list("Stage", word("Type", "Constant") + list("Constant", number("Value", 0)))) +
+        list("Boundary Conditions", condition) + test::time_integrator("Newmark", 0.1, 1);
+    return test::refusal([&] { Simulation(test::scene(scene), world(), ".", {{"Stgae", constant(0)}}); });
+  };
+  EXPECT_EQ(message(driven("Shake", "all", "x", "Stage")),
+            "the program gives the history \"Stgae\", which no condition names; did you mean \"Stage\"?");
+  EXPECT_EQ(message(""), "the program gives the history \"Stgae\", which no condition names");
 }
 
 TEST(DrivenTest, TheEnergyBalanceCloses) {
