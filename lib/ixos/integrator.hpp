@@ -5,9 +5,8 @@
 ///
 /// Stable: Integrator, StepResult, State, Table, newmark, bathe_composite, gautam_sauer_composite,
 /// average_vector_field, generalized_alpha, hht_alpha, midpoint, energy_momentum, central_difference,
-/// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver, set_reactions.
+/// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver.
 #pragma once
-#include "run/set_reactions.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/newton.hpp"
 #include "time/default_linear_solver.hpp"

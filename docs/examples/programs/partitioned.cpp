@@ -114,8 +114,7 @@ class Coupling {
   explicit Coupling(const ixos::Comm& comm)
       : top_(std::make_shared<ixos::Waveform>()),
         simulation_(*Teuchos::getParametersFromXmlString(scene), comm, ".", {{"Stage", top_}}),
-        start_([this](ixos::Record& record) { simulation_.integrator().transfer(record); }),
-        set_(simulation_.model().mesh().node_set("top")) {
+        start_([this](ixos::Record& record) { simulation_.integrator().transfer(record); }) {
     // Both start from rest with one acceleration: the reaction is linear in that of the block's top.
     const double at_rest = reaction_at(0), added_mass = reaction_at(1) - at_rest;
     stage_.motion.acceleration = (stage_.stiffness * stage_.rest - at_rest) / (stage_.mass + added_mass);
@@ -195,7 +194,7 @@ class Coupling {
     }
     return forces;
   }
-  double reaction() const { return ixos::set_reactions(simulation_, {set_})[1]; }
+  double reaction() const { return ixos::set_reaction(simulation_.model(), state().reaction, "top")[1]; }
   ixos::ProgramState stage_state() {
     return {"stage", [this](ixos::Record& record) {
               stage_.transfer(record);
@@ -215,7 +214,6 @@ class Coupling {
   std::shared_ptr<ixos::Waveform> top_;
   ixos::Simulation simulation_;
   ixos::Snapshot start_;
-  std::size_t set_;
   Stage stage_;
   ixos::TimeValue begin_;  ///< of the last coupling step
   int iterations_ = 0;
