@@ -281,7 +281,8 @@ int main(int argc, char** argv) {
                 errors.balance, errors.force, errors.momentum, errors.ball_momentum, errors.energy, half.energy,
                 errors.kinetic_energy);
   }
-  const bool agrees = differs<1e-9, coupled = errors.wall_motion> 0.05 && other > 0.05;
+  const bool agrees = differs < 1e-10;
+  const bool coupled = errors.wall_motion > 0.05 && other > 0.05;
   const bool conserves = errors.balance < 1e-8 * errors.force && errors.momentum < 1e-10 * errors.ball_momentum &&
                          errors.energy < 0.03 * errors.kinetic_energy && 3 * half.energy < errors.energy;
   return agrees && coupled && conserves ? 0 : 1;
