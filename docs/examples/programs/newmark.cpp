@@ -6,15 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <ixos/evaluator.hpp>
 #include <ixos/simulation.hpp>
 
 #include "newmark_loop.hpp"
 
-int main(int argc, char** argv) {
-  Tpetra::ScopeGuard guard(&argc, &argv);
-  const ixos::Comm comm = Tpetra::getDefaultComm();
-  Teuchos::ParameterList scene = ixos::read_scene_file(argv[argc - 1]);
+namespace {
+
+int compare(const ixos::Comm& comm, const char* path) {
+  Teuchos::ParameterList scene = ixos::read_scene_file(path);
   ixos::set_parameter(scene, ixos::scene_parameters(), "Time Integrator/Type=Newmark");
   // Near the wall, so that 100 steps meet its adhesion and its repulsion.
   ixos::set_parameter(scene, ixos::scene_parameters(), "Mesh/Disk/Center={0, 5.35}");
@@ -45,4 +46,20 @@ int main(int argc, char** argv) {
   if (comm->getRank() == 0)
     std::printf("moved %.3g, differs by %.3g; KLU2 from %s\n", moved, largest, ixos::klu2_library().c_str());
   return largest < 1e-10 && moved > 0.01 && repaired ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: newmark SCENE.xml\n");
+    return 2;
+  }
+  try {
+    return compare(Tpetra::getDefaultComm(), argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "newmark: %s\n", error.what());
+    return 2;
+  }
 }

@@ -117,8 +117,12 @@ int compare(const ixos::Comm& comm, const char* scene) {
 
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: own_mesh SCENE.xml\n");
+    return 2;
+  }
   try {
-    return compare(Tpetra::getDefaultComm(), argv[argc - 1]);
+    return compare(Tpetra::getDefaultComm(), argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "own_mesh: %s\n", error.what());
     return 2;
