@@ -138,6 +138,34 @@ TEST(SemiDiscretePreconditionerTest, WPrecSavesIterations) {
   }
 }
 
+TEST(SemiDiscretePreconditionerTest, SolversAndPreconditionersOutliveTheEvaluatorAndItsFactory) {
+  const auto s = test::held_block(2);
+  const Model& model = s->model();
+  for (const char* preconditioner : {"Direct", "MueLu", "Chebyshev"}) {
+    auto evaluator = std::make_unique<SemiDiscreteEvaluator>(model, test::solvers(model, belos(preconditioner)));
+    const auto strategy = evaluator->get_W_factory();
+    const auto prec = evaluator->create_W_prec();
+    const auto w = evaluator->create_W_op();
+    auto out = evaluator->createOutArgs();
+    out.set_W_op(w);
+    out.set_W_prec(prec);
+    evaluator->evalModel(lifted(*evaluator, model, 0), out);
+    evaluator.reset();
+    const auto b = test::thyra(test::wave(model, 1, 2)), x = b->clone_v(), r = b->clone_v();
+    const auto solver = strategy->createOp();
+    for (const bool given : {true, false}) {
+      if (given)
+        Thyra::initializePreconditionedOp<double>(*strategy, w, prec, solver.ptr());
+      else
+        Thyra::initializeOp<double>(*strategy, w, solver.ptr());
+      Thyra::assign(x.ptr(), 0.0);
+      Thyra::solve<double>(*solver, Thyra::NOTRANS, *b, x.ptr(), Teuchos::constPtr(tight));
+      Thyra::apply(*w, Thyra::NOTRANS, *x, r.ptr());
+      EXPECT_LT(test::relative_distance(*r, *b), 1e-7) << preconditioner;
+    }
+  }
+}
+
 // NOX hands its factory a W_prec that it evaluates alone, without W_op.
 TEST(SemiDiscretePreconditionerTest, ItsOwnFactoryTakesItsWPrec) {
   const Example e(2, belos("Direct"));
