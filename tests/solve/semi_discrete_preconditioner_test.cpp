@@ -15,7 +15,7 @@ using Base = Thyra::ModelEvaluatorBase;
 using test::belos;
 using Example = test::EvaluatorExample;
 
-/// What the preconditioner makes of a wave.
+/// Returns the product of the preconditioner and a wave.
 Teuchos::RCP<Thyra::VectorBase<double>> applied(const Model& model, const Thyra::PreconditionerBase<double>& prec) {
   const auto b = test::thyra(test::wave(model, 1, 2)), x = b->clone_v();
   Thyra::apply(*prec.getUnspecifiedPrecOp(), Thyra::NOTRANS, *b, x.ptr());

@@ -1,4 +1,4 @@
-// The stage of partitioned.cpp: a mass on a spring, with a solver of its own.
+// The stage of partitioned.cpp, a mass on a spring, and its solver.
 #pragma once
 #include <array>
 #include <ixos/checkpoint.hpp>
