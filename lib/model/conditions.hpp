@@ -10,9 +10,9 @@
 namespace ixos {
 
 /// Each function throws InputError, on all ranks, if the mesh has no such set or block, or a vector does not have as
-/// many components as the mesh has dimensions. All ranks call each with the same arguments, before the model is given to
-/// an integrator or an evaluator; prescribe() is collective. `history` gives the factor in time; see histories/time_function.hpp for ready-made ones
-/// and for function_of_time().
+/// many components as the mesh has dimensions. All ranks call each with the same arguments, before the model is given
+/// to an integrator or an evaluator; prescribe() is collective. `history` gives the factor in time; see
+/// histories/time_function.hpp for ready-made ones and for function_of_time().
 
 /// Returns the components that "all", "x", "xy" ... names, from 0. Throws InputError.
 std::vector<int> components_of(const std::string& components, int dimension);
