@@ -19,6 +19,14 @@ class Digest {
   Digest& operator=(const Digest&) = delete;
 
   void add(const void* data, std::size_t size);
+  /// Adds the number of entries of an array, then the entries, whose type has no padding.
+  template <class Array>
+  void add_array(const Array& values) {
+    const auto size = static_cast<long long>(values.size());
+    add(&size, sizeof(size));
+    add(values.data(), values.size() * sizeof(values[0]));
+  }
+  void add_number(long long number) { add(&number, sizeof(number)); }
   Checksum value() const;
 
  private:

@@ -34,15 +34,17 @@ void refuse_missing(const Map& program, const std::vector<GlobalId>& numbers, co
 DofExchange::DofExchange(const LocalMesh& mesh, const DofSpace& space, const Teuchos::RCP<const Map>& program,
                          const Number& number)
     : space_(space) {
+  if (!program->isOneToOne())
+    throw InputError("the program's map has a degree of freedom on two ranks; pass a map without ghosts");
   std::vector<GlobalId> numbers;
-  for (int node = 0; node < mesh.owned_nodes; ++node) {
-    if (mesh.is_added(static_cast<std::size_t>(node))) continue;
-    for (int i = 0; i < mesh.dimension; ++i) {
-      places_.push_back(static_cast<std::size_t>(node * mesh.dimension + i));
-      numbers.push_back(number(mesh.program_id(static_cast<std::size_t>(node)), i));
-    }
-  }
   together<InputError>(space.comm(), [&] {
+    for (int node = 0; node < mesh.owned_nodes; ++node) {
+      if (mesh.is_added(static_cast<std::size_t>(node))) continue;
+      for (int i = 0; i < mesh.dimension; ++i) {
+        places_.push_back(static_cast<std::size_t>(node * mesh.dimension + i));
+        numbers.push_back(number(mesh.program_id(static_cast<std::size_t>(node)), i));
+      }
+    }
     std::vector<GlobalId> sorted = numbers;
     std::sort(sorted.begin(), sorted.end());
     if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())

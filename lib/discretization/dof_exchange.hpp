@@ -19,7 +19,8 @@ class DofExchange {
   using Number = std::function<GlobalId(GlobalId node, int component)>;
 
   /// The mesh and the space are a model's (Model::mesh(), Model::space()), which must outlive the exchange. Throws
-  /// InputError, on all ranks, if the program's map lacks a number, or two displacements have the same. Collective.
+  /// InputError, on all ranks, if the program's map has ghosts or lacks a number, if two displacements have the same,
+  /// or, with its message, if `number` throws on any rank. Collective.
   DofExchange(const LocalMesh& mesh, const DofSpace& space, const Teuchos::RCP<const Map>& program,
               const Number& number);
   /// Makes the exchange for the number node * dimension + component.

@@ -5,13 +5,15 @@
 ///
 /// Stable: Integrator, StepResult, State, Table, newmark, bathe_composite, gautam_sauer_composite,
 /// average_vector_field, generalized_alpha, hht_alpha, midpoint, energy_momentum, central_difference,
-/// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver, set_reactions.
+/// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver, StepControl,
+/// StepControlOptions, AdaptiveOptions, StepJudgement, judge_step.
 #pragma once
-#include "run/set_reactions.hpp"
 #include "solve/linear_solver.hpp"
 #include "solve/newton.hpp"
 #include "time/default_linear_solver.hpp"
 #include "time/integrator.hpp"
 #include "time/schemes.hpp"
 #include "time/state.hpp"
+#include "time/step_control.hpp"
+#include "time/step_judge.hpp"
 #include "time/table.hpp"

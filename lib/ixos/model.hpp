@@ -8,7 +8,7 @@
 /// MultiVector, GlobalId, LocalId, DofSpace, DofExchange, Settings, make_elastic_law, make_gap_law, make_obstacle,
 /// flat_wall, HalfSpace, SurfaceInteraction, add_interaction, prescribe, add_traction, add_point_force, add_body_force,
 /// add_gravity, Constraints, Loads, TimeFunction, TimeValue, function_of_time, constant, value_ramp, rate_ramp,
-/// RampShape, sine, interpolated, Waveform, check_over.
+/// RampShape, sine, interpolated, Waveform, check_over, set_reactions, set_reaction.
 #pragma once
 #include "base/tpetra.hpp"
 #include "discretization/dof_exchange.hpp"
@@ -26,6 +26,7 @@
 #include "model/mass.hpp"
 #include "model/material.hpp"
 #include "model/model.hpp"
+#include "model/set_reactions.hpp"
 #include "model/surface_interaction.hpp"
 #include "parameters/settings.hpp"
 #include "term/elastic_term.hpp"

@@ -29,7 +29,7 @@ struct DistributedMesh {
   std::vector<double> coordinates;  ///< of these nodes, nodes x dimension, row by row [L0]
   std::vector<DistributedBlock> blocks;
   std::vector<SideSet> side_sets;  ///< sides of this rank's cells: index of the block, of the cell here, of the side
-  /// A node belongs to a set if any rank lists it there.
+  /// A node belongs to a set if any rank lists it there. It may be listed several times, and belongs to the set once.
   std::vector<DistributedNodeSet> node_sets;
 };
 

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "base/agreement.hpp"
+#include "base/digest.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/partition.hpp"
@@ -27,14 +28,56 @@ void check_owners(const Mesh& mesh, const std::vector<int>& owner, int ranks) {
       throw InputError(fmt::format("node {} is owned by rank {}; the ranks are 0 to {}", node, owner[node], ranks - 1));
 }
 
+/// Returns a checksum of all that ranks must have alike.
+std::string digest_of(const Mesh& mesh, const std::vector<int>& owner) {
+  Digest digest;
+  digest.add_number(mesh.dimension);
+  digest.add_number(mesh.plain_nodes);
+  digest.add_array(mesh.coordinates);
+  digest.add_array(mesh.derivative_of);
+  for (const ElementBlock& block : mesh.blocks) {
+    digest.add_array(block.name);
+    for (const long long number :
+         {static_cast<long long>(block.type), static_cast<long long>(block.points), static_cast<long long>(block.tied)})
+      digest.add_number(number);
+    digest.add_array(block.nodes);
+    digest.add_array(block.derivative_scale);
+  }
+  for (const SideSet& set : mesh.side_sets) {
+    digest.add_array(set.name);
+    digest.add_array(set.sides);
+  }
+  for (const NodeSet& set : mesh.node_sets) {
+    digest.add_array(set.name);
+    digest.add_array(set.nodes);
+  }
+  digest.add_array(owner);
+  return fmt::format("{:016x}{:016x}", digest.value()[0], digest.value()[1]);
+}
+
+/// Throws InputError, on all ranks, if they pass different arguments.
+void refuse_different(const Mesh& mesh, const std::vector<int>& owner, const Comm& comm) {
+  if (comm->getSize() == 1) return;
+  const std::string mine = digest_of(mesh, owner), first = from_first_rank(comm, mine);
+  together<InputError>(comm, [&] {
+    if (mine != first)
+      throw InputError(
+          fmt::format("rank {} has another mesh, or other owners of its nodes, than rank 0; pass the same "
+                      "whole mesh on all ranks, or each rank's share as a DistributedMesh",
+                      comm->getRank()));
+  });
+}
+
 }  // namespace
 
 LocalMesh local_part(const Mesh& mesh, const Comm& comm) {
+  refuse_different(mesh, {}, comm);
   together<InputError>(comm, [&] { check_whole(mesh); });
   return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
 }
 
 LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm) {
+  refuse_different(mesh, node_owner, comm);
   together<InputError>(comm, [&] {
     check_whole(mesh);
     check_owners(mesh, node_owner, comm->getSize());

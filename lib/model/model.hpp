@@ -150,6 +150,9 @@ class Model {
   /// Returns the part's potential energy [E0 L0^D]: this rank's share, or the sum over all ranks (collective).
   double local_energy(Part part, const double* u) const;
   double energy(Part part, const double* u) const;
+  /// Returns the gradient of the part's energy by u [E0 L0^(D-1)]: a local array, valid for owned nodes, all NaN if the
+  /// state is inadmissible on this rank. The forces on the body are minus these. Not collective.
+  std::vector<double> nodal_force(Part part, const double* u) const;
   /// Returns this rank's sum of Interaction::mean_potential over the interactions.
   double local_mean_potential(const Segment& segment) const;
   /// Returns the largest Interaction::gap_ratio. Collective.

@@ -1,4 +1,5 @@
 // Fields of surfaces and cells that only an output asks for.
+#include <algorithm>
 #include <limits>
 
 #include "model/model.hpp"
@@ -18,6 +19,13 @@ std::vector<double> Model::nodal_gap(const double* u) const {
   std::vector<double> gap(static_cast<std::size_t>(mesh_.nodes()), std::numeric_limits<double>::quiet_NaN());
   for (const Interaction* term : interactions_) term->lower_nodal_gap(u, gap.data());
   return gap;
+}
+
+std::vector<double> Model::nodal_force(Part part, const double* u) const {
+  std::vector<double> f(static_cast<std::size_t>(space_.local()));
+  if (!force(part, {nullptr, nullptr, u}, end_rule(), f.data()))
+    std::fill(f.begin(), f.end(), std::numeric_limits<double>::quiet_NaN());
+  return f;
 }
 
 const std::vector<double>& Model::surface_measure() const {

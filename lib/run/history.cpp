@@ -6,7 +6,7 @@
 
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
-#include "run/set_reactions.hpp"
+#include "model/set_reactions.hpp"
 
 namespace ixos {
 namespace {
@@ -75,7 +75,8 @@ void History::resume(const std::string& path) {
 
 std::vector<double> History::reactions() {
   if (reaction_sets_.empty()) return {};
-  const std::vector<double> sums = set_reactions(simulation_, reaction_sets_);
+  const std::vector<double> sums =
+      set_reactions(simulation_.model(), simulation_.integrator().state().reaction, reaction_sets_);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     forces_[k].second = sums[k];
     if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];

@@ -56,16 +56,23 @@ double take_setup_cost(Teuchos::ParameterList& list) {
 
 }  // namespace
 
-struct LinearSolverFactory::Implementation {
+struct LinearSolverFactory::Implementation : std::enable_shared_from_this<Implementation> {
   Teuchos::RCP<const ThyraFactory> strategy() const {
-    const Teuchos::RCP<ThyraFactory> krylov = krylov_builder.createLinearSolveStrategy("");
+    const Teuchos::RCP<ThyraFactory> krylov = keeping_this(krylov_builder.createLinearSolveStrategy(""));
     krylov->setVerbLevel(Teuchos::VERB_NONE);
     if (!preconditioned) return krylov;
-    return Teuchos::rcp(
-        new LaggedSolverFactory(krylov, preconditioner_builder.createPreconditioningStrategy(""), lagged, statistics));
+    return Teuchos::rcp(new LaggedSolverFactory(krylov, preconditioner_factory(), lagged, statistics));
+  }
+  Teuchos::RCP<PreconditionerFactory> preconditioner_factory() const {
+    return keeping_this(preconditioner_builder.createPreconditioningStrategy(""));
   }
 
-  // The builders' factories refer to them.
+  // The builders' factories refer to them, so each of these factories keeps this alive.
+  template <class Factory>
+  Teuchos::RCP<Factory> keeping_this(Teuchos::RCP<Factory> factory) const {
+    Teuchos::set_extra_data(shared_from_this(), "builders", Teuchos::inOutArg(factory));
+    return factory;
+  }
   Stratimikos::DefaultLinearSolverBuilder krylov_builder, preconditioner_builder;
   bool preconditioned = false;
   bool matrix_free = false;
@@ -74,7 +81,7 @@ struct LinearSolverFactory::Implementation {
 };
 
 LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, const Model* model, bool restartable)
-    : implementation_(std::make_unique<Implementation>()) {
+    : implementation_(std::make_shared<Implementation>()) {
   Implementation& self = *implementation_;
   anchor_klu2_repair();  // MueLu's coarsest level is solved with KLU2
   Teuchos::ParameterList list(user);
@@ -111,8 +118,7 @@ Teuchos::RCP<const ThyraFactory> LinearSolverFactory::strategy() const { return 
 Teuchos::RCP<OperatorPreconditioner> LinearSolverFactory::preconditioner() const {
   const Implementation& self = *implementation_;
   if (!self.preconditioned) return Teuchos::null;
-  return Teuchos::rcp(
-      new OperatorPreconditioner(self.preconditioner_builder.createPreconditioningStrategy(""), self.lagged.of_matrix));
+  return Teuchos::rcp(new OperatorPreconditioner(self.preconditioner_factory(), self.lagged.of_matrix));
 }
 
 bool LinearSolverFactory::matrix_free() const { return implementation_->matrix_free; }

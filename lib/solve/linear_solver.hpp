@@ -42,9 +42,10 @@ class LinearSolverFactory {
   LinearSolverFactory& operator=(const LinearSolverFactory&) = delete;
 
   /// Returns a new Thyra factory at each call, so that each caller owns the state of its operators (see StateKeeper).
+  /// It may outlive this.
   Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> strategy() const;
-  /// Returns a new preconditioner of the list's type, which does not renew itself; null if the list has none. The
-  /// factory must outlive it.
+  /// Returns a new preconditioner of the list's type, which does not renew itself; null if the list has none. It may
+  /// outlive this.
   Teuchos::RCP<OperatorPreconditioner> preconditioner() const;
   const LinearStatistics& statistics() const;
   /// Returns whether tangents are to be applied without a matrix.
@@ -52,7 +53,7 @@ class LinearSolverFactory {
 
  private:
   struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::shared_ptr<Implementation> implementation_;  ///< also of all that is handed out
 };
 
 /// One operator and its solver, outside Newton's method: initial accelerations, collocated accelerations.

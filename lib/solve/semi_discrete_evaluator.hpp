@@ -22,7 +22,7 @@ namespace ixos {
 /// |---|---|---|
 /// | f | the balance; x - u_bar(t) in rows of constrained degrees of freedom | NaN |
 /// | W_op | W_x_dot_dot_coeff M + alpha C + beta K; see below | NaN |
-/// | W_prec | a preconditioner of W_op | stays as it was |
+/// | W_prec | a preconditioner of W_op | stays as it was; unusable if it belongs to the W_op of this call |
 /// | g_j | see Response | NaN |
 /// | DgDx, DgDx_dot of g_0 | gradients of the energies: a column for each component | NaN |
 ///

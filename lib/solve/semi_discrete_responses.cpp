@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "model/set_reactions.hpp"
 
 namespace ixos {
 namespace {
@@ -79,23 +80,7 @@ std::vector<double> SemiDiscreteResponses::values(Response response, SemiDiscret
     case Response::Reactions:
       break;
   }
-  return reactions(balance);
-}
-
-std::vector<double> SemiDiscreteResponses::reactions(SemiDiscreteBalance& balance) const {
-  const LocalMesh& mesh = model_.mesh();
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  const std::vector<double>& forces = balance.sum();
-  std::vector<double> sums(reaction_sets_.size() * d, 0.0);
-  for (std::size_t s = 0; s < reaction_sets_.size(); ++s)
-    for (const int node : mesh.node_sets[reaction_sets_[s]]) {
-      const auto n = static_cast<std::size_t>(node);
-      if (node >= mesh.owned_nodes || mesh.is_derivative(n)) continue;
-      for (std::size_t i = 0; i < d; ++i)
-        if (model_.constraints().holds(static_cast<int>(n * d + i))) sums[s * d + i] += forces[n * d + i];
-    }
-  model_.space().sum(sums.data(), static_cast<int>(sums.size()));
-  return sums;
+  return set_reactions(model_, balance.sum(), reaction_sets_);
 }
 
 }  // namespace ixos

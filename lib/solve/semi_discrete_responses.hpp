@@ -1,4 +1,4 @@
-/// The responses g of the semi-discrete model. Included by lib/solve only.
+/// The responses g of the semi-discrete model.
 #pragma once
 #include <string>
 #include <vector>
@@ -36,7 +36,6 @@ class SemiDiscreteResponses {
   void add_names(std::vector<std::string> names);
   void add_reaction_set(const std::string& name);
   std::vector<double> values(Response response, SemiDiscreteBalance& balance) const;
-  std::vector<double> reactions(SemiDiscreteBalance& balance) const;
 
   const Model& model_;
   std::vector<std::vector<std::string>> names_;

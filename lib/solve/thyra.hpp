@@ -1,4 +1,4 @@
-/// Thyra over Tpetra: the conversions, in one place. Included by lib/solve only.
+/// Thyra over Tpetra: the conversions, in one place.
 #pragma once
 #include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_TpetraThyraWrappers.hpp>

@@ -8,6 +8,7 @@
 #include "time/stage_problem.hpp"
 
 namespace ixos {
+
 double tangent_stiffness(const Model& model, const Table& table, double dt) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (is_static(table) || is_explicit(table) || dt == infinity) return infinity;
@@ -21,14 +22,19 @@ double tangent_stiffness(const Model& model, const Table& table, double dt) {
   return largest;
 }
 
-std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table,
-                                                                 double longest_step) {
+ProblemSize stage_size(const Model& model, const Table& table, double longest_step) {
   ProblemSize size = problem_size(model);
   size.asymmetry.clear();  // that of the table's tangents, not that of the semi-discrete equation
   if (!std::all_of(table.stages.begin(), table.stages.end(), [&](const Stage& s) { return is_symmetric(model, s); }))
     size.asymmetry = "the scheme \"" + table.name + "\" with this model";
   size.stiffness = tangent_stiffness(model, table, longest_step);
-  auto solver = std::make_shared<const LinearSolverFactory>(completed_linear_solver({}, size), &model);
+  return size;
+}
+
+std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table,
+                                                                 double longest_step) {
+  auto solver = std::make_shared<const LinearSolverFactory>(
+      completed_linear_solver({}, stage_size(model, table, longest_step)), &model);
   if (solver->matrix_free() && !is_explicit(table)) model.do_without_matrices();
   return solver;
 }

@@ -4,6 +4,7 @@
 
 #include "model/model.hpp"
 #include "solve/linear_solver.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -13,9 +14,14 @@ namespace ixos {
 /// infinite.
 double tangent_stiffness(const Model& model, const Table& table, double dt);
 
+/// Returns the properties of the stages' linear systems, for completed_linear_solver(): those of a scene with this
+/// model and scheme, but for the width of the mesh.
+ProblemSize stage_size(const Model& model, const Table& table, double longest_step);
+
 /// Returns the solver that a scene with this model and scheme gets if it asks for none, see completed_linear_solver().
 /// It does not look for slender bodies: beyond 30,000 degrees of freedom in three dimensions (5,000 on several ranks)
-/// these take MueLu too. Add interactions before. `longest_step`: of the steps that the program takes [T0]. Collective.
+/// these take MueLu too. May release the damping's matrix, see Model::do_without_matrices(). Add interactions before.
+/// `longest_step`: of the steps that the program takes [T0]. Collective.
 std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table, double longest_step);
 
 }  // namespace ixos

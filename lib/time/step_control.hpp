@@ -15,12 +15,13 @@ struct AdaptiveOptions {
   double tolerance = 0;      ///< largest local error of a displacement [L0]
   double gap_ratio = 0;      ///< largest ratio of the gaps that a point of a surface has in one step
   bool time_points = false;  ///< choose the number of points in time of the interaction by the gap ratio
-  double safety = 0.9;
-  double growth = 2;
+  double safety = 0.9;       ///< factor on the length that just meets the limits
+  double growth = 2;         ///< largest ratio of a length to the one before
 };
 
+/// The times of a run and the limits of its steps.
 struct StepControlOptions {
-  double initial_time = 0;
+  double initial_time = 0;  ///< [T0], as all times here
   double final_time = 0;
   double time_step = 0;                                           ///< nominal; adaptive: the first
   int maximum_cuts = 0;                                           ///< halvings that a success has not made up for

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
-#include "run/set_reactions.hpp"
+#include "model/set_reactions.hpp"
 
 namespace py = pybind11;
 
@@ -52,7 +52,8 @@ py::dict contact(const LiveSimulation& simulation) {
 
 py::array reaction(const LiveSimulation& simulation, const std::string& set) {
   const std::size_t number = simulation.model().mesh().node_set(set);
-  return taken(compute(simulation, [&](Simulation& s) { return set_reactions(s, {number}); }));
+  return taken(compute(
+      simulation, [&](Simulation& s) { return set_reactions(s.model(), s.integrator().state().reaction, {number}); }));
 }
 
 py::dict probe(const LiveSimulation& simulation, const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
+#include <stdexcept>
 
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
@@ -109,6 +110,34 @@ TEST(DofExchangeTest, WrongNumbersAreRefused) {
   test::expect_contains(message([](GlobalId node, int) { return 10 + node; }), "two displacements have the number");
   // The usual numbers, 0 to 39, are not in that map either.
   test::expect_contains(test::refusal([&] { DofExchange(part.mesh, part.space, part.map()); }), "no degree of freedom");
+}
+
+TEST(DofExchangeTest, NumbersThatCollideAcrossRanksOnlyAreRefused) {
+  const Exchanged part;
+  if (part.comm->getSize() == 1) GTEST_SKIP() << "needs several ranks";
+  GlobalId next = 11;  // each rank numbers its own displacements from here
+  const DofExchange::Number number = [&](GlobalId, int) { return next++; };
+  test::expect_contains(test::refusal([&] { DofExchange(part.mesh, part.space, part.map(), number); }),
+                        "displacements of two ranks have the same number");
+}
+
+TEST(DofExchangeTest, AMapWithGhostsIsRefused) {
+  const Exchanged part;
+  if (part.comm->getSize() == 1) GTEST_SKIP() << "needs several ranks";
+  const Teuchos::RCP<const Map> everywhere = Teuchos::rcp(new Map(50, 10, part.comm, Tpetra::LocallyReplicated));
+  test::expect_contains(test::refusal([&] { DofExchange(part.mesh, part.space, everywhere, Exchanged::number); }),
+                        "has a degree of freedom on two ranks; pass a map without ghosts");
+}
+
+TEST(DofExchangeTest, AllRanksThrowIfTheNumberingThrowsOnOne) {
+  const Exchanged part;
+  const int last = part.comm->getSize() - 1;
+  const DofExchange::Number number = [&](GlobalId node, int component) -> GlobalId {
+    if (part.comm->getRank() == last) throw std::runtime_error("no number here");
+    return Exchanged::number(node, component);
+  };
+  test::expect_contains(test::refusal([&] { DofExchange(part.mesh, part.space, part.map(), number); }),
+                        "no number here");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "mesh/distributed_mesh.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -267,6 +268,29 @@ TEST(LocalPartTest, OfAWholeMeshIsThatOfItsPartition) {
   Mesh unknown = mesh;
   unknown.blocks[0].nodes[0] = 60;
   expect_contains(refusal([&] { local_part(unknown, comm); }), "has node 60");
+}
+
+TEST(LocalPartTest, RanksThatPassDifferentMeshesAreRefused) {
+  const Comm comm = test::world();
+  const Mesh mesh = meshes()[1];
+  const bool last = comm->getRank() == comm->getSize() - 1;
+  const std::vector<int> owner = partition_nodes(mesh, comm->getSize());
+  const auto message = [&](auto change) {
+    Mesh changed = mesh;
+    std::vector<int> owners = owner;
+    if (last) change(changed, owners);
+    return refusal([&] { local_part(changed, owners, comm); });
+  };
+  EXPECT_EQ(message([](Mesh&, std::vector<int>&) {}), "");
+  if (comm->getSize() == 1) return;
+  const std::string words = fmt::format("rank {} has another mesh, or other owners", comm->getSize() - 1);
+  expect_contains(message([](Mesh& m, std::vector<int>&) { m.coordinates[0] += 1e-9; }), words);
+  expect_contains(message([](Mesh& m, std::vector<int>&) { m.node_sets[0].nodes.pop_back(); }), words);
+  expect_contains(message([](Mesh& m, std::vector<int>&) { m.side_sets[0].sides.pop_back(); }), words);
+  expect_contains(message([](Mesh&, std::vector<int>& o) { std::swap(o.front(), o.back()); }), words);
+  Mesh share = mesh;  // no share of a mesh is a whole one
+  if (last) share.coordinates.resize(4);
+  expect_contains(refusal([&] { local_part(share, comm); }), words);
 }
 
 }  // namespace

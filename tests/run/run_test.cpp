@@ -8,7 +8,7 @@
 #include <type_traits>
 
 #include "interaction/van_der_waals.hpp"
-#include "run/set_reactions.hpp"
+#include "model/set_reactions.hpp"
 #include "study/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
@@ -83,7 +83,8 @@ TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {
   options.observe = [&](const Progress& progress) {
     times.push_back(progress.time);
     EXPECT_EQ(progress.step, static_cast<long>(times.size()));
-    forces.push_back(set_reactions(simulation, {simulation.model().mesh().node_set("left")})[0]);  // collective
+    forces.push_back(
+        set_reaction(simulation.model(), simulation.integrator().state().reaction, "left")[0]);  // collective
     return std::string();
   };
   run(simulation, options);

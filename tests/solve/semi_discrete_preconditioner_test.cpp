@@ -15,17 +15,63 @@ using Base = Thyra::ModelEvaluatorBase;
 using test::belos;
 using Example = test::EvaluatorExample;
 
+/// Returns the product of the preconditioner and a wave.
+Teuchos::RCP<Thyra::VectorBase<double>> applied(const Model& model, const Thyra::PreconditionerBase<double>& prec) {
+  const auto b = test::thyra(test::wave(model, 1, 2)), x = b->clone_v();
+  Thyra::apply(*prec.getUnspecifiedPrecOp(), Thyra::NOTRANS, *b, x.ptr());
+  return x;
+}
+
+/// A ball of more unknowns than a multigrid's coarsest level has.
+std::unique_ptr<Simulation> fine_ball() {
+  auto ball = std::make_unique<Simulation>(
+      test::scene_file("ball.xml", {"Mesh/Disk/Core Divisions=24", "Mesh/Disk/Rings=12"}), test::world());
+  EXPECT_GT(ball->model().space().global(), 3000);
+  return ball;
+}
+
+Base::InArgs<double> lifted(const SemiDiscreteEvaluator& evaluator, const Model& model, double height) {
+  const Vector zero(model.space().owned_map());
+  auto in = test::arguments(evaluator, test::uniform(model, height, 1), zero, zero, 0);
+  in.set_W_x_dot_dot_coeff(4e6);
+  in.set_alpha(0.0);
+  in.set_beta(1.0);
+  return in;
+}
+
 TEST(SemiDiscretePreconditionerTest, AFailedStateLeavesThePreconditionerAsItWas) {
-  const Example e(2, belos("Direct"));
-  const auto prec = e.evaluator.create_W_prec();
-  auto out = e.evaluator.createOutArgs();
-  out.set_W_prec(prec);
-  e.evaluator.evalModel(e.in, out);
-  const auto b = test::thyra(test::wave(e.model, 1, 2)), before = b->clone_v(), after = b->clone_v();
-  Thyra::apply(*prec->getUnspecifiedPrecOp(), Thyra::NOTRANS, *b, before.ptr());
-  e.evaluator.evalModel(e.inadmissible(), out);
-  Thyra::apply(*prec->getUnspecifiedPrecOp(), Thyra::NOTRANS, *b, after.ptr());
-  EXPECT_EQ(test::relative_distance(*after, *before), 0);
+  const auto s = fine_ball();
+  const Model& model = s->model();
+  for (const char* preconditioner : {"Direct", "MueLu"}) {
+    const SemiDiscreteEvaluator evaluator(model, test::solvers(model, belos(preconditioner)));
+    const auto prec = evaluator.create_W_prec();
+    auto out = evaluator.createOutArgs();
+    out.set_W_prec(prec);
+    evaluator.evalModel(lifted(evaluator, model, 0), out);
+    const auto before = applied(model, *prec);
+    evaluator.evalModel(lifted(evaluator, model, -100), out);
+    EXPECT_EQ(test::relative_distance(*applied(model, *prec), *before), 0) << preconditioner;
+  }
+}
+
+TEST(SemiDiscretePreconditionerTest, AFailedWMakesItsPreconditionerUnusableUntilTheNextEvaluation) {
+  const auto s = fine_ball();
+  const Model& model = s->model();
+  for (const char* preconditioner : {"Direct", "MueLu"}) {
+    const SemiDiscreteEvaluator evaluator(model, test::solvers(model, belos(preconditioner)));
+    const auto w = evaluator.create_W_op();
+    const auto prec = evaluator.create_W_prec();
+    auto out = evaluator.createOutArgs();
+    out.set_W_op(w);
+    out.set_W_prec(prec);
+    evaluator.evalModel(lifted(evaluator, model, 0), out);
+    const auto before = applied(model, *prec);
+    evaluator.evalModel(lifted(evaluator, model, -100), out);
+    // A multigrid reads W itself, a factorisation has its own copy.
+    EXPECT_EQ(std::isnan(Thyra::norm_2(*applied(model, *prec))), preconditioner == std::string("MueLu"));
+    evaluator.evalModel(lifted(evaluator, model, 0), out);
+    EXPECT_LT(test::relative_distance(*applied(model, *prec), *before), 1e-12) << preconditioner;
+  }
 }
 
 TEST(SemiDiscretePreconditionerTest, WithoutPreconditionerThereIsNoWPrec) {
@@ -63,17 +109,12 @@ std::pair<int, double> solve(const Model& model, const Teuchos::ParameterList& l
       .sublist("Pseudo Block GMRES")
       .set("Num Blocks", 300);
   const auto krylov = test::solvers(model, plain);
-  auto in = test::arguments(evaluator, Vector(model.space().owned_map()), Vector(model.space().owned_map()),
-                            Vector(model.space().owned_map()), 0);
-  in.set_W_x_dot_dot_coeff(4e6);
-  in.set_alpha(0.0);
-  in.set_beta(1.0);
   const auto w = evaluator.create_W_op();
   const auto prec = evaluator.create_W_prec();
   auto out = evaluator.createOutArgs();
   out.set_W_op(w);
   if (preconditioned) out.set_W_prec(prec);
-  evaluator.evalModel(in, out);
+  evaluator.evalModel(lifted(evaluator, model, 0), out);
   const auto strategy = krylov->strategy();
   const auto solver = strategy->createOp();
   if (preconditioned)
@@ -88,14 +129,40 @@ std::pair<int, double> solve(const Model& model, const Teuchos::ParameterList& l
 }
 
 TEST(SemiDiscretePreconditionerTest, WPrecSavesIterations) {
-  const auto s = std::make_unique<Simulation>(
-      test::scene_file("ball.xml", {"Mesh/Disk/Core Divisions=24", "Mesh/Disk/Rings=12"}), test::world());
-  ASSERT_GT(s->model().space().global(), 3000);  // more than a multigrid's coarsest level
+  const auto s = fine_ball();
   const auto without = solve(s->model(), belos("MueLu"), false);
   for (const auto& [preconditioner, share] : {std::pair{"MueLu", 0.3}, {"Direct", 0.05}, {"Chebyshev", 0.7}}) {
     const auto with = solve(s->model(), belos(preconditioner), true);
     EXPECT_LT(with.second, 1e-7) << preconditioner;
     EXPECT_LT(with.first, share * without.first) << preconditioner;
+  }
+}
+
+TEST(SemiDiscretePreconditionerTest, SolversAndPreconditionersOutliveTheEvaluatorAndItsFactory) {
+  const auto s = test::held_block(2);
+  const Model& model = s->model();
+  for (const char* preconditioner : {"Direct", "MueLu", "Chebyshev"}) {
+    auto evaluator = std::make_unique<SemiDiscreteEvaluator>(model, test::solvers(model, belos(preconditioner)));
+    const auto strategy = evaluator->get_W_factory();
+    const auto prec = evaluator->create_W_prec();
+    const auto w = evaluator->create_W_op();
+    auto out = evaluator->createOutArgs();
+    out.set_W_op(w);
+    out.set_W_prec(prec);
+    evaluator->evalModel(lifted(*evaluator, model, 0), out);
+    evaluator.reset();
+    const auto b = test::thyra(test::wave(model, 1, 2)), x = b->clone_v(), r = b->clone_v();
+    const auto solver = strategy->createOp();
+    for (const bool given : {true, false}) {
+      if (given)
+        Thyra::initializePreconditionedOp<double>(*strategy, w, prec, solver.ptr());
+      else
+        Thyra::initializeOp<double>(*strategy, w, solver.ptr());
+      Thyra::assign(x.ptr(), 0.0);
+      Thyra::solve<double>(*solver, Thyra::NOTRANS, *b, x.ptr(), Teuchos::constPtr(tight));
+      Thyra::apply(*w, Thyra::NOTRANS, *x, r.ptr());
+      EXPECT_LT(test::relative_distance(*r, *b), 1e-7) << preconditioner;
+    }
   }
 }
 

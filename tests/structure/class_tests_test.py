@@ -62,7 +62,6 @@ elsewhere = {
     "time/step_judge.hpp": ("run/run_test.cpp", "AdaptiveStepsFollowTheTolerance"),
     "run/field_recorder.hpp": ("run/restart_test.cpp", "resumed frames are those of a run without a restart"),
     "run/history.hpp": ("run/run_test.cpp", "columns and rows of history.csv"),
-    "run/set_reactions.hpp": ("run/run_test.cpp", "columns of reactions"),
     "run/run_measures.hpp": ("run/run_warnings_test.cpp", "RunMeasuresTest"),
     "run/run_clock.hpp": ("run/restart_test.cpp", "seconds of runs that go on"),
     "run/run_files.hpp": ("run/restart_refusal_test.cpp", "what a refused restart leaves in the folder"),

@@ -4,7 +4,7 @@
     tests/structure/guide_test.py
 
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
-the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md and
+the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md, docs/embedding-evaluator.md and
 docs/embedding-stepping.md must stand in a program of docs/examples/programs. Each block of XML in docs/user-guide.md
 must stand in a scene of tests/guide.
 """
@@ -46,6 +46,7 @@ def main():
             ("docs/developer-guide.md", "tests/guide or lib",
              [*(ROOT / "tests/guide").glob("*.cpp"), *(ROOT / "lib").rglob("*.[ch]pp")]),
             ("docs/embedding.md", "docs/examples/programs", programs),
+            ("docs/embedding-evaluator.md", "docs/examples/programs", programs),
             ("docs/embedding-stepping.md", "docs/examples/programs", programs)):
         blocks, missing = find_missing_code(page, sources)
         for block in missing:

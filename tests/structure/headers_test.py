@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Compiles each header of lib alone: a header must include what it needs, and may be included twice.
+"""Compiles each header of lib alone: a header must include what it needs, and may be included twice. A stable header,
+lib/ixos, must declare each name that its comment lists.
 
     tests/structure/headers_test.py BUILD_FOLDER [--all] [--installed] [HEADER...]
 
@@ -21,7 +22,7 @@ import sys
 
 sys.dont_write_bytecode = True
 from content_hash import PassedChecks, hash_contents  # noqa: E402
-from includes import LIB, ROOT, collect_headers, is_header_of_lib, list_files  # noqa: E402
+from includes import LIB, ROOT, collect_headers, is_header_of_lib, list_files, read_stable_names  # noqa: E402
 
 INSTALLATION = ROOT / "cmake" / "IxosHeaders.cmake"  # the headers are installed by it
 MOST_LINES = 3  # of one header's errors: the rest follows from the first
@@ -45,11 +46,17 @@ def read_command(build, installed):
     return words, entry["directory"]
 
 
+def use(header):
+    """Returns a source that includes the header twice and uses the names that a stable header lists."""
+    names = read_stable_names(header) if header.startswith("ixos/") else []
+    uses = "".join(f"using ixos::{name};\n" for name in names)
+    return f'#include "{header}"\n' * 2 + f"namespace program {{\n{uses}}}\n"
+
+
 def compile_header(header, command, folder):
     """Returns the first errors of the compiler; an empty list if there are none."""
-    text = f'#include "{header}"\n' * 2
     # The text comes by standard input: in a main file, compilers object to "#pragma once".
-    done = subprocess.run([*command, "-fsyntax-only", "-x", "c++", "-"], input=text, cwd=folder, env=ENVIRONMENT,
+    done = subprocess.run([*command, "-fsyntax-only", "-x", "c++", "-"], input=use(header), cwd=folder, env=ENVIRONMENT,
                           capture_output=True, text=True)
     if done.returncode == 0:
         return []
@@ -73,7 +80,8 @@ def main():
     if options.installed:
         headers = [header for header in headers if header.startswith("ixos/")]
         flags.append(INSTALLATION.read_text(encoding="utf-8"))
-    keys = {header: hash_contents(LIB, collect_headers(header), header, version, *flags) for header in headers}
+    keys = {header: hash_contents(LIB, collect_headers(header), use(header), version, *flags)
+            for header in headers}
     passed = PassedChecks("ixos-headers")
     todo = [header for header in headers if options.all or keys[header] not in passed]
     failed = 0
@@ -81,7 +89,8 @@ def main():
         for header, errors in zip(todo, pool.map(lambda h: compile_header(h, command, folder), todo)):
             if errors:
                 failed += 1
-                print(f"lib/{header} does not compile alone: include what it needs", *errors, sep="\n  ", flush=True)
+                print(f"lib/{header} does not compile alone: include what it needs, and list declared names only",
+                      *errors, sep="\n  ", flush=True)
             else:
                 passed.add(keys[header])
     print(f"{len(todo)} headers of lib compiled alone, {failed} failed; {len(headers) - len(todo)} had not changed")

@@ -4,6 +4,7 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIB = ROOT / "lib"
+STABLE = re.compile(r"Stable: ([^.]*)\.")
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -20,6 +21,14 @@ def read_includes(file):
             if match := INCLUDE.match(line):
                 found.append((number, match[2], match[1] == '"'))
     return found
+
+
+def read_stable_names(header):
+    """Returns the names that a stable header's comment lists."""
+    lines = (LIB / header).read_text(encoding="utf-8").splitlines()
+    comment = " ".join(line.removeprefix("///").strip() for line in lines if line.startswith("///"))
+    match = STABLE.search(comment)
+    return [name.strip() for name in match[1].split(",")] if match else []
 
 
 def is_header_of_lib(included):

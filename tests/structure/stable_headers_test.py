@@ -3,9 +3,11 @@
 
     tests/structure/stable_headers_test.py
 
-- A stable header only includes headers of lib. Its comment lists the names that are stable after "Stable:". Each of
-  them is declared in a header that it includes.
+- A stable header only includes headers of lib. Its comment lists the names that are stable after "Stable:".
+  headers_test.py compiles a use of each.
 - The table of docs/embedding.md has a row for each stable header with the same names.
+- Inline code of the three pages on embedding names only stable classes and functions, members of classes that the
+  stable headers include, words of scenes (docs/parameters.md), and a few names of other libraries.
 - No other file of lib includes a stable header.
 - Example programs (docs/examples/programs) include stable headers only, and each is built by the CMakeLists.txt there.
 
@@ -15,20 +17,16 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-from includes import INCLUDE, LIB, ROOT, is_header_of_lib, list_files, read_includes  # noqa: E402
+from includes import INCLUDE, LIB, ROOT, is_header_of_lib, list_files, read_includes, read_stable_names  # noqa: E402
 
 GUIDE = "docs/embedding.md"
+PAGES = (GUIDE, "docs/embedding-evaluator.md", "docs/embedding-stepping.md")
+# Names in these pages that are not of Ixos, and two that the guide calls internal.
+FOREIGN = {"CMakeLists", "CMAKE_PREFIX_PATH", "find_package", "Tpetra", "Thyra", "InArgs", "OutArgs", "W_op", "W_prec",
+           "W_x_dot_dot_coeff", "DgDx", "DgDx_dot", "DERIV_MV_GRADIENT_FORM", "g", "isFailed", "std",
+           "GapLaw", "ElasticLaw"}
 PROGRAMS = ROOT / "docs" / "examples" / "programs"
-NAMES = re.compile(r"Stable: ([^.]*)\.")
 ROW = re.compile(r"\|\s*`<(ixos/\w+\.hpp)>`\s*\|[^|]*\|([^|]*)\|\s*$", re.MULTILINE)
-
-
-def read_names(header):
-    """Returns the names that a stable header's comment lists."""
-    lines = (LIB / header).read_text(encoding="utf-8").splitlines()
-    comment = " ".join(line.removeprefix("///").strip() for line in lines if line.startswith("///"))
-    match = NAMES.search(comment)
-    return [name.strip() for name in match[1].split(",")] if match else []
 
 
 def check_header(header):
@@ -40,14 +38,8 @@ def check_header(header):
     for name in included:
         if not is_header_of_lib(name) or name.startswith("ixos/"):
             yield f"{place}: a stable header only includes other headers of lib: remove {name}"
-    names = read_names(header)
-    if not names:
+    if not read_stable_names(header):
         yield f"{place}: its comment has no list \"Stable: ...\": add the stable names"
-    text = "\n".join((LIB / name).read_text(encoding="utf-8") for name in included if is_header_of_lib(name))
-    code = re.sub(r"//.*", "", text)
-    for name in names:
-        if not re.search(rf"\b{re.escape(name)}\b", code):
-            yield f"{place}: no header that it includes declares {name}: include the one that does, or remove the name"
 
 
 def check_guide(headers):
@@ -58,10 +50,29 @@ def check_guide(headers):
             yield f"{GUIDE}: the table has no row for `<{header}>`: add one"
             continue
         told = set(re.findall(r"`(\w+)`", rows[header]))
-        for name in sorted(told ^ set(read_names(header))):
+        for name in sorted(told ^ set(read_stable_names(header))):
             yield f"{GUIDE}: {name} is stable in either the row of `<{header}>` or lib/{header}, not in both"
     for header in sorted(set(rows) - set(headers)):
         yield f"{GUIDE}: lib/{header} does not exist: delete its row"
+
+
+def check_pages(headers):
+    """Yields a message for each name in the pages on embedding that a program must not use."""
+    stable = {name for header in headers for name in read_stable_names(header)}
+    included = {name for header in headers for _, name, _ in read_includes(header) if is_header_of_lib(name)}
+    text = "\n".join((LIB / name).read_text(encoding="utf-8") for name in included)
+    members = set(re.findall(r"(\w+)\(", "\n".join(line for line in text.splitlines() if line.startswith(" "))))
+    members -= set(re.findall(r"^\w.* [*&]?(\w+)\(", text, re.MULTILINE))  # functions of no class
+    scene_words = set(re.findall(r"\w+", (ROOT / "docs/parameters.md").read_text(encoding="utf-8")))
+    for page in PAGES:
+        prose = re.sub(r"```.*?```", "", (ROOT / page).read_text(encoding="utf-8"), flags=re.DOTALL)
+        for code in re.findall(r"`([^`\n]+)`", prose):
+            if "/" in code:  # a file, or the path of a parameter
+                continue
+            types = set(re.findall(r"(?<![.\w:>])(?:ixos::)?([A-Z]\w*)", code)) - scene_words
+            functions = set(re.findall(r"(?<![.\w:>])(?:ixos::)?([a-z_]\w*)\(", code)) - members
+            for name in sorted((types | functions) - stable - FOREIGN):
+                yield f"{page}: `{code}`: {name} is not stable: list it in a header of lib/ixos, or do not name it"
 
 
 def check_programs():
@@ -82,6 +93,7 @@ def main():
     headers = [file for file in list_files(".hpp") if file.startswith("ixos/")]
     problems = [problem for header in headers for problem in check_header(header)]
     problems += check_guide(headers)
+    problems += check_pages(headers)
     problems += check_programs()
     for file in list_files(".hpp", ".cpp"):
         problems += [f"lib/{file}:{line}: include the header that {included} includes, not this one"
@@ -89,7 +101,8 @@ def main():
                      if included.startswith("ixos/") and not file.startswith("ixos/")]
     if problems:
         sys.exit("\n".join(problems))
-    print(f"{len(headers)} stable headers with {sum(len(read_names(h)) for h in headers)} names are as {GUIDE} says; "
+    names = sum(len(read_stable_names(header)) for header in headers)
+    print(f"{len(headers)} stable headers with {names} names are as {GUIDE} says; "
           f"{len(list(PROGRAMS.glob('*.cpp')))} programs include no other")
 
 

@@ -6,30 +6,33 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <ixos/evaluator.hpp>
 #include <ixos/simulation.hpp>
+#include <memory>
 
 #include "newmark_loop.hpp"
 
-int main(int argc, char** argv) {
-  Tpetra::ScopeGuard guard(&argc, &argv);
-  const ixos::Comm comm = Tpetra::getDefaultComm();
-  Teuchos::ParameterList scene = ixos::read_scene_file(argv[argc - 1]);
+namespace {
+
+int compare(const ixos::Comm& comm, const char* path) {
+  Teuchos::ParameterList scene = ixos::read_scene_file(path);
   ixos::set_parameter(scene, ixos::scene_parameters(), "Time Integrator/Type=Newmark");
   // Near the wall, so that 100 steps meet its adhesion and its repulsion.
   ixos::set_parameter(scene, ixos::scene_parameters(), "Mesh/Disk/Center={0, 5.35}");
   ixos::Simulation simulation(scene, comm);
 
-  Teuchos::ParameterList linear;
-  linear.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  const ixos::LinearSolverFactory factory(linear);
-  const ixos::SemiDiscreteEvaluator evaluator(simulation.model(), factory.strategy());
-  const auto at_rest = Thyra::createMember(evaluator.get_x_space());
+  const ixos::Model& model = simulation.model();
+  Teuchos::ParameterList list;  // as a scene's "Linear Solver"
+  list.set("Linear Solver Type", "Belos").set("Preconditioner Type", "MueLu");
+  const auto solvers = std::make_shared<ixos::LinearSolverFactory>(
+      ixos::completed_linear_solver(list, ixos::problem_size(model)), &model);
+  const ixos::SemiDiscreteEvaluator body(model, solvers);
+  const auto at_rest = Thyra::createMember(body.get_x_space());
   Thyra::assign(at_rest.ptr(), 0.0);
-  NewmarkLoop loop(evaluator, at_rest);
+  NewmarkLoop loop(body, at_rest);
 
   double largest = 0, moved = 0;
-  ixos::Vector difference(simulation.model().space().owned_map());
   for (int step = 0; step < 100; ++step) {
     loop.step(0.001);
     if (!simulation.integrator().step(0.001).converged) return 1;
@@ -39,10 +42,26 @@ int main(int argc, char** argv) {
       moved = std::max(moved, std::abs(u(i, 0)));
     }
   }
-  largest = simulation.model().space().maximum(largest);
-  moved = simulation.model().space().maximum(moved);
+  largest = model.space().maximum(largest);
+  moved = model.space().maximum(moved);
   const bool repaired = ixos::klu2_library().rfind("libixos", 0) == 0;
   if (comm->getRank() == 0)
     std::printf("moved %.3g, differs by %.3g; KLU2 from %s\n", moved, largest, ixos::klu2_library().c_str());
   return largest < 1e-10 && moved > 0.01 && repaired ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard guard(&argc, &argv);
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: newmark SCENE.xml\n");
+    return 2;
+  }
+  try {
+    return compare(Tpetra::getDefaultComm(), argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "newmark: %s\n", error.what());
+    return 2;
+  }
 }

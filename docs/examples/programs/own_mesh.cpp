@@ -106,9 +106,10 @@ int compare(const ixos::Comm& comm, const char* scene) {
     energy_error = std::max(energy_error, std::abs(energy - start));
   }
   const ixos::InteractionReport contact = model.interaction_report(integrator.state().u.data());
+  const std::vector<double> top = ixos::set_reaction(model, integrator.state().reaction, "top");
   if (comm->getRank() == 0)
-    std::printf("moved %.3g, differs by %.3g; energy drifts by %.3g; force on the wall %.6g, least gap %.6g\n", moved,
-                largest, energy_error, -contact.force[1], contact.least_gap);
+    std::printf("moved %.3g, differs by %.3g; energy drifts by %.3g; force on wall %.6g, on top %.6g, gap %.6g\n",
+                moved, largest, energy_error, -contact.force[1], top[1], contact.least_gap);
   return largest < 1e-9 && moved > 0.1 && energy_error < 1e-9 ? 0 : 1;
 }
 
@@ -116,8 +117,12 @@ int compare(const ixos::Comm& comm, const char* scene) {
 
 int main(int argc, char** argv) {
   Tpetra::ScopeGuard guard(&argc, &argv);
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: own_mesh SCENE.xml\n");
+    return 2;
+  }
   try {
-    return compare(Tpetra::getDefaultComm(), argv[argc - 1]);
+    return compare(Tpetra::getDefaultComm(), argv[1]);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "own_mesh: %s\n", error.what());
     return 2;

@@ -1,0 +1,25 @@
+#include "model/set_reactions.hpp"
+
+namespace ixos {
+
+std::vector<double> set_reactions(const Model& model, const std::vector<double>& forces,
+                                  const std::vector<std::size_t>& sets) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> sums(sets.size() * d, 0.0);
+  for (std::size_t s = 0; s < sets.size(); ++s)
+    for (const int node : mesh.node_sets[sets[s]]) {
+      const auto n = static_cast<std::size_t>(node);
+      if (node >= mesh.owned_nodes || mesh.is_derivative(n)) continue;
+      for (std::size_t i = 0; i < d; ++i)
+        if (model.constraints().holds(static_cast<int>(n * d + i))) sums[s * d + i] += forces[n * d + i];
+    }
+  model.space().sum(sums.data(), static_cast<int>(sums.size()));
+  return sums;
+}
+
+std::vector<double> set_reaction(const Model& model, const std::vector<double>& forces, const std::string& set) {
+  return set_reactions(model, forces, {model.mesh().node_set(set)});
+}
+
+}  // namespace ixos
