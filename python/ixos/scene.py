@@ -18,8 +18,8 @@ class Scene(SceneLists):
         scene["Time Integrator/Time Step Control/Final Time"] = 40
         scene.run()
 
-    Completion shows the lists and parameters that a scene may have; help(type(scene.output)) explains them. Ixos refuses
-    bad input with ixos.InputError, whose text is the one that the command ixos prints.
+    Completion shows the lists and parameters that a scene may have; help(type(scene.output)) explains them. Ixos
+    refuses bad input with ixos.InputError, whose text is the one that the command ixos prints.
     """
 
     def __init__(self, source: str | os.PathLike | dict | None = None, name: str | None = None):
@@ -47,6 +47,11 @@ class Scene(SceneLists):
     def copy(self) -> Scene:
         """Returns an independent copy."""
         return Scene(self._core.copy())
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: dict) -> Scene:
+        return self.copy()
 
     def set(self, *assignments: str) -> Scene:
         """Carries out "List/Sublist/Name=value" as the command's --set does. Returns the scene."""

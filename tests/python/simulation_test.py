@@ -190,6 +190,12 @@ class StepTest(unittest.TestCase):
                 with self.assertRaisesRegex(ixos.InputError, f"dt: a step of {dt} T0 .* finite and greater than 0"):
                     call(dt)
 
+    def test_a_number_of_steps_must_not_be_negative(self):
+        simulation = free_block().simulation()
+        with self.assertRaisesRegex(ixos.InputError, "count: -1 steps are not possible; at least 0 are allowed"):
+            simulation.steps(-1, 0.01)
+        self.assertEqual((simulation.steps(0, 0.01), simulation.time), (0, 0))
+
 
 class ViewTest(unittest.TestCase):
     def test_views_are_the_same_memory(self):
