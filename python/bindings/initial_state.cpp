@@ -9,6 +9,7 @@
 #include "arrays.hpp"
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/snapshot.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
 #include "model/crossing.hpp"
@@ -81,6 +82,19 @@ void check_admissible(const Model& model, const Values& u) {
     throw InputError("u: it is not admissible: " + crossed);
 }
 
+/// Calls Integrator::initialize(), which changes the state before all of it is known to be sound: an acceleration may
+/// overflow. If it throws InputError, which it does on all ranks, restores the state before the call.
+void initialize(Integrator& integrator, Values u, Values v, double time) {
+  Snapshot before([&](Record& record) { integrator.transfer(record); });
+  before.save();
+  try {
+    integrator.initialize(std::move(u), std::move(v), time);
+  } catch (const InputError&) {
+    before.restore();
+    throw;
+  }
+}
+
 /// Begins anew. Changes nothing if it throws. Collective; ranks on which the arrays are wrong refuse for all.
 void set_state(LiveSimulation& live, const py::object& given_u, const py::object& given_v,
                std::optional<double> given_time) {
@@ -111,7 +125,7 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
     model.space().update_ghosts(u.data());
     model.space().update_ghosts(v.data());
     check_admissible(model, u);
-    s.integrator().initialize(std::move(u), std::move(v), time);
+    initialize(s.integrator(), std::move(u), std::move(v), time);
   });
 }
 

@@ -167,7 +167,8 @@ name; a side lies on the boundary. Raises InputError for arrays that do not fit 
             write_exodus_mesh(mesh, path.string(), title);
           },
           py::arg("path"), py::arg("title") = "mesh", py::arg("overwrite") = false,
-          "Writes an Exodus file, which a scene names as Mesh/Exodus/File. Raises InputError if the file exists, unless "
+          "Writes an Exodus file, which a scene names as Mesh/Exodus/File. Raises InputError if the file exists, "
+          "unless "
           "it may be overwritten.")
       .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })
       .def_property_readonly(
