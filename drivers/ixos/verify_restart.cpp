@@ -2,10 +2,13 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "scene/parameters.hpp"
@@ -91,6 +94,10 @@ int verify_restart(const Arguments& arguments) {
     return refuse(2, with_place(error.what(), arguments));
   } catch (const FileError& error) {
     return refuse(4, error.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(3, out_of_memory());
+  } catch (const std::exception& error) {
+    return refuse(1, std::string("internal error, please report it: ") + error.what());
   }
 }
 
