@@ -2,12 +2,7 @@
 """Meshes from arrays."""
 
 import numpy as np
-from support import BALL, FolderTest, ixos, main, pulled_block
-
-try:
-    from mpi4py.MPI import COMM_SELF as MINE  # each rank writes into its own folder
-except ImportError:
-    MINE = None
+from support import BALL, MINE, FolderTest, ixos, main, pulled_block
 
 POINTS = np.array([[0, 0], [2, 0], [4, 0], [0, 2], [2, 2], [4, 2]], float)
 CELLS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])

@@ -10,6 +10,11 @@ import unittest
 sys.dont_write_bytecode = True
 import ixos  # noqa: E402
 
+try:
+    from mpi4py.MPI import COMM_SELF as MINE  # of each rank alone
+except ImportError:
+    MINE = None
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BALL = ROOT / "xml/ball.xml"
 DRIVER = os.environ.get("IXOS_DRIVER", "ixos")
@@ -55,4 +60,5 @@ class FolderTest(unittest.TestCase):
 
 def main():
     """Runs the tests of the script. Warnings of made-up scenes are not shown; they have a test of their own."""
-    unittest.main(module="__main__", warnings="ignore")
+    outcome = unittest.main(module="__main__", warnings="ignore", exit=False).result
+    sys.exit(1 if not outcome.wasSuccessful() else 77 if outcome.skipped else 0)  # 77: some were skipped
