@@ -72,7 +72,7 @@ class MeshTest(FolderTest):
         np.testing.assert_array_equal(back.blocks["body"], CELLS)
         np.testing.assert_array_equal(back.node_sets["left"], [0, 3])
         changed = block(points=2 * POINTS)
-        with self.assertRaisesRegex(ixos.InputError, r"mesh\.e exists; choose another name, or replace it with overwrite"):
+        with self.assertRaisesRegex(ixos.InputError, r"mesh\.e exists; choose another name, or replace"):
             changed.write(self.folder / "mesh.e")
         np.testing.assert_array_equal(ixos.Mesh.read(self.folder / "mesh.e").points, POINTS)
         changed.write(self.folder / "mesh.e", overwrite=True)

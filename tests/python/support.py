@@ -30,7 +30,7 @@ def free_block(velocity=(1.0, -2.0), steps=10):
 
 
 def pulled_block():
-    """A block of 4 x 2 L0 between walls on its left and right: E = 8, nu = 0, its right side moves by 0.04 L0 in 1 T0."""
+    """A block of 4 x 2 L0 between two walls: E = 8, nu = 0. Its right side moves by 0.04 L0 in 1 T0."""
     hold = {"Node Set": "left", "Components": "x"}
     return ixos.Scene({
         "Mesh": {"Type": "Box", "Box": {"Lengths": [4, 2], "Divisions": [4, 2]}},
