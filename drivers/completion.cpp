@@ -57,7 +57,8 @@ _@function@() {
     done
     if ((${#candidates[@]} == 1)); then
       case $quote${candidates[0]} in
-        *'>' | "'"*"'"*) candidates+=("$start") ;;  # shows a type, or what single quotes cannot hold; does not insert it
+        # Shows a type, or what single quotes cannot hold, but does not insert it.
+        *'>' | "'"*"'"*) candidates+=("$start") ;;
         *=)  # bash closes quotes after a sole word
           mapfile -t shown < <(_@function@_settings "${candidates[0]}")
           candidates+=("${shown[@]}") ;;

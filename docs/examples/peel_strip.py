@@ -5,8 +5,8 @@
 # This script is a notebook: Jupyter and most editors run its cells one by one. It needs the module `ixos`, NumPy and
 # matplotlib. `peel_strip.py --small` runs a coarse mesh in a few seconds; the tests do so.
 #
-# The wall holds a strip of 200 nm x 10 nm along the left 150 nm of its lower side. A rig lifts the right edge at 1 nm/ns.
-# The scene is `xml/strip.xml`; the script changes only how strongly the wall attracts.
+# The wall holds a strip of 200 nm x 10 nm along the left 150 nm of its lower side. A rig lifts the right edge at
+# 1 nm/ns. The scene is `xml/strip.xml`; the script changes only how strongly the wall attracts.
 
 # %%
 import argparse

@@ -11,7 +11,8 @@ import sys
 
 # The contents: captions, and below each its pages, or folders of pages. The first caption that names a page has it.
 CONTENTS = {
-    "Guide": ["docs/user-guide", "docs/python", "docs/embedding", "docs/embedding-evaluator", "docs/embedding-stepping", "docs/meshes", "docs/packages"],
+    "Guide": ["docs/user-guide", "docs/python", "docs/embedding", "docs/embedding-evaluator", "docs/embedding-stepping",
+              "docs/meshes", "docs/packages"],
     "Cookbook": ["docs/cookbook/"],
     "Examples": ["docs/examples/"],
     "Reference": ["docs/parameters", "docs/study-parameters", "docs/theory"],

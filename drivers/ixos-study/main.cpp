@@ -19,16 +19,13 @@
 #include "help.hpp"
 #include "scene/documentation.hpp"
 #include "shell_word.hpp"
+#include "signals.hpp"
 #include "study/child_process.hpp"
-#include "study/recommendation.hpp"
 #include "study/study.hpp"
 #include "study/study_result.hpp"
 #include "study/study_runner.hpp"
 
 namespace {
-
-volatile std::sig_atomic_t signalled = 0;
-void on_signal(int) { signalled = 1; }
 
 struct Arguments {
   std::string study;
@@ -104,33 +101,26 @@ int run(const Arguments& arguments) {
   options.driver = (own_folder() / "ixos").string();
   options.version = IXOS_VERSION;
   options.overwrite = arguments.overwrite;
-  options.interrupted = [] { return signalled != 0; };
+  options.command = "ixos-study " + ixos::shell_word(arguments.study) +
+                    (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
+  options.interrupted = ixos::signalled;
   if (!arguments.quiet)
     options.watch = [&](const ixos::StudyResult& result, std::size_t done, bool reused) {
       print_run(result, done, result.run.labels.empty() ? 1 : study.runs.size(), study.question.measure, reused);
     };
-  std::error_code code;
-  std::filesystem::create_directories(options.folder, code);
-  if (code) throw ixos::FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  std::vector<ixos::StudyResult> results;
-  ixos::ReferenceQuality reference;
-  const ixos::StudyStatus status = ixos::run_study(study, options, results, reference);
-  if (status == ixos::StudyStatus::ReferenceFailed) {
-    ixos::console::complain("ixos-study: the reference did not reach its end: {}: {}\n", results.front().status,
-                            ixos::printable(results.front().reason));
+  ixos::catch_signals();
+  const ixos::StudyOutcome outcome = ixos::run_study(study, options);
+  if (outcome.status == ixos::StudyStatus::ReferenceFailed) {
+    const ixos::StudyResult& reference = outcome.results.front();
+    ixos::console::complain("ixos-study: the reference did not reach its end: {}: {}\n", reference.status,
+                            ixos::printable(reference.reason));
     return 3;
   }
-  if (status == ixos::StudyStatus::Interrupted) {
+  if (outcome.status == ixos::StudyStatus::Interrupted) {
     ixos::console::complain("ixos-study: interrupted; run the same command again to resume\n");
     return 5;
   }
-  const std::string command = "ixos-study " + ixos::shell_word(arguments.study) +
-                              (arguments.output.empty() ? "" : " --output " + ixos::shell_word(arguments.output));
-  ixos::write_study(study, results, reference, options.folder, command, options.version);
-  if (!arguments.quiet)
-    ixos::console::say("{}\n", ixos::printable(ixos::recommend(study, results, reference).sentence));
+  if (!arguments.quiet) ixos::console::say("{}\n", ixos::printable(outcome.recommendation));
   return make_report(options.folder, arguments.quiet);
 }
 

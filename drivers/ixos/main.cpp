@@ -34,14 +34,12 @@
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
 #include "shell_word.hpp"
+#include "signals.hpp"
 #include "solve/linear_solver_defaults.hpp"
 
 namespace {
 
 using ixos::Arguments;
-
-volatile std::sig_atomic_t signalled = 0;
-void on_signal(int) { signalled = 1; }
 
 void describe(ixos::Simulation& simulation) {
   const ixos::Model& model = simulation.model();
@@ -131,8 +129,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     return 0;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_signal);
-  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+  ixos::catch_signals();
   ixos::RunOptions options;
   options.folder = results_folder(arguments);
   options.scene_file = arguments.scene;
@@ -143,7 +140,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     options.warn = [](const std::string& line) {
       ixos::console::complain("ixos: warning: {}\n", ixos::printable(line));
     };
-  options.interrupted = [] { return signalled != 0; };
+  options.interrupted = ixos::signalled;
   ixos::ProgressLine line;
   const bool shows = speaks && isatty(STDERR_FILENO) != 0;
   if (shows || arguments.kill_after_step > 0)

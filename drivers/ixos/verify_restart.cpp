@@ -2,21 +2,22 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "signals.hpp"
 #include "study/restart_check.hpp"
 
 namespace ixos {
 namespace {
-
-volatile std::sig_atomic_t signalled = 0;
-void on_signal(int) { signalled = 1; }
 
 int refuse(int status, const std::string& what) {
   console::complain("ixos: {}\n", printable(what));
@@ -45,15 +46,14 @@ RestartCheck restart_check(const Arguments& arguments) {
       console::say("{}\n", printable(line));
       console::flush();
     };
-  check.interrupted = [] { return signalled != 0; };
+  check.interrupted = signalled;
   return check;
 }
 
 int run_check(const Arguments& arguments) {
   Teuchos::ParameterList scene = read_scene_file(arguments.scene);
   for (const std::string& assignment : arguments.assignments) set_parameter(scene, scene_parameters(), assignment);
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_signal);
-  if (std::signal(SIGHUP, on_signal) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+  catch_signals();
   const RestartCheck check = restart_check(arguments);
   const RestartCheckResult result = check_restarts(check);
   switch (result.status) {
@@ -91,6 +91,10 @@ int verify_restart(const Arguments& arguments) {
     return refuse(2, with_place(error.what(), arguments));
   } catch (const FileError& error) {
     return refuse(4, error.what());
+  } catch (const std::bad_alloc&) {
+    return refuse(3, out_of_memory());
+  } catch (const std::exception& error) {
+    return refuse(1, std::string("internal error, please report it: ") + error.what());
   }
 }
 

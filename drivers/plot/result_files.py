@@ -72,7 +72,7 @@ class Fields:
     too: "displacementX". A cell of a block without the field has NaN.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder: str | pathlib.Path):
         self.path = pathlib.Path(folder) / "fields.e"
         paths = [self.path] if self.path.is_file() else sorted(self.path.parent.glob("fields.e.*.*"))
         if not paths:

@@ -21,12 +21,6 @@ double peak_memory() {
   return 0;
 }
 
-const char* name(RunStatus status) {
-  if (status == RunStatus::Completed) return "completed";
-  if (status == RunStatus::Stopped) return "stopped";
-  return status == RunStatus::Diverged ? "diverged" : "interrupted";
-}
-
 /// Returns, for each kind of result, the symbol of its unit, its value in SI units and the SI unit.
 nlohmann::ordered_json to_json(const std::vector<ResultUnit>& units) {
   nlohmann::ordered_json json;
@@ -37,13 +31,19 @@ nlohmann::ordered_json to_json(const std::vector<ResultUnit>& units) {
 
 }  // namespace
 
+std::string to_string(RunStatus status) {
+  if (status == RunStatus::Completed) return "completed";
+  if (status == RunStatus::Stopped) return "stopped";
+  return status == RunStatus::Diverged ? "diverged" : "interrupted";
+}
+
 void write_summary(const Simulation& simulation, const RunResult& result, const std::string& path) {
   const Model& model = simulation.model();
   const Comm& comm = model.space().comm();
   double memory = peak_memory();
   model.space().sum(&memory, 1);
   nlohmann::ordered_json json;
-  json["status"] = name(result.status);
+  json["status"] = to_string(result.status);
   json["reason"] = result.reason;
   json["scheme"] = simulation.time_integrator().scheme;
   json["end_time"] = result.end_time;

@@ -19,7 +19,7 @@
 namespace ixos {
 namespace {
 
-/// Returns this process's environment without what mpirun tells its own ranks: the child starts an MPI of its own.
+/// Returns this process's environment without what mpirun tells its own ranks: the child starts its own MPI.
 std::vector<char*> environment() {
   std::vector<char*> result;
   for (char** variable = environ; *variable != nullptr; ++variable) {

@@ -27,26 +27,41 @@ long steps_of(const std::string& folder) {
   return summary["steps"].get<long>();
 }
 
-/// Returns the last message of ixos in a log, without the name of the program; it may have several lines. Without one,
-/// returns the first line that mpirun wrote below a line of dashes, or else the last line of the log.
+/// Returns whether a run of that exit status has results up to its end, or up to where the solution cannot be
+/// continued. When memory runs out the status is that of divergence, but there is no summary.
+bool has_results(int status, const std::string& folder) {
+  if (status != diverged) return status == 0;
+  std::ifstream file(folder + "/summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
+  return summary.is_object() && summary.contains("status") && summary["status"] == "diverged";
+}
+
+/// Returns the last message of ixos in a log, without the name of the program; it may have several lines, but is no
+/// warning. Without one, returns the first line that mpirun wrote below a line of dashes, or else the last line of the
+/// log that is no warning.
 std::string last_message(const std::string& log) {
   const auto begins = [](const std::string& line, const std::string& start) { return line.rfind(start, 0) == 0; };
+  enum class Part { Other, Message, Launcher } part = Part::Other;  // to which a line belongs that begins none
   std::ifstream file = open_text(log);
-  std::string message, launcher;
-  bool below_dashes = false;
+  std::string message, launcher, other;
   for (std::string line; std::getline(file, line);) {
-    if (begins(line, "---")) {
-      below_dashes = true;
-    } else if (below_dashes) {
-      if (launcher.empty()) launcher = line;
+    if (begins(line, "ixos: warning: ")) {
+      part = Part::Other;  // a warning has one line
     } else if (begins(line, "ixos: ")) {
+      part = Part::Message;
       message = line.substr(6);
-    } else if (!message.empty()) {
+    } else if (begins(line, "---")) {
+      part = Part::Launcher;
+    } else if (part == Part::Message) {
       message += '\n' + line;
+    } else if (part == Part::Launcher && launcher.empty()) {
+      launcher = line;
+    } else if (part == Part::Other && !line.empty()) {
+      other = line;
     }
   }
   if (!message.empty()) return message;
-  return launcher.empty() ? last_line(log) : launcher;
+  return launcher.empty() ? other.substr(0, 400) : launcher;
 }
 
 /// Returns the steps to resume from.
@@ -78,7 +93,7 @@ class Checker {
     const int end = process(whole_, "undisturbed.log", check_.overwrite ? Words{"--overwrite"} : Words{});
     if (stopped_) return {RestartCheckStatus::Interrupted, "", interrupted};
     if (end == bad_input) return refused();
-    if (end != 0 && end != diverged) return failed(end, "undisturbed.log");
+    if (!has_results(end, whole_)) return failed(end, "undisturbed.log");
     const long total = steps_of(whole_);
     tell(fmt::format("Undisturbed: {} steps{}", total,
                      end == diverged ? ", then the solution cannot be continued" : ""));
@@ -106,7 +121,7 @@ class Checker {
     const int status = process(parts_, log, words);
     if (stopped_) {
       result_ = {RestartCheckStatus::Interrupted, "", interrupted};
-    } else if (status == 0 || status == diverged) {
+    } else if (has_results(status, parts_)) {
       differs(fmt::format("the run ends before step {}", step + 1));
     } else if (status != killed) {
       result_ = failed(status, log);
@@ -127,7 +142,7 @@ class Checker {
   RestartCheckResult last_part(long before, int expected) {
     const int status = process(parts_, "end.log", beginning(before));
     if (stopped_) return {RestartCheckStatus::Interrupted, "", interrupted};
-    if (status != 0 && status != diverged) return failed(status, "end.log");
+    if (!has_results(status, parts_)) return failed(status, "end.log");
     if (status != expected) differs(fmt::format("exit status {} and {}", expected, status));
     if (const std::string d = results_difference(whole_, parts_); !d.empty()) differs(d);
     tell(name(before) + (result_.message.empty() ? ": the same up to the end" : ": DIFFERENT: " + result_.message));

@@ -34,7 +34,7 @@ struct RestartCheckResult {
 /// Runs the scene once undisturbed, then once more with kills: for each chosen step s in turn, a process writes a
 /// checkpoint at s, ends by SIGKILL after step s + 1, and the next process resumes from that checkpoint. The rows of
 /// history.csv are compared before each resumption, all results at the end. Ends with the first difference: all that
-/// follows has the same cause. A scene whose run ends with exit status 3 is verified up to there. A scene that ixos
+/// follows has the same cause. A scene whose run diverges is verified up to there. A scene that ixos
 /// refuses leaves nothing in the folder. Throws InputError if a chosen step is beyond the run, or if the run is too
 /// short, and FileError.
 RestartCheckResult check_restarts(const RestartCheck& check);

@@ -16,6 +16,7 @@
 #include "base/printable.hpp"
 #include "io/disk_file.hpp"
 #include "study/child_process.hpp"
+#include "study/recommendation.hpp"
 #include "study/results_folder.hpp"
 
 namespace ixos {
@@ -245,12 +246,20 @@ class Runner {
 
 }  // namespace
 
-StudyStatus run_study(const Study& study, const RunnerOptions& options, std::vector<StudyResult>& results,
-                      ReferenceQuality& quality) {
+StudyOutcome run_study(const Study& study, const RunnerOptions& options) {
+  std::error_code code;
+  std::filesystem::create_directories(options.folder, code);
+  if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
   const std::string scene = std::filesystem::absolute(study.scene).lexically_normal().string();
   const std::string owner = printable(fmt::format("the study \"{}\" of {}", study.name, scene));
   const ResultsFolder held(options.folder, owner, options.overwrite);
-  return Runner(study, options).run(results, quality);
+  StudyOutcome outcome;
+  ReferenceQuality quality;
+  outcome.status = Runner(study, options).run(outcome.results, quality);
+  if (outcome.status != StudyStatus::Done) return outcome;
+  write_study(study, outcome.results, quality, options.folder, options.command, options.version);
+  outcome.recommendation = recommend(study, outcome.results, quality).sentence;
+  return outcome;
 }
 
 }  // namespace ixos

@@ -9,6 +9,7 @@
 #include "arrays.hpp"
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "base/snapshot.hpp"
 #include "bindings.hpp"
 #include "live_simulation.hpp"
 #include "model/crossing.hpp"
@@ -81,6 +82,19 @@ void check_admissible(const Model& model, const Values& u) {
     throw InputError("u: it is not admissible: " + crossed);
 }
 
+/// Calls Integrator::initialize(), which changes the state before all of it is known to be sound: an acceleration may
+/// overflow. If it throws InputError, which it does on all ranks, restores the state before the call.
+void initialize(Integrator& integrator, Values u, Values v, double time) {
+  Snapshot before([&](Record& record) { integrator.transfer(record); });
+  before.save();
+  try {
+    integrator.initialize(std::move(u), std::move(v), time);
+  } catch (const InputError&) {
+    before.restore();
+    throw;
+  }
+}
+
 /// Begins anew. Changes nothing if it throws. Collective; ranks on which the arrays are wrong refuse for all.
 void set_state(LiveSimulation& live, const py::object& given_u, const py::object& given_v,
                std::optional<double> given_time) {
@@ -111,7 +125,7 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
     model.space().update_ghosts(u.data());
     model.space().update_ghosts(v.data());
     check_admissible(model, u);
-    s.integrator().initialize(std::move(u), std::move(v), time);
+    initialize(s.integrator(), std::move(u), std::move(v), time);
   });
 }
 
@@ -130,11 +144,11 @@ void bind_initial_state(SimulationClass& simulation) {
       .def("set_state", &set_state, py::arg("u") = py::none(), py::arg("v") = py::none(), py::arg("time") = py::none(),
            R"(Begins anew from displacements u [L0] and velocities v [L0/T0], arrays of nodes x dimension.
 
-The rows are those of `points`; ghosts take their owners' values. What is None stays as it is: u, v, the time [T0]. Work,
-dissipated energy and the memory of materials begin at zero. Raises InputError, and changes nothing, for another shape,
-for numbers that are not finite, for values that boundary conditions prescribe otherwise (see `constrained`), for gaps
-that are not positive and for inverted elements. Constrained velocities of schemes in momentum form become those of the
-motion. Collective.)")
+The rows are those of `points`; ghosts take their owners' values. What is None stays as it is: u, v, the time [T0].
+Work, dissipated energy and the memory of materials begin at zero. Raises InputError, and changes nothing, for another
+shape, for numbers that are not finite, for values that boundary conditions prescribe otherwise (see `constrained`), for
+gaps that are not positive, for inverted elements, and if the accelerations cannot be solved for. Constrained velocities
+of schemes in momentum form become those of the motion. Collective.)")
       .def_property_readonly("constrained", &constrained,
                              "Whether a boundary condition prescribes the displacement, nodes x dimension.");
 }

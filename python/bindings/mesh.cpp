@@ -160,10 +160,16 @@ name; a side lies on the boundary. Raises InputError for arrays that do not fit 
                   })
       .def(
           "write",
-          [](const Mesh& mesh, const std::filesystem::path& path, const std::string& title) {
+          [](const Mesh& mesh, const std::filesystem::path& path, const std::string& title, bool overwrite) {
+            std::error_code code;  // what cannot be looked at cannot be written either
+            if (!overwrite && std::filesystem::exists(std::filesystem::symlink_status(path, code)))
+              throw InputError(path.string() + " exists; choose another name, or replace it with overwrite=True");
             write_exodus_mesh(mesh, path.string(), title);
           },
-          py::arg("path"), py::arg("title") = "mesh", "Writes an Exodus file, which a scene names as Mesh/Exodus/File.")
+          py::arg("path"), py::arg("title") = "mesh", py::arg("overwrite") = false,
+          "Writes an Exodus file, which a scene names as Mesh/Exodus/File. Raises InputError if the file exists, "
+          "unless "
+          "it may be overwritten.")
       .def_property_readonly("dimension", [](const Mesh& mesh) { return mesh.dimension; })
       .def_property_readonly(
           "points",

@@ -6,26 +6,13 @@
 
 #include "bindings.hpp"
 #include "live_simulation.hpp"
+#include "run/summary.hpp"
 #include "scene_list.hpp"
 
 namespace py = pybind11;
 
 namespace ixos::python {
 namespace {
-
-const char* word(RunStatus status) {
-  switch (status) {
-    case RunStatus::Completed:
-      return "completed";
-    case RunStatus::Stopped:
-      return "stopped";
-    case RunStatus::Diverged:
-      return "diverged";
-    case RunStatus::Interrupted:
-      return "interrupted";
-  }
-  return "";
-}
 
 std::vector<std::string> messages(const std::vector<Warning>& warnings) {
   std::vector<std::string> result;
@@ -76,7 +63,8 @@ RunResult run_live(const py::object& self, const std::string& folder, bool overw
 void bind_run(py::module_& module, SimulationClass& simulation) {
   py::class_<RunResult>(module, "RunResult", py::dynamic_attr(), "How a run ended, and what it counted.")
       .def_property_readonly(
-          "status", [](const RunResult& r) { return word(r.status); }, "completed, stopped, diverged or interrupted.")
+          "status", [](const RunResult& r) { return to_string(r.status); },
+          "completed, stopped, diverged or interrupted.")
       .def_readonly("reason", &RunResult::reason)
       .def_readonly("steps", &RunResult::steps)
       .def_readonly("rejected_steps", &RunResult::rejected_steps)
@@ -96,8 +84,8 @@ void bind_run(py::module_& module, SimulationClass& simulation) {
       .def_property_readonly("warnings", [](const RunResult& r) { return messages(r.warnings); })
       .def_property_readonly("findings", [](const RunResult& r) { return messages(r.findings); })
       .def("__repr__", [](const RunResult& r) {
-        return fmt::format("<ixos.RunResult: {}, t = {:.6g} T0, {} steps{}{}>", word(r.status), r.end_time, r.steps,
-                           r.reason.empty() ? "" : ": ", r.reason);
+        return fmt::format("<ixos.RunResult: {}, t = {:.6g} T0, {} steps{}{}>", to_string(r.status), r.end_time,
+                           r.steps, r.reason.empty() ? "" : ": ", r.reason);
       });
   simulation.def("_run", &run_live, py::arg("folder"), py::arg("overwrite"), py::arg("restart"), py::arg("tell"));
 }

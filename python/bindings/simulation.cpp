@@ -64,6 +64,7 @@ long some_steps(const LiveSimulation& simulation, long count, double dt, bool& f
 
 /// Takes up to `count` steps. Returns how many were accepted.
 long steps(const py::object& self, long count, double dt) {
+  if (count < 0) throw InputError(fmt::format("count: {} steps are not possible; at least 0 are allowed", count));
   check_length(dt);
   auto& simulation = self.cast<LiveSimulation&>();
   long done = 0;
@@ -113,9 +114,8 @@ the library's own memory: they show the present state until the next step; ask f
            "Takes one step of length dt [T0]. If it fails, nothing has changed. Calls the observers.")
       .def("step", &nominal_step, "Takes one step of the scene's Time Step.")
       .def("steps", &steps, py::arg("count"), py::arg("dt"),
-           "Takes up to `count` steps, until one fails. Returns the number of accepted steps. Without observers Python "
-           "is "
-           "not called between them.")
+           "Takes up to `count` steps, until one fails. Returns the number of accepted steps. Calls Python between the "
+           "steps only if there are observers.")
       .def("attempt", &attempt, py::arg("dt"),
            "Computes a step without accepting it: judge it, then accept() it or attempt another length.")
       .def("accept", &accept, "Accepts the attempted step. Calls the observers.")

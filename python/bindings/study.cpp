@@ -3,12 +3,9 @@
 
 #include <pybind11/stl.h>
 
-#include <filesystem>
-
 #include "bindings.hpp"
 #include "scene_list.hpp"
 #include "shell_word.hpp"
-#include "study/recommendation.hpp"
 #include "study/study_runner.hpp"
 
 namespace py = pybind11;
@@ -52,6 +49,7 @@ py::tuple run_file(const StudyFile& file, const std::string& folder, const std::
   options.folder = folder;
   options.driver = driver;
   options.version = IXOS_VERSION;
+  options.command = "ixos-study " + shell_word(file.path) + " --output " + shell_word(folder);
   options.overwrite = overwrite;
   options.interrupted = [&] {
     const py::gil_scoped_acquire hold;
@@ -67,30 +65,18 @@ py::tuple run_file(const StudyFile& file, const std::string& folder, const std::
         stopped = std::current_exception();
       }
     };
-  std::vector<StudyResult> results;
-  StudyStatus status{};
-  std::string sentence;
+  StudyOutcome outcome;
   {
     const py::gil_scoped_release free;
-    at_scene(file.path, {}, [&] {
-      std::error_code code;
-      std::filesystem::create_directories(folder, code);
-      if (code) throw FileError("the results folder cannot be used: " + folder + ": " + code.message());
-      ReferenceQuality reference;
-      status = run_study(file.study, options, results, reference);
-      if (status != StudyStatus::Done) return;
-      const std::string command = "ixos-study " + shell_word(file.path) + " --output " + shell_word(folder);
-      write_study(file.study, results, reference, folder, command, IXOS_VERSION);
-      sentence = recommend(file.study, results, reference).sentence;
-    });
+    outcome = at_scene(file.path, {}, [&] { return run_study(file.study, options); });
   }
   if (stopped) std::rethrow_exception(stopped);
-  if (status == StudyStatus::ReferenceFailed)
-    throw std::runtime_error("the reference did not reach its end: " + results.front().status + ": " +
-                             results.front().reason);
+  if (outcome.status == StudyStatus::ReferenceFailed)
+    throw std::runtime_error("the reference did not reach its end: " + outcome.results.front().status + ": " +
+                             outcome.results.front().reason);
   py::list rows;
-  for (const StudyResult& result : results) rows.append(row(result));
-  return py::make_tuple(rows, sentence);
+  for (const StudyResult& result : outcome.results) rows.append(row(result));
+  return py::make_tuple(rows, outcome.recommendation);
 }
 
 py::list runs(const StudyFile& file) {

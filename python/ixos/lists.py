@@ -77,12 +77,18 @@ class List:
             value = value._as_dict()
         with unchanged_if_refused(self._core):
             if value is None:
-                here._core.remove(here._path, name)
+                here._unset(name)
             elif isinstance(value, dict):
                 here._core.remove(here._path, name)
                 here._fill(name, value)
             else:
-                here._core.set("/".join([*here._path, name]) + "=" + text(value))
+                place = "/".join([*here._path, name])
+                here._core.set(place + "=" + text(value, place))
+
+    def _unset(self, name):
+        """Gives a parameter or list its default. Raises InputError for a name that the scene cannot have."""
+        if not self._core.remove(self._path, name) and not self._is_list(name):
+            self._core.check_name(self._path, name)
 
     def _fill(self, name, values):
         """Makes a list from a dictionary. The validation refuses parameters of other choices, as in XML."""
@@ -93,8 +99,10 @@ class List:
             known = inner._identifiers.get(key, key)
             if isinstance(value, dict):
                 inner._fill(known, value)
-            elif value is not None:
-                self._core.put(path, known, text(value))
+            elif value is None:
+                inner._unset(known)
+            else:
+                self._core.put(path, known, text(value, "/".join([*path, known])))
 
     def __delitem__(self, key):
         here, name = self._place(key)

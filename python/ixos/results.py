@@ -1,11 +1,17 @@
 """Results of runs as arrays."""
+from __future__ import annotations
+
 import functools
 import os
 import pathlib
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .result_files import Fields, read_history, read_summary
+
+if TYPE_CHECKING:
+    from .scene import Scene
 
 
 class Results:
@@ -31,7 +37,7 @@ class Results:
         return self.history[column]
 
     @property
-    def columns(self) -> tuple:
+    def columns(self) -> tuple[str, ...]:
         """The names of the columns."""
         return self.history.dtype.names
 
@@ -44,7 +50,7 @@ class Results:
         return Fields(self.folder)
 
     @property
-    def scene(self):
+    def scene(self) -> Scene:
         """The scene of the run with every value that it used, from effective.xml, as an ixos.Scene."""
         from .scene import Scene
         return Scene(self.folder / "effective.xml")

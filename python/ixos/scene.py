@@ -18,8 +18,8 @@ class Scene(SceneLists):
         scene["Time Integrator/Time Step Control/Final Time"] = 40
         scene.run()
 
-    Completion shows the lists and parameters that a scene may have; help(type(scene.output)) explains them. Ixos refuses
-    bad input with ixos.InputError, whose text is the one that the command ixos prints.
+    Completion shows the lists and parameters that a scene may have; help(type(scene.output)) explains them. Ixos
+    refuses bad input with ixos.InputError, whose text is the one that the command ixos prints.
     """
 
     def __init__(self, source: str | os.PathLike | dict | None = None, name: str | None = None):
@@ -48,6 +48,11 @@ class Scene(SceneLists):
         """Returns an independent copy."""
         return Scene(self._core.copy())
 
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: dict) -> Scene:
+        return self.copy()
+
     def set(self, *assignments: str) -> Scene:
         """Carries out "List/Sublist/Name=value" as the command's --set does. Returns the scene."""
         with unchanged_if_refused(self._core):
@@ -75,7 +80,7 @@ class Scene(SceneLists):
         """Returns the scene's mesh as an ixos.Mesh, before any enrichment of its surfaces."""
         return _core.Mesh.of(self._core)
 
-    def simulation(self, comm=None, mesh: _core.Mesh | None = None) -> _core.Simulation:
+    def simulation(self, comm: Any = None, mesh: _core.Mesh | None = None) -> _core.Simulation:
         """Returns the scene as an ixos.Simulation at its initial state, for steps.
 
         comm: a communicator of mpi4py; all ranks of MPI if None. mesh: an ixos.Mesh, the same on all ranks, in place of
@@ -87,7 +92,8 @@ class Scene(SceneLists):
 
     def run(self, output: str | os.PathLike | None = None, overwrite: bool = False,
             restart: str | os.PathLike | None = None, observer: Callable[[_core.Simulation], Any] | None = None,
-            comm=None, mesh: _core.Mesh | None = None, tell: Callable[[str], Any] | None = None) -> _core.RunResult:
+            comm: Any = None, mesh: _core.Mesh | None = None,
+            tell: Callable[[str], Any] | None = None) -> _core.RunResult:
         """Runs the scene to its end, as the command ixos does. Returns an ixos.RunResult.
 
         output: folder of the results; the scene file's name without its ending, with .results, if None. overwrite:

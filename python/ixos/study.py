@@ -1,7 +1,10 @@
 """Studies: one scene, run with many settings, to compare accuracy and cost."""
+from __future__ import annotations
+
 import os
 import pathlib
 import shutil
+from typing import Any, Callable
 
 import numpy as np
 
@@ -18,15 +21,31 @@ class Study:
         print(done.recommendation)
     """
 
-    def __init__(self, path):
+    def __init__(self, path: str | os.PathLike):
         self._file = StudyFile(os.fspath(path))
 
-    name = property(lambda self: self._file.name, doc="The study's name.")
-    scene = property(lambda self: self._file.scene, doc="Path of the scene's file.")
-    axes = property(lambda self: self._file.axes, doc="The labels of each varied quantity, by its name.")
-    runs = property(lambda self: self._file.runs, doc="Name, labels and settings of each run.")
+    @property
+    def name(self) -> str:
+        """The study's name."""
+        return self._file.name
 
-    def run(self, output=None, driver=None, overwrite=False, observer=None):
+    @property
+    def scene(self) -> str:
+        """Path of the scene's file."""
+        return self._file.scene
+
+    @property
+    def axes(self) -> dict[str, list[str]]:
+        """The labels of each varied quantity, by its name."""
+        return self._file.axes
+
+    @property
+    def runs(self) -> list[dict[str, Any]]:
+        """Name, labels and settings of each run."""
+        return self._file.runs
+
+    def run(self, output: str | os.PathLike | None = None, driver: str | os.PathLike | None = None,
+            overwrite: bool = False, observer: Callable[[dict, int, bool], Any] | None = None) -> StudyResults:
         """Carries out the runs that have no result yet, and writes study.csv and study.json.
 
         output: folder of the results; the file's name with .results in place of its ending if None. driver: path of the
@@ -41,18 +60,19 @@ class Study:
 class StudyResults:
     """The results of a study's runs: `table`, a structured array with a row for each run; `recommendation`."""
 
-    def __init__(self, folder, rows, axes, recommendation):
+    def __init__(self, folder: str, rows: list[dict], axes: list[str], recommendation: str):
         self.folder = folder
         self.recommendation = recommendation
         names = [name for name in rows[0] if name != "labels"] if rows else []
-        types = [(name, object if name in _WORDS else np.float64) for name in names] + [(axis, object) for axis in axes]
+        types: list[tuple] = [(name, object if name in _WORDS else np.float64) for name in names]
+        types += [(axis, object) for axis in axes]
         self.table = np.array([tuple([row[name] for name in names] + row["labels"]) for row in rows], types)
 
     def __repr__(self):
         return f"<ixos.StudyResults: {self.folder}, {len(self.table)} runs: {self.recommendation}>"
 
 
-def find_driver():
+def find_driver() -> str | os.PathLike:
     """Returns the command ixos: of this installation, of this build, else of the path. Raises FileError."""
     here = pathlib.Path(_core.__file__).resolve().parent
     for candidate in (here.parents[3] / "bin/ixos", here.parents[1] / "drivers/ixos"):

@@ -1,6 +1,8 @@
 // What the machine takes away: standard output, the terminal, memory. The exit status and the words are true.
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "drivers/driver_test.hpp"
 #include "support/files.hpp"
 
@@ -70,12 +72,16 @@ TEST_F(FailuresTest, WantOfMemoryIsExitStatusThreeWithWhatWasAskedFor) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "AddressSanitizer needs more address space than the limit leaves";
 #endif
-  const Outcome outcome = shell("ulimit -v 1500000; " + quoted_driver() + " " + ball +
-                                    " --check --set Mesh/Type=Box --set 'Mesh/Box/Divisions={4000, 4000}'",
-                                folder_);
-  EXPECT_EQ(outcome.status, 3) << outcome.output;
-  EXPECT_NE(outcome.output.find("ixos: out of memory: "), std::string::npos) << outcome.output;
-  EXPECT_NE(outcome.output.find(" were asked for"), std::string::npos) << outcome.output;
+  const std::string start = "ulimit -v 1500000; " + quoted_driver() + " " + ball +
+                            " --set Mesh/Type=Box --set 'Mesh/Box/Divisions={4000, 4000}' ";
+  for (const auto& [option, message] :
+       {std::pair("--check", "ixos: out of memory: "),
+        std::pair("--verify-restart", "ixos: a run ended with exit status 3: out of memory: ")}) {
+    const Outcome outcome = shell(start + option, folder_);
+    EXPECT_EQ(outcome.status, 3) << outcome.output;
+    EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find(" were asked for"), std::string::npos) << outcome.output;
+  }
 }
 
 }  // namespace

@@ -132,9 +132,11 @@ TEST_F(StudyDriverTest, AKilledStudyGoesOnAndEndsAlike) {
   ASSERT_EQ(run("study.xml --output pieces --quiet").status, 0);
   EXPECT_EQ(timeless("pieces"), timeless("whole"));
   // Told to end, it says how to go on.
-  const Outcome told = signal_after(2, "other", "TERM");
-  EXPECT_EQ(told.status, 5) << told.output;
-  EXPECT_NE(told.output.find("run the same command again to resume"), std::string::npos);
+  for (const char* signal : {"TERM", "HUP"}) {
+    const Outcome told = signal_after(signal == std::string("TERM") ? 2 : 4, "other", signal);
+    EXPECT_EQ(told.status, 5) << signal << told.output;
+    EXPECT_NE(told.output.find("run the same command again to resume"), std::string::npos);
+  }
   ASSERT_EQ(run("study.xml --output other --quiet").status, 0);
   EXPECT_EQ(timeless("other"), timeless("whole"));
 }

@@ -2,12 +2,7 @@
 """Meshes from arrays."""
 
 import numpy as np
-from support import BALL, FolderTest, ixos, main, pulled_block
-
-try:
-    from mpi4py.MPI import COMM_SELF as MINE  # each rank writes into its own folder
-except ImportError:
-    MINE = None
+from support import BALL, MINE, FolderTest, ixos, main, pulled_block
 
 POINTS = np.array([[0, 0], [2, 0], [4, 0], [0, 2], [2, 2], [4, 2]], float)
 CELLS = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
@@ -76,6 +71,12 @@ class MeshTest(FolderTest):
         np.testing.assert_array_equal(back.points, POINTS)
         np.testing.assert_array_equal(back.blocks["body"], CELLS)
         np.testing.assert_array_equal(back.node_sets["left"], [0, 3])
+        changed = block(points=2 * POINTS)
+        with self.assertRaisesRegex(ixos.InputError, r"mesh\.e exists; choose another name, or replace"):
+            changed.write(self.folder / "mesh.e")
+        np.testing.assert_array_equal(ixos.Mesh.read(self.folder / "mesh.e").points, POINTS)
+        changed.write(self.folder / "mesh.e", overwrite=True)
+        np.testing.assert_array_equal(ixos.Mesh.read(self.folder / "mesh.e").points, 2 * POINTS)
 
     def test_bad_arrays_are_refused(self):
         for words, changes in (

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """Runs docs/examples/peel_strip.py in its small form and examines what it prints and writes."""
+import importlib.util
 import re
 import subprocess
 import sys
@@ -9,9 +10,7 @@ from support import ROOT, FolderTest, ixos, main
 
 class PeelStripTest(FolderTest):
     def test_the_small_form(self):
-        try:
-            import matplotlib  # noqa: F401
-        except ImportError:
+        if importlib.util.find_spec("matplotlib") is None:
             self.skipTest("matplotlib is not installed")
         done = subprocess.run([sys.executable, ROOT / "docs/examples/peel_strip.py", "--small", "--output",
                                self.folder / "out"], capture_output=True, text=True, check=False)

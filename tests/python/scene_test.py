@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Scenes in Python: completion, values, units, refusals with the command's text."""
 import ast
+import copy
 import unittest
 
 import numpy as np
@@ -74,9 +75,11 @@ class ListsTest(unittest.TestCase):
 
     def test_a_copy_is_independent(self):
         scene = free_block()
-        other = scene.copy()
-        other.materials.Rubber.density = 7
-        self.assertEqual(scene.materials.Rubber.density, 3.0)
+        for other in (scene.copy(), copy.copy(scene), copy.deepcopy(scene)):
+            self.assertIsInstance(other, ixos.Scene)
+            self.assertEqual(other.as_dict(), scene.as_dict())
+            other.materials.Rubber.density = 7
+            self.assertEqual(scene.materials.Rubber.density, 3.0)
 
 
 class CatalogueTest(unittest.TestCase):
@@ -159,6 +162,31 @@ class RefusalTest(FolderTest):
                      lambda: scene.set("Output/Energies=false", "Output/Energy=false")):
             self.assertIn("did you mean", self.refusal(call))
             self.assertEqual(scene.as_dict(), before)
+
+    def test_a_default_needs_a_valid_name(self):
+        scene = free_block()
+        before = scene.as_dict()
+        for call, words in ((lambda: setattr(scene.output, "energis", None), 'did you mean "Energies"'),
+                            (lambda: scene.__setitem__("Outptu/Energies", None), 'did you mean "Output"'),
+                            (lambda: scene.__setitem__("Outptu", None), '"Outptu"'),
+                            (lambda: scene.__setitem__("Output", {"Energis": None}), 'did you mean "Energies"')):
+            self.assertIn(words, self.refusal(call))
+        self.assertEqual(scene.as_dict(), before)
+        for name in ("Output/Energies", "Output/Probes", "Output", "Materials/Steel", "Materials/Steel/Density"):
+            scene[name] = None  # valid names that the scene does not give
+        scene.output = {"Energies": None}
+        self.assertEqual(scene.as_dict(), {**before, "Output": {}})
+
+    def test_elements_must_come_back(self):
+        scene = free_block()
+        for element in ("a, b", "{a", "a}", " a", "", [1, 2]):
+            self.assertIn(f"Output/Reactions: the element {element!r} is not possible",
+                          self.refusal(lambda: setattr(scene.output, "reactions", ["left", element])))
+            self.assertIn(f"Output/Reactions: the element {element!r} is not possible",
+                          self.refusal(lambda: setattr(scene, "output", {"Reactions": [element]})))
+        self.assertNotIn("Output", scene)
+        scene.output.reactions = ["upper left"]
+        self.assertEqual(scene.output.reactions, ["upper left"])
 
     def test_lists_are_copied(self):
         scene = free_block()

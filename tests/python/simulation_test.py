@@ -6,7 +6,7 @@ import unittest
 import weakref
 
 import numpy as np
-from support import BALL, free_block, ixos, main, pulled_block
+from support import BALL, MINE, free_block, ixos, main, pulled_block
 
 AREA, DENSITY = 8.0, 3.0
 
@@ -157,14 +157,15 @@ class StepTest(unittest.TestCase):
         np.testing.assert_array_equal(one.u, other.u)
 
     def test_another_thread_waits(self):
-        if free_block().simulation().ranks > 1:
-            self.skipTest("ranks would have to agree on who is first")
-        simulation, other = ixos.Scene(BALL).simulation(), free_block().simulation()
+        def make(scene):
+            return scene.simulation(comm=MINE)  # threads of several ranks would have to agree on who is first
+
+        simulation, other = make(ixos.Scene(BALL)), make(free_block())
         refused = []
         thread = threading.Thread(target=lambda: simulation.steps(10000, 1e-5))
         thread.start()
         while thread.is_alive() and not refused:
-            for call in (lambda: simulation.u, lambda: simulation.energies, other.step, free_block().simulation):
+            for call in (lambda: simulation.u, lambda: simulation.energies, other.step, lambda: make(free_block())):
                 try:
                     call()
                 except RuntimeError as error:
@@ -189,6 +190,12 @@ class StepTest(unittest.TestCase):
             for dt in (0, -1, float("nan"), float("inf")):
                 with self.assertRaisesRegex(ixos.InputError, f"dt: a step of {dt} T0 .* finite and greater than 0"):
                     call(dt)
+
+    def test_a_number_of_steps_must_not_be_negative(self):
+        simulation = free_block().simulation()
+        with self.assertRaisesRegex(ixos.InputError, "count: -1 steps are not possible; at least 0 are allowed"):
+            simulation.steps(-1, 0.01)
+        self.assertEqual((simulation.steps(0, 0.01), simulation.time), (0, 0))
 
 
 class ViewTest(unittest.TestCase):

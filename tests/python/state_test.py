@@ -114,6 +114,23 @@ class RefusalTest(unittest.TestCase):
         self.refuse(ball, "u: it is not admissible", u=np.tile([0, -100], (len(ball.u), 1)))
         self.refuse(ball, "u: it is not admissible", u=ball.points * [-2, 0])  # a mirror image
 
+    def test_a_state_whose_acceleration_overflows(self):
+        scene = free_block()
+        scene.materials.Rubber.model = "Linear Elastic"
+        scene.materials.Rubber.mass_damping = 0.5
+        simulation, other = scene.simulation(), scene.simulation()
+        for one in (simulation, other):
+            self.assertEqual(one.steps(4, 0.01), 4)
+        # All forces are finite, of about 1e200 E0 L0, but the square of the acceleration is not.
+        self.refuse(simulation, "the acceleration cannot be solved for", u=1e200 * simulation.points, time=0.05)
+        np.testing.assert_array_equal(simulation.a, other.a)
+        self.assertEqual(simulation.energies, other.energies)
+        self.assertGreater(other.energies["dissipated_energy"], 0)
+        for one in (simulation, other):
+            self.assertEqual(one.steps(4, 0.01), 4)
+        np.testing.assert_array_equal(simulation.u, other.u)
+        self.assertEqual(simulation.energies, other.energies)
+
     def test_a_refusal_on_one_rank_is_one_on_all(self):
         simulation = free_block().simulation()
         v = np.zeros(simulation.v.shape)

@@ -38,7 +38,8 @@ class StudyTest(FolderTest):
         study, seen = self.study(), []
         self.assertEqual(study.axes, {"Time Step": ["0.01", "0.005"]})
         self.assertEqual([run["labels"] for run in study.runs], [["0.01"], ["0.005"]])
-        done = study.run(self.folder / "out", DRIVER, observer=lambda row, count, reused: seen.append((row["name"], reused)))
+        done = study.run(self.folder / "out", DRIVER,
+                         observer=lambda row, count, reused: seen.append((row["name"], reused)))
         self.assertEqual(seen, [(name, False) for name in ("reference", "reference-check", "0.01", "0.005")])
         self.assertEqual(list(done.table["status"]), ["completed", "completed"])
         self.assertEqual(list(done.table["steps"]), [2, 4])

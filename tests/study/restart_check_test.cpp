@@ -30,7 +30,9 @@ mkdir -p "$out"
 head -n $((from + 1)) "$out/history.csv" > "$out/kept" && mv "$out/kept" "$out/history.csv"
 [ $scene != unlucky ] || { echo "the disk is full"; exit 4; }
 [ $scene != unstarted ] || { printf -- '---\nno slots\nAsk for fewer\n---\n'; exit 127; }
-[ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; printf 'Notes\nixos: warning\nixos: x.xml: bad:\n  all\n----\nended'; exit 2; }
+[ $scene != starved$from ] || { printf 'ixos: warning: odd\nixos: out of memory\n'; exit 3; }
+[ $scene != killed ] || { printf 'x: 4 cells\nixos: warning: odd\n'; kill -KILL $$; }
+[ $scene != refused ] || { rm -r "$out" "${out%/*}/calls"; printf -- '---\nno OpenFabrics\n---\nNotes\nixos: warning: odd\nixos: x.xml: bad:\n  all\n----\nended'; exit 2; }
 for step in $(seq $((from + 1)) 10); do
   energy=$((step * step))
   [ $scene != forgets ] || [ $from = 0 ] || [ $step -lt 6 ] || energy=0
@@ -40,7 +42,8 @@ for step in $(seq $((from + 1)) 10); do
   [ $step != "$interval" ] || touch "$out/checkpoint-$step.h5"
 done
 [ $scene != rounds ] || [ $from = 0 ] || steps=9
-echo "{\"status\": \"completed\", \"steps\": ${steps:-10}, \"restarts\": $from}" > "$out/summary.json"
+[ $scene != diverges ] || status=diverged
+echo "{\"status\": \"${status:-completed}\", \"steps\": ${steps:-10}, \"restarts\": $from}" > "$out/summary.json"
 [ $scene != diverges ] || exit 3
 )x";
 
@@ -137,11 +140,28 @@ TEST_F(RestartCheckTest, AStatusThatIsNoneOfIxosBecomesThatOfCommunication) {
   EXPECT_EQ(result.message.find("a run ended with exit status 127: no slots (all"), 0U) << result.message;
 }
 
+TEST_F(RestartCheckTest, AWarningIsNoCauseOfAnEnd) {
+  const RestartCheckResult result = run("killed");
+  EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
+  EXPECT_EQ(result.exit_status, 4);
+  EXPECT_EQ(result.message.find("a run ended with exit status 137: x: 4 cells (all"), 0U) << result.message;
+}
+
+TEST_F(RestartCheckTest, MemoryThatRunsOutIsNoDivergence) {
+  for (const char* from : {"0", "2", "7"}) {  // the undisturbed run, a part that would be killed, and the last part
+    std::filesystem::remove_all(check_.folder);
+    const RestartCheckResult result = run(std::string("starved") + from);
+    EXPECT_EQ(result.status, RestartCheckStatus::RunFailed);
+    EXPECT_EQ(result.exit_status, 3);
+    EXPECT_EQ(result.message.find("a run ended with exit status 3: out of memory (all"), 0U) << result.message;
+  }
+}
+
 TEST_F(RestartCheckTest, ARefusedSceneGivesTheMessageOfIxosAndLeavesNothing) {
   const RestartCheckResult result = run("refused");
   EXPECT_EQ(result.status, RestartCheckStatus::Refused);
   EXPECT_EQ(result.exit_status, 2);
-  EXPECT_EQ(result.message, "x.xml: bad:\n  all") << "neither the warning before nor the launcher's words after it";
+  EXPECT_EQ(result.message, "x.xml: bad:\n  all") << "neither warning nor words of the launcher, before and after it";
   EXPECT_FALSE(std::filesystem::exists(check_.folder));
 }
 
