@@ -47,9 +47,10 @@ void check_cells(const LocalMesh& mesh) {
   for (const LocalBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
     const auto name = [&](int cell) {
-      std::vector<long long> nodes;
+      std::vector<long long> nodes(static_cast<std::size_t>(n));
       for (int a = 0; a < n; ++a)
-        nodes.push_back(mesh.program_id(static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])));
+        nodes[static_cast<std::size_t>(a)] =
+            mesh.program_id(static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)]));
       return fmt::format("the cell with nodes {}", fmt::join(nodes, ", "));
     };
     with_element(block.type,
