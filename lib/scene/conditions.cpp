@@ -53,8 +53,8 @@ void refuse_unused(const SceneNode& conditions, const Histories& histories) {
     if (const std::string& name = node.text("History"); !name.empty()) used.push_back(name);
   for (const auto& [name, function] : histories.given()) {
     if (std::find(used.begin(), used.end(), name) != used.end()) continue;
-    const std::string hint = used.empty() ? "" : "; did you mean \"" + closest_name(name, used) + "\"?";
-    throw InputError("the program gives the history \"" + name + "\", which no condition names" + hint);
+    const std::string hint = used.empty() ? "" : fmt::format("; did you mean \"{}\"?", closest_name(name, used));
+    throw InputError(fmt::format("the program gives the history \"{}\", which no condition names{}", name, hint));
   }
 }
 
