@@ -75,7 +75,7 @@ void History::resume(const std::string& path) {
 
 std::vector<double> History::reactions() {
   if (reaction_sets_.empty()) return {};
-  const std::vector<double> sums =
+  std::vector<double> sums =
       set_reactions(simulation_.model(), simulation_.integrator().state().reaction, reaction_sets_);
   for (std::size_t k = 0; k < sums.size(); ++k) {
     forces_[k].second = sums[k];
