@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# Tests Debian packages in a fresh root: tests/packages/install.sh PACKAGES FOLDER
+# Installs the packages of the folder PACKAGES in FOLDER/system, a copy of FOLDER/bare (made with debootstrap if it does
+# not exist), runs debian/tests there, removes the packages, and looks for files that stayed. Run as root.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+packages=$(realpath "$1")
+work=$(realpath -m "$2")
+[ -d "$work/bare" ] || debootstrap --variant=minbase bookworm "$work/bare" "${IXOS_MIRROR:-http://deb.debian.org/debian}"
+rm -rf "$work/system"
+cp -a "$work/bare" "$work/system"
+mkdir "$work/system/packages"
+cp -r "$packages"/*.deb "$root/debian/tests" "$work/system/packages"
+mount -t proc proc "$work/system/proc"
+trap 'umount "$work/system/proc"' EXIT
+
+inside() {
+  chroot "$work/system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
+    DEBIAN_FRONTEND=noninteractive "$@"
+}
+install_packages() { # names of packages
+  inside sh -c "apt-get install -y -qq --no-install-recommends $(printf ' /packages/%s_*.deb' "$@")" >>"$work/apt.log" 2>&1
+}
+test_installed() {
+  echo "== $1"
+  inside sh -c "mkdir /tmp/$1 && AUTOPKGTEST_TMP=/tmp/$1 /packages/tests/$1"
+}
+
+inside apt-get update -qq
+install_packages ixos python3-ixos
+inside sh -c 'command -v ixos ixos-study ixos-plot && ls /usr/include/ixos/model.hpp'
+test_installed ball
+test_installed python
+install_packages libixos-dev ixos-doc
+test_installed programs
+inside apt-get purge -y -qq ixos python3-ixos libixos-dev ixos-doc >>"$work/apt.log" 2>&1
+left=$(inside find / -xdev \( -path /packages -o -path /tmp -o -path /proc \) -prune -o -iname '*ixos*' -print)
+[ -z "$left" ] || { echo "Left after removal: $left" >&2; exit 1; }
+echo "Installed, tested, removed; nothing stayed."
