@@ -6,7 +6,8 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 packages=$(realpath "$1")
 work=$(realpath -m "$2")
-[ -d "$work/bare" ] || debootstrap --variant=minbase bookworm "$work/bare" "${IXOS_MIRROR:-http://deb.debian.org/debian}"
+mirror=${IXOS_MIRROR:-http://deb.debian.org/debian}
+[ -d "$work/bare" ] || debootstrap --variant=minbase bookworm "$work/bare" "$mirror"
 rm -rf "$work/system"
 cp -a "$work/bare" "$work/system"
 mkdir "$work/system/packages"
@@ -19,7 +20,9 @@ inside() {
     DEBIAN_FRONTEND=noninteractive "$@"
 }
 install_packages() { # names of packages
-  inside sh -c "apt-get install -y -qq --no-install-recommends $(printf ' /packages/%s_*.deb' "$@")" >>"$work/apt.log" 2>&1
+  local files
+  files=$(printf ' /packages/%s_*.deb' "$@")
+  inside sh -c "apt-get install -y -qq --no-install-recommends $files" >>"$work/apt.log" 2>&1
 }
 test_installed() {
   echo "== $1"
