@@ -13,7 +13,8 @@ cp -a "$work/bare" "$work/system"
 mkdir "$work/system/packages"
 cp -r "$packages"/*.deb "$root/debian/tests" "$work/system/packages"
 mount -t proc proc "$work/system/proc"
-trap 'umount "$work/system/proc"' EXIT
+mount -t sysfs -o ro sysfs "$work/system/sys"
+trap 'umount "$work/system/proc" "$work/system/sys"' EXIT
 
 inside() {
   chroot "$work/system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
@@ -37,6 +38,6 @@ test_installed python
 install_packages libixos-dev ixos-doc
 test_installed programs
 inside apt-get purge -y -qq ixos python3-ixos libixos-dev ixos-doc >>"$work/apt.log" 2>&1
-left=$(inside find / -xdev \( -path /packages -o -path /tmp -o -path /proc \) -prune -o -iname '*ixos*' -print)
+left=$(inside find / -xdev \( -path /packages -o -path /tmp -o -path /proc -o -path /sys \) -prune -o -iname '*ixos*' -print)
 [ -z "$left" ] || { echo "Left after removal: $left" >&2; exit 1; }
 echo "Installed, tested, removed; nothing stayed."
