@@ -74,7 +74,7 @@ def draw_energies(axes, run, times):
     low, high = min(np.nanmin(v) for *_, v in curves), max(np.nanmax(v) for *_, v in curves)
     margin = 0.06 * (high - low or 1)
     axes.set(xlim=(times[0], times[-1]), ylim=(low - margin, high + margin), xlabel=f"time {style.unit('time', 2)}",
-             ylabel=f"energy {style.unit('energy', 2)}")
+             ylabel=f"energy {style.unit('energy', run.body_dimension)}")
     axes.legend(ncol=2, loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, handlelength=1.4)
     return curves
 

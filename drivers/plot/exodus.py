@@ -3,7 +3,7 @@ import numpy as np
 
 import result_files
 import units
-from scene_file import ResultsError, existing, find, read_scene
+from scene_file import ResultsError, existing, find, is_axisymmetric, read_scene
 
 # Pieces of a plane cell's side by contact element: fields.e has a cell for each.
 PIECES = {"Q1C2": 2, "Q1C3": 3, "Q1C4": 4, "Q1CH": 4}
@@ -22,12 +22,13 @@ class Fields:
         if not len(self._file.times):
             raise ResultsError(f"{self.path} has no frames")
         self._scales = units.scales(folder)
+        self._body_dimension = 3 if is_axisymmetric(folder) else self.dimension
         self.times = self._file.times * self._factor("time")
         self.coordinates = self._file.points * self._factor("length")
         self.wholes = self._join_pieces()
 
     def _factor(self, quantity):
-        return units.factor(self._scales, quantity, self.dimension) if quantity else 1.0
+        return units.factor(self._scales, quantity, self._body_dimension) if quantity else 1.0
 
     def _join_pieces(self):
         """The cells of the file by cell of the scene's mesh: pieces have consecutive numbers in their block."""

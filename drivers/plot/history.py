@@ -21,7 +21,8 @@ drawn at its middle. If several runs are compared, a cross marks where one diver
 def panels(runs, relative):
     """(height, label, log axis?, function that draws) of each panel that has something to show."""
     dimension = max(run.dimension for run in runs)
-    energy, force = style.unit("energy", dimension), style.unit("force", dimension)
+    body = max(run.body_dimension for run in runs)
+    energy, force = style.unit("energy", body), style.unit("force", body)
     contact = "contact_force_z" if dimension == 3 else "contact_force_y"
     over = {None: energy, "initial": "/ |initial energy|"}.get(relative, f"/ {relative} {energy.strip('[]')}")
     several = len(runs) > 1
@@ -40,7 +41,7 @@ def panels(runs, relative):
         (several and has("kinetic_energy"), 1.2, f"kinetic energy\n{energy}", False, column("kinetic_energy")),
         (has("total_energy"), 1.2, f"energy error\n{over}", True,
          lambda axes: curves.draw_errors(axes, runs, relative)),
-        (several and has("angular_momentum_z"), 0.9, f"angular mo-\nmentum z\n{style.unit('angular momentum', dimension)}", False, column("angular_momentum_z")),
+        (several and has("angular_momentum_z"), 0.9, f"angular mo-\nmentum z\n{style.unit('angular momentum', body)}", False, column("angular_momentum_z")),
         (has("min_gap"), 1.0, f"least gap\n{style.unit('length', dimension)}", True, column("min_gap")),
         (has(contact), 1.2, f"contact force {contact[-1]}\n{force}", False, column(contact)),
         (any(run.reactions() for run in runs), 1.2, f"reaction\n{force}", False,

@@ -105,7 +105,7 @@ def draw_force(axes, run):
     """The force, with the names of its events."""
     kind, times, values = pull.force(run)
     axes.plot(times, values, color=style.COLORS[0])
-    axes.set_ylabel(f"{kind.replace(' (', chr(10) + '(')}\n{style.unit('force', run.dimension)}")
+    axes.set_ylabel(f"{kind.replace(' (', chr(10) + '(')}\n{style.unit('force', run.body_dimension)}")
     if not run.has("contact_measure"):
         return
     for name in ("start of peeling", "snap-off"):
@@ -120,7 +120,7 @@ def draw_force(axes, run):
 def panels(run):
     """(height, function that draws) of the panels over time."""
     force = any(np.isfinite(values).any() for _, _, values in run.reactions())
-    energy = style.unit("energy", run.dimension)
+    energy = style.unit("energy", run.body_dimension)
 
     def draw_energies(axes):
         curves.draw_energies(axes, run)

@@ -40,10 +40,10 @@ class Curve:
             self.y_label = f"speed of {probe} {style.unit('speed', run.dimension)}"
         elif arguments.kinetic:
             self.times, self.y = run["time"], run["kinetic_energy"]
-            self.y_label = f"kinetic energy {style.unit('energy', run.dimension)}"
+            self.y_label = f"kinetic energy {style.unit('energy', run.body_dimension)}"
         else:
             kind, self.times, self.y = pull.force(run, arguments.reaction)
-            self.y_label = f"{kind} {style.unit('force', run.dimension)}"
+            self.y_label = f"{kind} {style.unit('force', run.body_dimension)}"
         self.x, self.x_label = self.times, f"time {style.unit('time', run.dimension)}"
         if arguments.against == "displacement":
             probe = run.probe("u", arguments.displacement)

@@ -6,7 +6,7 @@ import numpy as np
 
 import result_files
 import units
-from scene_file import ResultsError, existing, find, read_scene
+from scene_file import ResultsError, existing, find, is_axisymmetric, read_scene
 
 UNDAMPED = "no damping"
 
@@ -25,8 +25,9 @@ class Run:
             self._refuse("no rows")
         self.dimension = 3 if "linear_momentum_z" in self.columns else 2
         self.up = "z" if self.dimension == 3 else "y"
+        self.body_dimension = 3 if is_axisymmetric(self.folder) else self.dimension  # of the units
         self._scales = units.scales(self.folder)
-        units.convert_history(self.columns, self._scales, self.dimension)
+        units.convert_history(self.columns, self._scales, self.body_dimension)
         self.initial_energy = self["total_energy"][0]
         self._first = {name: values[0] for name, values in self.columns.items()}
         self.whole = not interval or interval[1] >= self["time"][-1]  # nothing cut off the end
@@ -49,7 +50,7 @@ class Run:
 
     def factor(self, quantity):
         """Returns the factor from numbers of the scene to those of the axes."""
-        return units.factor(self._scales, quantity, self.dimension)
+        return units.factor(self._scales, quantity, self.body_dimension)
 
     def has(self, name):
         """Whether the column holds anything."""
@@ -183,7 +184,7 @@ def common(runs):
 
 def wall_height(folder):
     """Height of the scene's flat wall by effective.xml, in the units of the axes. 0 if it is unknown, None if there is
-    no such wall."""
+    no such wall, or if it moves."""
     scene = read_scene(folder)
     if scene is None:
         return 0.0
@@ -192,6 +193,10 @@ def wall_height(folder):
         value = {entry.get("name"): entry.get("value") for entry in interaction.findall("Parameter")}
         if value.get("Obstacle", "Half-Space") != "Half-Space":
             continue
+        motion = find(interaction, "Motion")
+        moved = {entry.get("name"): entry.get("value") for entry in ([] if motion is None else motion)}
+        if moved.get("Rotation") or moved.get("Translation", "").strip("{} "):
+            return None
         try:
             normal, point = ([float(word) for word in value.get(name, "{}").strip("{} ").split(",") if word]
                              for name in ("Normal", "Point"))

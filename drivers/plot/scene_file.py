@@ -24,6 +24,13 @@ def read_scene(folder):
         raise ResultsError(f"{path}: {error}") from None
 
 
+def is_axisymmetric(folder):
+    """Whether the results are those of bodies of revolution, whose forces and energies are not per depth."""
+    scene = read_scene(folder)
+    geometry = None if scene is None else find(scene, "Mesh/Geometry")
+    return geometry is not None and geometry.get("value") == "Axisymmetric"
+
+
 def find(node, path):
     """The list or parameter at a path of names below a list ('*': the first list), or None."""
     for word in path.split("/"):

@@ -15,7 +15,9 @@ QUANTITIES = {
     "stress": (lambda d: (0, 1, 0), "Pa", "Pa"),
     "measure": (lambda d: (d - 1, 0, 0), "m²", "m"),
     "force": (lambda d: (d - 1, 1, 0), "N", "N/m"),
+    "surface energy": (lambda d: (1, 1, 0), "N/m", "N/m"),
     "energy": (lambda d: (d, 1, 0), "J", "J/m"),
+    "moment": (lambda d: (d, 1, 0), "N m", "N"),
     "momentum": (lambda d: (d - 1, 1, 1), "N s", "N s/m"),
     "angular momentum": (lambda d: (d, 1, 1), "J s", "J s/m"),
 }
@@ -24,9 +26,11 @@ POWERS = {1: "", 2: "²", 3: "³", -1: "⁻¹"}
 PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}
 
 # Columns of history.csv; other columns are numbers, or the clock's seconds.
-COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work", "energy"), (r"linear_momentum_[xyz]", "momentum"),
-           (r"angular_momentum_[xyz]", "angular momentum"), (r"contact_force_[xyz]|reaction_.*_[xyz]", "force"),
-           (r"contact_measure", "measure"), (r"min_gap", "length"), (r".*_u[xyz]", "length"), (r".*_v[xyz]", "speed")]
+COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work|dissipated_.*", "energy"),
+           (r"linear_momentum_[xyz]", "momentum"), (r"angular_momentum_[xyz]", "angular momentum"),
+           (r"contact_force_(.*_)?[xyz]|friction_force_.*_[xyz]|reaction_.*_[xyz]", "force"),
+           (r"(contact_)?moment_.*_[xyz]", "moment"), (r"contact_measure(_.*)?", "measure"), (r"min_gap(_.*)?", "length"),
+           (r".*_u[xyz]", "length"), (r".*_v[xyz]", "speed")]
 
 _shown = None  # the scales whose prefixes the axes have
 
@@ -101,7 +105,15 @@ def field_quantity(field):
     """The quantity of a field of fields.e, or None for a number."""
     if field in ("first_stress_invariant", "jacobian"):
         return None
-    return "length" if field == "gap" else "stress" if re.search("stress|energy_density|pressure", field) else None
+    if re.fullmatch("gap(_.*)?|slip_.*", field):
+        return "length"
+    if field.startswith(("normal_", "sliding_", "damage_")):  # of an interaction with any name
+        return None
+    if field.startswith("dissipated_") and field != "dissipated_energy_density":
+        return "surface energy"
+    if field.startswith(("pressure_", "traction_", "friction_")):
+        return "stress"
+    return "stress" if re.search("stress|energy_density|pressure|interaction_traction", field) else None
 
 
 def convert_history(columns, scales, dimension):

@@ -9,6 +9,11 @@ template <class T, std::size_t Rows, std::size_t Columns = Rows>
 using Small = std::array<std::array<T, Columns>, Rows>;
 
 template <class T>
+T determinant(const Small<T, 1>& m) {
+  return m[0][0];
+}
+
+template <class T>
 T determinant(const Small<T, 2>& m) {
   return m[0][0] * m[1][1] - m[0][1] * m[1][0];
 }

@@ -6,6 +6,7 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
@@ -33,6 +34,7 @@ void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Eleme
       }
       volume = std::hypot(normal[0], normal[1], normal[2]);
     }
+    if (mesh.axisymmetric) volume *= circumference(mesh.coordinates, nodes, scale, table.value[q]);
     for (std::size_t a = 0; a < N; ++a)
       measure[static_cast<std::size_t>(nodes[a])] += table.weight[q] * volume * scale[a] * table.value[q][a];
   }

@@ -1,6 +1,8 @@
 #include "discretization/point_data.hpp"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -9,16 +11,34 @@ namespace {
 
 constexpr auto width = static_cast<std::size_t>(pack_width);
 
+constexpr double sides_of_a_cell = 6, cells_of_a_block = 4294967296.0;
+
+std::vector<double> numbers_of(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
+  std::vector<double> numbers;
+  for (const LocalSide& side : sides) {
+    const int cell =
+        mesh.blocks[static_cast<std::size_t>(side.block)].original_cells[static_cast<std::size_t>(side.cell)];
+    numbers.push_back((side.block * cells_of_a_block + cell) * sides_of_a_cell + side.side);
+  }
+  return numbers;
+}
+
 }  // namespace
 
-PointData::PointData(const LocalBlock& block, std::size_t points, std::size_t numbers)
-    : cells_(block.original_cells),
-      global_cells_(block.global_cells),
+PointData::PointData(std::vector<double> cells, std::size_t points, std::size_t numbers)
+    : cells_(std::move(cells)),
       points_(points),
       numbers_(numbers),
       data_((cells_.size() + width - 1) / width * points * numbers, Pack(0.0)) {}
 
-void PointData::clear() { std::fill(data_.begin(), data_.end(), Pack(0.0)); }
+PointData::PointData(const LocalBlock& block, std::size_t points, std::size_t numbers)
+    : PointData(std::vector<double>(block.original_cells.begin(), block.original_cells.end()), points, numbers) {}
+
+PointData::PointData(const LocalMesh& mesh, const std::vector<LocalSide>& sides, std::size_t points,
+                     std::size_t numbers)
+    : PointData(numbers_of(mesh, sides), points, numbers) {}
+
+void PointData::fill(double value) { std::fill(data_.begin(), data_.end(), Pack(value)); }
 
 std::vector<double> PointData::cell_by_cell() const {
   const std::size_t size = points_ * numbers_;
@@ -36,7 +56,7 @@ void PointData::set_cell(std::size_t cell, const double* values) {
 
 void PointData::transfer(Record& record) {
   const std::size_t size = points_ * numbers_;
-  std::vector<double> values, cells(cells_.begin(), cells_.end());
+  std::vector<double> values, cells = cells_;
   if (!record.loading()) {
     values = cell_by_cell();
     record.share("cells", cells);
@@ -44,28 +64,21 @@ void PointData::transfer(Record& record) {
     return;
   }
   if (record.same_partition()) {
-    const std::vector<double> mine = cells;
     record.share("cells", cells);
     record.share("values", values);
-    if (cells != mine || values.size() != cells.size() * size)
+    if (cells != cells_ || values.size() != cells.size() * size)
       throw InputError("the values at quadrature points do not fit their cells");
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) set_cell(cell, &values[cell * size]);
     return;
   }
   record.all_shares("cells", cells);
   record.all_shares("values", values);
-  // All ranks see the same numbers, and throw together.
-  std::vector<std::size_t> places(static_cast<std::size_t>(global_cells_), cells.size());
-  bool fits = values.size() == cells.size() * size;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const bool known = cells[i] >= 0 && cells[i] < global_cells_;
-    fits = fits && known;
-    if (known) places[static_cast<std::size_t>(cells[i])] = i;
-  }
-  fits = fits && std::all_of(places.begin(), places.end(), [&](std::size_t place) { return place < cells.size(); });
-  if (!fits) throw InputError("the values at quadrature points do not fit the cells of their block");
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell)
-    set_cell(cell, &values[places[static_cast<std::size_t>(cells_[cell])] * size]);
+  std::unordered_map<double, std::size_t> places;
+  for (std::size_t i = 0; i < cells.size(); ++i) places[cells[i]] = i;
+  const auto is_missing = [&](double cell) { return places.count(cell) == 0; };
+  if (values.size() != cells.size() * size || std::any_of(cells_.begin(), cells_.end(), is_missing))
+    throw InputError("the values at quadrature points do not fit the cells of the mesh");
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) set_cell(cell, &values[places[cells_[cell]] * size]);
 }
 
 }  // namespace ixos

@@ -44,13 +44,8 @@ struct ElasticAction {
     bool has_mass = false;
   };
 
-  /// Scratch arrays for as many points as the table has.
   template <class T>
-  struct Scratch {
-    explicit Scratch(std::size_t points) : gradients(points), values(points) {}
-    std::vector<Small<T, D>> gradients;
-    std::vector<std::array<T, D>> values;
-  };
+  using Scratch = PointScratch<D, T>;
 
   /// Fills `data` for the rule's tangent at the segment, plus `rest` times the tangent of the undeformed body, plus
   /// `inertia` (a factor times the density) times the mass of unit density.

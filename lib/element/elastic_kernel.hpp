@@ -8,6 +8,7 @@
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "element/cell_means.hpp"
+#include "element/displacement_gradient.hpp"
 #include "element/node_pairs.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
@@ -17,6 +18,8 @@ namespace ixos {
 /// Isoparametric displacement element with a hyperelastic material. T is double, Pack, or an AD type. Nodal arrays are
 /// [node][component]; the tangent is [node D + component][node D + component].
 ///
+/// A Revolved element is a ring, its material a RevolvedLaw. Forces and energies are those of the whole ring.
+///
 /// On every path that a rule knows, the displacement gradient at a time point is a fixed combination of those of the
 /// segment's ends, so time points are looped inside the quadrature point: one gather, one B^T A B and one scatter serve
 /// any number of them.
@@ -24,6 +27,10 @@ template <class Element, class Material>
 struct ElasticKernel {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
+  /// Displacement gradients are G x G, of which moduli connect C components.
+  static constexpr std::size_t G = GradientTraits<Element>::G;
+  static constexpr std::size_t C = GradientTraits<Element>::C;
+  static constexpr bool revolved = IsRevolved<Element>::value;
   using Shape = Element;
   using Law = Material;
   using Table = ShapeTable<Element>;
@@ -36,13 +43,12 @@ struct ElasticKernel {
   using Nodal = Small<T, N, D>;
   template <class T>
   using Tangent = Small<T, N * D>;
-
-  /// Data at one quadrature point: dxi_d/dX_J, and quadrature weight times reference volume [L0^D].
+  /// The shape functions' contribution to a displacement gradient at a point, by node.
   template <class T>
-  struct Point {
-    Small<T, D> inverse_jacobian;
-    T weight;
-  };
+  using Gradients = typename GradientTraits<Element>::template Gradients<T, N>;
+
+  template <class T>
+  using Point = typename GradientTraits<Element>::template Point<T>;
   /// The element's points; the table must outlive it.
   template <class T>
   struct Geometry {
@@ -67,6 +73,11 @@ struct ElasticKernel {
       const T det = determinant(jacobian);
       result.points[q].inverse_jacobian = inverse(jacobian, det);
       result.points[q].weight = det * table.weight[q];
+      if constexpr (revolved) {
+        const T around = circumference(x, table.value[q]);
+        result.points[q].weight *= around;
+        result.points[q].inverse_radius = circumference(1.0) / around;
+      }
     }
     return result;
   }
@@ -93,7 +104,7 @@ struct ElasticKernel {
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
     return add_force_with(material, geometry, segment, rule, f,
-                          [&](std::size_t, const Small<T, D>& h, Small<T, D>& p) { return material.stress(h, p); });
+                          [&](std::size_t, const Small<T, G>& h, Small<T, G>& p) { return material.stress(h, p); });
   }
 
   /// Does the same, and keeps what the tangent at that place needs: kept[point x rule.points.size() + time point]. Only
@@ -103,7 +114,7 @@ struct ElasticKernel {
                      Nodal<T>& f, Kept* kept) {
     return add_force_with(
         material, geometry, segment, rule, f,
-        [&](std::size_t k, const Small<T, D>& h, Small<T, D>& p) { return material.stress(h, p, kept[k]); });
+        [&](std::size_t k, const Small<T, G>& h, Small<T, G>& p) { return material.stress(h, p, kept[k]); });
   }
 
   /// Adds the rule's tangent dF/du_s to k.
@@ -119,20 +130,20 @@ struct ElasticKernel {
                                      return material.spatial_tangent(Ends<T>(segment, dn).at(rule.points[0]), inverse);
                                    });
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Gradients<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
-      Small<T, D * D> mean{};
+      Small<T, C> mean{};
       for (const RulePoint& point : rule.points) {
-        Small<T, D> p;
-        Small<T, D * D> moduli;
+        Small<T, G> p;
+        Small<T, C> moduli;
         material.stress_and_moduli(ends.at(point), p, moduli);
         const double weight = point.weight * point.to;
-        for (std::size_t r = 0; r < D * D; ++r)
-          for (std::size_t c = 0; c < D * D; ++c) mean[r][c] += weight * moduli[r][c];
+        for (std::size_t r = 0; r < C; ++r)
+          for (std::size_t c = 0; c < C; ++c) mean[r][c] += weight * moduli[r][c];
       }
       if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient_moduli(ends.from, ends.to, mean);
-      for (std::size_t r = 0; r < D * D; ++r)
-        for (std::size_t c = 0; c < D * D; ++c) mean[r][c] *= geometry.points[q].weight;
+      for (std::size_t r = 0; r < C; ++r)
+        for (std::size_t c = 0; c < C; ++c) mean[r][c] *= geometry.points[q].weight;
       if (rule.is_gradient())
         add_contraction<true>(dn, dn, mean, k);
       else
@@ -153,11 +164,11 @@ struct ElasticKernel {
                                      return material.spatial_tangent(kept[q]);
                                    });
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      Small<T, D * D> mean{};
+      Small<T, C> mean{};
       for (std::size_t i = 0; i < rule.points.size(); ++i)
         material.add_moduli(kept[q * rule.points.size() + i],
                             T(geometry.points[q].weight * (rule.points[i].weight * rule.points[i].to)), mean);
-      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Gradients<T> dn = shape_gradients(geometry, q);
       add_contraction<true>(dn, dn, mean, k);
     }
   }
@@ -165,17 +176,17 @@ struct ElasticKernel {
   /// Displacement gradients at the ends of the segment.
   template <class T>
   struct Ends {
-    Ends(const Segment<T>& segment, const Nodal<T>& dn) : to(gradient(*segment.to, dn)) {
+    Ends(const Segment<T>& segment, const Gradients<T>& dn) : to(gradient(*segment.to, dn)) {
       has_from = segment.from != nullptr;
       has_velocity = segment.velocity != nullptr;
       if (has_from) from = gradient(*segment.from, dn);
       if (has_velocity) velocity = gradient(*segment.velocity, dn);
     }
 
-    Small<T, D> at(const RulePoint& point) const {
-      Small<T, D> h;
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) {
+    Small<T, G> at(const RulePoint& point) const {
+      Small<T, G> h;
+      for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t j = 0; j < G; ++j) {
           h[i][j] = point.to * to[i][j];
           if (has_from) h[i][j] += point.from * from[i][j];
           if (has_velocity) h[i][j] += point.velocity * velocity[i][j];
@@ -185,35 +196,45 @@ struct ElasticKernel {
 
     /// Returns J at the end of the segment.
     T jacobian() const {
-      Small<T, D> f = to;
-      for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+      Small<T, G> f = to;
+      for (std::size_t i = 0; i < G; ++i) f[i][i] += 1.0;
       return determinant(f);
     }
 
-    Small<T, D> to, from, velocity;
+    Small<T, G> to, from, velocity;
     bool has_from, has_velocity;
   };
 
-  /// Returns dN_a/dX_J at point q.
+  /// Returns dN_a/dX_J at point q, and N_a/R of a ring.
   template <class T>
-  static Nodal<T> shape_gradients(const Geometry<T>& geometry, std::size_t q) {
+  static Gradients<T> shape_gradients(const Geometry<T>& geometry, std::size_t q) {
     const auto& reference = geometry.table->gradient[q];
     const Point<T>& point = geometry.points[q];
     Nodal<T> dn{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t j = 0; j < D; ++j)
         for (std::size_t d = 0; d < D; ++d) dn[a][j] += reference[a][d] * point.inverse_jacobian[d][j];
-    return dn;
+    if constexpr (revolved) {
+      Gradients<T> result{dn, {}};
+      for (std::size_t a = 0; a < N; ++a) result.hoop[a] = geometry.table->value[q][a] * point.inverse_radius;
+      return result;
+    } else {
+      return dn;
+    }
   }
 
   /// Returns H_iJ = sum_a u_ai dN_a/dX_J; given reference gradients dN_a/dxi_d, the derivative by xi.
   template <class T, class S>
-  static Small<T, D> gradient(const Nodal<T>& u, const Nodal<S>& dn) {
+  static Small<T, D> gradient(const Nodal<T>& u, const Small<S, N, D>& dn) {
     Small<T, D> h{};
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) h[i][j] += u[a][i] * dn[a][j];
     return h;
+  }
+  template <class T>
+  static Small<T, 3> gradient(const Nodal<T>& u, const RevolvedGradients<T, N>& dn) {
+    return displacement_gradient(u, dn);
   }
 
  protected:
@@ -233,23 +254,21 @@ struct ElasticKernel {
                                                  const Stress& stress) {
     T least_jacobian(1e300);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      const Nodal<T> dn = shape_gradients(geometry, q);
+      const Gradients<T> dn = shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
-      Small<T, D> mean{};
+      Small<T, G> mean{};
       for (std::size_t k = 0; k < rule.points.size(); ++k) {
         const RulePoint& point = rule.points[k];
-        Small<T, D> p;
+        Small<T, G> p;
         least_jacobian = smaller(least_jacobian, stress(q * rule.points.size() + k, ends.at(point), p));
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) mean[i][j] += point.weight * p[i][j];
+        for (std::size_t i = 0; i < G; ++i)
+          for (std::size_t j = 0; j < G; ++j) mean[i][j] += point.weight * p[i][j];
       }
       if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
-      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, ends.jacobian());
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) mean[i][j] *= geometry.points[q].weight;
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) f[a][i] += mean[i][j] * dn[a][j];
+      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, admissibility(material, ends.to));
+      for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t j = 0; j < G; ++j) mean[i][j] *= geometry.points[q].weight;
+      add_nodal_forces(mean, dn, f);
     }
     return least_jacobian;
   }

@@ -14,6 +14,8 @@ namespace ixos {
 /// the pressure of laws like ours, a function of det F~ alone, is constant in the element. (The three-dimensional split
 /// with the exponent 1/3 does as much, but leaves F~_33 /= 1 and so the material's plane strain.)
 ///
+/// A ring has all three stretches: the exponent is 1/3.
+///
 /// For a linear law it is the limit of small strains, H~ = H + (mean(tr H) - tr H)/D I (Hughes 1980), exactly linear.
 ///
 /// In a homogeneous state the element equals that of ElasticKernel. Jm couples the quadrature points, so time points
@@ -23,6 +25,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   using Base = ElasticKernel<Element, Material>;
   static constexpr std::size_t D = Base::D;
   static constexpr std::size_t N = Base::N;
+  static constexpr std::size_t G = Base::G;
   static constexpr bool has_discrete_gradient = false;
   static constexpr bool keeps_points = false;
 
@@ -34,6 +37,8 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   using Geometry = typename Base::template Geometry<T>;
   template <class T>
   using Segment = typename Base::template Segment<T>;
+  template <class T>
+  using Gradients = typename Base::template Gradients<T>;
 
   /// Returns the stored energy [E0 L0^D].
   template <class T>
@@ -60,25 +65,27 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
                      Nodal<T>& f) {
     T least_jacobian(1e300);
     std::vector<Mean<T>> means = dilatations(geometry, segment, rule, least_jacobian);
+    if constexpr (Material::has_limit)
+      if (material.is_limited() && !rule.has_end())
+        least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const T& w = geometry.points[q].weight;
-      const Nodal<T> dn = Base::shape_gradients(geometry, q);
+      const Gradients<T> dn = Base::shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
-      Small<T, D> local{};
+      Small<T, G> local{};
       for (std::size_t k = 0; k < means.size(); ++k) {
         const State<T> s(ends.at(rule.points[k]), means[k].dilatation);
-        Small<T, D> p;
-        material.stress(s.scaled, p);
-        const T pressure = s.product(p) * (1.0 / D);
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j)
+        Small<T, G> p;
+        const T jacobian = material.stress(s.scaled, p);
+        if constexpr (Material::has_limit) least_jacobian = smaller(least_jacobian, jacobian);
+        const T pressure = s.product(p) * (1.0 / G);
+        for (std::size_t i = 0; i < G; ++i)
+          for (std::size_t j = 0; j < G; ++j)
             local[i][j] += rule.points[k].weight * (s.scale * p[i][j] - pressure * s.inverse[j][i]);
         means[k].pressure += w * pressure;
         s.add_volume_gradient(dn, w, means[k].gradient);
       }
-      for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) f[a][i] += w * local[i][j] * dn[a][j];
+      add_nodal_forces(w, local, dn, f);
     }
     const T reference = Base::volume(geometry);
     for (std::size_t k = 0; k < means.size(); ++k) {
@@ -101,20 +108,18 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     const T reference = Base::volume(geometry);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const T& w = geometry.points[q].weight;
-      const Nodal<T> dn = Base::shape_gradients(geometry, q);
+      const Gradients<T> dn = Base::shape_gradients(geometry, q);
       const Ends<T> ends(segment, dn);
-      Small<T, D * D> sum{};
+      Small<T, G * G> sum{};
       for (std::size_t point = 0; point < means.size(); ++point) {
         Mean<T>& mean = means[point];
         const State<T> s(ends.at(rule.points[point]), mean.dilatation);
         const T sigma = mean.pressure / mean.volume(reference) * s.jacobian;
         const Moduli<T> moduli(material, s, sigma);
         const double factor = rule.points[point].weight * rule.points[point].to;
-        for (std::size_t r = 0; r < D * D; ++r)
-          for (std::size_t c = 0; c < D * D; ++c) sum[r][c] += factor * moduli.local[r][c];
-        for (std::size_t a = 0; a < N; ++a)
-          for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t j = 0; j < D; ++j) mean.coupling[a][i] += w * moduli.coupling[i][j] * dn[a][j];
+        for (std::size_t r = 0; r < G * G; ++r)
+          for (std::size_t c = 0; c < G * G; ++c) sum[r][c] += factor * moduli.local[r][c];
+        add_nodal_forces(w, moduli.coupling, dn, mean.coupling);
         mean.second += w * moduli.second;
         s.add_volume_gradient(dn, w, mean.gradient);
       }
@@ -127,7 +132,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   }
 
  private:
-  using AtPoint = MeanDilatationPoint<Material, D>;
+  using AtPoint = MeanDilatationPoint<Material, G>;
   static constexpr bool finite = AtPoint::finite;
   template <class T>
   using State = typename AtPoint::template State<T>;
@@ -171,7 +176,7 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
   };
 
   template <class T>
-  static Small<T, D> gradient_at(const Geometry<T>& geometry, std::size_t q, const Nodal<T>& u) {
+  static Small<T, G> gradient_at(const Geometry<T>& geometry, std::size_t q, const Nodal<T>& u) {
     return Base::gradient(u, Base::shape_gradients(geometry, q));
   }
 
@@ -182,6 +187,17 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
     for (std::size_t q = 0; q < geometry.points.size(); ++q)
       sum += geometry.points[q].weight * AtPoint::dilatation(gradient_at(geometry, q, u));
     return sum / Base::volume(geometry);
+  }
+
+  /// Returns the least admissibility of F~ at the end of the segment.
+  template <class T>
+  static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
+    const T mean = mean_dilatation(geometry, *segment.to);
+    T least_admissibility(1e300);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q)
+      least_admissibility = smaller(
+          least_admissibility, material.admissibility(State<T>(gradient_at(geometry, q, *segment.to), mean).scaled));
+    return least_admissibility;
   }
 
   /// Returns one Mean for each time point, with Jm - 1; lowers `least_jacobian` to the least J.
@@ -211,9 +227,9 @@ struct MeanDilatationKernel : ElasticKernel<Element, Material> {
       const Ends<T> ends(segment, Base::shape_gradients(geometry, q));
       for (std::size_t k = 0; k < means.size(); ++k) {
         const State<T> s(ends.at(rule.points[k]), means[k].dilatation);
-        Small<T, D> p;
+        Small<T, G> p;
         material.stress(s.scaled, p);
-        means[k].pressure += geometry.points[q].weight * s.product(p) * (1.0 / D);
+        means[k].pressure += geometry.points[q].weight * s.product(p) * (1.0 / G);
       }
     }
   }

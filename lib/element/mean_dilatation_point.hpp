@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/small_matrix.hpp"
+#include "element/displacement_gradient.hpp"
 
 namespace ixos {
 
@@ -68,6 +69,14 @@ struct MeanDilatationPoint {
           for (std::size_t j = 1; j < D; ++j) sum += dn[a][j] * inverse[j][i];
           result[a][i] += factor * sum;
         }
+    }
+    template <std::size_t N>
+    void add_volume_gradient(const RevolvedGradients<T, N>& dn, const T& w, Small<T, N, 2>& result) const {
+      const T factor = w * jacobian;
+      Small<T, D> cofactor;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) cofactor[i][j] = factor * inverse[j][i];
+      add_nodal_forces(cofactor, dn, result);
     }
 
     Small<T, D> scaled;   ///< H~ = F~ - I

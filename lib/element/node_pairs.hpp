@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "base/small_matrix.hpp"
+#include "element/displacement_gradient.hpp"
 #include "material/spatial_tangent.hpp"
 
 namespace ixos {
@@ -29,6 +30,40 @@ template <bool symmetric, class T, std::size_t L, std::size_t R, std::size_t D>
           if (symmetric && a != b) k[b * D + c][a * D + i] += sum;
         }
   }
+}
+
+/// Does the same in a body of revolution, where node a also has the hoop strain u_ar N_a/R. The moduli connect the
+/// meridian components.
+template <bool symmetric, class T, std::size_t L, std::size_t R>
+[[gnu::always_inline]] inline void add_contraction(const RevolvedGradients<T, L>& left,
+                                                   const RevolvedGradients<T, R>& right,
+                                                   const Small<T, meridian_size>& moduli, Small<T, L * 2, R * 2>& k) {
+  static_assert(!symmetric || L == R, "the same on both sides");
+  constexpr std::size_t hoop = meridian_size - 1;
+  for (std::size_t b = 0; b < R; ++b) {
+    Small<T, meridian_size, 2> product;  // the stress due to a displacement of node b
+    for (std::size_t r = 0; r < meridian_size; ++r) {
+      for (std::size_t c = 0; c < 2; ++c)
+        product[r][c] = moduli[r][2 * c] * right.plane[b][0] + moduli[r][2 * c + 1] * right.plane[b][1];
+      product[r][0] += moduli[r][hoop] * right.hoop[b];
+    }
+    for (std::size_t a = 0; a < (symmetric ? b + 1 : L); ++a)
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t c = 0; c < 2; ++c) {
+          T sum = left.plane[a][0] * product[2 * i][c] + left.plane[a][1] * product[2 * i + 1][c];
+          if (i == 0) sum += left.hoop[a] * product[hoop][c];
+          k[a * 2 + i][b * 2 + c] += sum;
+          if (symmetric && a != b) k[b * 2 + c][a * 2 + i] += sum;
+        }
+  }
+}
+template <bool symmetric, class T, std::size_t L, std::size_t R>
+[[gnu::always_inline]] inline void add_contraction(const RevolvedGradients<T, L>& left,
+                                                   const RevolvedGradients<T, R>& right, const Small<T, 9>& moduli,
+                                                   Small<T, L * 2, R * 2>& k) {
+  Small<T, meridian_size> in_meridian;
+  copy_meridian(moduli, in_meridian);
+  add_contraction<symmetric>(left, right, in_meridian, k);
 }
 
 /// The tangent at one quadrature and time point: shape gradients in the reference and in the deformed body, and the

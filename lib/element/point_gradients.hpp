@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "base/small_matrix.hpp"
 #include "fem/reference_elements.hpp"
@@ -41,6 +42,14 @@ struct TabulatedGradients {
           if constexpr (WithValues) f[a][i] += values[q][i] * table.value[q][a];
         }
   }
+};
+
+/// Scratch arrays of gradients and values, for as many points as a table has.
+template <std::size_t D, class T>
+struct PointScratch {
+  explicit PointScratch(std::size_t points) : gradients(points), values(points) {}
+  std::vector<Small<T, D>> gradients;
+  std::vector<std::array<T, D>> values;
 };
 
 /// TabulatedGradients, or a faster specialisation if the element has one.

@@ -1,7 +1,9 @@
 #include "fem/rule.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "fem/quadrature.hpp"
 
@@ -11,15 +13,43 @@ bool Rule::uses_velocity() const {
   return std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.velocity != 0; });
 }
 
+bool Rule::has_end() const {
+  return std::any_of(points.begin(), points.end(),
+                     [](const RulePoint& point) { return point.to == 1 && point.from == 0 && point.velocity == 0; });
+}
+
 double Rule::end_weight() const {
   double sum = 0;
   for (const RulePoint& point : points) sum += point.weight * point.to;
   return sum;
 }
 
+double Rule::mean_time() const {
+  if (mean != Mean::Points) return 0.5;
+  double sum = 0, weights = 0;
+  for (const RulePoint& point : points) {
+    sum += point.weight * point.time;
+    weights += point.weight;
+  }
+  return weights != 0 ? sum / weights : 1;
+}
+
 bool Rule::uses_start() const {
   return mean != Mean::Points ||
          std::any_of(points.begin(), points.end(), [](const RulePoint& point) { return point.from != 0; });
+}
+
+bool Rule::is_path_mean() const {
+  if (mean != Mean::Points) return true;
+  if (points.size() < 2 || kept_weight != 0) return false;
+  double sums[3] = {-1, -1.0 / 2, -1.0 / 3};
+  for (const RulePoint& point : points) {
+    if (point.velocity != 0 || std::abs(point.from + point.to - 1) > 1e-14) return false;
+    sums[0] += point.weight;
+    sums[1] += point.weight * point.to;
+    sums[2] += point.weight * point.to * point.to;
+  }
+  return std::all_of(std::begin(sums), std::end(sums), [](double sum) { return std::abs(sum) < 1e-12; });
 }
 
 double Rule::total_weight() const {
@@ -28,7 +58,7 @@ double Rule::total_weight() const {
   return sum;
 }
 
-Rule end_rule() { return {{{1.0, 0.0, 0.0, 1.0}}, 0.0}; }
+Rule end_rule(double weight) { return {{{weight, 0.0, 0.0, 1.0}}, 0.0}; }
 
 Rule exact_rule() { return {{}, 0.0, Mean::Exact}; }
 

@@ -37,16 +37,23 @@ struct Rule {
   bool uses_start() const;
   /// Returns whether some point uses the velocity of the known state.
   bool uses_velocity() const;
+  /// Returns whether the end of the segment is one of the points.
+  bool has_end() const;
   /// Returns whether the force is a gradient in u_s, and hence its tangent symmetric.
   bool is_gradient() const { return mean != Mean::DiscreteGradient; }
+  /// Returns whether the force is a mean over the straight path, by at least two points that are exact for quadratic
+  /// functions, or in closed form.
+  bool is_path_mean() const;
   /// Returns the sum of all weights: 1 for a consistent rule.
   double total_weight() const;
   /// Returns the derivative of the points' mean displacement by u_s: the share of the stiffness in the tangent.
   double end_weight() const;
+  /// Returns the mean time of the points, a share of the segment's; 1/2 for a mean over the path, 1 without points.
+  double mean_time() const;
 };
 
-/// Returns the rule for the force at the end of the segment.
-Rule end_rule();
+/// Returns the rule for the force at the end of the segment, times `weight`.
+Rule end_rule(double weight = 1);
 
 /// Returns the rule with points xi in [0, 1] and these weights.
 Rule point_rule(const std::vector<double>& xi, const std::vector<double>& weights, Path path = Path::Linear);

@@ -15,14 +15,12 @@ struct TypeTag {
   using type = T;
 };
 
-/// Calls function(TypeTag<Element>) for the element of that cell type.
+/// Calls function(TypeTag<Element>) for the element of that type of quadrilateral.
 template <class Function>
-decltype(auto) with_element(CellType type, const Function& function) {
+decltype(auto) with_plane_element(CellType type, const Function& function) {
   switch (type) {
     case CellType::Quad4:
       return function(TypeTag<Quad4>{});
-    case CellType::Hex8:
-      return function(TypeTag<Hex8>{});
     case CellType::Quad4C2:
       return function(TypeTag<Quad4C2>{});
     case CellType::Quad4C3:
@@ -31,6 +29,17 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Quad4C4>{});
     case CellType::Quad4CH:
       return function(TypeTag<Quad4CH>{});
+    default:
+      throw std::logic_error("not a quadrilateral");
+  }
+}
+
+/// Calls function(TypeTag<Element>) for the element of that cell type.
+template <class Function>
+decltype(auto) with_element(CellType type, const Function& function) {
+  switch (type) {
+    case CellType::Hex8:
+      return function(TypeTag<Hex8>{});
     case CellType::Hex8C2:
       return function(TypeTag<Hex8C2>{});
     case CellType::Hex8C3:
@@ -39,8 +48,9 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Hex8C4>{});
     case CellType::Hex8CH:
       return function(TypeTag<Hex8CH>{});
+    default:
+      return with_plane_element(type, function);
   }
-  throw std::logic_error("unknown cell type");
 }
 
 /// Calls function(TypeTag<Element>) for the element of a side of that cell type. The sides of an enriched hexahedron

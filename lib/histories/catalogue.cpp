@@ -17,7 +17,7 @@ const Catalogue<HistoryEntry>& histories() {
 }
 
 std::string history_value(const std::string& what) {
-  return what + " [L0 for a motion, - for a load]. A load is its Vector times this number.";
+  return what + " [L0 for a motion, - for a load, rad for an angle]. A load is its Vector times this number.";
 }
 
 }  // namespace ixos

@@ -103,7 +103,8 @@ HistoryEntry ramp_history() {
 HistoryEntry rate_ramp_history() {
   Options<RateParameters> options;
   options
-      .require("Rate", &RateParameters::height, "Rate reached at Start + Length [L0/T0 for a motion, 1/T0 for a load].",
+      .require("Rate", &RateParameters::height,
+               "Rate reached at Start + Length [L0/T0 for a motion, 1/T0 for a load, rad/T0 for an angle].",
                any_number())
       .add("Start", &RateParameters::start, "Time at which the ramp of the rate starts [T0].", any_number())
       .require("Length", &RateParameters::length,

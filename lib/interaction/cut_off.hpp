@@ -1,7 +1,6 @@
 /// A law of the gap that ends at a range.
 #pragma once
 #include <cmath>
-#include <stdexcept>
 
 #include "base/pack.hpp"
 #include "interaction/gap_domain.hpp"
@@ -52,11 +51,24 @@ class CutOff {
     const T inside = select(r1 < range_, T(part.share * law_.mean_stiffness(part.from, part.to)), T(0.0));
     return inside - growth * (law_.mean_traction(part.from, part.to) - traction_);
   }
-  /// Throws std::logic_error: a cut-off law has no mean potential in closed form. A scheme whose residual is the
-  /// gradient of one cannot have both an exact mean and a range.
+  /// Returns the potential of the mean in closed form, from that of the law: with E the energy that ends at the range,
+  /// it is the integral of (E(r) - E(r0))/(r - r0) from r0 to r1. The law must be defined beyond the range.
   template <class T>
-  T mean_potential(const T& /*r0*/, const T& /*r1*/) const {
-    throw std::logic_error("an interaction with a cutoff has no potential of its exact mean");
+  T mean_potential(const T& r0, const T& r1) const {
+    using std::log;
+    const auto starts_in = r0 < range_, ends_in = r1 < range_;
+    // Across the range the energy has two forms: the second one gives ln((r1 - r0)/(rc - r0)).
+    const T ratio = (r1 - r0) / select(r0 == range_, T(1.0), T(range_ - r0));
+    const T across =
+        select(r0 == range_, T(1.0), select(starts_in, select(ends_in, T(1.0), ratio), select(ends_in, ratio, T(1.0))));
+    const T logarithm = log(across);
+    const T end = select(ends_in, r1, T(range_));
+    const T outward = law_.mean_potential(r0, end) + traction_ * (end - r0) - energy(r0) * logarithm;
+    if (everywhere(starts_in)) return outward;
+    const T beyond = law_.energy(r0) - energy_ + traction_ * (r0 - range_);  // E as if it did not end
+    const T inward = law_.mean_potential(r0, r1) - law_.mean_potential(r0, T(range_)) + traction_ * (r1 - range_) +
+                     beyond * logarithm;
+    return select(starts_in, outward, select(ends_in, inward, T(0.0)));
   }
 
   template <class T>
@@ -64,6 +76,7 @@ class CutOff {
     return select(r < range_, law_.magnitude(r), T(0.0));
   }
 
+  bool repels() const { return law_.repels(); }
   /// Returns the law's own gap. The shift moves the root of the traction farther out, by about |T(rc)/T'|.
   double equilibrium_gap() const { return law_.equilibrium_gap(); }
   double adhesion_gap() const { return law_.adhesion_gap(); }

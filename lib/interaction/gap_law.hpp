@@ -1,13 +1,16 @@
 /// Laws of the gap behind one interface.
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <type_traits>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/pack.hpp"
 #include "interaction/cut_off.hpp"
 #include "interaction/gap_domain.hpp"
+#include "interaction/law_history.hpp"
 
 namespace ixos {
 
@@ -25,19 +28,26 @@ class GapLaw {
   virtual Pack mean_traction(const Pack& r0, const Pack& r1) const = 0;
   virtual Pack mean_stiffness(const Pack& r0, const Pack& r1) const = 0;
   virtual Pack mean_potential(const Pack& r0, const Pack& r1) const = 0;
-  /// Returns whether the potential has a closed form: a law with a cutoff has none, see CutOff.
-  virtual bool has_mean_potential() const = 0;
   /// Scale of the rounding error of the traction [E0].
   virtual Pack magnitude(const Pack& r) const = 0;
 
   virtual GapDomain domain() const = 0;
+  /// Returns whether it pushes the surface away at some gap. A law that only attracts needs another one beside it.
+  virtual bool repels() const = 0;
   /// Returns the gap at which repulsion turns into attraction, T = 0 [L0]. It is also the scale of small gaps: Newton
   /// steps keep r >= kappa min(r, this), and gap ratios count below ten times this. A law that only repels or only
-  /// attracts returns the gap below which its traction changes by a multiple while the gap halves. Positive.
+  /// attracts returns the gap below which its traction changes by a multiple while the gap halves, or another scale of
+  /// small gaps if it is defined at every gap. Positive.
   virtual double equilibrium_gap() const = 0;
-  virtual double adhesion_gap() const = 0;  ///< largest attraction; contact_measure counts gaps below
-  virtual double range() const = 0;         ///< gap beyond which nothing acts; infinity if there is none
-  /// Returns this law with a range, see CutOff. range > 0.
+  /// Returns the gap of largest attraction [L0], of a law that only repels the gap at which it begins. contact_measure
+  /// counts gaps below.
+  virtual double adhesion_gap() const = 0;
+  virtual double range() const = 0;  ///< gap beyond which nothing acts; infinity if there is none
+  /// Returns whether the law has a history, see HasHistory. The functions above are then those of a point without a
+  /// past, and only surface terms follow the history.
+  virtual bool has_history() const = 0;
+  /// Returns this law with a range, see CutOff; if it ends before that range, this law as it is. range > 0. Throws
+  /// InputError if the law has a history and ends beyond.
   virtual std::shared_ptr<const GapLaw> cut_off(double range) const = 0;
 };
 
@@ -59,20 +69,26 @@ class GapLawOf final : public GapLaw {
   Pack mean_traction(const Pack& r0, const Pack& r1) const override { return law_.mean_traction(r0, r1); }
   Pack mean_stiffness(const Pack& r0, const Pack& r1) const override { return law_.mean_stiffness(r0, r1); }
   Pack mean_potential(const Pack& r0, const Pack& r1) const override { return law_.mean_potential(r0, r1); }
-  bool has_mean_potential() const override { return !IsCutOff<Law>::value; }
   Pack magnitude(const Pack& r) const override { return law_.magnitude(r); }
   GapDomain domain() const override { return Law::domain; }
+  bool repels() const override { return law_.repels(); }
   double equilibrium_gap() const override { return law_.equilibrium_gap(); }
   double adhesion_gap() const override { return law_.adhesion_gap(); }
   double range() const override {
     if constexpr (Law::has_range) return law_.range();
     return std::numeric_limits<double>::infinity();
   }
+  bool has_history() const override { return HasHistory<Law>::value; }
   std::shared_ptr<const GapLaw> cut_off(double range) const override {
-    if constexpr (IsCutOff<Law>::value)
+    if constexpr (IsCutOff<Law>::value) {
       return std::make_shared<GapLawOf>(Law(law_.uncut(), range));
-    else
-      return std::make_shared<GapLawOf<CutOff<Law>>>(CutOff<Law>(law_, range));
+    } else {
+      if (range >= this->range()) return std::make_shared<GapLawOf>(law_);
+      if constexpr (HasHistory<Law>::value)
+        throw InputError("a law with a history cannot be cut off before it ends");
+      else
+        return std::make_shared<GapLawOf<CutOff<Law>>>(CutOff<Law>(law_, range));
+    }
   }
 
  private:
@@ -82,6 +98,14 @@ class GapLawOf final : public GapLaw {
 template <class Law>
 std::shared_ptr<const GapLaw> gap_law(Law law) {
   return std::make_shared<GapLawOf<Law>>(std::move(law));
+}
+
+/// Returns the work of adhesion W [E0 L0]: -psi at the equilibrium gap, of a law that only attracts or is in
+/// equilibrium at a gap of 0 -psi(0), of a law that only repels 0.
+inline double work_of_adhesion(const GapLaw& law) {
+  double energy = law.energy(law.repels() ? law.equilibrium_gap() : 0.0)[0];
+  if (law.domain() == GapDomain::All) energy = std::min<double>(energy, law.energy(0.0)[0]);
+  return energy < 0 ? -energy : 0;
 }
 
 /// A GapLaw with the members of a law, for kernels: it holds what they ask for at every point.
@@ -105,7 +129,6 @@ class AnyGapLaw {
   Pack mean_stiffness(const Pack& r0, const Pack& r1) const { return law_->mean_stiffness(r0, r1); }
   Pack mean_potential(const Pack& r0, const Pack& r1) const { return law_->mean_potential(r0, r1); }
   Pack magnitude(const Pack& r) const { return law_->magnitude(r); }
-  bool has_mean_potential() const { return law_->has_mean_potential(); }
   double range() const { return range_; }
   double equilibrium_gap() const { return equilibrium_gap_; }
   double adhesion_gap() const { return adhesion_gap_; }

@@ -1,11 +1,10 @@
 #include "interaction/obstacle.hpp"
 
 #include "fem/quadrature.hpp"
+#include "interaction/area_factor.hpp"
 
 namespace ixos {
 namespace {
-
-Pack dot(const PackPoint& x, const PackPoint& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
 /// Returns x + s d.
 PackPoint along(const PackPoint& x, const Pack& s, const PackPoint& d) {
@@ -35,11 +34,16 @@ void correct_along(const PackPoint& d, const Pack& change, const PackPoint& end,
 
 }  // namespace
 
+std::optional<AreaFactor> Obstacle::area_factor(int /*body_dimension*/) const { return std::nullopt; }
+
 MeanSight Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
   static const Quadrature gauss = gauss_legendre_unit(3);
   const PackPoint d = difference(x1, x0);
   const Sight start = at(x0), end = at(x1);
   MeanSight result{};
+  result.start_gap = start.gap;
+  result.end_gap = end.gap;
+  result.end_normal = end.normal;
   PackPoint spread;  // the mean normal by Simpson's rule minus that by Gauss points
   for (std::size_t i = 0; i < 3; ++i) spread[i] = (start.normal[i] + end.normal[i]) / 6.0;
   for (std::size_t q = 0; q < 3; ++q) {
@@ -61,14 +65,12 @@ MeanSight Obstacle::mean(const PackPoint& x0, const PackPoint& x1) const {
   return result;
 }
 
-Pack Obstacle::size_at(const PackPoint& x) const {
-  return std::experimental::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-}
+Pack Obstacle::size_at(const PackPoint& x) const { return length_of(x); }
 
 Pack Obstacle::least_gap(const PackPoint& x0, const PackPoint& x1) const {
   const PackPoint d = difference(x1, x0);
-  const Sight start = at(x0), middle = at(along(x0, 0.5, d)), end = at(x1);
-  const Pack half_length = 0.5 * std::experimental::sqrt(dot(d, d));
+  const Sight start = gap_and_normal(x0), middle = gap_and_normal(along(x0, 0.5, d)), end = gap_and_normal(x1);
+  const Pack half_length = 0.5 * length_of(d);
   const auto least_between = [&](const Sight& a, const Sight& b) {
     const Pack fall = -0.5 * dot(a.normal, d), rise = 0.5 * dot(b.normal, d), ends = smaller(a.gap, b.gap);
     const auto dips = fall > 0.0 && rise > 0.0;
@@ -87,7 +89,7 @@ Pack Obstacle::admissible_step(const PackPoint& x, const PackPoint& d, const Pac
   const Pack length = select(moves, Pack(std::experimental::sqrt(square)), Pack(1.0));
   Pack step = select(moves, Pack(0.0), Pack(1.0)), first = 0.0;
   for (int round = 0; round < rounds; ++round) {
-    const Pack excess = at(along(x, step, d)).gap - least, room = select(excess > 0.0, excess, Pack(0.0));
+    const Pack excess = free_way(along(x, step, d), least), room = select(excess > 0.0, excess, Pack(0.0));
     if (round == 0) first = room;
     step = smaller(Pack(step + room / length), Pack(1.0));
     if (everywhere(step >= 1.0 || room <= remainder * first)) break;

@@ -7,12 +7,13 @@
 #include "base/small_matrix.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
+#include "interaction/law_history.hpp"
 
 namespace ixos {
 
 /// Before a flat wall the gap at a quadrature point is sum_a N_a g_a of the nodal gaps g_a, and the force is along the
 /// wall's normal, so all quantities are scalar. Nodal arrays are gaps at the side's N nodes; f_a and k_ab multiply n
-/// and n n^T.
+/// and n n^T. `Law` is a law without a history, or the LawOfBatch of one with a history.
 template <class Side, class Law>
 struct SurfaceKernel {
   static constexpr std::size_t N = Side::nodes;
@@ -40,7 +41,7 @@ struct SurfaceKernel {
   static T energy(const Law& law, const Table& quadrature, const T* measure, const Nodal<T>& gap) {
     T sum(0.0);
     for (std::size_t q = 0; q < quadrature.size(); ++q)
-      sum += measure[q] * law.energy(interpolate(quadrature.value[q], gap));
+      sum += measure[q] * law_at(law, q).energy(interpolate(quadrature.value[q], gap));
     return sum;
   }
 
@@ -53,13 +54,14 @@ struct SurfaceKernel {
       const auto& shape = quadrature.value[q];
       const Ends<T> ends(segment, shape);
       if (out_of_range(law, ends)) continue;
+      const auto& here = law_at(law, q);
       T mean(0.0);
       for (const RulePoint& point : rule.points) {
         const T r = ends.at(point);
         least_gap = smaller(least_gap, r);
-        mean += point.weight * law.traction(r);
+        mean += point.weight * here.traction(r);
       }
-      if (rule.mean != Mean::Points) mean += law.mean_traction(ends.from, ends.to);
+      if (rule.mean != Mean::Points) mean += here.mean_traction(ends.from, ends.to);
       least_gap = smaller(least_gap, ends.to);
       for (std::size_t a = 0; a < N; ++a) f[a] -= shape[a] * (measure[q] * mean);
     }
@@ -74,13 +76,14 @@ struct SurfaceKernel {
       const auto& shape = quadrature.value[q];
       const Ends<T> ends(segment, shape);
       if (out_of_range(law, ends)) continue;
+      const auto& here = law_at(law, q);
       T mean(0.0);
       for (const RulePoint& point : rule.points) {
-        const T stiffness = law.stiffness(ends.at(point));
+        const T stiffness = here.stiffness(ends.at(point));
         mean += (point.weight * point.to) * (convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness);
       }
       if (rule.mean != Mean::Points) {
-        const T stiffness = law.mean_stiffness(ends.from, ends.to);
+        const T stiffness = here.mean_stiffness(ends.from, ends.to);
         mean += convex ? select(stiffness > 0.0, stiffness, T(0.0)) : stiffness;
       }
       mean *= measure[q];

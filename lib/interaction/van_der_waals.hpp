@@ -69,6 +69,7 @@ class VanDerWaals {
     return s * inverse * ((10 * c1_) * (s * s * s) + 4 * c2_);
   }
 
+  bool repels() const { return true; }
   double c1() const { return c1_; }
   double c2() const { return c2_; }
   /// Returns the gap at which T = 0: 15^(-1/6) r0 [L0].

@@ -133,7 +133,7 @@ std::vector<std::string> exodus_records(const std::vector<std::string>& lines) {
 void define_exodus_mesh(const ExodusHandle& file, const Mesh& mesh, const ExodusShare& share, const std::string& title,
                         const std::vector<std::string>& information) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  ex_set_max_name_length(file, 80);
+  ex_set_max_name_length(file, most_name_length);
   require_written(ex_put_init(file, title.substr(0, MAX_LINE_LENGTH).c_str(), mesh.dimension, mesh.nodes(),
                               mesh.cells(), static_cast<int64_t>(mesh.blocks.size()),
                               static_cast<int64_t>(mesh.node_sets.size()), static_cast<int64_t>(mesh.side_sets.size())),

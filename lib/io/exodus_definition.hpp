@@ -12,6 +12,9 @@ namespace ixos {
 /// The format below Exodus: netCDF's own, or HDF5.
 enum class ExodusFormat { Classic, Hdf5 };
 
+/// Bytes that the names of blocks, sets and variables may have in a file.
+constexpr int most_name_length = 80;
+
 /// Makes a file, or empties one that exists. Returns a negative number, as ex_create does, if that fails.
 int create_exodus(const std::string& path, ExodusFormat format = ExodusFormat::Classic);
 

@@ -17,8 +17,13 @@ namespace ixos {
 /// process tries to read the file first.
 Mesh read_exodus_mesh(const std::string& path);
 
-/// Reads a mesh as read_exodus_mesh() does, without the trial in another process.
+/// Read as read_exodus_mesh() and read_exodus_field() do, without the trial in another process.
 Mesh read_tried_exodus_mesh(const std::string& path);
+std::vector<double> read_tried_exodus_field(const std::string& path, const std::string& name);
+
+/// Returns the nodal variable of that name at the file's last time, by node of the mesh that read_exodus_mesh()
+/// returns. Throws InputError likewise, and if the file has no such variable: then it names those of the file.
+std::vector<double> read_exodus_field(const std::string& path, const std::string& name);
 
 /// Writes blocks and sets under their own names, so that a scene finds them again. Throws FileError.
 void write_exodus_mesh(const Mesh& mesh, const std::string& path, const std::string& title);

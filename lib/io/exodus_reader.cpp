@@ -17,6 +17,7 @@
 #include "io/exodus_handle.hpp"
 #include "io/exodus_mesh.hpp"
 #include "io/exodus_topology.hpp"
+#include "io/exodus_values.hpp"
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
 #include "mesh/normalize.hpp"
@@ -75,9 +76,17 @@ class Reader {
     read_side_sets();
     check_id_map(EX_NODE_MAP, header_.num_nodes, "node");
     check_id_map(EX_ELEM_MAP, header_.num_elem, "element");
-    drop_unused_nodes(mesh_);
+    node_ = drop_unused_nodes(mesh_);
     if (mesh_.dimension > cell_dimension_) at(path(), [&] { flatten(mesh_); });
     return std::move(mesh_);
+  }
+
+  /// Returns the values of a nodal variable by node of the mesh that read() returned.
+  std::vector<double> values(const std::string& name) const {
+    const std::vector<double> all = last_nodal_values(file_, name, header_.num_nodes);
+    std::vector<double> result;
+    for (int node : node_) result.push_back(all[static_cast<std::size_t>(node)]);
+    return result;
   }
 
  private:
@@ -249,6 +258,7 @@ class Reader {
   int64_t most_ = 0;         ///< entries of any kind that a file of this length may have
   int64_t set_entries_ = 0;  ///< of the sets read so far, together
   Mesh mesh_;
+  std::vector<int> node_;  ///< by node of the mesh: its number in the file, from 0
   int cell_dimension_ = 0;
   std::vector<ExodusBlock> blocks_;
   std::vector<int64_t> first_cell_;  ///< number of each block's first cell
@@ -264,5 +274,17 @@ Mesh read_exodus_mesh(const std::string& path) {
 }
 
 Mesh read_tried_exodus_mesh(const std::string& path) { return Reader(path).read(); }
+
+std::vector<double> read_exodus_field(const std::string& path, const std::string& name) {
+  check_start(path);
+  try_reading(path, [&] { read_tried_exodus_field(path, name); });
+  return read_tried_exodus_field(path, name);
+}
+
+std::vector<double> read_tried_exodus_field(const std::string& path, const std::string& name) {
+  Reader reader(path);
+  reader.read();
+  return reader.values(name);
+}
 
 }  // namespace ixos

@@ -24,9 +24,10 @@ void define(const ExodusHandle& file, ex_entity_type type, const std::vector<std
 
 bool has(const ExodusHandle& file, ex_entity_type type, const std::vector<std::string>& names) {
   int count = 0;
+  ex_set_max_name_length(file, most_name_length);
   if (ex_get_variable_param(file, type, &count) < 0 || count != static_cast<int>(names.size())) return false;
   for (int i = 0; i < count; ++i) {
-    char name[MAX_STR_LENGTH + 1] = {};
+    char name[most_name_length + 1] = {};
     if (ex_get_variable_name(file, type, i + 1, name) < 0 || names[static_cast<std::size_t>(i)] != name) return false;
   }
   return true;

@@ -4,16 +4,18 @@
 /// Integrator (ixos/integrator.hpp) or to a SemiDiscreteEvaluator (ixos/evaluator.hpp). A DofExchange carries vectors
 /// between the program's map and the model's.
 ///
-/// Stable: Model, Material, Formulation, Inertia, Part, Momenta, InteractionReport, CellFields, Comm, Map, Vector,
-/// MultiVector, GlobalId, LocalId, DofSpace, DofExchange, Settings, make_elastic_law, make_gap_law, make_obstacle,
-/// flat_wall, HalfSpace, SurfaceInteraction, add_interaction, prescribe, add_traction, add_point_force, add_body_force,
-/// add_gravity, Constraints, Loads, TimeFunction, TimeValue, function_of_time, constant, value_ramp, rate_ramp,
+/// Stable: Model, Material, Formulation, Inertia, Part, Momenta, InteractionReport, InteractionGroup, CellFields, Comm,
+/// Map, Vector, MultiVector, GlobalId, LocalId, DofSpace, DofExchange, Settings, make_elastic_law, make_gap_law,
+/// make_obstacle, flat_wall, HalfSpace, SurfaceInteraction, Friction, FrictionType, add_interaction, prescribe,
+/// add_traction, add_point_force, add_body_force, add_gravity, grip_rigidly, grip_elastically, grip_reaction,
+/// RigidMotion, Constraints, Loads, TimeFunction, TimeValue, function_of_time, constant, value_ramp, rate_ramp,
 /// RampShape, sine, interpolated, Waveform, check_over, set_reactions, set_reaction.
 #pragma once
 #include "base/tpetra.hpp"
 #include "discretization/dof_exchange.hpp"
 #include "discretization/dof_space.hpp"
 #include "fem/rule.hpp"
+#include "histories/rigid_motion.hpp"
 #include "histories/time_function.hpp"
 #include "histories/waveform.hpp"
 #include "interaction/catalogue.hpp"
@@ -22,6 +24,8 @@
 #include "material/catalogue.hpp"
 #include "model/conditions.hpp"
 #include "model/constraints.hpp"
+#include "model/grips.hpp"
+#include "model/interaction_group.hpp"
 #include "model/loads.hpp"
 #include "model/mass.hpp"
 #include "model/material.hpp"

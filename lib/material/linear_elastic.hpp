@@ -9,6 +9,7 @@ namespace ixos {
 /// W = mu eps:eps + lambda/2 (tr eps)^2 with eps = (H + H^T)/2; plane strain for D = 2. Not objective.
 struct LinearElastic {
   static constexpr bool can_invert = false;
+  static constexpr bool has_limit = false;
   static constexpr bool has_discrete_gradient = true;
   static constexpr bool has_spatial_tangent = true;
   static constexpr bool keeps_state = false;

@@ -18,6 +18,8 @@ namespace ixos {
 struct NeoHooke {
   /// J <= 0 is inadmissible.
   static constexpr bool can_invert = true;
+  /// All states with J > 0 are admissible; a law with a further limit has admissibility(h), see StrainLaw.
+  static constexpr bool has_limit = false;
   static constexpr bool has_discrete_gradient = true;
   static constexpr bool has_spatial_tangent = true;
   static constexpr bool keeps_state = true;

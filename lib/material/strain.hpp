@@ -24,6 +24,18 @@ T trace(const Small<T, D>& m) {
   return sum;
 }
 
+/// Returns the second invariant I2 of a symmetric A, the sum of its principal minors (plane strain: A_33 = 0).
+template <class T>
+T second_invariant(const Small<T, 2>& a) {
+  return determinant(a);
+}
+
+template <class T>
+T second_invariant(const Small<T, 3>& a) {
+  return a[0][0] * a[1][1] - a[0][1] * a[1][0] + a[1][1] * a[2][2] - a[1][2] * a[2][1] + a[0][0] * a[2][2] -
+         a[0][2] * a[2][0];
+}
+
 /// Returns the sum I2 + I3 of the second and third invariant of A (plane strain: A_33 = 0, I3 = 0).
 template <class T>
 T higher_invariants(const Small<T, 2>& a) {

@@ -8,12 +8,11 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <tuple>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
-#include "mesh/check_names.hpp"
 #include "mesh/distributed_cells.hpp"
+#include "mesh/given_sets.hpp"
 #include "mesh/node_directory.hpp"
 #include "mesh/quality.hpp"
 
@@ -37,25 +36,6 @@ void check_nodes(const DistributedMesh& mesh) {
   }
 }
 
-void check_sides(const DistributedMesh& mesh, const SideSet& set) {
-  const CellType type = cell_type(mesh);
-  const auto n = static_cast<std::size_t>(nodes_per_cell(type));
-  std::set<std::tuple<int, int, int>> seen;
-  for (const Side& side : set.sides) {
-    const bool has_block = side.block >= 0 && side.block < static_cast<int>(mesh.blocks.size());
-    const std::size_t cells = has_block ? mesh.blocks[static_cast<std::size_t>(side.block)].nodes.size() / n : 0;
-    if (side.cell < 0 || static_cast<std::size_t>(side.cell) >= cells || side.side < 0 ||
-        side.side >= sides_per_cell(type))
-      throw InputError(
-          fmt::format("side set \"{}\" has side {} of cell {} of block {}, which does not exist on this "
-                      "rank",
-                      set.name, side.side, side.cell, side.block));
-    if (!seen.insert({side.block, side.cell, side.side}).second)
-      throw InputError(fmt::format("side set \"{}\" has side {} of cell {} of block {} twice", set.name, side.side,
-                                   side.cell, side.block));
-  }
-}
-
 /// Checks what one rank can see.
 void check_share(const DistributedMesh& mesh) {
   check_nodes(mesh);
@@ -64,16 +44,20 @@ void check_share(const DistributedMesh& mesh) {
   check_names(mesh.node_sets, "node set");
   if (mesh.blocks.empty()) throw InputError("the mesh has no blocks; at least one is needed");
   const int n = nodes_per_cell(cell_type(mesh));
-  for (const DistributedBlock& block : mesh.blocks)
+  std::vector<SideLimits> limits;
+  limits.reserve(mesh.blocks.size());
+  for (const DistributedBlock& block : mesh.blocks) {
+    limits.push_back({block.nodes.size() / static_cast<std::size_t>(n), sides_per_cell(cell_type(mesh))});
     if (block.nodes.size() % static_cast<std::size_t>(n) != 0)
       throw InputError(fmt::format("block \"{}\": {} node numbers are not those of cells with {} nodes", block.name,
                                    block.nodes.size(), n));
-  for (const SideSet& set : mesh.side_sets) check_sides(mesh, set);
+  }
+  for (const SideSet& set : mesh.side_sets) check_sides(set, limits, " on this rank");
 }
 
 /// The ranks must agree on the lists that they go through together.
 void check_agreement(const DistributedMesh& mesh, const Comm& comm) {
-  std::string names = fmt::format("{} dimensions", mesh.dimension);
+  std::string names = fmt::format("{} dimensions{}", mesh.dimension, mesh.axisymmetric ? ", axisymmetric" : "");
   for (const DistributedBlock& block : mesh.blocks) names += ", block \"" + block.name + "\"";
   for (const SideSet& set : mesh.side_sets) names += ", side set \"" + set.name + "\"";
   for (const DistributedNodeSet& set : mesh.node_sets) names += ", node set \"" + set.name + "\"";
@@ -188,6 +172,7 @@ LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm) {
   const TouchingCells touching = touching_cells(mesh, directory, comm);
   LocalMesh local;
   local.dimension = mesh.dimension;
+  local.axisymmetric = mesh.axisymmetric;
   local.global_nodes = directory.size();
   add_nodes(mesh, touching, directory, comm, local);
   add_sides(mesh, touching, add_cells(mesh, touching, local), local);

@@ -25,6 +25,7 @@ struct DistributedNodeSet {
 /// have none. With a Tpetra map of the nodes, `nodes` is a copy of its getNodeElementList().
 struct DistributedMesh {
   int dimension = 2;
+  bool axisymmetric = false;        ///< see Mesh; equal on all ranks
   std::vector<long long> nodes;     ///< ids of the nodes that this rank owns
   std::vector<double> coordinates;  ///< of these nodes, nodes x dimension, row by row [L0]
   std::vector<DistributedBlock> blocks;

@@ -63,6 +63,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
 
   LocalMesh local;
   local.dimension = mesh.dimension;
+  local.axisymmetric = mesh.axisymmetric;
   local.plain_nodes = mesh.plain_nodes;
   local.global_nodes = mesh.nodes();
   local.global_cells = mesh.cells();

@@ -47,10 +47,13 @@ struct LocalMesh {
   std::vector<std::string> node_set_names;
   std::vector<std::vector<int>> node_sets;  ///< local node numbers, ghosts included
   int plain_nodes = -1;                     ///< see Mesh
+  bool axisymmetric = false;                ///< see Mesh
   long long global_nodes = 0;
   long long global_cells = 0;
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
+  /// Returns the dimension of the body: 3 if it is one of revolution.
+  int body_dimension() const { return axisymmetric ? 3 : dimension; }
   bool is_derivative(std::size_t node) const { return !derivative.empty() && derivative[node] != 0; }
   /// Returns the number that the program which gave the mesh has for the node: its id in a DistributedMesh, or its
   /// number in the Mesh, from 0.

@@ -45,6 +45,9 @@ struct NodeSet {
 /// Blocks of one name are one body part; enrich() splits them by cell type and by tied edges.
 struct Mesh {
   int dimension = 2;
+  /// Whether a mesh of two dimensions is the meridian plane of a body of revolution: x >= 0 is the radius, y runs along
+  /// the axis. Otherwise it is a body in plane strain.
+  bool axisymmetric = false;
   std::vector<double> coordinates;  ///< nodes x dimension, row by row [L0]
   /// Empty, or per node: -1 for a point of the body; otherwise this node stands for a derivative along the boundary at
   /// that node, scaled by half a length: its "coordinates" are those of dX/ds, its displacement that of du/ds; or, with
@@ -59,6 +62,8 @@ struct Mesh {
   int plain_nodes = -1;  ///< number of nodes before enrich() appended some; -1: none were added
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
+  /// Returns the dimension of the body: 3 if it is one of revolution.
+  int body_dimension() const { return axisymmetric ? 3 : dimension; }
   int cells() const;
   bool is_derivative(int node) const {
     return !derivative_of.empty() && derivative_of[static_cast<std::size_t>(node)] >= 0;

@@ -36,14 +36,16 @@ std::vector<double> plane_coordinates(const std::vector<double>& space) {
 
 }  // namespace
 
-void drop_unused_nodes(Mesh& mesh) {
+std::vector<int> drop_unused_nodes(Mesh& mesh) {
   std::vector<int> number(static_cast<std::size_t>(mesh.nodes()), -1);
   for (const ElementBlock& block : mesh.blocks)
     for (int node : block.nodes) number[static_cast<std::size_t>(node)] = 0;
   const auto dimension = static_cast<std::size_t>(mesh.dimension);
   int kept = 0;
+  std::vector<int> old;
   for (std::size_t node = 0; node < number.size(); ++node) {
     if (number[node] < 0) continue;
+    old.push_back(static_cast<int>(node));
     std::copy_n(&mesh.coordinates[node * dimension], dimension,
                 &mesh.coordinates[static_cast<std::size_t>(kept) * dimension]);
     number[node] = kept++;
@@ -59,6 +61,7 @@ void drop_unused_nodes(Mesh& mesh) {
   }
   if (const int unused = static_cast<int>(number.size()) - kept; unused > 0)
     mesh.notes.push_back(fmt::format("{} node(s) of the mesh belong to no cell and are left out", unused));
+  return old;
 }
 
 void flatten(Mesh& mesh) {

@@ -4,8 +4,9 @@
 
 namespace ixos {
 
-/// Removes the nodes that no cell has, from node sets too, and leaves a note of their number if there are any.
-void drop_unused_nodes(Mesh& mesh);
+/// Removes the nodes that no cell has, from node sets too, and leaves a note of their number if there are any. Returns
+/// the old number of each node.
+std::vector<int> drop_unused_nodes(Mesh& mesh);
 
 /// Turns a mesh of Quad4 cells with three coordinates into one of two dimensions. Such cells have no orientation of
 /// their own: those that run clockwise are turned, and the sides of side sets are renumbered. Throws InputError, with

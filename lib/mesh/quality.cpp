@@ -10,6 +10,7 @@
 #include "fem/jacobian.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
+#include "mesh/meridian.hpp"
 
 namespace ixos {
 namespace {
@@ -36,6 +37,7 @@ void check(const std::vector<double>& coordinates, const Block& block, const Nam
 }  // namespace
 
 void check_cells(const Mesh& mesh) {
+  check_meridian(mesh);
   for (const ElementBlock& block : mesh.blocks)
     with_element(block.type, [&](auto element) {
       check<typename decltype(element)::type>(mesh.coordinates, block,
@@ -44,6 +46,7 @@ void check_cells(const Mesh& mesh) {
 }
 
 void check_cells(const LocalMesh& mesh) {
+  check_meridian(mesh);
   for (const LocalBlock& block : mesh.blocks) {
     const int n = nodes_per_cell(block.type);
     const auto name = [&](int cell) {

@@ -9,7 +9,7 @@
 namespace ixos {
 
 /// Throws InputError, naming block and cell (from 1), if a cell's reference Jacobian is not positive at some corner
-/// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered.
+/// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered. Throws also if check_meridian() does.
 void check_cells(const Mesh& mesh);
 
 /// Does the same with the cells of a rank's part, and names a cell by its nodes' program_id().

@@ -76,8 +76,10 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
       try {
         model.constraints().check(node * mesh.dimension + i, factor, function);
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
-                                     mesh.message_number(static_cast<std::size_t>(node))));
+        // Only the axis holds a radial displacement at zero without a condition of the scene.
+        throw InputError(fmt::format("{}: component {} of node {} of the mesh{}", error.what(), "xyz"[i],
+                                     mesh.message_number(static_cast<std::size_t>(node)),
+                                     mesh.axisymmetric && i == 0 ? " (nodes on the axis are held in x)" : ""));
       }
     });
   });
@@ -113,6 +115,11 @@ void add_body_force(Model& model, const std::string& block, const std::vector<do
 
 void add_gravity(Model& model, const std::string& block, const std::vector<double>& vector,
                  std::shared_ptr<const TimeFunction> history) {
+  if (model.mesh().axisymmetric && !vector.empty() && vector[0] != 0)
+    throw InputError(
+        fmt::format("gravity with the radial component {} does not keep the axial symmetry of the mesh; it "
+                    "must be 0",
+                    vector[0]));
   NodalNumbers mass = no_measure(model);
   for_each_block(model.mesh(), block, [&](const LocalBlock& part) {
     NodalNumbers volume(mass.size(), 0.0);

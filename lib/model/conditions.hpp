@@ -26,7 +26,8 @@ void prescribe(Model& model, const std::string& node_set, const std::string& com
 void add_traction(Model& model, const std::string& side_set, const std::vector<double>& vector,
                   std::shared_ptr<const TimeFunction> history);
 
-/// Adds a force on each node of a set [E0 L0^(D-1)]. Nodes that a contact element added do not count.
+/// Adds a force on each node of a set [E0 L0^(D-1)]; of an axisymmetric mesh, the force on the node's whole ring. Nodes
+/// that a contact element added do not count.
 void add_point_force(Model& model, const std::string& node_set, const std::vector<double>& vector,
                      std::shared_ptr<const TimeFunction> history);
 
@@ -35,6 +36,7 @@ void add_body_force(Model& model, const std::string& block, const std::vector<do
                     std::shared_ptr<const TimeFunction> history);
 
 /// Adds an acceleration [L0/T0^2] that acts on the mass of a block, or of all blocks if its name is empty.
+/// Throws InputError if the mesh is axisymmetric and the first component not 0.
 void add_gravity(Model& model, const std::string& block, const std::vector<double>& vector,
                  std::shared_ptr<const TimeFunction> history);
 

@@ -4,19 +4,24 @@
 #include <memory>
 #include <vector>
 
+#include "histories/rigid_motion.hpp"
 #include "histories/time_function.hpp"
 
 namespace ixos {
 
-/// u(t) = factor * motion(t) for each constrained degree of freedom; local numbers, ghosts constrained on every rank
-/// that sees them. A motion is evaluated once for all its degrees of freedom.
+/// u(t) = sum_k factor_k motion_k(t) for each constrained degree of freedom; local numbers, ghosts constrained on every
+/// rank that sees them. A motion is evaluated once for all its degrees of freedom.
 class Constraints {
  public:
   /// Constrains a degree of freedom; without a motion it is held at zero. A constrained one may be constrained again by
-  /// the same motion and factor. Throws InputError if motion or factor differ; std::logic_error after Model::close().
+  /// the same motion and factor, or held again. Throws InputError if motion or factor differ; std::logic_error after
+  /// Model::close().
   void add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
-  /// Throws the InputError of add(), and changes nothing.
+  /// Does the same with a sum of motions; without any the degree of freedom is held at zero.
+  void add(int dof, const std::vector<MotionShare>& shares);
+  /// Throw the InputError of add(), and change nothing.
   void check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const;
+  void check(int dof, const std::vector<MotionShare>& shares) const;
   /// Ends the adding, see Model::close().
   void close() const { closed_ = true; }
 
@@ -32,14 +37,16 @@ class Constraints {
   bool are_finite(double time) const;
 
  private:
+  void push(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion);
   static std::size_t dof_index(int dof) { return static_cast<std::size_t>(dof); }
   struct Entry {
+    int dof;
     std::size_t motion;
     double factor;
   };
   std::vector<int> dofs_;
-  std::vector<Entry> entries_;  ///< parallel to dofs_
-  std::vector<int> index_;      ///< by dof: its entry, or -1
+  std::vector<Entry> entries_;  ///< in the order of dofs_; a sum has several, one after the other
+  std::vector<int> index_;      ///< by dof: its first entry, or -1
   std::vector<std::shared_ptr<const TimeFunction>> motions_;
   bool driven_ = false;
   mutable bool closed_ = false;

@@ -11,6 +11,8 @@
 namespace ixos {
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// Calls visit(name, term) for the interactions that need positive gaps, or for the others.
 template <class Visit>
 void for_each_interaction(const Model& model, bool positive, const Visit& visit) {
@@ -47,25 +49,29 @@ std::string crossing(const Model& model, const double* u) {
   LowestPoint lowest;
   std::string name;
   bool any = false;
-  for_each_interaction(model, true, [&](const std::string& own, const Interaction& term) {
-    any = true;
-    const LowestPoint point = term.lowest_point(u);
-    if (!(point.gap < lowest.gap)) return;
-    lowest = point;
-    name = own;
-  });
+  for (const bool positive : {true, false})
+    for_each_interaction(model, positive, [&](const std::string& own, const Interaction& term) {
+      any = true;
+      const LowestPoint point = term.lowest_point(u);
+      if (point.gap > (positive ? 0 : -infinity) || !(point.gap < lowest.gap)) return;
+      lowest = point;
+      name = own;
+    });
   if (!any) return "";
   const double least = model.space().minimum(lowest.gap);
   if (least > 0) return "";
   std::string text;
   if (lowest.gap == least)
-    text = fmt::format("the surface of interaction \"{}\" crosses the obstacle: the gap of {} is {:.6g} L0", name,
-                       in_words(model.mesh(), u, lowest), least);
+    text = std::isinf(least)
+               ? fmt::format("the surface of interaction \"{}\" is beyond the edge of the obstacle, at {}", name,
+                             in_words(model.mesh(), u, lowest))
+               : fmt::format("the surface of interaction \"{}\" crosses the obstacle: the gap of {} is {:.6g} L0", name,
+                             in_words(model.mesh(), u, lowest), least);
   return first_problem(model.space().comm(), text);
 }
 
 double least_free_gap(const Model& model, const double* u) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   bool any = false;
   for_each_interaction(model, false, [&](const std::string&, const Interaction& term) {
     any = true;

@@ -11,8 +11,8 @@ namespace ixos {
 std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point);
 
 /// Returns how far and where a surface is in or below its obstacle at the local displacement u, by
-/// Interaction::lowest_point(); empty if all gaps are positive. Looks at interactions that need positive gaps. Equal on
-/// all ranks; collective.
+/// Interaction::lowest_point(); empty if all gaps are positive. Of interactions whose laws are defined at every gap,
+/// only a gap of minus infinity counts, beyond the obstacle's edge. Equal on all ranks; collective.
 std::string crossing(const Model& model, const double* u);
 
 /// Returns the least gap of the interactions whose laws are defined at every gap, likewise; infinity if there are none.

@@ -7,16 +7,6 @@
 #include "base/dot.hpp"
 
 namespace ixos {
-namespace {
-
-/// Returns the rule for the tangent of the undeformed body, times `factor`.
-Rule rest_rule(double factor) {
-  Rule rule = end_rule();
-  rule.points[0].weight = factor;
-  return rule;
-}
-
-}  // namespace
 
 Damping::Damping(const Pattern& pattern, int dimension, int local)
     : pattern_(pattern), dimension_(static_cast<std::size_t>(dimension)), rest_(static_cast<std::size_t>(local), 0.0) {}
@@ -33,7 +23,7 @@ void Damping::do_without_matrix() {
   for (StiffnessPart& part : stiffnesses_) {
     part.action = part.term->create_action();
     if (!part.action) throw std::logic_error("a term of the damping cannot be applied without a matrix");
-    part.action->linearize({nullptr, nullptr, rest_.data()}, rest_rule(part.alpha), Tangent::Exact, {});
+    part.action->linearize({nullptr, nullptr, rest_.data()}, end_rule(part.alpha), Tangent::Exact, {});
   }
 }
 
@@ -161,7 +151,7 @@ const std::vector<double>& Damping::matrix() const {
 void Damping::assemble(double factor, double* values) const {
   for (const MassPart& part : masses_) part.mass->add_to(factor * part.alpha, values);
   for (const StiffnessPart& part : stiffnesses_)
-    part.term->add_tangent({nullptr, nullptr, rest_.data()}, rest_rule(factor * part.alpha), Tangent::Exact, values);
+    part.term->add_tangent({nullptr, nullptr, rest_.data()}, end_rule(factor * part.alpha), Tangent::Exact, values);
 }
 
 }  // namespace ixos

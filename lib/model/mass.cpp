@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
@@ -23,8 +24,9 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
     const auto scale = cell_scales<Element>(block, cell);
     Small<double, N> element{};
     for (std::size_t q = 0; q < table.size(); ++q) {
-      const double weight =
+      double weight =
           density * table.weight[q] * determinant(jacobian<D>(mesh.coordinates, nodes, scale, table.gradient[q]));
+      if (mesh.axisymmetric) weight *= circumference(mesh.coordinates, nodes, scale, table.value[q]);
       for (std::size_t a = 0; a < N; ++a)
         for (std::size_t b = 0; b < N; ++b)
           element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];

@@ -2,8 +2,10 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "material/elastic_law.hpp"
+#include "material/maxwell_branch.hpp"
 #include "term/elastic_term.hpp"
 
 namespace ixos {
@@ -18,7 +20,12 @@ struct Material {
   double viscosity = 0;                   ///< over Lame's constants, see make_viscous_term() [T0]
   int points = 0;                         ///< Gauss points a direction of plain elements; 0: the element's own
   Formulation formulation = Formulation::Standard;
+  std::vector<MaxwellBranch> branches{};  ///< beside the law
+  HistoryUpdate history_update = HistoryUpdate::BackwardEuler;
 };
+
+/// Returns why the material's elements take no Maxwell branches; empty if they do.
+std::string why_no_branches(const Material& material);
 
 /// Throws InputError, with the block, if the law is missing or a value is out of range. The density must be positive if
 /// the model has inertia.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "model/axis.hpp"
 
 namespace ixos {
 Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& materials, Inertia inertia)
@@ -27,13 +28,15 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
   for (const LocalBlock& block : mesh_.blocks)
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material; add a list that names this Block");
+  add_branches();
+  hold_axis(mesh_, space_, constraints_);
   find_scales();
 }
 
 void Model::add_block(std::size_t number, const Material& material) {
   const LocalBlock& block = mesh_.blocks[number];
   auto term = make_elastic_term(mesh_, block, pattern_, material.law, material.points, material.formulation);
-  bodies_.push_back({term.get(), nullptr, number, material});
+  bodies_.push_back({term.get(), nullptr, nullptr, number, material});
   force_terms_.push_back({block.name, term.get()});
   add_term(std::move(term), block.name);
   if (material.viscosity != 0) {
@@ -48,6 +51,20 @@ void Model::add_block(std::size_t number, const Material& material) {
   if (!mass_) return;
   mass_->add_block(block, material.density);
   add_damping(block, material, *bodies_.back().term);
+}
+
+/// After all elastic terms: linear_parts() counts on their order.
+void Model::add_branches() {
+  for (Body& body : bodies_) {
+    const Material& material = body.material;
+    if (material.branches.empty()) continue;
+    const LocalBlock& block = mesh_.blocks[body.block];
+    auto term = make_maxwell_term(mesh_, block, pattern_, material.branches, material.history_update, material.points);
+    body.viscoelasticity = term.get();
+    const std::string name = "viscoelasticity of " + block.name;
+    force_terms_.push_back({name, term.get()});
+    add_term(std::move(term), name);
+  }
 }
 
 void Model::add_damping(const LocalBlock& block, const Material& material, const Elasticity& term) {
@@ -76,13 +93,6 @@ void Model::check_open() const {
         "an interaction or a condition is added after an integrator or an evaluator was made of the model");
 }
 
-void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
-  interactions_.push_back(term.get());
-  surface_measure_.clear();
-  force_terms_.push_back({name, term.get()});
-  add_term(std::move(term), name);
-}
-
 void Model::add_term(std::unique_ptr<Term> term, const std::string& name) {
   int account = -1;
   if (term->dissipates()) {
@@ -98,36 +108,6 @@ void Model::couple(const std::vector<std::vector<int>>& stencils) {
   if (mass_) mass_->place();
   for (const NamedTerm& named : terms_) named.term->place(pattern_);
   constrained_entries_.reset();
-}
-
-void Model::initialize() {
-  for (const NamedTerm& named : terms_) named.term->initialize();
-}
-
-void Model::begin_step(const KnownState& start, double time, double dt) {
-  for (const NamedTerm& named : terms_) named.term->begin_step(start, time, dt);
-}
-
-void Model::begin_stage(const StageStart& start) {
-  for (const NamedTerm& named : terms_) named.term->begin_stage(start);
-}
-
-std::vector<double> Model::accept(const AcceptedStep& step) {
-  std::vector<double> work(dissipation_names_.size(), 0.0);
-  for (const NamedTerm& named : terms_) {
-    const double dissipated = named.term->accept(step);
-    if (named.account >= 0) work[static_cast<std::size_t>(named.account)] += dissipated;
-  }
-  if (!work.empty()) space_.sum(work.data(), static_cast<int>(work.size()));
-  return work;
-}
-
-void Model::transfer(Record& record) {
-  for (std::size_t i = 0; i < terms_.size(); ++i) {
-    if (!terms_[i].term->has_state()) continue;
-    const Record::Section section(record, "term " + std::to_string(i + 1) + ", " + terms_[i].name);
-    terms_[i].term->transfer(record);
-  }
 }
 
 template <class Visit>
@@ -215,6 +195,10 @@ void Model::add_rate_row_sums(const double* u, double* sums) const {
   for (const RateTerm* term : rates_) term->add_row_sums(u, sums);
 }
 
+bool Model::has_viscoelasticity() const {
+  return std::any_of(materials_.begin(), materials_.end(), [](const Material& own) { return !own.branches.empty(); });
+}
+
 double Model::largest_viscosity() const {
   double largest = 0;
   for (const Body& body : bodies_) largest = std::max(largest, body.material.viscosity);
@@ -236,6 +220,15 @@ bool Model::add_row_sums(Part part, const Segment& segment, double* sums) const 
 double Model::local_energy(Part part, const double* u) const {
   double sum = 0;
   for_each(part, [&](const ForceTerm& term) { sum += term.energy(u); });
+  return sum;
+}
+
+double Model::local_potential(Part part, const Rule& rule, const double* u) const {
+  double sum = 0;
+  if (part == Part::Elastic) for_each(part, [&](const ForceTerm& term) { sum += term.potential(u); });
+  if (part == Part::Interaction)
+    for (const Interaction* term : interactions_)
+      if (term->followed(rule).mean == Mean::Points) sum += term->potential(u);
   return sum;
 }
 
@@ -261,7 +254,10 @@ void Model::do_without_matrices() {
 void Model::find_scales() {
   const std::vector<double> rest(static_cast<std::size_t>(space_.local()), 0.0);
   std::vector<double> stiffness(rest.size(), 0.0), inertia(rest.size(), 0.0);
-  for (const Body& body : bodies_) body.term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
+  for (const Body& body : bodies_) {
+    body.term->add_diagonal({nullptr, nullptr, rest.data()}, stiffness.data());
+    if (body.viscoelasticity != nullptr) body.viscoelasticity->add_diagonal(rest.data(), stiffness.data());
+  }
   if (mass_) mass_->add_diagonal(1, inertia.data());
   double sums[3] = {0, 0, static_cast<double>(space_.owned())};
   double stiffest = 0;

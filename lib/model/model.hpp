@@ -1,5 +1,6 @@
 /// The semi-discrete model: M a + C v + f_v(u, v) + f_el(u) + f_c(u) = f_ext(t) with constrained degrees of freedom.
 #pragma once
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,11 +10,15 @@
 #include "model/constrained_entries.hpp"
 #include "model/constraints.hpp"
 #include "model/damping.hpp"
+#include "model/grip.hpp"
+#include "model/interaction_group.hpp"
 #include "model/loads.hpp"
 #include "model/mass.hpp"
 #include "model/material.hpp"
+#include "model/springs.hpp"
 #include "term/elastic_term.hpp"
 #include "term/interaction.hpp"
+#include "term/maxwell_term.hpp"
 #include "term/viscous_term.hpp"
 
 namespace ixos {
@@ -36,12 +41,16 @@ struct NamedForceTerm {
 /// Quantities that the model stores and moves, summed over all ranks.
 struct Momenta {
   double kinetic_energy = 0;
-  std::vector<double> linear;   ///< D components; all are zero without inertia
-  std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D
+  std::vector<double> linear;   ///< all are zero without inertia; of an axisymmetric mesh the first, too
+  std::vector<double> angular;  ///< about the origin: z in 2D, x, y, z in 3D; zero of an axisymmetric mesh
 };
 
 /// The list of the terms that a scene or a program asked for. Absent terms allocate nothing. Local arrays hold owned
 /// nodes, then ghosts; owned arrays hold the owned nodes only.
+///
+/// Energies, forces and masses of an axisymmetric mesh are those of the whole body, D = 3 in their units: the force at
+/// a node is that on its ring. A radial force is summed around the ring, it is no component of a vector. Nodes on the
+/// axis are held there.
 ///
 /// A program makes one from its own mesh in these steps; docs/embedding.md shows them:
 /// - local_part() (mesh/local_mesh.hpp, mesh/distributed_mesh.hpp) makes the LocalMesh;
@@ -58,9 +67,13 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Adds an interaction of that name. A model that has interactions takes further ones after close(), too: nothing is
+  /// Adds an interaction of that name. The energy that it dissipates counts as "friction of <name>" or "damage of
+  /// <name>", or else under the name. A model that has interactions takes further ones after close(), too: nothing is
   /// kept for them (see force_and_keep).
   void add_interaction(std::unique_ptr<Interaction> term, const std::string& name = "interaction");
+  /// Adds a grip, whose constraints and driving loads the model has already; the model takes its springs and dashpots,
+  /// each may be null. grip_rigidly() and grip_elastically() (model/grips.hpp) call this.
+  void add_grip(Grip grip, std::unique_ptr<Springs> springs, std::unique_ptr<Dashpots> dashpots);
   Constraints& constraints() { return constraints_; }
   Loads& loads() { return loads_; }
   /// Ends the adding of interactions, constraints and loads: what is made of the model has arrays and solvers for those
@@ -88,24 +101,49 @@ class Model {
   const Constraints& constraints() const { return constraints_; }
   const Loads& loads() const { return loads_; }
   bool has_interactions() const { return !interactions_.empty(); }
+  /// Returns the names of the interactions, each once, equal on all ranks.
+  std::vector<std::string> interaction_names() const;
+  /// Returns the interaction of that name alone; the reference is valid until the next add_interaction(). Throws
+  /// InputError that names the nearest name if there is none.
+  const InteractionGroup& interaction(const std::string& name) const;
+  /// Returns whether some interaction has an obstacle that is moved. Equal on all ranks.
+  bool has_moved_obstacles() const;
+  /// Returns whether all obstacles have a place and a velocity at `time`. Equal on all ranks.
+  bool obstacles_are_finite(double time) const;
+  /// Returns whether some interaction's law is defined at every gap. Equal on all ranks.
+  bool has_laws_of_every_gap() const;
+  const std::vector<Grip>& grips() const { return grips_; }
+  /// Returns whether some grip has springs or dashpots.
+  bool has_springs() const;
   /// Returns the mean diagonal entry of the elastic stiffness at rest, and of the mass (0 if static), over all ranks.
   double elastic_scale() const { return elastic_scale_; }
   double mass_scale() const { return mass_scale_; }
   /// Returns the largest K_ii/M_ii at rest [1/T0^2]; 0 without inertia.
   double stiffest() const { return stiffest_; }
 
-  /// Returns the elastic terms, named after their blocks, and the interactions.
+  /// Returns the elastic terms, named after their blocks, the springs of grips, and the interactions.
   const std::vector<NamedForceTerm>& force_terms() const { return force_terms_; }
   /// Tell all terms of the steps, see Term.
-  void initialize();
+  void initialize(const KnownState& start);
   void begin_step(const KnownState& start, double time, double dt);
   void begin_stage(const StageStart& start);
   /// Returns the work that the step dissipated, parallel to dissipation_names() [E0 L0^D]. Collective if there are any.
   std::vector<double> accept(const AcceptedStep& step);
-  /// Collective.
+  /// Transfers what the terms keep, and the part of it on which forces depend, as far as the record has it. Throw
+  /// InputError, on all ranks, if it does not fit the terms. Collective.
   void transfer(Record& record);
+  void transfer_histories(Record& record);
+  /// Returns the local error of a step that comes from the histories of Maxwell branches, as a displacement [L0]: the
+  /// root mean square, over the bodies with branches, of the error of stress over the shear modulus at once, times the
+  /// longest side of the box around the mesh. 0 without branches. Collective.
+  double history_error(const double* from, const double* to, double dt) const;
+  /// Returns whether the forces of some term depend on what it keeps, see Term::has_history(). Equal on all ranks.
+  bool has_histories() const;
   /// Returns the names of what dissipates, equal on all ranks.
   const std::vector<std::string>& dissipation_names() const { return dissipation_names_; }
+  /// Sets the time of the states on which functions of a displacement alone report: energies, reports, gaps, nodal
+  /// forces and fields. Only moved obstacles depend on it. Integrators set it to their own time.
+  void set_time(double time) const;
   /// Returns whether the forces of all terms of that part are gradients for the rule, so that its tangent is symmetric.
   bool is_gradient(Part part, const Rule& rule) const;
 
@@ -131,6 +169,8 @@ class Model {
   void add_rate_row_sums(const double* u, double* sums) const;
   /// Returns whether some block has a viscosity.
   bool has_viscosity() const { return largest_viscosity() > 0; }
+  /// Returns whether some block has Maxwell branches.
+  bool has_viscoelasticity() const;
   /// Returns the largest viscosity of a block [T0].
   double largest_viscosity() const;
 
@@ -138,7 +178,7 @@ class Model {
   void add_tangent(Part part, const Segment& segment, const Rule& rule, Tangent kind, double* values) const;
   /// Returns an action of each term of the part; null if a term offers none.
   std::vector<std::unique_ptr<TangentAction>> actions(Part part) const;
-  /// Returns, for each elastic term, its share of mass M + damping C.
+  /// Returns, for the elastic term of each block, its share of mass M + damping C.
   std::vector<LinearPart> linear_parts(double mass, double damping) const;
   /// Keeps no matrix beyond the pattern's: for tangents that are applied from actions. See Damping::do_without_matrix.
   void do_without_matrices();
@@ -147,16 +187,33 @@ class Model {
   /// Returns the largest admissible step along `direction`, over all interactions and ranks. Collective.
   double admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const;
 
+  /// Returns this rank's sum of ForceTerm::potential over that part's terms, except interactions that follow a mean in
+  /// closed form in place of the rule's points [E0 L0^D].
+  double local_potential(Part part, const Rule& rule, const double* u) const;
   /// Returns the part's potential energy [E0 L0^D]: this rank's share, or the sum over all ranks (collective).
   double local_energy(Part part, const double* u) const;
   double energy(Part part, const double* u) const;
+  /// Returns the energy of elasticity and of the springs of grips, whose driven ends are where they are at `time`; in
+  /// energy(Part::Elastic, u) they rest in their first places [E0 L0^D]. Collective.
+  double elastic_energy(double time, const double* u) const;
+  /// Adds the gradient of elastic_energy(time, u) by u, less that of energy(Part::Elastic, u), to a local array; valid
+  /// for owned nodes [E0 L0^(D-1)]. Not collective.
+  void add_stretch_gradient(double time, double* f) const;
+  /// Returns the work of the driven ends of springs and dashpots in the accepted step, less that of their loads [E0
+  /// L0^D]. Collective.
+  double grip_work() const;
+  /// Returns the sum of Interaction::obstacle_work() [E0 L0^D]. Collective.
+  double obstacle_work(const Segment& segment, const Rule& rule) const;
   /// Returns the gradient of the part's energy by u [E0 L0^(D-1)]: a local array, valid for owned nodes, all NaN if the
   /// state is inadmissible on this rank. The forces on the body are minus these. Not collective.
   std::vector<double> nodal_force(Part part, const double* u) const;
-  /// Returns this rank's sum of Interaction::mean_potential over the interactions.
-  double local_mean_potential(const Segment& segment) const;
+  /// Returns this rank's sum of Interaction::mean_potential over the interactions that follow the exact mean, by that
+  /// rule or in place of it [E0 L0^D].
+  double local_mean_potential(const Segment& segment, const Rule& rule) const;
   /// Returns the largest Interaction::gap_ratio. Collective.
   double gap_ratio(const double* from, const double* to) const;
+  /// Returns whether some interaction has friction, whose force has kinks.
+  bool has_friction() const;
   /// Returns this rank's sum of Interaction::rounding over the interactions.
   double local_rounding(const double* u) const;
   /// Return sums over all ranks. Collective.
@@ -189,12 +246,14 @@ class Model {
  private:
   void add_block(std::size_t number, const Material& material);
   void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
+  void add_branches();
   void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
   void add_term(std::unique_ptr<Term> term, const std::string& name);
+  void transfer(std::size_t term, Record& record);
+  std::string section_of(std::size_t term) const;
   void find_scales();
   const ConstrainedEntries& constrained_entries() const;
-  /// Returns int N_a dA by local node over all interacting surfaces; a side of several interactions counts once.
-  const std::vector<double>& surface_measure() const;
+  const InteractionGroup& all_interactions() const;
   template <class Visit>
   void for_each(Part part, const Visit& visit) const;
 
@@ -207,7 +266,8 @@ class Model {
   std::vector<NamedTerm> terms_;
   struct Body {
     const Elasticity* term;
-    const Viscosity* viscosity;  ///< may be null
+    const Viscosity* viscosity;              ///< may be null
+    const Viscoelasticity* viscoelasticity;  ///< may be null
     std::size_t block;
     Material material;
   };
@@ -219,12 +279,16 @@ class Model {
   std::vector<std::string> dissipation_names_;
   Constraints constraints_;
   mutable std::unique_ptr<ConstrainedEntries> constrained_entries_;  ///< made at the first use
-  mutable std::vector<double> surface_measure_;                      ///< made at the first use
+  std::vector<std::string> interaction_of_;  ///< the names of interactions_, which several may share
   Loads loads_;
   mutable bool closed_ = false;
   double elastic_scale_ = 0;
   double mass_scale_ = 0;
   double stiffest_ = 0;
+  std::vector<Grip> grips_;
+  mutable std::unique_ptr<InteractionGroup> all_interactions_;           ///< made at the first use
+  mutable std::map<std::string, InteractionGroup> single_interactions_;  ///< each made at its first use
+  mutable double time_ = 0;                                              ///< of set_time()
 };
 
 }  // namespace ixos

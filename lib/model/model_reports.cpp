@@ -5,6 +5,33 @@
 
 namespace ixos {
 
+bool Model::has_moved_obstacles() const {
+  return std::any_of(interactions_.begin(), interactions_.end(),
+                     [](const Interaction* own) { return own->is_moved(); });
+}
+
+bool Model::obstacles_are_finite(double time) const {
+  return std::all_of(interactions_.begin(), interactions_.end(),
+                     [time](const Interaction* own) { return own->is_finite(time); });
+}
+
+bool Model::has_laws_of_every_gap() const {
+  return std::any_of(interactions_.begin(), interactions_.end(),
+                     [](const Interaction* own) { return !own->needs_positive_gaps(); });
+}
+
+void Model::set_time(double time) const {
+  time_ = time;
+  for (const Interaction* term : interactions_) term->set_time(time);
+}
+
+double Model::obstacle_work(const Segment& segment, const Rule& rule) const {
+  double sum = 0;
+  for (const Interaction* term : interactions_) sum += term->obstacle_work(segment, rule);
+  space_.sum(&sum, 1);
+  return sum;
+}
+
 double Model::admissible_step(const Segment& segment, const Rule& interaction, const double* direction) const {
   if (interactions_.empty()) return 1.0;
   double step = 1.0;
@@ -13,9 +40,10 @@ double Model::admissible_step(const Segment& segment, const Rule& interaction, c
   return space_.minimum(step);
 }
 
-double Model::local_mean_potential(const Segment& segment) const {
+double Model::local_mean_potential(const Segment& segment, const Rule& rule) const {
   double sum = 0;
-  for (const Interaction* term : interactions_) sum += term->mean_potential(segment);
+  for (const Interaction* term : interactions_)
+    if (term->followed(rule).mean == Mean::Exact) sum += term->mean_potential(segment);
   return sum;
 }
 
@@ -25,25 +53,18 @@ double Model::gap_ratio(const double* from, const double* to) const {
   return space_.maximum(largest);
 }
 
+bool Model::has_friction() const {
+  return std::any_of(interactions_.begin(), interactions_.end(),
+                     [](const Interaction* term) { return term->has_friction(); });
+}
+
 double Model::local_rounding(const double* u) const {
   double sum = 0;
   for (const Interaction* term : interactions_) sum += term->rounding(u);
   return sum;
 }
 
-InteractionReport Model::interaction_report(const double* u) const {
-  InteractionReport report;
-  report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
-  for (const Interaction* term : interactions_) term->report(u, report);
-  std::vector<double> sums = report.force;
-  sums.push_back(report.measure);
-  space_.sum(sums.data(), static_cast<int>(sums.size()));
-  report.measure = sums.back();
-  sums.pop_back();
-  report.force = sums;
-  report.least_gap = space_.minimum(report.least_gap);
-  return report;
-}
+InteractionReport Model::interaction_report(const double* u) const { return all_interactions().report(u); }
 
 Momenta Model::momenta(const double* u, const double* v) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
@@ -68,6 +89,7 @@ Momenta Model::momenta(const double* u, const double* v) const {
     }
   }
   space_.sum(sums.data(), static_cast<int>(sums.size()));
+  if (mesh_.axisymmetric) sums[1] = sums[3] = 0;  // the ring's radial momenta cancel
   const auto first = sums.begin() + 1;
   const auto middle = first + static_cast<std::ptrdiff_t>(d);
   return {sums[0], {first, middle}, {middle, sums.end()}};
@@ -76,8 +98,12 @@ Momenta Model::momenta(const double* u, const double* v) const {
 std::vector<CellFields> Model::cell_fields(const double* u) const {
   std::vector<CellFields> fields(mesh_.blocks.size());
   for (const Body& body : bodies_) {
-    body.term->cell_fields(u, fields[body.block]);
-    if (body.viscosity != nullptr) body.viscosity->cell_dissipation(fields[body.block].dissipated);
+    CellFields& own = fields[body.block];
+    body.term->cell_fields(u, own);
+    if (body.viscosity != nullptr) body.viscosity->cell_dissipation(own.dissipated);
+    if (body.viscoelasticity == nullptr) continue;
+    body.viscoelasticity->add_cell_dissipation(own.dissipated);
+    body.viscoelasticity->add_cell_energy(u, own.energy_density);
   }
   return fields;
 }

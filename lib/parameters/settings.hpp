@@ -12,12 +12,13 @@ namespace ixos {
 /// {"Center", {0.0, -3.0}}.
 struct Setting {
   Setting(std::string parameter, double number) : name(std::move(parameter)), value(number) {}
+  Setting(std::string parameter, bool choice) : name(std::move(parameter)), value(choice) {}
   Setting(std::string parameter, int number) : name(std::move(parameter)), value(number) {}
   Setting(std::string parameter, const char* word) : name(std::move(parameter)), value(std::string(word)) {}
   Setting(std::string parameter, std::vector<double> numbers) : name(std::move(parameter)), value(std::move(numbers)) {}
 
   std::string name;
-  std::variant<double, int, std::string, std::vector<double>> value;
+  std::variant<double, bool, int, std::string, std::vector<double>> value;
 };
 
 using Settings = std::vector<Setting>;

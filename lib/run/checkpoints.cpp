@@ -55,6 +55,21 @@ std::string build_name() {
   return fmt::format("Ixos {}, {} doubles wide, compiler {}", IXOS_VERSION, pack_width, __VERSION__);
 }
 
+std::string other_build(Record& record) {
+  std::string build;
+  record.text("build", build);
+  return build == build_name() ? "" : fmt::format("It was written by \"{}\", this is \"{}\".", build, build_name());
+}
+
+void load_placed(const std::string& path, const std::function<void()>& load) {
+  try {
+    load();
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    throw InputError(what.rfind(path, 0) == 0 ? what : path + ": " + what);
+  }
+}
+
 void write_identity(Record& record, const Simulation& simulation) {
   std::string build = build_name(), scene = scene_text(simulation.parameters()), mesh = simulation.mesh_fingerprint();
   record.text("build", build);

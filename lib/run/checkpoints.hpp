@@ -56,6 +56,12 @@ void write_identity(Record& record, const Simulation& simulation);
 /// Returns the version of Ixos, the width of vectors and the compiler. Another build may round differently.
 std::string build_name();
 
+/// Reads the build that a record names. Returns a sentence for the user if this is another one, else an empty string.
+std::string other_build(Record& record);
+
+/// Calls load(), and puts the path of the checkpoint before the message of an InputError that does not begin with it.
+void load_placed(const std::string& path, const std::function<void()>& load);
+
 /// The steps of the checkpoints in a folder, whatever their state, ascending.
 std::vector<long> checkpoint_steps(const std::string& folder);
 

@@ -14,6 +14,6 @@ const std::vector<std::string>& frame_energies();
 /// Returns lines "key: value". They are the same for a run and for one that resumes it, if both have one motion: times
 /// and the folder of results are not among them. `scene_file` may be empty. Collective.
 std::vector<std::string> field_information(const Simulation& simulation, const std::string& scene_file,
-                                           const std::vector<const OutputField*>& fields);
+                                           const std::vector<OutputField>& fields);
 
 }  // namespace ixos

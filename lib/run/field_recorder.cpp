@@ -7,11 +7,11 @@
 namespace ixos {
 namespace {
 
-FieldNames field_names(const std::vector<const OutputField*>& fields, int dimension) {
+FieldNames field_names(const std::vector<OutputField>& fields, int dimension) {
   FieldNames names;
-  for (const OutputField* field : fields)
-    for (const std::string& component : field->components(dimension))
-      (field->nodal ? names.nodal : names.cell).push_back(component);
+  for (const OutputField& field : fields)
+    for (const std::string& component : field.components(dimension))
+      (field.nodal ? names.nodal : names.cell).push_back(component);
   names.global = frame_energies();
   return names;
 }
@@ -57,15 +57,15 @@ void FieldRecorder::record() {
   FieldFrame frame(integrator);
   NodalValues nodal;
   CellValues cell;
-  for (const OutputField* field : fields_) {
-    if (field->nodal)
-      for (auto& component : field->nodal(frame)) nodal.push_back(std::move(component));
+  for (const OutputField& field : fields_) {
+    if (field.nodal)
+      for (auto& component : field.nodal(frame)) nodal.push_back(std::move(component));
     else
-      for (auto& component : field->cell(frame)) cell.push_back(std::move(component));
+      for (auto& component : field.cell(frame)) cell.push_back(std::move(component));
   }
   const State& state = integrator.state();
   const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
-  const double elastic = model.energy(Part::Elastic, state.u.data());
+  const double elastic = model.elastic_energy(integrator.time(), state.u.data());
   const double contact = model.energy(Part::Interaction, state.u.data());
   together(comm_, [&] {
     file_->write(integrator.time(), nodal, cell,

@@ -26,7 +26,7 @@ class FieldRecorder {
  private:
   Simulation& simulation_;
   const Comm& comm_;
-  std::vector<const OutputField*> fields_;
+  std::vector<OutputField> fields_;
   std::unique_ptr<FieldFile> file_;
 };
 

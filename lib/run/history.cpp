@@ -3,59 +3,34 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/agreement.hpp"
 #include "base/phase_timer.hpp"
+#include "model/grips.hpp"
 #include "model/set_reactions.hpp"
+#include "scene/history_columns.hpp"
 
 namespace ixos {
 namespace {
 
 constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 
-std::vector<std::string> columns(int dimension) {
-  std::vector<std::string> names{"step",
-                                 "time",
-                                 "time_step",
-                                 "kinetic_energy",
-                                 "elastic_energy",
-                                 "contact_energy",
-                                 "external_work",
-                                 "dissipated_energy",
-                                 "total_energy",
-                                 "linear_momentum_x",
-                                 "linear_momentum_y"};
-  if (dimension == 3) names.emplace_back("linear_momentum_z");
-  if (dimension == 3)
-    for (const char* axis : {"x", "y", "z"}) names.push_back(std::string("angular_momentum_") + axis);
-  else
-    names.emplace_back("angular_momentum_z");
-  names.insert(names.end(), {"contact_force_x", "contact_force_y"});
-  if (dimension == 3) names.emplace_back("contact_force_z");
-  for (const char* name : {"contact_measure", "min_gap", "newton_iterations", "linear_iterations", "wall_seconds"})
-    names.emplace_back(name);
-  return names;
-}
-
 }  // namespace
 
 History::History(Simulation& simulation)
-    : simulation_(simulation),
-      columns_(columns(simulation.model().mesh().dimension)),
-      max_energy_error_(simulation.output().energies ? 0.0 : empty) {
+    : simulation_(simulation), max_energy_error_(simulation.output().energies ? 0.0 : empty) {
   const Model& model = simulation.model();
-  const std::string axes = model.mesh().dimension == 2 ? "xy" : "xyz";
-  for (const std::string& set : simulation.output().reactions) {
-    reaction_sets_.push_back(model.mesh().node_set(set));
-    for (char axis : axes) {
-      columns_.push_back("reaction_" + set + "_" + axis);
-      max_forces_.emplace_back(columns_.back(), 0.0);
-    }
-  }
+  HistoryColumns columns = history_columns(simulation);
+  columns_ = std::move(columns.names);
+  for (const std::string& column : columns.reactions) max_forces_.emplace_back(column, 0.0);
   forces_ = max_forces_;
-  for (const Probe& probe : simulation.probes())
-    for (char field : {'u', 'v'})
-      for (char axis : axes) columns_.push_back(probe.name + "_" + field + axis);
+  for (const std::string& set : simulation.output().reactions) reaction_sets_.push_back(model.mesh().node_set(set));
+  const bool single = has_interaction_columns(simulation.output(), simulation.interactions().size());
+  for (const std::string& name : model.interaction_names()) {
+    if (single) interactions_.push_back(model.interaction(name));
+    if (model.interaction(name).has_friction()) frictions_.push_back(model.interaction(name));
+  }
 }
 
 void History::create(const std::string& path) {
@@ -77,14 +52,59 @@ std::vector<double> History::reactions() {
   if (reaction_sets_.empty()) return {};
   std::vector<double> sums =
       set_reactions(simulation_.model(), simulation_.integrator().state().reaction, reaction_sets_);
-  for (std::size_t k = 0; k < sums.size(); ++k) {
-    forces_[k].second = sums[k];
-    if (!(std::abs(sums[k]) <= std::abs(max_forces_[k].second))) max_forces_[k].second = sums[k];
-  }
+  for (std::size_t k = 0; k < sums.size(); ++k) keep_force(k, sums[k]);
   return sums;
 }
 
-void History::pass() { reactions(); }
+/// Returns force and, if there is one, moment of each grip.
+std::vector<double> History::grip_reactions() {
+  const Integrator& integrator = simulation_.integrator();
+  const Model& model = simulation_.model();
+  const State& state = integrator.state();
+  std::vector<double> row;
+  std::size_t column = reaction_sets_.size() * static_cast<std::size_t>(model.mesh().dimension);
+  for (const Grip& grip : model.grips()) {
+    const GripReaction own = grip_reaction(model, grip, integrator.time(), state.u, state.v, state.reaction);
+    for (double force : own.force) keep_force(column++, force);
+    row.insert(row.end(), own.force.begin(), own.force.end());
+    row.insert(row.end(), own.moment.begin(), own.moment.end());
+  }
+  return row;
+}
+
+/// Returns force, moment, contact measure and least gap of each interaction that has columns.
+std::vector<double> History::single_interactions() const {
+  const double* u = simulation_.integrator().state().u.data();
+  std::vector<double> row;
+  for (const InteractionGroup& interaction : interactions_) {
+    const InteractionReport report = interaction.report(u);
+    const std::vector<double> moment = interaction.moment(u);
+    row.insert(row.end(), report.force.begin(), report.force.end());
+    row.insert(row.end(), moment.begin(), moment.end());
+    row.insert(row.end(), {report.measure, report.least_gap});
+  }
+  return row;
+}
+
+/// Returns the friction on the bodies of each interaction with friction.
+std::vector<double> History::frictions() const {
+  std::vector<double> row;
+  for (const InteractionGroup& own : frictions_) {
+    const std::vector<double> force = own.friction_force(simulation_.integrator().state().u.data());
+    row.insert(row.end(), force.begin(), force.end());
+  }
+  return row;
+}
+
+void History::keep_force(std::size_t column, double force) {
+  forces_[column].second = force;
+  if (!(std::abs(force) <= std::abs(max_forces_[column].second))) max_forces_[column].second = force;
+}
+
+void History::pass() {
+  reactions();
+  grip_reactions();
+}
 
 void History::record(const RowCounts& counts) {
   const TimedScope timed(Phase::Output);
@@ -99,7 +119,7 @@ void History::record(const RowCounts& counts) {
   Momenta momenta{empty, std::vector<double>(d, empty), std::vector<double>(spins, empty)};
   if (output.energies || output.momenta) momenta = model.momenta(state.u.data(), state.v.data());
   if (output.energies) {
-    const double elastic = model.energy(Part::Elastic, state.u.data());
+    const double elastic = model.elastic_energy(integrator.time(), state.u.data());
     const double contact = model.has_interactions() ? model.energy(Part::Interaction, state.u.data()) : 0.0;
     const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
@@ -131,13 +151,16 @@ void History::record(const RowCounts& counts) {
   }
   row.insert(row.end(), {static_cast<double>(counts.newton_iterations), static_cast<double>(counts.linear_iterations),
                          counts.wall_seconds});
-  const std::vector<double> forces = reactions();
-  row.insert(row.end(), forces.begin(), forces.end());
+  for (const std::vector<double>& forces : {reactions(), grip_reactions()})
+    row.insert(row.end(), forces.begin(), forces.end());
   for (const Probe& probe : simulation_.probes())
     for (const std::vector<double>* field : {&state.u, &state.v}) {
       const std::vector<double> value = probe.point.value(model.space(), *field);
       row.insert(row.end(), value.begin(), value.end());
     }
+  for (const std::vector<double>& values : {single_interactions(), frictions()})
+    row.insert(row.end(), values.begin(), values.end());
+  for (double dissipated : integrator.dissipations()) row.push_back(output.energies ? dissipated : empty);
   together(model.space().comm(), [&] {
     if (file_) file_->write(row);
   });

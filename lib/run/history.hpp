@@ -59,6 +59,10 @@ class History {
 
  private:
   std::vector<double> reactions();
+  std::vector<double> grip_reactions();
+  std::vector<double> single_interactions() const;
+  std::vector<double> frictions() const;
+  void keep_force(std::size_t column, double force);
 
   Simulation& simulation_;
   std::vector<std::string> columns_;
@@ -69,7 +73,9 @@ class History {
   double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
-  std::vector<std::size_t> reaction_sets_;  ///< node set numbers
+  std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
+  std::vector<InteractionGroup> frictions_;     ///< those with friction
+  std::vector<std::size_t> reaction_sets_;      ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
   double contact_measure_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   std::vector<std::pair<std::string, double>> forces_;                 ///< of the last step

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "base/agreement.hpp"
 #include "checkpoint/checkpoint_file.hpp"
 #include "checkpoint/seal.hpp"
@@ -70,19 +72,13 @@ std::vector<std::string> read_checkpoint(const std::string& path, Integrator& in
   });
   CheckpointReader reader(path, model.space(), model.mesh());
   std::vector<std::string> notes;
-  try {
-    std::string build;
-    reader.text("build", build);
-    if (build != build_name())
-      notes.push_back(fmt::format("It was written by \"{}\", this is \"{}\".", build, build_name()));
+  load_placed(path, [&] {
+    if (std::string build = other_build(reader); !build.empty()) notes.push_back(std::move(build));
     if (!reader.same_partition())
       notes.push_back(fmt::format("It was written on {} rank(s), or by another partition.", reader.ranks()));
     transfer_model(reader, integrator);
     transfer_loop(reader, integrator, states);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    throw InputError(what.rfind(path, 0) == 0 ? what : path + ": " + what);
-  }
+  });
   return notes;
 }
 

@@ -8,6 +8,7 @@
 #include "base/agreement.hpp"
 #include "checkpoint/seal.hpp"
 #include "run/checkpoints.hpp"
+#include "scene/obstacle_files.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
 
@@ -83,33 +84,30 @@ void Restart::compare_scenes(const Simulation& simulation) {
     notes_.push_back("Changed: " + change.text() + ".");
   }
   if (file.text("mesh") != simulation.mesh_fingerprint())
-    throw InputError(path_ + ": belongs to another mesh than the scene's" + mesh);
+    throw InputError(path_ + ": belongs to another mesh than the scene's" +
+                     (obstacle_file_checksums(simulation.parameters()).empty()
+                          ? ""
+                          : ", or the files of its obstacles have changed") +
+                     mesh);
   if (!refused.empty())
     throw InputError(path_ + ": belongs to a scene that differs in what a restart cannot change:" + refused);
 }
 
 void Restart::note_differences(const Simulation& simulation) {
-  std::string build;
-  reader_->text("build", build);
-  const bool same_build = build == build_name();
-  if (!same_build) notes_.push_back(fmt::format("It was written by \"{}\", this is \"{}\".", build, build_name()));
+  const std::string build = other_build(*reader_);
+  if (!build.empty()) notes_.push_back(build);
   if (!reader_->same_partition())
     notes_.push_back(fmt::format("It was written on {} rank(s), this run has {}.", reader_->ranks(),
                                  simulation.model().space().comm()->getSize()));
   if (!same_scene_)
     notes_.emplace_back(
         "The run resumes from the same displacements and velocities. Energy errors still refer to the first row.");
-  else if (!reader_->exact() || !same_build)
+  else if (!reader_->exact() || !build.empty())
     notes_.emplace_back("The run resumes to solver tolerance, not bit for bit.");
 }
 
 void Restart::load(const std::function<void(Record&)>& transfer) {
-  try {
-    transfer(*reader_);
-  } catch (const InputError& error) {
-    const std::string what = error.what();
-    throw InputError(what.rfind(path_, 0) == 0 ? what : path_ + ": " + what);
-  }
+  load_placed(path_, [&] { transfer(*reader_); });
 }
 
 bool Restart::is_in(const std::string& folder) const {

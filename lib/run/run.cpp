@@ -286,7 +286,7 @@ void Run::checkpoint() {
 
 void Run::transfer(Record& record) {
   if (!record.has_section("run"))
-    throw InputError("was written by a program with a time loop of its own: no run can resume from it");
+    throw InputError("a program wrote this file with write_checkpoint(): run() cannot resume from it");
   ixos::transfer(record, options_.states);
   const Record::Section section(record, "run");
   record.number("steps", result_.steps);

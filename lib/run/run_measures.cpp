@@ -20,9 +20,9 @@ double finest_face(const Simulation& simulation) {
 // In three dimensions the contact is an area, whose change does not tell how far its front has moved.
 RunMeasures::RunMeasures(const Simulation& simulation)
     : simulation_(simulation),
-      contact_(simulation.model().mesh().dimension == 2 ? finest_face(simulation) : 0),
+      contact_(simulation.model().mesh().body_dimension() == 2 ? finest_face(simulation) : 0),
       interval_(is_explicit(simulation.integrator().table()) ? 500 : 20),
-      face_measure_(std::pow(finest_face(simulation), simulation.model().mesh().dimension - 1)) {
+      face_measure_(std::pow(finest_face(simulation), simulation.model().mesh().body_dimension() - 1)) {
   for (const SceneInteraction& interaction : simulation.interactions()) {
     const GapLaw& law = *interaction.law;
     if (law.domain() == GapDomain::All)

@@ -58,6 +58,7 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   body.density = material.density;
   body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
   for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, upper[i] - lower[i]);
+  if (mesh.axisymmetric) body.size = std::max(body.size, 2 * upper[0]);
   body.crossing_time = body.size / body.wave_speed;
   return body;
 }
@@ -108,11 +109,9 @@ double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) 
 void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
   const GapLaw& law = *interaction.law;
   numbers.equilibrium_gap = law.equilibrium_gap();
-  const Pack near = law.equilibrium_gap(), far = law.adhesion_gap();
   const bool cut = interaction.cutoff > law.adhesion_gap();
-  const Pack energy = cut ? law.cut_off(interaction.cutoff)->energy(near) : law.energy(near);
-  numbers.work = std::max(0.0, -static_cast<double>(energy[0]));
-  numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(far)[0]));
+  numbers.work = work_of_adhesion(cut ? *law.cut_off(interaction.cutoff) : law);
+  numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(law.adhesion_gap())[0]));
 }
 
 /// Adds what the sides of the set show; `nearest` becomes the corner of least gap.

@@ -29,7 +29,7 @@ struct SurfaceNumbers {
   std::size_t side_set = 0;        ///< of the mesh
   std::size_t body = 0;            ///< of CharacteristicNumbers::bodies, to which the first side belongs
   int part = 0;                    ///< to which it belongs, see connected_parts()
-  double work = 0;                 ///< W of adhesion, with the cutoff: -psi at the equilibrium gap [E0 L0]
+  double work = 0;                 ///< W of adhesion, with the cutoff, see work_of_adhesion() [E0 L0]
   double peak_traction = 0;        ///< s0, the largest attraction [E0]
   double equilibrium_gap = 0;      ///< r_eq [L0]
   double elastic_length = 0;       ///< elasto-adhesive length W/E [L0]

@@ -1,9 +1,12 @@
 #include "scene/compatibility.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "scene/interactions.hpp"
+#include "scene/maxwell_branches.hpp"
 #include "time/compatibility.hpp"
 
 namespace ixos {
@@ -48,6 +51,8 @@ void check_materials(const SceneNode& lists, const std::vector<Material>& materi
       node.refuse(entry, "\"" + node.text(entry) + "\" has no discrete gradient, which the scheme \"" + table.name +
                              "\" needs; use \"" + use + "\", or the scheme \"Average Vector Field\"");
     };
+    if (const std::string why = why_no_branches(materials[i], table); !materials[i].branches.empty() && !why.empty())
+      node.refuse(maxwell_branches_name, why);
     if (discrete && !has_discrete_gradient(materials[i])) {
       if (materials[i].formulation != Formulation::Standard) no_discrete_gradient("Element Formulation", "Standard");
       no_discrete_gradient("Model", "Neo-Hooke");
@@ -62,6 +67,23 @@ void check_materials(const SceneNode& lists, const std::vector<Material>& materi
   }
 }
 
+void check_friction(const std::vector<SceneInteraction>& interactions, const Table& table) {
+  const bool weighs_start = std::any_of(table.stages.begin(), table.stages.end(),
+                                        [](const Stage& stage) { return stage.interaction.kept_weight != 0; });
+  for (const SceneInteraction& interaction : interactions) {
+    if (interaction.friction.type != FrictionType::Smoothed) continue;
+    if (is_explicit(table))
+      interaction.node.refuse("Friction/Type", "\"Smoothed\" has no longest stable step, which the explicit scheme \"" +
+                                                   table.name +
+                                                   "\" needs; use \"Extended Amontons\", or an implicit scheme");
+    if (weighs_start)
+      interaction.node.refuse("Friction/Type", "\"Smoothed\" has no force at a step's start, which the scheme \"" +
+                                                   table.name +
+                                                   "\" weights; use \"Extended Amontons\", or a scheme such as "
+                                                   "Newmark or Average Vector Field");
+  }
+}
+
 }  // namespace
 
 void check_compatibility(const SceneNode& scene, const std::vector<Material>& materials,
@@ -69,18 +91,7 @@ void check_compatibility(const SceneNode& scene, const std::vector<Material>& ma
                          const Table& table) {
   check_adaptive(interactions, adaptive, table);
   check_materials(scene.sublist("Materials"), materials, table);
-}
-
-void check_cutoffs(const std::vector<SceneInteraction>& interactions, const Model& model, const Table& table) {
-  for (const SceneInteraction& interaction : interactions)
-    for (const NamedForceTerm& named : model.force_terms())
-      if (named.name == interaction.node.name() && lacks_potential(*named.term, table))
-        interaction.node.refuse(
-            "Cutoff",
-            fmt::format("{} is not allowed: with these settings the scheme \"{}\" takes the exact mean of the "
-                        "interaction, which allows no cutoff before a flat wall; use 0, or Interaction Points "
-                        "of at least 1",
-                        interaction.cutoff, table.name));
+  check_friction(interactions, table);
 }
 
 }  // namespace ixos

@@ -10,6 +10,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "model/conditions.hpp"
+#include "scene/grips.hpp"
 
 namespace ixos {
 namespace {
@@ -46,18 +47,6 @@ void add_load(const SceneNode& node, const Histories& histories, Model& model) {
   at(node.path_of(where), [&] { add(model, node.text(where), vector, history); });
 }
 
-/// A function of the program that nothing uses is presumably a name that is spelt differently.
-void refuse_unused(const SceneNode& conditions, const Histories& histories) {
-  std::vector<std::string> used;
-  for (const SceneNode& node : conditions.sublists())
-    if (const std::string& name = node.text("History"); !name.empty()) used.push_back(name);
-  for (const auto& [name, function] : histories.given()) {
-    if (std::find(used.begin(), used.end(), name) != used.end()) continue;
-    const std::string hint = used.empty() ? "" : fmt::format("; did you mean \"{}\"?", closest_name(name, used));
-    throw InputError(fmt::format("the program gives the history \"{}\", which no condition names{}", name, hint));
-  }
-}
-
 }  // namespace
 
 void add_conditions(const SceneNode& conditions, const Histories& histories, Model& model) {
@@ -73,7 +62,23 @@ void add_conditions(const SceneNode& conditions, const Histories& histories, Mod
     else
       add_load(node, histories, model);
   }
-  refuse_unused(conditions, histories);
+}
+
+// A function of the program that nothing uses is presumably a name that is spelt differently.
+void refuse_unused_histories(const SceneNode& scene, const std::vector<SceneInteraction>& interactions,
+                             const Histories& histories) {
+  std::vector<std::string> used;
+  for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists())
+    if (const std::string& name = node.text("History"); !name.empty()) used.push_back(name);
+  for (const SceneNode& node : scene.sublist("Grips").sublists())
+    for (const std::string& name : read_grip(node).histories()) used.push_back(name);
+  for (const SceneInteraction& interaction : interactions)
+    for (const std::string& name : interaction.motion.histories()) used.push_back(name);
+  for (const auto& [name, function] : histories.given()) {
+    if (std::find(used.begin(), used.end(), name) != used.end()) continue;
+    const std::string hint = used.empty() ? "" : fmt::format("; did you mean \"{}\"?", closest_name(name, used));
+    throw InputError(fmt::format("the program gives the history \"{}\", which no condition names{}", name, hint));
+  }
 }
 
 }  // namespace ixos

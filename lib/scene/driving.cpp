@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector3.hpp"
+#include "scene/grips.hpp"
+
 namespace ixos {
 namespace {
 
@@ -10,8 +13,6 @@ using Point = std::array<double, 3>;
 using Axes = std::array<bool, 3>;
 
 constexpr int most_steps = 100000;
-
-double dot(const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
 /// Longer arrays are refused elsewhere.
 Point point(const std::vector<double>& x) {
@@ -65,16 +66,20 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
 
 Driving::Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control,
                  const Mesh& mesh, const std::vector<int>& parts)
-    : times_(times_of(control)), fixed_(!control.adaptive.on), part_of_node_(parts) {
+    : times_(times_of(control)), fixed_(!control.adaptive.on), dimension_(mesh.dimension), part_of_node_(parts) {
   const SceneNode initial = scene.sublist("Initial Conditions");
   velocity_ = point(initial.numbers("Velocity"));
   for (double value : initial.numbers("Velocity Gradient")) moves_ = moves_ || value != 0;
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     if (node.text("Type") == "Displacement")
-      add_motion(node, histories, mesh);
+      add_motion(node, node.text("Components"), node.text("History"), histories, parts_of(node, mesh));
     else
       add_load(node, histories, mesh);
   }
+  for (const SceneNode& node : scene.sublist("Grips").sublists()) add_grip(node, histories, mesh);
+  // A body of revolution cannot leave its axis.
+  if (mesh.axisymmetric)
+    for (int part : parts) prescribed_[part][0] = held_[part][0] = true;
 }
 
 /// Returns the connected parts on which a condition acts.
@@ -96,11 +101,27 @@ std::set<int> Driving::parts_of(const SceneNode& node, const Mesh& mesh) const {
   return parts;
 }
 
-void Driving::add_motion(const SceneNode& node, const Histories& histories, const Mesh& mesh) {
-  const std::string& name = node.text("History");
-  std::string components = node.text("Components");
-  if (components == "all") components = mesh.dimension == 2 ? "xy" : "xyz";
+/// A rotation has no one direction, and springs leave open how far the body follows.
+void Driving::add_grip(const SceneNode& node, const Histories& histories, const Mesh& mesh) {
+  const GripOptions grip = read_grip(node);
   const std::set<int> parts = parts_of(node, mesh);
+  if (grip.type == GripType::Springs) {
+    moves_ = moves_ || !grip.histories().empty();
+    return;
+  }
+  if (!grip.rotation.empty()) moves_ = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(mesh.dimension); ++i) {
+    const std::string history = grip.along(i);
+    if (history.empty() && !grip.rotation.empty())
+      for (int part : parts) prescribed_[part][i] = true;
+    else
+      add_motion(node, std::string(1, "xyz"[i]), history, histories, parts);
+  }
+}
+
+void Driving::add_motion(const SceneNode& node, const std::string& along, const std::string& name,
+                         const Histories& histories, const std::set<int>& parts) {
+  const std::string components = along != "all" ? along : dimension_ == 2 ? "xy" : "xyz";
   const auto mark = [&](std::map<int, Axes>& axes) {
     for (int part : parts)
       for (char component : components) axes[part][static_cast<std::size_t>(component - 'x')] = true;
@@ -114,34 +135,54 @@ void Driving::add_motion(const SceneNode& node, const Histories& histories, cons
   const TimeFunction& function = *histories.get(name, HistoryUse::Motion);
   Action& way = ways_[node.text("Node Set")];
   if (way.path.empty()) way = {node.path(), parts, std::vector<Point>(times_.size(), Point{})};
-  const TimeValue first = function.at(times_.front());
-  Motion motion{node.path(), first.value, 0, times_.front(), 0, 0};
-  for (char component : components)
-    motion.velocity_jump =
-        std::max(motion.velocity_jump, std::abs(first.rate - velocity_[static_cast<std::size_t>(component - 'x')]));
-  double lowest = first.value, highest = first.value;
-  TimeValue before = first;
-  for (std::size_t k = 0; k < times_.size(); ++k) {
-    const TimeValue now = function.at(times_[k]);
-    lowest = std::min(lowest, now.value);
-    highest = std::max(highest, now.value);
-    if (k > 0 && k <= most_steps) {  // the last interval of a very long run is longer than a step
-      if (fixed_) motion.in_one_step = std::max(motion.in_one_step, std::abs(now.value - before.value));
-      // The accelerations at both ends explain the rest of the change.
-      const double smooth = (before.acceleration + now.acceleration) / 2 * (times_[k] - times_[k - 1]);
-      const double jump = std::abs(now.rate - before.rate - smooth);
-      if (jump > motion.velocity_jump) {
-        motion.velocity_jump = jump;
-        motion.jump_time = times_[k];
-      }
+  const std::vector<TimeValue> samples = sampled(function);
+  const TimeValue& first = samples.front();
+  Motion motion = measured(node.path(), samples);
+  motion.start = first.value;
+  for (char component : components) {
+    const auto i = static_cast<std::size_t>(component - 'x');
+    if (const double jump = std::abs(first.rate - velocity_[i]); jump >= motion.velocity_jump) {
+      motion.velocity_jump = jump;
+      motion.jump_time = times_.front();
     }
-    before = now;
-    for (char component : components)
-      way.values[k][static_cast<std::size_t>(component - 'x')] += now.value - first.value;
+    for (std::size_t k = 0; k < times_.size(); ++k) way.values[k][i] += samples[k].value - first.value;
   }
-  motion.range = highest - lowest;
   if (motion.range == 0) mark(held_);
   motions_.push_back(motion);
+}
+
+std::vector<TimeValue> Driving::sampled(const TimeFunction& function) const {
+  std::vector<TimeValue> samples;
+  for (double time : times_) samples.push_back(function.at(time));
+  return samples;
+}
+
+/// Leaves out what happens at the initial time.
+Motion Driving::measured(const std::string& path, const std::vector<TimeValue>& samples) const {
+  Motion motion;
+  motion.path = path;
+  double lowest = samples.front().value, highest = lowest;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    const TimeValue &before = samples[k - 1], &now = samples[k];
+    lowest = std::min(lowest, now.value);
+    highest = std::max(highest, now.value);
+    if (k > most_steps) continue;  // the last interval of a very long run is longer than a step
+    if (fixed_) motion.in_one_step = std::max(motion.in_one_step, std::abs(now.value - before.value));
+    // The accelerations at both ends explain the rest of the change.
+    const double smooth = (before.acceleration + now.acceleration) / 2 * (times_[k] - times_[k - 1]);
+    if (const double jump = std::abs(now.rate - before.rate - smooth); jump > motion.velocity_jump) {
+      motion.velocity_jump = jump;
+      motion.jump_time = times_[k];
+    }
+  }
+  motion.range = highest - lowest;
+  return motion;
+}
+
+void Driving::add_obstacle(const SceneNode& node, const MotionOptions& obstacle, const Histories& histories) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimension_); ++i)
+    if (const std::string name = obstacle.along(i); !name.empty() && !histories.is_given(name))
+      motions_.push_back(measured(node.path(), sampled(*histories.get(name, HistoryUse::Motion))));
 }
 
 void Driving::add_load(const SceneNode& node, const Histories& histories, const Mesh& mesh) {

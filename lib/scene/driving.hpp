@@ -8,14 +8,15 @@
 
 #include "mesh/mesh.hpp"
 #include "scene/histories.hpp"
+#include "scene/motions.hpp"
 #include "time/step_control.hpp"
 
 namespace ixos {
 
-/// A prescribed displacement that a history drives.
+/// A prescribed displacement of a body, or a translation of an obstacle, that a history drives.
 struct Motion {
-  std::string path;          ///< of the condition
-  double start = 0;          ///< value at the initial time [L0]
+  std::string path;          ///< of the condition or of the obstacle's list
+  double start = 0;          ///< value at the initial time, which moves a body at once; 0 of an obstacle [L0]
   double velocity_jump = 0;  ///< largest jump of the velocity, at the start or later [L0/T0]
   double jump_time = 0;      ///< of that jump [T0]
   double range = 0;          ///< largest less least value over the run [L0]
@@ -38,7 +39,7 @@ struct Drive {
   std::vector<Pull> pulls{};
 };
 
-/// The boundary and initial conditions of a scene, sampled at the ends of the steps.
+/// The boundary and initial conditions and the grips of a scene, sampled at the ends of the steps.
 class Driving {
  public:
   /// Samples the conditions of a validated scene, whose sets the mesh has: the first 1e5 fixed steps, or 1001 times of
@@ -46,9 +47,14 @@ class Driving {
   Driving(const SceneNode& scene, const Histories& histories, const StepControlOptions& control, const Mesh& mesh,
           const std::vector<int>& parts);
 
+  /// Adds an obstacle's translations to motions(). Its place and its velocity at the initial time are not counted: they
+  /// jump no more than those of a body that flies towards it.
+  void add_obstacle(const SceneNode& node, const MotionOptions& obstacle, const Histories& histories);
+
   const std::vector<Motion>& motions() const { return motions_; }
   bool has_loads() const { return !loads_.empty(); }
-  bool moves() const { return moves_; }  ///< the initial velocity has a gradient, or the program moves a body
+  /// Returns whether the initial velocity has a gradient, the program moves a body, or a grip turns or pulls one.
+  bool moves() const { return moves_; }
 
   /// Returns the motions and loads of a connected part of the mesh (see connected_parts()) before an obstacle with that
   /// normal.
@@ -64,12 +70,17 @@ class Driving {
     std::vector<Point> values;  ///< parallel to the times, or one for all
   };
 
-  void add_motion(const SceneNode& node, const Histories& histories, const Mesh& mesh);
+  void add_motion(const SceneNode& node, const std::string& components, const std::string& history,
+                  const Histories& histories, const std::set<int>& parts);
+  std::vector<TimeValue> sampled(const TimeFunction& function) const;
+  Motion measured(const std::string& path, const std::vector<TimeValue>& samples) const;
+  void add_grip(const SceneNode& node, const Histories& histories, const Mesh& mesh);
   void add_load(const SceneNode& node, const Histories& histories, const Mesh& mesh);
   std::set<int> parts_of(const SceneNode& node, const Mesh& mesh) const;
 
   std::vector<double> times_;
   bool fixed_;  ///< the times are the ends of steps
+  int dimension_;
   std::vector<int> part_of_node_;
   Point velocity_{};
   bool moves_ = false;

@@ -6,7 +6,11 @@
 #include <cmath>
 
 #include "base/pack.hpp"
+#include "interaction/catalogue.hpp"
+#include "model/surface_interaction.hpp"
 #include "parameters/parameter_entries.hpp"
+#include "scene/friction.hpp"
+#include "scene/grips.hpp"
 #include "scene/left_out.hpp"
 #include "scene/output_fields.hpp"
 #include "scene/si_explanation.hpp"
@@ -20,12 +24,32 @@ using List = Teuchos::ParameterList;
 
 std::string megabytes(double bytes) { return fmt::format("{:.3g} MB", bytes / 1e6); }
 
+/// Returns a line on the branches of a material; empty if it has none.
+std::string branches_in_words(const Material& material) {
+  if (material.branches.empty()) return "";
+  double sum = 0, shortest = material.branches[0].time, longest = shortest;
+  for (const MaxwellBranch& branch : material.branches) {
+    sum += branch.modulus;
+    shortest = std::min(shortest, branch.time);
+    longest = std::max(longest, branch.time);
+  }
+  const double mu = material.law->lame().mu;
+  return fmt::format(
+      "  {} Maxwell branch(es), relaxation times {:.6g} to {:.6g} T0: shear modulus {:.6g} E0 in fast changes, {:.6g} "
+      "E0 in slow ones; history by {}\n",
+      material.branches.size(), shortest, longest, mu + sum, mu,
+      material.history_update == HistoryUpdate::BackwardEuler ? "backward Euler" : "the midpoint");
+}
+
 std::string bodies(const Simulation& simulation) {
   const LocalMesh& mesh = simulation.model().mesh();
   std::string text =
       fmt::format("Mesh: {} dimensions{}, {} nodes, {} cells, {} degrees of freedom, {} rank(s)\n", mesh.dimension,
-                  mesh.dimension == 2 ? " (plane strain)" : "", mesh.global_nodes, mesh.global_cells,
-                  simulation.model().space().global(), simulation.model().space().comm()->getSize());
+                  mesh.axisymmetric     ? " (axisymmetric)"
+                  : mesh.dimension == 2 ? " (plane strain)"
+                                        : "",
+                  mesh.global_nodes, mesh.global_cells, simulation.model().space().global(),
+                  simulation.model().space().comm()->getSize());
   const List& materials = simulation.parameters().sublist("Materials");
   std::size_t number = 0;
   for (const SceneNode& node : SceneNode(materials, "Materials").sublists()) {
@@ -39,8 +63,16 @@ std::string bodies(const Simulation& simulation) {
             ? ""
             : fmt::format(", damping {} M + {} K", material.mass_damping, material.stiffness_damping),
         material.viscosity == 0 ? "" : fmt::format(", viscosity {} T0 times the moduli", material.viscosity));
+    text += branches_in_words(material);
   }
   return text;
+}
+
+/// Friction has the threshold of the law that acts before the obstacle.
+std::string friction_of(const SceneInteraction& interaction, const LocalMesh& mesh) {
+  const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
+  return friction_in_words(interaction.friction,
+                           law_before(*obstacle, interaction.law, interaction.cutoff, mesh.body_dimension()));
 }
 
 std::string surroundings(const Simulation& simulation) {
@@ -52,17 +84,26 @@ std::string surroundings(const Simulation& simulation) {
         node.name(), node.text("Law"), interaction.side_set, node.text("Obstacle"), node.text("Contact Element"),
         interaction.surface_points > 0 ? std::to_string(interaction.surface_points)
                                        : "the element's default number of");
+    if (!interaction.factor_field.empty())
+      text += fmt::format("  Factor: the nodal field \"{}\" of the mesh file\n", interaction.factor_field);
+    if (!interaction.motion.histories().empty())
+      text += fmt::format("  The obstacle is {}; its work is part of external_work\n", interaction.motion.in_words());
+    if (interaction.friction.type != FrictionType::None) text += friction_of(interaction, simulation.model().mesh());
     if (interaction.cutoff > 0) {
       const GapLaw& law = *interaction.law;
-      const Pack cutoff = interaction.cutoff, near = law.equilibrium_gap(), far = law.adhesion_gap();
-      const double lost = std::abs(law.traction(cutoff)[0]);
+      const double work = work_of_adhesion(law);
+      if (work == 0) continue;
+      const double lost = std::abs(law.traction(interaction.cutoff)[0]);
       text += fmt::format(
           "  Cutoff at a gap of {} L0: the error of the traction is at most {:.3g} E0, {:.2g} of the largest "
           "attraction; the relative error of the work of adhesion is {:.2g}\n",
-          interaction.cutoff, lost, std::abs(lost / law.traction(far)[0]),
-          1 - law.cut_off(interaction.cutoff)->energy(near)[0] / law.energy(near)[0]);
+          interaction.cutoff, lost, std::abs(lost / law.traction(law.adhesion_gap())[0]),
+          1 - work_of_adhesion(*law.cut_off(interaction.cutoff)) / work);
     }
   }
+  if (has_interaction_columns(simulation.output(), simulation.interactions().size()))
+    text += "Force, moment, contact measure and least gap of each interaction are columns of history.csv\n";
+  text += grips_in_words(SceneNode(simulation.parameters(), "").sublist("Grips"));
   const List& conditions = simulation.parameters().sublist("Boundary Conditions");
   for (const auto& [name, entry] : entries(conditions)) {
     const List& list = conditions.sublist(name);
@@ -120,10 +161,10 @@ std::string frames(const Simulation& simulation) {
   std::string text;
   for (const bool nodal : {true, false}) {
     std::string names;
-    for (const OutputField* field : chosen_fields(output.fields, simulation.model()))
-      if ((field->nodal != nullptr) == nodal)
-        names += fmt::format("{}{} [{}]", names.empty() ? "" : ", ", field->name,
-                             unit_in(simulation.model().mesh().dimension, field->unit));
+    for (const OutputField& field : chosen_fields(output.fields, simulation.model()))
+      if ((field.nodal != nullptr) == nodal)
+        names += fmt::format("{}{} [{}]", names.empty() ? "" : ", ", field.name,
+                             unit_in(simulation.model().mesh().body_dimension(), field.unit));
     if (!names.empty()) text += fmt::format("Fields of {}: {}\n", nodal ? "nodes" : "cells", names);
   }
   return text;

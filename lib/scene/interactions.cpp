@@ -8,22 +8,39 @@
 
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
+#include "io/exodus_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 #include "model/surface_interaction.hpp"
+#include "parameters/expression.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
+#include "scene/friction.hpp"
 
 namespace ixos {
 namespace {
+
+constexpr const char* exodus_format = "Exodus";
 
 struct Parameters {
   std::string side_set = required;
   ContactElement element = ContactElement::Q1C1;
   int bulk_points = 0, surface_points = 0;
   double cutoff = 0, margin = 0.8;
+  std::string factor, factor_field;
+  MotionOptions motion;
+  Friction friction;
 };
+
+const Options<MotionOptions>& motion_options() {
+  static const Options<MotionOptions> all = [] {
+    Options<MotionOptions> entries;
+    add_motion_options(entries, "obstacle", "");
+    return entries;
+  }();
+  return all;
+}
 
 const Options<Parameters>& options() {
   static const Options<Parameters> all =
@@ -53,18 +70,55 @@ const Options<Parameters>& options() {
           .add("Step Margin", &Parameters::margin,
                "Factor kappa that limits a Newton step: it keeps every gap r at least kappa min(r, equilibrium gap) "
                "[-].",
-               greater_and_less_than(0, 1));
+               greater_and_less_than(0, 1))
+          .add("Factor", &Parameters::factor,
+               "Expression in x, y and z, the place of the undeformed surface in L0: factor of the law's energy and "
+               "traction there, at least 0. Gaps do not change. Where it is 0 the law does not repel either. Empty: 1.")
+          .add(
+              "Factor Field", &Parameters::factor_field,
+              "Name of a nodal field of the mesh's Exodus file, whose values at the file's last time are a factor like "
+              "Factor, linear (bilinear) on the sides of the file's cells. If both are given, they multiply. Empty: "
+              "1.")
+          .sublist("Motion", &Parameters::motion, motion_options(),
+                   "Motion of the obstacle as a rigid body. Its parameters describe it before the motion. If all "
+                   "entries are empty, it rests.")
+          .sublist("Friction", &Parameters::friction, friction_options(),
+                   "Resistance to slip along the obstacle, scaled by Factor like the law. On an axisymmetric mesh the "
+                   "slip is that in the meridional plane.");
   return all;
 }
 
-void add_interaction(const SceneInteraction& interaction, Model& model) {
+/// Returns the expression as a function of the place; null for an empty text.
+std::function<double(const std::array<double, 3>&)> factor_of(const std::string& text) {
+  if (text.empty()) return nullptr;
+  const std::vector<std::string> names = {"x", "y", "z"};
+  const auto expression = std::make_shared<const Expression>("factor", text, names);
+  return [expression](const std::array<double, 3>& x) { return expression->at({x[0], x[1], x[2]}); };
+}
+
+/// Returns values by local node of values by node of the whole mesh, 0 at nodes that it did not have.
+std::vector<double> local_values(const std::vector<double>& values, const LocalMesh& mesh) {
+  std::vector<double> local;
+  if (values.empty()) return local;
+  for (const int node : mesh.original_ids) {
+    const auto place = static_cast<std::size_t>(node);
+    local.push_back(place < values.size() ? values[place] : 0.0);
+  }
+  return local;
+}
+
+void add_interaction(const SceneInteraction& interaction, const Histories& histories, double initial_time,
+                     Model& model) {
   const SceneNode& node = interaction.node;
   at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
-  at(node.path_of("Cutoff"), [&] { check_cutoff(*interaction.law, interaction.cutoff); });
   const auto obstacle = obstacles().make(node, static_cast<std::size_t>(model.mesh().dimension));
+  const RigidMotion motion =
+      rigid_motion(node.sublist("Motion"), interaction.motion, histories, model.mesh().dimension);
   at(node.path(), [&] {
-    ixos::add_interaction(model, {interaction.side_set, interaction.law, obstacle, interaction.cutoff,
-                                  interaction.surface_points, interaction.margin, node.name()});
+    ixos::add_interaction(
+        model, {interaction.side_set, interaction.law, obstacle, interaction.cutoff, interaction.surface_points,
+                interaction.margin, node.name(), interaction.factor, motion, initial_time,
+                local_values(interaction.nodal_factor, model.mesh()), interaction.friction});
   });
 }
 
@@ -80,10 +134,59 @@ std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
   std::vector<SceneInteraction> result;
   for (const SceneNode& node : interactions.sublists()) {
     const Parameters p = options().read(node);
-    result.push_back(
-        {node, p.side_set, p.element, p.bulk_points, p.surface_points, p.cutoff, p.margin, laws().make(node)});
+    const auto law = laws().make(node);
+    at(node.path_of("Cutoff"), [&] { check_cutoff(*law, p.cutoff); });
+    if (p.friction.type == FrictionType::ConstantStress && p.friction.current && p.friction.sharpness == 0)
+      node.refuse("Friction/Threshold",
+                  "\"Current\" with the Type \"Constant Stress\" and the Sharpness 0: the traction would jump within a "
+                  "step where the gap passes g_cut, and Newton's method fails there; use \"Lagged\", or a Sharpness "
+                  "greater than 0");
+    if (p.friction.type != FrictionType::None) at(node.path_of("Friction/Type"), [&] { FrictionLaw(p.friction, law); });
+    const auto factor = at(node.path_of("Factor"), [&] { return factor_of(p.factor); });
+    result.push_back({node,
+                      p.side_set,
+                      p.element,
+                      p.bulk_points,
+                      p.surface_points,
+                      p.cutoff,
+                      p.margin,
+                      law,
+                      factor,
+                      p.factor_field,
+                      {},
+                      p.motion,
+                      p.friction});
   }
   return result;
+}
+
+void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& mesh, int nodes) {
+  std::map<std::string, std::vector<double>> fields;  // each is read once
+  for (SceneInteraction& own : interactions) {
+    const std::string& field = own.factor_field;
+    if (field.empty()) continue;
+    const auto type = mesh.get<std::string>("Type");
+    if (type != exodus_format)
+      own.node.refuse("Factor Field",
+                      fmt::format("\"{}\" is a field of an Exodus file, but Mesh/Type is {}; choose {}, "
+                                  "or an expression as Factor",
+                                  field, type, exodus_format));
+    const auto [found, is_new] = fields.insert({field, {}});
+    if (is_new)
+      found->second = at(own.node.path_of("Factor Field"), [&] {
+        return read_exodus_field(mesh.sublist(exodus_format).get<std::string>("File"), field);
+      });
+    own.nodal_factor = found->second;
+    if (own.nodal_factor.size() != static_cast<std::size_t>(nodes))
+      own.node.refuse("Factor Field", "the mesh file changed while it was read");
+  }
+}
+
+std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interactions) {
+  std::vector<double> all;
+  for (const SceneInteraction& own : interactions)
+    all.insert(all.end(), own.nodal_factor.begin(), own.nodal_factor.end());
+  return all;
 }
 
 void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& mesh) {
@@ -104,8 +207,9 @@ void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& me
   check_cells(mesh);
 }
 
-void add_interactions(const std::vector<SceneInteraction>& interactions, Model& model) {
-  for (const SceneInteraction& interaction : interactions) add_interaction(interaction, model);
+void add_interactions(const std::vector<SceneInteraction>& interactions, const Histories& histories,
+                      double initial_time, Model& model) {
+  for (const SceneInteraction& interaction : interactions) add_interaction(interaction, histories, initial_time, model);
 }
 
 }  // namespace ixos

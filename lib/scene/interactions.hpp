@@ -1,14 +1,18 @@
 /// Interactions of a scene.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
+#include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "interaction/friction_law.hpp"
 #include "interaction/gap_law.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "model/model.hpp"
 #include "parameters/scene_node.hpp"
+#include "scene/motions.hpp"
 
 namespace ixos {
 
@@ -21,7 +25,12 @@ struct SceneInteraction {
   int surface_points = 0;
   double cutoff = 0;  ///< [L0]; 0: none
   double margin = 0;
-  std::shared_ptr<const GapLaw> law;  ///< without the cutoff
+  std::shared_ptr<const GapLaw> law;                             ///< without the cutoff
+  std::function<double(const std::array<double, 3>&)> factor{};  ///< see SurfaceInteraction; null: 1
+  std::string factor_field{};                                    ///< nodal field of the mesh file; empty: none
+  std::vector<double> nodal_factor{};  ///< its values by node of the Mesh before enrich_surfaces(); empty: 1
+  MotionOptions motion{};              ///< of the obstacle
+  Friction friction{};
 };
 
 /// Adds the parameters of an interaction to a valid list.
@@ -31,11 +40,19 @@ void declare_interaction(Teuchos::ParameterList& list);
 /// outlive the result.
 std::vector<SceneInteraction> read_interactions(const SceneNode& interactions);
 
+/// Reads the factor fields of the interactions, if any, from the Exodus file of the validated list "Mesh", whose mesh
+/// has that number of nodes. Throws InputError with the list path.
+void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& mesh, int nodes);
+
+/// Returns the factors that were read, one after the other.
+std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interactions);
+
 /// Gives the surfaces the contact elements that the interactions ask for. Throws InputError with the list path.
 void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& mesh);
 
 /// Adds the interactions to the model. Throws InputError, with the list path, if one does not fit the mesh, or its
-/// surface starts in or below the obstacle. Collective.
-void add_interactions(const std::vector<SceneInteraction>& interactions, Model& model);
+/// surface is in or below the obstacle at the initial time. Collective.
+void add_interactions(const std::vector<SceneInteraction>& interactions, const Histories& histories,
+                      double initial_time, Model& model);
 
 }  // namespace ixos

@@ -18,6 +18,7 @@ struct Absence {
 };
 
 bool prescribes_displacements(const Simulation& simulation) {
+  if (!simulation.model().grips().empty()) return true;
   const Teuchos::ParameterList& conditions = simulation.parameters().sublist("Boundary Conditions");
   const auto all = entries(conditions);
   return std::any_of(all.begin(), all.end(), [&](const auto& entry) {
@@ -25,15 +26,23 @@ bool prescribes_displacements(const Simulation& simulation) {
   });
 }
 
+bool has_friction(const Simulation& simulation) {
+  const std::vector<SceneInteraction>& all = simulation.interactions();
+  return std::any_of(all.begin(), all.end(),
+                     [](const SceneInteraction& own) { return own.friction.type != FrictionType::None; });
+}
+
 std::vector<Absence> physics(const Simulation& simulation) {
   const Model& model = simulation.model();
   const bool wall = model.has_interactions(), moves = model.mass() != nullptr;
   return {{!wall, "interaction", "no wall attracts or stops the body"},
-          {wall, "friction", "Ixos has none: a wall acts along its normal only, and the body slides along it freely"},
+          {wall && !has_friction(simulation), "friction",
+           "obstacles act along their normals only, and the body slides along them freely"},
           {!moves, "inertia",
            "time is a load parameter; the body passes from equilibrium to equilibrium, without vibration"},
           {moves && model.damping() == nullptr, "damping", "no Rayleigh damping takes energy from vibrations"},
-          {moves && !model.has_viscosity(), "viscosity", "the material is elastic and dissipates nothing"},
+          {moves && !model.has_viscosity() && !model.has_viscoelasticity(), "viscosity",
+           "the material is elastic and dissipates nothing"},
           {!prescribes_displacements(simulation), "prescribed motion", "nothing holds or drives the body"},
           {model.loads().empty(), "loads", "no tractions, no point forces, no weight"},
           {true, "a second body",

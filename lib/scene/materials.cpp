@@ -3,6 +3,7 @@
 #include "material/catalogue.hpp"
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
+#include "scene/maxwell_branches.hpp"
 
 namespace ixos {
 namespace {
@@ -51,6 +52,7 @@ const Options<Defaults>& options() {
 void declare_material(Teuchos::ParameterList& list) {
   elastic_laws().declare(list);
   options().declare(list);
+  declare_branches(list);
 }
 
 std::vector<Material> read_materials(const SceneNode& materials) {
@@ -58,6 +60,7 @@ std::vector<Material> read_materials(const SceneNode& materials) {
   for (const SceneNode& node : materials.sublists()) {
     Material material = options().read(node);
     material.law = elastic_laws().make(node);
+    read_branches(node, material);
     result.push_back(std::move(material));
   }
   return result;

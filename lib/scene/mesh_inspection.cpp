@@ -63,6 +63,7 @@ std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) 
     if (type == "Traction") inspection.sides(node, false);
     if (type == "Displacement" || type == "Point Force") inspection.nodes(node, type == "Displacement");
   }
+  for (const SceneNode& node : scene.sublist("Grips").sublists()) inspection.nodes(node, true);
   if (!read) return {};
   std::vector<std::string> warnings = loose_parts(mesh, inspection.held());
   if (std::string nodes = coincident_nodes(mesh); !nodes.empty()) warnings.insert(warnings.begin(), std::move(nodes));

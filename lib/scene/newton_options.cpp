@@ -11,7 +11,8 @@ const Options<NewtonOptions>& options() {
       Options<NewtonOptions>()
           .add("Tolerance", &NewtonOptions::tolerance,
                "Convergence tolerance: the norm of the residual over the largest of the norms of inertia, elastic, "
-               "interaction and external forces [-].",
+               "interaction and external forces [-]. Ixos does not go below the rounding of these forces: in a scene "
+               "with large rigid motions or a stiff contact, all smaller tolerances give the same results.",
                greater_and_less_than(0, 1))
           .add("Linear Tolerance", &NewtonOptions::linear_tolerance,
                "Relative residual of iterative linear solves [-]. With 0, Eisenstat and Walker's forcing terms choose "

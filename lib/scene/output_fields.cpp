@@ -9,11 +9,13 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "scene/interaction_fields.hpp"
 
 namespace ixos {
 namespace {
 
 const char* const usual_word = "default";
+constexpr std::size_t longest_name = 78;  ///< two letters for the component follow, up to 80 bytes in Exodus files
 
 /// Returns the components of a local array.
 NodalValues vector_field(const Model& model, const std::vector<double>& local) {
@@ -21,23 +23,6 @@ NodalValues vector_field(const Model& model, const std::vector<double>& local) {
   NodalValues values(d, std::vector<double>(static_cast<std::size_t>(model.mesh().nodes())));
   for (std::size_t i = 0; i < d; ++i)
     for (std::size_t node = 0; node < values[i].size(); ++node) values[i][node] = local[node * d + i];
-  return values;
-}
-
-/// Returns a local array that is valid for owned degrees of freedom, with the ghosts' values. Collective.
-NodalValues vector_of_owned(const Model& model, std::vector<double> local) {
-  local.resize(static_cast<std::size_t>(model.space().local()), 0.0);
-  model.space().update_ghosts(local.data());
-  return vector_field(model, local);
-}
-
-/// Does the same for numbers by local node. The exchange knows degrees of freedom, so they stand in for a component.
-NodalValues scalar_of_owned(const Model& model, const std::vector<double>& by_node) {
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  std::vector<double> local(static_cast<std::size_t>(model.space().local()), 0.0);
-  for (std::size_t node = 0; node < by_node.size(); ++node) local[node * d] = by_node[node];
-  NodalValues values = vector_of_owned(model, std::move(local));
-  values.resize(1);
   return values;
 }
 
@@ -56,7 +41,7 @@ std::function<CellValues(FieldFrame&)> member(std::vector<double> CellFields::*f
     CellValues values(1);
     for (const CellFields& block : frame.cells()) {
       values[0].push_back(block.*field);
-      values[0].back().resize(block.jacobian.size());  // blocks without viscosity dissipate nothing
+      values[0].back().resize(block.jacobian.size());  // blocks that do not dissipate have no numbers
     }
     return values;
   };
@@ -77,7 +62,7 @@ CellValues of_stress(FieldFrame& frame, std::size_t count, const Function& funct
 }
 
 bool has_interactions(const Model& model) { return model.has_interactions(); }
-bool has_viscosity(const Model& model) { return model.has_viscosity(); }
+bool dissipates_in_cells(const Model& model) { return model.has_viscosity() || model.has_viscoelasticity(); }
 /// Asks all ranks: some may see no constrained node.
 bool has_prescribed(const Model& model) { return model.space().maximum(model.constraints().empty() ? 0 : 1) > 0; }
 
@@ -128,13 +113,18 @@ std::vector<OutputField> cell_fields() {
   fields.back().cell = member(&CellFields::stress_invariant);
   fields.push_back({"jacobian", "J, present over reference volume.", "-", FieldShape::Scalar, true});
   fields.back().cell = member(&CellFields::jacobian);
-  fields.push_back({"energy_density", "Stored energy per reference volume.", "E0", FieldShape::Scalar, true});
+  fields.push_back({"energy_density", "Energy that the elastic law and Maxwell branches store per reference volume.",
+                    "E0", FieldShape::Scalar, true});
   fields.back().cell = member(&CellFields::energy_density);
-  fields.push_back({"dissipated_energy_density", "Energy that viscosity has dissipated per reference volume.", "E0",
-                    FieldShape::Scalar, true, "a viscosity", has_viscosity});
+  fields.push_back({"dissipated_energy_density",
+                    "Energy that viscosity and Maxwell branches have dissipated per reference volume.", "E0",
+                    FieldShape::Scalar, true, "a viscosity or Maxwell branches", dissipates_in_cells});
   fields.back().cell = member(&CellFields::dissipated);
-  fields.push_back({"stress", "Cauchy stress, elastic and viscous, without Rayleigh damping; in 2D with ZZ.", "E0",
-                    FieldShape::Symmetric});
+  fields.push_back(
+      {"stress",
+       "Cauchy stress of the elastic law, of viscosity and of Maxwell branches, without Rayleigh damping; in 2D with "
+       "ZZ.",
+       "E0", FieldShape::Symmetric});
   fields.back().cell = [](FieldFrame& frame) {
     return of_stress(frame, frame.model().mesh().dimension == 2 ? 4 : 6, [](const SymmetricTensor& s) { return s; });
   };
@@ -149,19 +139,45 @@ std::vector<OutputField> cell_fields() {
   return fields;
 }
 
-std::vector<std::string> allowed_names() {
-  std::vector<std::string> names{usual_word};
-  for (const OutputField& field : output_fields()) names.push_back(field.name);
-  return names;
-}
-
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 bool is_present(const OutputField& field, const Model& model) { return !field.present || field.present(model); }
 
+/// Throws InputError if the model lacks what a named field needs.
+void need(const OutputField& field, const Model& model) {
+  if (!is_present(field, model))
+    throw InputError(
+        fmt::format("Output/Fields: \"{}\" needs {}, which the scene does not have; remove it from the list",
+                    field.name, field.needs));
+}
+
+/// Returns the fields of all interactions of these names.
+std::vector<OutputField> fields_of_interactions(const std::vector<std::string>& interactions) {
+  std::vector<OutputField> all;
+  for (const std::string& name : interactions)
+    for (OutputField& field : interaction_fields(name)) all.push_back(std::move(field));
+  return all;
+}
+
 }  // namespace
+
+NodalValues vector_of_owned(const Model& model, std::vector<double> local) {
+  local.resize(static_cast<std::size_t>(model.space().local()), 0.0);
+  model.space().update_ghosts(local.data());
+  return vector_field(model, local);
+}
+
+// The exchange knows degrees of freedom, so numbers by node stand in for a component.
+NodalValues scalar_of_owned(const Model& model, const std::vector<double>& by_node) {
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  std::vector<double> local(static_cast<std::size_t>(model.space().local()), 0.0);
+  for (std::size_t node = 0; node < by_node.size(); ++node) local[node * d] = by_node[node];
+  NodalValues values = vector_of_owned(model, std::move(local));
+  values.resize(1);
+  return values;
+}
 
 const std::vector<CellFields>& FieldFrame::cells() {
   if (!cells_) cells_ = model().cell_fields(state().u.data());
@@ -194,40 +210,53 @@ const std::vector<OutputField>& output_fields() {
 }
 
 std::string output_fields_documentation() {
-  std::string usual, others;
+  const auto described = [](const OutputField& field) {
+    return fmt::format(" {} [{}]: {}", field.name, field.unit, field.sentence);
+  };
+  std::string usual, others, single;
   for (const OutputField& field : output_fields()) {
     if (field.usual)
       usual += (usual.empty() ? "" : ", ") + field.name;
     else
-      others += fmt::format(" {} [{}]: {}", field.name, field.unit, field.sentence);
+      others += described(field);
   }
+  for (const OutputField& field : interaction_fields("NAME")) single += described(field);
   return fmt::format(
       "Fields of fields.e. If empty, or with the name default: {}, as far as the scene has them. Others:{} Values of "
-      "cells are means over the reference volume.",
-      usual, others);
+      "cells are means over the reference volume. Fields of the interaction NAME alone:{}",
+      usual, others, single);
 }
 
-void check_field_names(const SceneNode& node, const std::string& entry, const std::vector<std::string>& names) {
-  const std::vector<std::string> allowed = allowed_names();
+void check_field_names(const SceneNode& node, const std::string& entry, const std::vector<std::string>& names,
+                       const std::vector<std::string>& interactions) {
+  std::vector<std::string> allowed{usual_word};
+  for (const OutputField& field : output_fields()) allowed.push_back(field.name);
+  for (const OutputField& field : fields_of_interactions(interactions)) allowed.push_back(field.name);
   for (const std::string& name : names) {
+    if (std::count(allowed.begin(), allowed.end(), name) > 1)
+      node.refuse(entry,
+                  "\"" + name + "\" names a field of the body and one of an interaction; rename the interaction");
     if (!contains(allowed, name)) node.refuse(entry, no_such("field", name, allowed, "There are"));
+    if (name.size() > longest_name)
+      node.refuse(entry,
+                  fmt::format("\"{}\" has {} bytes; names of fields may have {}", name, name.size(), longest_name));
     if (std::count(names.begin(), names.end(), name) > 1) node.refuse(entry, "\"" + name + "\" is given twice");
   }
 }
 
-std::vector<const OutputField*> chosen_fields(const std::vector<std::string>& names, const Model& model) {
+std::vector<OutputField> chosen_fields(const std::vector<std::string>& names, const Model& model) {
   const bool usual = names.empty() || contains(names, usual_word);
-  std::vector<const OutputField*> chosen;
+  std::vector<OutputField> chosen;
   for (const OutputField& field : output_fields()) {
     const bool named = contains(names, field.name);
     if (!named && !(usual && field.usual)) continue;
-    const bool present = is_present(field, model);
-    if (named && !present)
-      throw InputError(
-          fmt::format("Output/Fields: \"{}\" needs {}, which the scene does not have; remove it from the "
-                      "list",
-                      field.name, field.needs));
-    if (present) chosen.push_back(&field);
+    if (named) need(field, model);
+    if (is_present(field, model)) chosen.push_back(field);
+  }
+  for (OutputField& field : fields_of_interactions(model.interaction_names())) {
+    if (!contains(names, field.name)) continue;
+    need(field, model);
+    chosen.push_back(std::move(field));
   }
   return chosen;
 }

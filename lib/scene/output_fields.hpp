@@ -52,20 +52,27 @@ struct OutputField {
   std::vector<std::string> components(int dimension) const;
 };
 
-/// Returns all fields, in the order in which files have them.
+/// Returns the components of a local array that is valid for owned degrees of freedom, with the ghosts' values.
+/// Collective.
+NodalValues vector_of_owned(const Model& model, std::vector<double> local);
+/// Returns numbers by local node that are valid for owned nodes, with the ghosts' values. Collective.
+NodalValues scalar_of_owned(const Model& model, const std::vector<double>& by_node);
+
+/// Returns all fields of any scene, in the order in which files have them.
 const std::vector<OutputField>& output_fields();
 
 /// Returns the documentation of the parameter that lists fields.
 std::string output_fields_documentation();
 
-/// Throws InputError, with the place `entry` of the list, if a name is no field or is given twice. The word "default"
-/// is allowed too.
-void check_field_names(const SceneNode& node, const std::string& entry, const std::vector<std::string>& names);
+/// Throws InputError, with the place `entry` of the list, if a name is given twice, or is neither a field nor one of
+/// interaction_fields() of these interactions. The word "default" is allowed too.
+void check_field_names(const SceneNode& node, const std::string& entry, const std::vector<std::string>& names,
+                       const std::vector<std::string>& interactions);
 
-/// Returns the fields that names of a checked list choose, in the order of the catalogue. "default", or an empty list,
-/// stands for the usual fields that the model has. Throws InputError if the model lacks what a named field needs.
-/// Collective.
-std::vector<const OutputField*> chosen_fields(const std::vector<std::string>& names, const Model& model);
+/// Returns the fields that names of a checked list choose, in the order of the catalogue, then those of single
+/// interactions. "default", or an empty list, stands for the usual fields that the model has. Throws InputError if the
+/// model lacks what a named field needs. Collective.
+std::vector<OutputField> chosen_fields(const std::vector<std::string>& names, const Model& model);
 
 /// Returns a unit with the powers of D worked out: "E0 L0^(D-1)" is "E0 L0" in two dimensions.
 std::string unit_in(int dimension, const std::string& unit);

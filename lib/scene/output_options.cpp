@@ -25,12 +25,13 @@ Options<WatchOptions> watch_options() {
                {"Stop", WatchAction::Stop},
                {"Resume", WatchAction::Resume}},
               "The consequence of a row that breaks the bound. Warn prints one warning; Stop ends the run; Resume goes "
-              "back to "
-              "the last checkpoint, and ends the run if that does not help.")
+              "back to the last checkpoint, and ends the run if that does not help.")
       .add("Tolerance", &WatchOptions::tolerance,
            "Largest change of the energy balance in a step, as a share of the largest energy so far [-]. 0: what the "
            "scheme, its points in time and the tolerance of Newton's method promise; then only schemes that conserve "
-           "energy are watched, in scenes without damping.",
+           "energy are watched, in scenes where nothing dissipates (damping, viscosity, Maxwell branches, dashpots, "
+           "friction, Bilinear Damage), and with Interaction Points above 0 only if no obstacle moves and all laws "
+           "need positive gaps.",
            at_least(0));
 }
 
@@ -60,6 +61,13 @@ const Options<OutputOptions>& options() {
           .add("Momenta", &OutputOptions::momenta, "Whether history.csv has the momenta.")
           .add("Interaction", &OutputOptions::interaction,
                "Whether history.csv has contact force, contact measure and least gap.")
+          .choose("Interaction Columns", &OutputOptions::interaction_columns,
+                  {{"Automatic", InteractionColumns::Automatic},
+                   {"On", InteractionColumns::On},
+                   {"Off", InteractionColumns::Off}},
+                  "Whether history.csv has force, moment about the origin, contact measure and least gap of each "
+                  "interaction under its name. Automatic: if the scene has several interactions and Interaction is "
+                  "true.")
           .add("Reactions", &OutputOptions::reactions, "Node sets whose reactions become columns of history.csv.");
   return all;
 }
@@ -73,11 +81,17 @@ std::vector<double> OutputOptions::time_intervals() const {
   return result;
 }
 
+bool has_interaction_columns(const OutputOptions& output, std::size_t interactions) {
+  if (output.interaction_columns != InteractionColumns::Automatic)
+    return output.interaction_columns == InteractionColumns::On;
+  return output.interaction && interactions > 1;
+}
+
 void declare_output(Teuchos::ParameterList& list) { options().declare(list); }
 
-OutputOptions read_output(const SceneNode& output) {
+OutputOptions read_output(const SceneNode& output, const std::vector<std::string>& interactions) {
   OutputOptions result = options().read(output);
-  check_field_names(output, "Fields", result.fields);
+  check_field_names(output, "Fields", result.fields, interactions);
   return result;
 }
 

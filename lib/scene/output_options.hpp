@@ -10,6 +10,9 @@ namespace ixos {
 
 enum class FieldsFormat { Exodus, Hdf5 };
 
+/// Whether history.csv has columns of each interaction alone. Automatic: if the scene has several.
+enum class InteractionColumns { Automatic, On, Off };
+
 /// The list "Output/Checkpoint".
 struct CheckpointOptions {
   int interval = 0;             ///< steps between checkpoints; 0: none by steps
@@ -36,9 +39,10 @@ struct OutputOptions {
   double fields_time_interval = 0;    ///< between frames [T0]; 0: fields_interval counts
   CheckpointOptions checkpoint{};
   WatchOptions watch{};
-  bool energies = true;                  ///< whether history.csv has these columns
-  bool momenta = true;                   ///< the same
-  bool interaction = true;               ///< the same
+  bool energies = true;     ///< whether history.csv has these columns
+  bool momenta = true;      ///< the same
+  bool interaction = true;  ///< the same
+  InteractionColumns interaction_columns = InteractionColumns::Automatic;
   std::vector<std::string> reactions{};  ///< node sets whose reactions are recorded
 
   bool has_frames() const { return fields_interval > 0 || fields_time_interval > 0; }
@@ -49,7 +53,12 @@ struct OutputOptions {
 /// Adds the parameters of OutputOptions to a valid list.
 void declare_output(Teuchos::ParameterList& list);
 
-/// Returns the options of the validated list "Output". Throws InputError if a name is no field.
-OutputOptions read_output(const SceneNode& output);
+/// Returns whether history.csv of a scene with that number of interactions has columns of each alone. Automatic ones
+/// need the group "Interaction".
+bool has_interaction_columns(const OutputOptions& output, std::size_t interactions);
+
+/// Returns the options of the validated list "Output" of a scene with these interactions. Throws InputError if a name
+/// is no field.
+OutputOptions read_output(const SceneNode& output, const std::vector<std::string>& interactions = {});
 
 }  // namespace ixos

@@ -6,8 +6,10 @@
 #include "parameters/one_of.hpp"
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
+#include "scene/grips.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
+#include "scene/mesh_map.hpp"
 #include "scene/mesh_sets.hpp"
 #include "scene/newton_options.hpp"
 #include "scene/output_options.hpp"
@@ -29,6 +31,14 @@ void add_units(List& list) {
 
 void add_mesh(List& list) {
   meshes().declare(list);
+  list.set(geometry_choice, "Plane Strain",
+           "Meaning of a mesh of two dimensions. Plane Strain: a body of unit depth. Axisymmetric: a body of "
+           "revolution about the y axis, x is the radius; forces, energies and masses are those of the whole body. "
+           "Nodes on the axis stay on it. A mesh of three dimensions ignores Plane Strain.",
+           one_of({"Plane Strain", axisymmetric_geometry}));
+  declare_map(list.sublist("Map", false,
+                           "Formulas that move the nodes, for graded meshes and for shapes that no generator has. Sets "
+                           "refer to the new places."));
   declare_set(list.sublist("Sets", false, "Additional sets, selected by region. The scene chooses their names.")
                   .sublist(any_name));
 }
@@ -37,7 +47,8 @@ void add_condition(List& list) {
   list.set("Type", "Displacement",
            "Kind of condition. Displacement prescribes a displacement; Traction is a force per reference length (2D) "
            "or area (3D), Body Force a force per reference volume, Gravity an acceleration that the density "
-           "multiplies, Point Force a force on each node of a set. In 2D all forces are per depth.",
+           "multiplies, Point Force a force on each node of a set. In plane strain all forces are per depth; on an "
+           "axisymmetric mesh a Point Force is the force on the whole ring of a node, and Gravity acts along y.",
            one_of({"Displacement", "Traction", "Body Force", "Gravity", "Point Force"}));
   list.set("Node Set", "", "Node set of a Displacement or of a Point Force.");
   list.set("Side Set", "", "Side set of a Traction.");
@@ -46,7 +57,8 @@ void add_condition(List& list) {
            one_of({"x", "y", "z", "xy", "xz", "yz", "xyz", "all"}));
   list.set("Vector", Numbers(),
            "Load for a history value of 1 [E0 for a Traction, E0/L0 for a Body Force, L0/T0^2 for Gravity, E0 L0 for a "
-           "Point Force in 2D, E0 L0^2 for a Point Force in 3D].",
+           "Point Force in 2D, E0 L0^2 for a Point Force in 3D]. On an axisymmetric mesh a Point Force has the unit of "
+           "3D.",
            any_number());
   list.set("History", "",
            "Name of a list of Histories that gives the value over time. If empty, a Displacement is held at 0 and a "
@@ -91,6 +103,11 @@ List make_scene_parameters() {
       scene.sublist("Histories", false, "Named functions of time for motions and loads.").sublist(any_name));
   add_condition(scene.sublist("Boundary Conditions", false, "One list for each prescribed motion and each load.")
                     .sublist(any_name));
+  declare_grip(scene
+                   .sublist("Grips", false,
+                            "One list for each grip: a node set that moves as a rigid body, or that springs and "
+                            "dashpots hold to one. Its name heads the columns of its force and moment.")
+                   .sublist(any_name));
   add_initial_conditions(scene.sublist("Initial Conditions", false, "Velocities at the initial time."));
   add_time_integrator(scene.sublist("Time Integrator", false, "Time integration scheme and its steps."));
   declare_newton(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)."));

@@ -1,13 +1,10 @@
 #include "scene/probes.hpp"
 
-#include "io/history_file.hpp"
-
 namespace ixos {
 
 std::vector<Probe> find_probes(const SceneNode& list, const Model& model) {
   std::vector<Probe> probes;
   for (const SceneNode& node : list.sublists()) {
-    check_column_name(node.path(), node.name());
     const auto place = node.numbers("Point", static_cast<std::size_t>(model.mesh().dimension), {});
     if (place.empty())
       throw InputError(node.path_of("Point") + " is missing: the position of the probe in the reference configuration");

@@ -28,6 +28,8 @@ Bearing bearing(const std::string& path) {
   // The fingerprint tells whether the mesh is another one.
   for (const char* list : {"Units/", "Mesh/", "Time Integrator/Stop/"})
     if (starts_with(path, list)) return Bearing::None;
+  // It tells of an obstacle's file, too, wherever it lies.
+  if (starts_with(path, "Interactions/") && ends_with(path, "/File")) return Bearing::None;
   if (path == control + "Final Time") return Bearing::None;
   // Steps end at time intervals of output.
   if (starts_with(path, "Output/")) return ends_with(path, " Time Interval") ? Bearing::Solution : Bearing::None;

@@ -1,6 +1,7 @@
 #include "scene/scene_facts.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "mesh/layers.hpp"
 
@@ -19,6 +20,25 @@ double attraction(const SceneInteraction& interaction, double gap) {
   return std::max(0.0, -static_cast<double>(interaction.law->traction(Pack(gap))[0]));
 }
 
+bool follows_traction(const Friction& friction) {
+  return friction.type == FrictionType::ExtendedAmontons || friction.type == FrictionType::Smoothed;
+}
+
+bool are_before_one_obstacle(const SurfaceNumbers& a, const SurfaceNumbers& b,
+                             const std::vector<SceneInteraction>& interactions) {
+  const SceneInteraction &own = interactions[a.interaction], &other = interactions[b.interaction];
+  return a.part == b.part && a.least_gap == b.least_gap && a.normal == b.normal && own.side_set == other.side_set &&
+         own.node.text("Obstacle") == other.node.text("Obstacle");
+}
+
+/// Returns that of branches with the history update Second Order; infinity without.
+double shortest_relaxation(const Material& material) {
+  double shortest = std::numeric_limits<double>::infinity();
+  if (material.history_update == HistoryUpdate::SecondOrder)
+    for (const MaxwellBranch& branch : material.branches) shortest = std::min(shortest, branch.time);
+  return shortest;
+}
+
 }  // namespace
 
 SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, const std::vector<Material>& materials,
@@ -26,18 +46,33 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
                        const std::vector<int>& parts, const Histories& histories, const StepControlOptions& control,
                        Inertia inertia) {
   SceneFacts facts;
-  const Driving driving(scene, histories, control, mesh, parts);
+  Driving driving(scene, histories, control, mesh, parts);
+  for (const SceneInteraction& interaction : interactions)
+    driving.add_obstacle(interaction.node.sublist("Motion"), interaction.motion, histories);
   facts.motions = driving.motions();
   facts.loaded = driving.has_loads();
-  facts.moves = driving.moves();
+  facts.moves = driving.moves() || std::any_of(interactions.begin(), interactions.end(), [](const auto& interaction) {
+                  return !interaction.motion.histories().empty();
+                });
   for (const SurfaceNumbers& surface : numbers.surfaces) {
     const SceneInteraction& interaction = interactions[surface.interaction];
     SurfaceFacts own;
     own.order = order_of(interaction.element);
     own.peak_gap = interaction.law->adhesion_gap();
+    own.moved = !interaction.motion.histories().empty();
     own.drive = driving.of_part(surface.part, surface.normal);
     own.attraction = attraction(interaction, std::max(surface.least_gap - own.drive.approach, own.peak_gap));
     const Material& material = materials[numbers.bodies[surface.body].material];
+    own.opposed = std::any_of(interactions.begin(), interactions.end(), [&](const SceneInteraction& other) {
+      return other.side_set == interaction.side_set && other.law->repels();
+    });
+    own.has_friction = std::any_of(interactions.begin(), interactions.end(), [&](const SceneInteraction& other) {
+      return other.side_set == interaction.side_set && other.friction.type != FrictionType::None;
+    });
+    if (follows_traction(interaction.friction))
+      for (const SurfaceNumbers& other : numbers.surfaces)
+        if (other.interaction != surface.interaction && are_before_one_obstacle(surface, other, interactions))
+          own.uncounted = other.name;
     // Enriched cells stay Standard.
     if (material.formulation != Formulation::Enhanced || own.order > 1) {
       const SingleLayer layer = single_layer(mesh, mesh.side_sets[surface.side_set]);
@@ -46,11 +81,15 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     }
     facts.surfaces.push_back(std::move(own));
   }
+  for (const BodyNumbers& body : numbers.bodies)
+    facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);
   facts.has_inertia = inertia != Inertia::None;
   // Explicit schemes divide the step until it is stable.
   facts.step = control.adaptive.on || inertia == Inertia::Lumped ? 0 : control.time_step;
   facts.duration = control.final_time - control.initial_time;
+  facts.adaptive = control.adaptive.on;
+  facts.longest_step = control.adaptive.on ? std::min(control.maximum_step, facts.duration) : control.time_step;
   return facts;
 }
 

@@ -20,9 +20,15 @@ struct Scales {
 
 /// One interaction, parallel to CharacteristicNumbers::surfaces.
 struct SurfaceFacts {
-  int order = 1;          ///< of the contact element
-  double peak_gap = 0;    ///< the gap of largest attraction [L0]
-  double attraction = 0;  ///< at the least gap less the approach; 0 beyond the range [E0]
+  int order = 1;              ///< of the contact element
+  double peak_gap = 0;        ///< the gap of largest attraction [L0]
+  double attraction = 0;      ///< at the least gap less the approach; 0 beyond the range [E0]
+  bool moved = false;         ///< the obstacle is moved: its place at the start tells little
+  bool opposed = true;        ///< this law or another one on the side set repels
+  bool has_friction = false;  ///< some interaction of the side set has friction
+  /// The name of another interaction of the side set and the same obstacle, whose traction the threshold of this one's
+  /// friction does not count; empty if there is none.
+  std::string uncounted{};
   /// Share of the surface's cells whose other side is a surface, too, and that lock in bending.
   double single_layer = 0;
   double layer_thickness = 0;  ///< mean thickness of those cells [L0]
@@ -34,10 +40,15 @@ struct SceneFacts {
   std::vector<SurfaceFacts> surfaces{};
   std::vector<Motion> motions{};
   bool loaded = false;  ///< there are loads
-  bool moves = false;   ///< the initial velocity has a gradient
+  bool moves = false;   ///< see Driving::moves(); or an obstacle is moved
   bool has_inertia = true;
   double step = 0;      ///< of fixed implicit steps, otherwise 0 [T0]
   double duration = 0;  ///< of the run [T0]
+  /// The longest step that the control allows, and for each body the shortest relaxation time of branches with the
+  /// history update Second Order, infinite without [T0].
+  double longest_step = 0;
+  bool adaptive = false;  ///< steps are
+  std::vector<double> relaxation_times{};
   std::optional<Scales> scales{};
 };
 

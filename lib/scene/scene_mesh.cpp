@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <vector>
 
 #include "io/mesh_file.hpp"
@@ -11,7 +10,9 @@
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
 #include "parameters/validation.hpp"
+#include "scene/mesh_map.hpp"
 #include "scene/mesh_sets.hpp"
+#include "scene/obstacle_files.hpp"
 #include "scene/parameters.hpp"
 
 namespace ixos {
@@ -35,35 +36,41 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   const MeshEntry& chosen = meshes().chosen(node);
   if (reads_file(chosen)) {
     std::string& path = list.sublist(chosen.name).get<std::string>("File");
-    const auto beside = std::filesystem::path(scene_folder) / path;
-    path = std::filesystem::absolute(std::filesystem::exists(beside) ? beside : std::filesystem::path(path))
-               .lexically_normal()
-               .string();
+    path = path_beside(scene_folder, path);
   }
   Mesh mesh = meshes().make(node);
+  mesh.axisymmetric = is_axisymmetric(list);
+  map_nodes(node.sublist("Map"), mesh);
   at("Mesh", [&] { check_cells(mesh); });
   add_sets(node.sublist("Sets"), mesh);
   return mesh;
 }
 
 Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
+  given.axisymmetric = given.axisymmetric || is_axisymmetric(list);
   at("Mesh", [&] {
     check_arrays(given);
     refuse_repeated_cells(given);
-    check_cells(given);
   });
+  map_nodes(SceneNode(list, "Mesh").sublist("Map"), given);
+  at("Mesh", [&] { check_cells(given); });
   add_sets(SceneNode(list, "Mesh").sublist("Sets"), given);
   return given;
 }
 
-Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension) {
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension, bool axisymmetric) {
   Teuchos::ParameterList result(scene);
   if (result.isParameter("Mesh") && !result.isSublist("Mesh")) return result;  // the validation refuses it
   Teuchos::ParameterList& mesh = result.sublist("Mesh");
   mesh.set(meshes().choice(), std::string(given_mesh_name));
   discard_left_out(mesh, scene_parameters().sublist("Mesh"), meshes().choice());
   mesh.sublist(given_mesh_name).set("Dimension", dimension);
+  if (axisymmetric) mesh.set(geometry_choice, std::string(axisymmetric_geometry));
   return result;
+}
+
+bool is_axisymmetric(const Teuchos::ParameterList& mesh) {
+  return mesh.isType<std::string>(geometry_choice) && mesh.get<std::string>(geometry_choice) == axisymmetric_geometry;
 }
 
 bool is_from_outside(const MeshEntry& entry) { return reads_file(entry) || entry.name == given_mesh_name; }

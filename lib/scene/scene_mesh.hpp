@@ -9,16 +9,25 @@
 
 namespace ixos {
 
-/// Makes the mesh of a validated "Mesh" list; it has passed check_cells(). Looks for a mesh file in the working folder,
-/// then in `scene_folder`. Throws InputError with the list path.
+/// The entry of the list "Mesh" that gives the meaning of a mesh of two dimensions, and its value for a body of
+/// revolution.
+constexpr const char* geometry_choice = "Geometry";
+constexpr const char* axisymmetric_geometry = "Axisymmetric";
+
+/// Returns whether a list "Mesh" chooses a body of revolution.
+bool is_axisymmetric(const Teuchos::ParameterList& mesh);
+
+/// Makes the mesh of a validated "Mesh" list, with its map; it has passed check_cells(). Looks for a mesh file in the
+/// working folder, then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
-/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()) and adds the sets of a
+/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()), and applies map and sets of a
 /// validated "Mesh" list. Throws InputError with the list path.
 Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
 
 /// Returns the user's scene with "Given" as its mesh, of that dimension, in place of any other; its "Mesh/Sets" stay.
-Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension);
+/// An axisymmetric mesh sets the "Geometry", otherwise the scene's stays.
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension, bool axisymmetric);
 
 /// Returns "the mesh spans 30 x 40 L0 = 30 nm x 40 nm" for a mesh from outside, in which a wrong unit of length
 /// shows; an empty text for others.

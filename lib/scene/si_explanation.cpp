@@ -24,9 +24,10 @@ class Writer {
 std::string scales(const Simulation& simulation) {
   std::string text = "Units:";
   for (const ResultUnit& unit : simulation.result_units())
-    if (unit.quantity != "acceleration" && unit.quantity != "contact_measure")
+    if (unit.quantity != "acceleration" && unit.quantity != "contact_measure" && unit.quantity != "moment")
       text += fmt::format("{} {} = {}", text.back() == ':' ? "" : ",", unit.expression, si_text(unit.scale, unit.si));
-  return text + (simulation.model().mesh().dimension == 2 ? " (forces, energies and momenta per depth)\n" : "\n");
+  return text +
+         (simulation.model().mesh().body_dimension() == 2 ? " (forces, energies and momenta per depth)\n" : "\n");
 }
 
 std::string body(const BodyNumbers& numbers, const Writer& write) {
@@ -76,9 +77,10 @@ std::string gravity(const Simulation& simulation, const Writer& write) {
 
 std::string explain_numbers(const Simulation& simulation) {
   const Writer write(simulation.units());
-  std::string text = scales(simulation) + "Values in units of the scene and in SI units:\n" +
-                     values_in_si(simulation.parameters(), simulation.units(), simulation.model().mesh().dimension) +
-                     "Numbers that follow from them:\n";
+  std::string text =
+      scales(simulation) + "Values in units of the scene and in SI units:\n" +
+      values_in_si(simulation.parameters(), simulation.units(), simulation.model().mesh().body_dimension()) +
+      "Numbers that follow from them:\n";
   for (const BodyNumbers& numbers : simulation.characteristic_numbers().bodies) text += body(numbers, write);
   for (const SurfaceNumbers& numbers : simulation.characteristic_numbers().surfaces) text += surface(numbers, write);
   return text + gravity(simulation, write);

@@ -10,18 +10,21 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "base/phase_timer.hpp"
-#include "checkpoint/fingerprint.hpp"
-#include "io/history_file.hpp"
 #include "mesh/connected_parts.hpp"
+#include "mesh/fingerprint.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
+#include "scene/grips.hpp"
 #include "scene/histories.hpp"
+#include "scene/history_columns.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
+#include "scene/maxwell_branches.hpp"
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
+#include "scene/obstacle_files.hpp"
 #include "scene/output_fields.hpp"
 #include "scene/scene_facts.hpp"
 #include "scene/scene_mesh.hpp"
@@ -46,19 +49,31 @@ void check_resolution(const StepControlOptions& control, const std::string& path
                                  path, interval, control.initial_time, control.final_time, least));
 }
 
+/// Returns the scene with what its files are for.
+List with_files(const List& scene, const std::string& folder) {
+  return with_branch_files(with_obstacle_files(scene, folder), folder);
+}
+
+std::vector<std::string> interaction_names(const List& scene) {
+  std::vector<std::string> names;
+  for (const SceneNode& node : SceneNode(scene, "").sublist("Interactions").sublists()) names.push_back(node.name());
+  return names;
+}
+
 }  // namespace
 
 Simulation::Simulation(const List& scene, const Comm& comm, const std::string& folder, const GivenHistories& given)
-    : Simulation(scene, comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); }), given) {}
+    : Simulation(with_files(scene, folder), comm, MakeMesh([&folder](List& list) { return scene_mesh(list, folder); }),
+                 given) {}
 
 Simulation::Simulation(const List& scene, const Mesh& mesh, const Comm& comm, const GivenHistories& given)
-    : Simulation(with_given_mesh(scene, mesh.dimension), comm,
+    : Simulation(with_given_mesh(with_files(scene, "."), mesh.dimension, mesh.axisymmetric), comm,
                  MakeMesh([&mesh](List& list) { return scene_mesh(list, mesh); }), given) {}
 
 Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given)
     : parameters_(complete_scene(scene)),
       units_(scene_units(parameters_)),
-      output_(read_output(SceneNode(parameters_, "").sublist("Output"))),
+      output_(read_output(SceneNode(parameters_, "").sublist("Output"), interaction_names(parameters_))),
       time_integrator_(read_time_integrator(SceneNode(parameters_, "").sublist("Time Integrator"), output_)),
       newton_(read_newton(SceneNode(parameters_, "").sublist("Nonlinear Solver"))) {
   Teuchos::Time timer("setup", true);
@@ -79,7 +94,6 @@ Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make
   interactions_ = read_interactions(scene_node.sublist("Interactions"));
   check_compatibility(scene_node, materials_, interactions_, control.adaptive, table);
   build_model(comm, make_mesh, given, table.mass);
-  check_cutoffs(interactions_, *model_, table);
   build_integrator(std::move(table));
   set_initial_state();
   setup_seconds_ = timer.stop();
@@ -119,11 +133,15 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
       mesh.notes.push_back(std::move(note));
+    read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh.nodes());
     enrich_surfaces(interactions_, mesh);
   });
   notes_ = mesh.notes;
-  result_units_ = ixos::result_units(units_, mesh.dimension);
-  mesh_fingerprint_ = fingerprint(mesh);
+  result_units_ = ixos::result_units(units_, mesh.body_dimension());
+  std::vector<double> files = nodal_factors(interactions_);
+  const std::vector<double> sums = obstacle_file_checksums(parameters_);
+  files.insert(files.end(), sums.begin(), sums.end());
+  mesh_fingerprint_ = fingerprint(mesh, files);
   mesh_quality_ = ixos::mesh_quality(mesh);
   const std::vector<int> parts = connected_parts(mesh);
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh, parts);
@@ -135,18 +153,19 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
     return std::make_unique<Model>(localize(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks), comm,
                                    materials_, inertia);
   });
-  add_interactions(interactions_, *model_);
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
   const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, given);
+  add_interactions(interactions_, histories, control.initial_time, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
+  add_grips(scene.sublist("Grips"), histories, *model_);
+  refuse_unused_histories(scene, interactions_, histories);
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {
-    check_column_name("Output/Reactions", name);
     if (std::count(recorded.begin(), recorded.end(), name) > 1)
       throw InputError("Output/Reactions: the node set \"" + name + "\" is given twice");
     const std::size_t set = at("Output/Reactions", [&] { return model_->mesh().node_set(name); });
@@ -159,6 +178,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
                        "\" is prescribed, so it has no reaction");
   }
   chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
+  history_columns(*this);                  // refuses names that make no columns
 }
 
 void Simulation::build_integrator(Table table) {
@@ -170,7 +190,7 @@ void Simulation::build_integrator(Table table) {
                          model_->space().global(),
                          model_->space().comm()->getSize(),
                          asymmetry(scene, materials_, *model_, table),
-                         matrix_only(scene, materials_),
+                         matrix_only(scene, materials_, model_->mesh()),
                          level_width_,
                          tangent_stiffness(*model_, table, longest)};
   const bool restartable = output_.checkpoint.keep > 0;
@@ -190,6 +210,9 @@ void Simulation::set_initial_state() {
   const auto uniform = initial.numbers("Velocity", d, zero);
   const auto gradient = initial.numbers("Velocity Gradient", d * d, std::vector<double>(d * d, 0.0));
   const auto origin = initial.numbers("Origin", d, zero);
+  if (mesh.axisymmetric && uniform[0] != 0)
+    initial.refuse("Velocity",
+                   fmt::format("the radial component {} moves an axisymmetric body off its axis; use 0", uniform[0]));
   std::vector<double> u(static_cast<std::size_t>(model_->space().local()), 0.0);
   std::vector<double> v(u.size());
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)

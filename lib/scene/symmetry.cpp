@@ -1,5 +1,9 @@
 #include "scene/symmetry.hpp"
 
+#include <fmt/format.h>
+
+#include "scene/scene_mesh.hpp"
+
 namespace ixos {
 namespace {
 
@@ -25,20 +29,30 @@ std::string asymmetry(const SceneNode& scene, const std::vector<Material>& mater
       if (elastic && !rule.is_gradient()) return "the discrete gradient of the scheme \"" + table.name + "\"";
       if (elastic) return material_of(named.name, scene, materials, model.mesh());
       // A discrete gradient of the gap is its exact mean.
-      const std::string interaction = "Interactions/" + named.name;
-      const bool curved = rule.mean != Mean::Points && named.term->is_gradient(end_rule());
-      return curved ? "the exact mean before the curved obstacle of " + interaction : interaction;
+      std::string interaction = "Interactions/" + named.name;
+      if (const auto* own = dynamic_cast<const Interaction*>(named.term); own != nullptr && own->has_friction())
+        return own->is_gradient(end_rule()) ? "the mean friction along the turning obstacle of " + interaction
+                                            : interaction + "/Friction/Threshold \"Current\"";
+      if (rule.mean == Mean::Points || !named.term->is_gradient(end_rule())) return interaction;
+      const SceneNode motion = scene.sublist("Interactions").sublist(named.name).sublist("Motion");
+      const char* kind = motion.text("Rotation").empty() ? "curved" : "moved";
+      return fmt::format("the exact mean before the {} obstacle of {}", kind, interaction);
     }
   return "";
 }
 
-std::string matrix_only(const SceneNode& scene, const std::vector<Material>& materials) {
+std::string matrix_only(const SceneNode& scene, const std::vector<Material>& materials, const LocalMesh& mesh) {
+  if (mesh.axisymmetric) return std::string("Mesh/") + geometry_choice + " \"" + axisymmetric_geometry + "\"";
   const std::vector<SceneNode> nodes = scene.sublist("Materials").sublists();
   for (std::size_t i = 0; i < materials.size(); ++i) {
     if (materials[i].viscosity != 0) return nodes[i].path_of("Viscosity");
-    if (has_action(*materials[i].law, materials[i].formulation)) continue;
-    const char* entry = has_action(*materials[i].law, Formulation::Standard) ? "Element Formulation" : "Model";
-    return nodes[i].path_of(entry) + " \"" + nodes[i].text(entry) + "\"";
+    if (has_action(materials[i].formulation)) continue;
+    return nodes[i].path_of("Element Formulation") + " \"" + nodes[i].text("Element Formulation") + "\"";
+  }
+  for (const SceneNode& node : scene.sublist("Interactions").sublists()) {
+    const SceneNode friction = node.sublist("Friction");
+    if (friction.text("Type") != "None" && friction.text("Threshold") == "Current")
+      return friction.path_of("Threshold") + " \"Current\"";
   }
   return "";
 }

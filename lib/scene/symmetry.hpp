@@ -16,8 +16,9 @@ std::string asymmetry(const SceneNode& scene, const std::vector<Material>& mater
                       const Table& table);
 
 /// Returns the first entry of a material because of which tangents cannot be applied without a matrix:
-/// "Materials/Rubber/Element Formulation "Enhanced"", "Materials/Rubber/Viscosity". Returns an empty string if there is
+/// "Materials/Rubber/Element Formulation "Enhanced"", "Materials/Rubber/Viscosity"; or the choice of an axisymmetric
+/// mesh. Returns an empty string if there is
 /// none.
-std::string matrix_only(const SceneNode& scene, const std::vector<Material>& materials);
+std::string matrix_only(const SceneNode& scene, const std::vector<Material>& materials, const LocalMesh& mesh);
 
 }  // namespace ixos

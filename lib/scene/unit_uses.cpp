@@ -1,5 +1,7 @@
 #include "scene/unit_uses.hpp"
 
+#include <Teuchos_Array.hpp>
+
 #include "parameters/parameter_entries.hpp"
 #include "scene/scene_mesh.hpp"
 
@@ -13,14 +15,21 @@ std::string text(const List& list, const std::string& name, const List& defaults
   return (list.isType<std::string>(name) ? list : defaults).get<std::string>(name);
 }
 
+/// Returns the texts of an array; none if the list has no such array.
+std::vector<std::string> texts(const List& list, const std::string& name) {
+  using Texts = Teuchos::Array<std::string>;
+  return list.isType<Texts>(name) ? list.get<Texts>(name).toVector() : std::vector<std::string>();
+}
+
 /// Returns the sublist of that name; an empty list if there is none.
 List sublist(const List& list, const std::string& name) { return list.isSublist(name) ? list.sublist(name) : List(); }
 
-/// Returns the dimension of the mesh that the scene chooses; 0 if it is not known.
+/// Returns the dimension of the bodies of the mesh that the scene chooses; 0 if it is not known.
 int mesh_dimension(const List& scene, const List& valid) {
   const List mesh = sublist(scene, "Mesh");
   const List& known = valid.sublist("Mesh");
   const std::string type = text(mesh, meshes().choice(), known);
+  if (is_axisymmetric(mesh)) return 3;  // the units of the whole body
   for (const MeshEntry& entry : meshes().entries()) {
     if (entry.name != type) continue;
     if (entry.dimension != 0) return entry.dimension;
@@ -43,6 +52,13 @@ UnitUses::UnitUses(const List& scene, const List& valid, int dimension)
     const bool motion = text(condition, "Type", condition_) == "Displacement";
     histories_[text(condition, "History", condition_)].insert(motion ? "motion" : "load");
   }
+  const auto add_motion = [this](const List& motion) {
+    if (motion.isType<std::string>("Rotation")) histories_[motion.get<std::string>("Rotation")].insert("angle");
+    for (const std::string& history : texts(motion, "Translation")) histories_[history].insert("motion");
+  };
+  const List grips = sublist(scene, "Grips"), interactions = sublist(scene, "Interactions");
+  for (const auto& [name, entry] : entries(grips)) add_motion(sublist(grips, name));
+  for (const auto& [name, entry] : entries(interactions)) add_motion(sublist(sublist(interactions, name), "Motion"));
 }
 
 std::set<std::string> UnitUses::of(const std::vector<std::string>& path, const List& list) const {
@@ -54,6 +70,7 @@ std::set<std::string> UnitUses::of(const std::vector<std::string>& path, const L
     const std::string type = text(list, "Type", condition_);
     return {type, type + " in " + dimension_};
   }
+  if (path.size() == 2 && path[0] == "Grips") return {"grip in " + dimension_};
   if (path.size() == 4 && path[1] == "Stop")
     return {text(list, "Quantity", probe_)[0] == 'v' ? "velocity" : "coordinate or displacement"};
   return {};

@@ -90,7 +90,7 @@ Message gap_crossing_against_step(const Facts& facts) {
   constexpr double limit = 3;
   if (!facts.has_inertia) return "";
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
-    if (own.drive.held || surface.least_gap <= own.peak_gap) return Message();
+    if (own.moved || own.drive.held || surface.least_gap <= own.peak_gap) return Message();
     if (facts.step <= limit * surface.gap_crossing_time) return Message();
     return fmt::format(
         "the time step of {:.3g} T0 is {:.3g} times as long as the attracted body needs to cross the equilibrium gap, "
@@ -99,6 +99,22 @@ Message gap_crossing_against_step(const Facts& facts) {
         facts.step, facts.step / surface.gap_crossing_time, surface.gap_crossing_time, limit,
         surface.gap_crossing_time);
   });
+}
+
+Message relaxation_against_step(const Facts& facts) {
+  constexpr double limit = 1.0 / 3;
+  for (std::size_t i = 0; i < facts.relaxation_times.size(); ++i) {
+    const double time = facts.relaxation_times[i];
+    if (facts.longest_step <= limit * time) continue;
+    return fmt::format(
+        "Materials/{}: steps of up to {:.3g} T0 are longer than a third of the shortest relaxation time, {:.3g} T0: "
+        "with "
+        "the History Update \"Second Order\" they may dissipate less than 0; use a {} of at most {:.2g}, or \"Backward "
+        "Euler\"",
+        facts.numbers.bodies[i].name, facts.longest_step, time, facts.adaptive ? "Maximum Time Step" : "Time Step",
+        limit * time);
+  }
+  return "";
 }
 
 /// Aerogels to osmium, soft gels to diamond, weak liquids to tapes.
@@ -187,15 +203,40 @@ Message no_way_to_bend(const Facts& facts) {
 Message oblique_pull_without_friction(const Facts& facts) {
   constexpr double limit = 0.1;
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
+    if (own.moved || own.has_friction) return Message();
     for (const Pull& pull : own.drive.pulls) {
       const double across = std::max(pull.away, pull.towards);
       if (pull.along <= limit * across || (pull.away == 0 && surface.least_gap > own.peak_gap)) continue;
       return fmt::format(
           "{} acts at {:.0f} degrees to the obstacle (limit {:.0f}), but there is no friction: the surface will slide "
-          "freely; act along the obstacle's normal, or hold the body against sliding",
+          "freely; act along the obstacle's normal, hold the body against sliding, or give the interaction a Friction",
           pull.path, std::atan2(across, pull.along) * 180 / M_PI, std::atan2(1.0, limit) * 180 / M_PI);
     }
     return Message();
+  });
+}
+
+/// Two laws before one obstacle stand for one physical law; a threshold from a part of it is rarely meant.
+Message friction_of_one_law(const Facts& facts) {
+  return first_surface(facts, [&](const SurfaceNumbers&, const SurfaceFacts& own, const BodyNumbers&) {
+    if (own.uncounted.empty()) return Message();
+    return fmt::format(
+        "the threshold of the friction follows the law of this list alone, and \"{}\" acts before the same obstacle, "
+        "too; let the list whose law carries the load have the friction, or use the type \"Constant Stress\"",
+        own.uncounted);
+  });
+}
+
+/// A stiff beam before an electrode may be meant to stay away from it; a soft body is pulled on to it.
+Message attraction_without_repulsion(const Facts& facts) {
+  constexpr double limit = 1e-4;
+  return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers& body) {
+    if (own.opposed || surface.peak_traction <= limit * body.modulus) return Message();
+    return fmt::format(
+        "the law only attracts, and no other interaction of the side set repels: nothing stops the surface at the "
+        "obstacle (largest attraction {:.2g} of Young's modulus, limit {}); add an interaction of this side set with "
+        "the Law \"Penalty\" or \"Log Barrier\", or use a law that repels, too",
+        surface.peak_traction / body.modulus, limit);
   });
 }
 
@@ -206,9 +247,12 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"wave and run", wave_crossing_against_run},
     {"wave and step", wave_crossing_against_step},
     {"gap and step", gap_crossing_against_step},
+    {"relaxation", relaxation_against_step},
     {"jump", motion_that_jumps},
     {"no attraction", gap_without_attraction},
+    {"no repulsion", attraction_without_repulsion},
     {"bending", no_way_to_bend},
+    {"friction of one law", friction_of_one_law},
     {"no friction", oblique_pull_without_friction},
 };
 

@@ -19,6 +19,9 @@ struct End {
   double slope;
 };
 
+/// Number of times that a step is shortened at most if there is no potential.
+constexpr int shortenings = 6;
+
 /// Returns the place in [0, 1] of the minimum of the cubic through both ends, kept within [0.1, 0.6].
 double valley(const End& start, const End& end) {
   const double a = start.slope + end.slope - 2 * (end.value - start.value);
@@ -35,7 +38,8 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
   const auto along = tpetra(direction), from = tpetra(old.getX());
   const bool gradient = problem_.is_gradient();  // at the old iterate, the last that was evaluated
-  const double slope = gradient ? inner_product(*tpetra(old.getF()), *along) : 0.0;
+  const bool kinks = problem_.has_kinks();
+  const double slope = gradient || kinks ? inner_product(*tpetra(old.getF()), *along) : 0.0;
   std::optional<Potential> start;
   step = problem_.admissible_step(*from, *along);
   for (int trial = 0; trial < 25 && step > 0; ++trial) {
@@ -45,8 +49,14 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
       step /= 2;
       continue;
     }
-    if (!gradient || !(slope < 0)) return true;
+    if (!(gradient || kinks) || !(slope < 0)) return true;
     const double end_slope = inner_product(*tpetra(group.getF()), *along);
+    if (!gradient) {
+      // The step must not end far beyond the place where f . direction vanishes (Matthies and Strang 1979).
+      if (end_slope <= -0.8 * slope || trial >= shortenings) return true;
+      step *= std::clamp(slope / (slope - end_slope), 0.1, 0.6);
+      continue;
+    }
     if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
     if (!start) start = problem_.potential(*from);
     const Potential end = problem_.potential(*tpetra(group.getX()));

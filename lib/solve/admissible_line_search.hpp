@@ -13,6 +13,9 @@ namespace ixos {
 /// magnitude. Otherwise the potential is evaluated, and unless it has fallen (Armijo, with room for rounding), the step
 /// is shortened to the minimum of the cubic through values and slopes of both ends. Good Newton steps therefore cost no
 /// evaluation of the potential.
+///
+/// If the residual has kinks without being a gradient, secants shorten the step, at most six times, until the slope
+/// along the direction is at most 0.8 of the start's magnitude.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
  public:
   explicit AdmissibleLineSearch(NonlinearProblem& problem) : problem_(problem) {}

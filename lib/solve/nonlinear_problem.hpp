@@ -32,6 +32,8 @@ class NonlinearProblem {
   /// Returns whether f, at the last x that residual() saw, is the gradient of potential(). It is not until the
   /// prescribed values are reached.
   virtual bool is_gradient() const { return false; }
+  /// Returns whether f has kinks, without being a gradient, so that full steps of Newton's method may cycle.
+  virtual bool has_kinks() const { return false; }
   /// Returns the squared distance of prescribed values from their targets; 0 if f is a gradient.
   virtual double way_left(const Vector& /*x*/) { return 0; }
   /// Sets a direction's part for prescribed values to the whole way left, exactly.

@@ -14,26 +14,29 @@ void add(const std::vector<double>& part, std::size_t count, std::vector<double>
 
 SemiDiscreteBalance::SemiDiscreteBalance(const Model& model) : model_(model) {
   const auto local = static_cast<std::size_t>(model.space().local());
-  for (std::vector<double>* array : {&u_, &v_, &elastic_, &interaction_, &part_, &sum_}) array->resize(local);
+  for (std::vector<double>* array : {&u_, &v_, &a_, &elastic_, &interaction_, &part_, &sum_}) array->resize(local);
 }
 
 void SemiDiscreteBalance::set(const MotionState& state) {
   state_ = state;
+  model_.set_time(state.time);  // of the responses
   has_velocity_ = has_forces_ = has_sum_ = false;
   model_.space().import(*state.u, u_.data());
 }
 
 bool SemiDiscreteBalance::admissible() {
-  if (!has_forces_ && u_ != judged_) evaluate_forces();
+  const bool moved = state_.time != judged_time_ && model_.has_moved_obstacles();
+  if (!has_forces_ && (u_ != judged_ || moved)) evaluate_forces();
   return model_.space().minimum(verdict_ ? 1 : 0) > 0;
 }
 
 void SemiDiscreteBalance::evaluate_forces() {
-  const Segment here{nullptr, nullptr, u_.data()};
+  const Segment here{nullptr, nullptr, u_.data(), state_.time};
   verdict_ = model_.force(Part::Elastic, here, end_rule(), elastic_.data());
   if (model_.has_interactions())
     verdict_ = model_.force(Part::Interaction, here, end_rule(), interaction_.data()) && verdict_;
   judged_ = u_;
+  judged_time_ = state_.time;
   has_forces_ = true;
 }
 
@@ -48,9 +51,8 @@ const std::vector<double>& SemiDiscreteBalance::velocity() {
 void SemiDiscreteBalance::multiply_mass(const Vector* x) {
   std::fill(part_.begin(), part_.end(), 0.0);
   if (x == nullptr || model_.mass() == nullptr) return;
-  std::vector<double> local(part_.size());
-  model_.space().import(*x, local.data());
-  model_.mass()->multiply(local.data(), part_.data());
+  model_.space().import(*x, a_.data());
+  model_.mass()->multiply(a_.data(), part_.data());
 }
 
 const std::vector<double>& SemiDiscreteBalance::force(NodalForce part) {

@@ -52,8 +52,9 @@ class SemiDiscreteBalance {
 
   const Model& model_;
   MotionState state_;
-  std::vector<double> u_, v_, elastic_, interaction_, part_, sum_;
+  std::vector<double> u_, v_, a_, elastic_, interaction_, part_, sum_;
   std::vector<double> judged_;  ///< the u of the last verdict
+  double judged_time_ = 0;      ///< and its time
   bool verdict_ = true;         ///< of this rank
   bool has_velocity_ = false, has_forces_ = false, has_sum_ = false;
 };

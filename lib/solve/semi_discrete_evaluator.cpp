@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/error.hpp"
 #include "solve/mass_operator.hpp"
 #include "solve/operator_preconditioner.hpp"
 
@@ -56,6 +57,10 @@ SemiDiscreteEvaluator::SemiDiscreteEvaluator(const Model& model,
 }
 
 void SemiDiscreteEvaluator::make_arguments(bool preconditioned) {
+  if (model_.has_histories())
+    throw InputError(
+        "an interaction's law or a material has a history, which follows the steps of an Integrator; the evaluator has "
+        "none");
   model_.close();
   const std::string description = "Ixos semi-discrete model";
   Base::InArgsSetup<double> in;
@@ -124,9 +129,9 @@ void SemiDiscreteEvaluator::evaluate_W(const InArgs& in, const LinearOp& op) con
   const auto tpetra_op = Extract::getTpetraOperator(op);
   const TangentWeights factors = weights(in);
   if (const auto matrix_free = Teuchos::rcp_dynamic_cast<SemiDiscreteOperator>(tpetra_op); nonnull(matrix_free))
-    return matrix_free->linearize(factors, balance_.displacement());
+    return matrix_free->linearize(factors, balance_.displacement(), balance_.time());
   const auto matrix = Teuchos::rcp_dynamic_cast<CrsMatrix>(tpetra_op, true);
-  set_semi_discrete_tangent(model_, factors, balance_.displacement(), balance_.velocity(), *matrix);
+  set_semi_discrete_tangent(model_, factors, balance_.displacement(), balance_.velocity(), balance_.time(), *matrix);
   model_.constrain_matrix(factors.constrained(), matrix->getLocalMatrixHost().values.data());
 }
 
@@ -138,11 +143,14 @@ void SemiDiscreteEvaluator::evaluate_preconditioner(const InArgs& in, const OutA
   preconditioner->compute(preconditioner->own_operator);
 }
 
-/// The gradients of kinetic, elastic and contact energy are M x' by x', and f_el and f_c by x.
+/// The gradients of kinetic, elastic and contact energy are M x' by x', and f_el and f_c by x. Springs store energy by
+/// their stretch, while their driven ends are part of f_ext.
 void SemiDiscreteEvaluator::evaluate_gradients(const OutArgs& out) const {
   if (const auto by_x = out.get_DgDx(energies).getMultiVector(); nonnull(by_x)) {
     Thyra::assign(by_x->col(0).ptr(), 0.0);
-    copy(balance_.force(NodalForce::Elastic), *by_x->col(1));
+    std::vector<double> elastic = balance_.force(NodalForce::Elastic);
+    model_.add_stretch_gradient(balance_.time(), elastic.data());
+    copy(elastic, *by_x->col(1));
     copy(balance_.force(NodalForce::Interaction), *by_x->col(2));
   }
   if (const auto by_x_dot = out.get_DgDx_dot(energies).getMultiVector(); nonnull(by_x_dot)) {
@@ -173,7 +181,7 @@ SemiDiscreteEvaluator::LinearOp SemiDiscreteEvaluator::unconstrained(const InArg
                                                                      const TangentWeights& weights) const {
   enter(in);
   const auto matrix = model_.pattern().create_matrix(model_.space());
-  set_semi_discrete_tangent(model_, weights, balance_.displacement(), balance_.velocity(), *matrix);
+  set_semi_discrete_tangent(model_, weights, balance_.displacement(), balance_.velocity(), balance_.time(), *matrix);
   if (!balance_.admissible()) fill(*matrix, nan);
   return linear_op(matrix, space_);
 }

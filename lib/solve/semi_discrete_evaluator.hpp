@@ -45,7 +45,8 @@ class SemiDiscreteEvaluator final : public Thyra::StateFuncModelEvaluatorBase<do
   using OutArgs = Thyra::ModelEvaluatorBase::OutArgs<double>;
 
   /// Without a linear solver get_W_factory() is null, and the caller solves with W_op by other means. W_prec is
-  /// not offered.
+  /// not offered. Both constructors throw InputError if a law or a material has a history: the evaluator has no steps
+  /// to follow.
   explicit SemiDiscreteEvaluator(const Model& model, Factory linear_solver = Teuchos::null);
 
   /// With Ixos' linear solvers: get_W_factory() is the list's solver with its kept preconditioner, which also accepts a

@@ -63,7 +63,7 @@ std::vector<double> SemiDiscreteResponses::values(Response response, SemiDiscret
   const double* u = balance.displacement().data();
   switch (response) {
     case Response::Energies:
-      return {model_.momenta(u, balance.velocity().data()).kinetic_energy, model_.energy(Part::Elastic, u),
+      return {model_.momenta(u, balance.velocity().data()).kinetic_energy, model_.elastic_energy(balance.time(), u),
               model_.energy(Part::Interaction, u)};
     case Response::Momenta: {
       const Momenta momenta = model_.momenta(u, balance.velocity().data());

@@ -6,21 +6,12 @@
 #include <stdexcept>
 
 namespace ixos {
-namespace {
-
-Rule weighted(double weight) {
-  Rule rule = end_rule();
-  rule.points[0].weight = weight;
-  return rule;
-}
-
-}  // namespace
 
 void add_semi_discrete_tangent(const Model& model, const TangentWeights& weights, const std::vector<double>& u,
-                               const std::vector<double>& v, double* values) {
+                               const std::vector<double>& v, double time, double* values) {
   if (weights.stiffness != 0) {
-    const Segment here{nullptr, nullptr, u.data()};
-    const Rule rule = weighted(weights.stiffness);
+    const Segment here{nullptr, nullptr, u.data(), time};
+    const Rule rule = end_rule(weights.stiffness);
     model.add_tangent(Part::Elastic, here, rule, Tangent::Exact, values);
     model.add_tangent(Part::Interaction, here, rule, Tangent::Exact, values);
   }
@@ -29,27 +20,27 @@ void add_semi_discrete_tangent(const Model& model, const TangentWeights& weights
 }
 
 void set_semi_discrete_tangent(const Model& model, const TangentWeights& weights, const std::vector<double>& u,
-                               const std::vector<double>& v, CrsMatrix& matrix) {
+                               const std::vector<double>& v, double time, CrsMatrix& matrix) {
   const auto local = matrix.getLocalMatrixHost();
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   if (local.values.extent(0) != static_cast<std::size_t>(model.pattern().pairs()) * d * d)
     throw std::logic_error("the operator is of another version of the discretization; create another one");
   std::fill_n(local.values.data(), local.values.extent(0), 0.0);
-  add_semi_discrete_tangent(model, weights, u, v, local.values.data());
+  add_semi_discrete_tangent(model, weights, u, v, time, local.values.data());
 }
 
 SemiDiscreteOperator::SemiDiscreteOperator(const Model& model)
     : TangentOperator(model,
                       [this, &model](double* values) {
                         // Without viscosity, which has no action, the tangent does not depend on the velocity.
-                        add_semi_discrete_tangent(model, weights_, u_, u_, values);
+                        add_semi_discrete_tangent(model, weights_, u_, u_, time_, values);
                         model.constrain_matrix(weights_.constrained(), values);
                       }),
       u_(static_cast<std::size_t>(model.space().local()), 0.0) {}
 
 TangentPoint SemiDiscreteOperator::point() const {
   TangentPoint point;
-  point.elastic = point.interaction = Segment{nullptr, nullptr, u_.data()};
+  point.elastic = point.interaction = Segment{nullptr, nullptr, u_.data(), time_};
   point.elastic_rule = point.interaction_rule = &rule_;
   point.mass = weights_.mass;
   point.damping = weights_.damping;
@@ -57,16 +48,17 @@ TangentPoint SemiDiscreteOperator::point() const {
   return point;
 }
 
-void SemiDiscreteOperator::linearize(const TangentWeights& weights, const std::vector<double>& u) {
+void SemiDiscreteOperator::linearize(const TangentWeights& weights, const std::vector<double>& u, double time) {
   weights_ = weights;
   u_ = u;
-  rule_ = weighted(weights.stiffness);
+  time_ = time;
+  rule_ = end_rule(weights.stiffness);
   TangentOperator::linearize(point());
 }
 
 void SemiDiscreteOperator::invalidate() {
   std::fill(u_.begin(), u_.end(), 0.0);
-  rule_ = weighted(0);
+  rule_ = end_rule(0);
   TangentPoint nowhere = point();
   nowhere.shift = nowhere.constrained_diagonal = std::numeric_limits<double>::quiet_NaN();
   TangentOperator::linearize(nowhere);

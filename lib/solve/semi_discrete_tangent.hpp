@@ -18,15 +18,15 @@ struct TangentWeights {
   double constrained() const { return stiffness != 0 ? stiffness : mass; }
 };
 
-/// Adds W at the displacement u and velocity v, local arrays, to matrix values in the layout of Pattern::create_matrix:
-/// all rows and columns, also those of constrained degrees of freedom.
+/// Adds W at the displacement u and velocity v, local arrays, and a time [T0], to matrix values in the layout of
+/// Pattern::create_matrix: all rows and columns, also those of constrained degrees of freedom.
 void add_semi_discrete_tangent(const Model& model, const TangentWeights& weights, const std::vector<double>& u,
-                               const std::vector<double>& v, double* values);
+                               const std::vector<double>& v, double time, double* values);
 
 /// Sets a matrix of the model's sparsity to it. Throws std::logic_error if the matrix is of another version of the
 /// discretization.
 void set_semi_discrete_tangent(const Model& model, const TangentWeights& weights, const std::vector<double>& u,
-                               const std::vector<double>& v, CrsMatrix& matrix);
+                               const std::vector<double>& v, double time, CrsMatrix& matrix);
 
 /// W applied without a matrix, constrained degrees of freedom eliminated. It keeps the displacement at which it was
 /// taken, from which it assembles a matrix if somebody asks for one.
@@ -35,8 +35,8 @@ class SemiDiscreteOperator final : public TangentOperator {
   /// Throws InputError if a term cannot be applied matrix-free.
   explicit SemiDiscreteOperator(const Model& model);
 
-  /// Takes W at the displacement u, a local array.
-  void linearize(const TangentWeights& weights, const std::vector<double>& u);
+  /// Takes W at the displacement u, a local array, and a time.
+  void linearize(const TangentWeights& weights, const std::vector<double>& u, double time);
   /// Makes every product NaN, until the next linearize().
   void invalidate();
 
@@ -45,6 +45,7 @@ class SemiDiscreteOperator final : public TangentOperator {
 
   TangentWeights weights_;
   std::vector<double> u_;
+  double time_ = 0;
   Rule rule_;
 };
 

@@ -19,8 +19,8 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
     possible = possible && std::all_of(actions->begin(), actions->end(), [](const auto& action) { return !!action; });
   if (!possible)
     throw InputError(
-        "Linear Solver/Operator: \"Matrix-Free\" is not offered for the model's viscosity, element formulation or "
-        "elastic law; use \"Assembled\"");
+        "Linear Solver/Operator: \"Matrix-Free\" is not offered for the model's viscosity, element formulation, "
+        "axial symmetry or friction with a current threshold; use \"Assembled\"");
   for (const auto& action : elastic_) mass_in_elastic_ = mass_in_elastic_ && action->applies_mass();
   for (std::vector<double>* array : {&x_, &result_, &part_})
     array->resize(static_cast<std::size_t>(model.space().local()));
@@ -28,6 +28,7 @@ TangentOperator::TangentOperator(const Model& model, std::function<void(double*)
 
 void TangentOperator::linearize(const TangentPoint& point) {
   std::vector<LinearPart> linear = model_.linear_parts(point.mass, point.damping);
+  linear.resize(elastic_.size());  // springs have none
   for (std::size_t i = 0; i < elastic_.size(); ++i) {
     if (!mass_in_elastic_) linear[i].inertia = 0;
     elastic_[i]->linearize(point.elastic, *point.elastic_rule, point.kind, linear[i]);
@@ -36,6 +37,7 @@ void TangentOperator::linearize(const TangentPoint& point) {
     action->linearize(point.interaction, *point.interaction_rule, point.kind, {});
   mass_ = point.mass;
   damping_ = point.damping;
+  linearize_dashpots();
   shift_ = point.shift;
   constrained_diagonal_ = point.constrained_diagonal;
   assembled_ = false;
@@ -55,6 +57,18 @@ void TangentOperator::multiply(const double* x) const {
   }
   if (shift_ != 0)
     for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
+  if (!dashpots_.empty())
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += dashpots_[i] * x[i];
+}
+
+/// Sets dashpots_ to the tangent of the dashpots, which is a diagonal matrix.
+void TangentOperator::linearize_dashpots() {
+  dashpots_.clear();
+  for (const Grip& grip : model_.grips()) {
+    if (grip.dashpots == nullptr) continue;
+    dashpots_.resize(static_cast<std::size_t>(model_.space().local()));
+    grip.dashpots->add_diagonal(damping_, dashpots_.data());
+  }
 }
 
 void TangentOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
@@ -93,6 +107,8 @@ void TangentOperator::diagonal(Vector& result) const {
   for (const auto& action : interactions_) action->add_diagonal(result_.data());
   if (model_.mass() != nullptr) model_.mass()->add_diagonal(mass_, result_.data());
   if (model_.damping() != nullptr) model_.damping()->add_mass_diagonal(damping_, result_.data());
+  if (!dashpots_.empty())
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += dashpots_[i];
   for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_;
   for (int dof : model_.constraints().dofs()) result_[static_cast<std::size_t>(dof)] = constrained_diagonal_;
   const auto target = result.getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -83,12 +83,13 @@ struct StudyReference::Results {
     const std::vector<double>&at = history.column("time"), &values = history.column("external_work");
     return interpolated(at, values, to) - interpolated(at, values, from);
   }
-  /// Returns the largest magnitude of a value in all columns whose names begin with one of these words.
-  double largest_of(const std::vector<std::string>& beginnings) const {
+  /// Returns the largest magnitude of a value in all columns with these names. A word that ends in an underscore stands
+  /// for all names that begin with it.
+  double largest_of(const std::vector<std::string>& words) const {
     double result = 0;
     for (const std::string& name : history.names())
-      for (const std::string& word : beginnings)
-        if (name.rfind(word, 0) == 0)
+      for (const std::string& word : words)
+        if (word.back() == '_' ? name.rfind(word, 0) == 0 : name == word)
           for (double value : history.column(name)) result = std::max(result, std::abs(value));
     return result;
   }
@@ -150,7 +151,8 @@ StudyReference::~StudyReference() = default;
 void StudyReference::find_zeros() {
   const std::vector<double>& times = reference_->history.column("time");
   const double from = std::max(options_.from, times.front()), to = std::min(options_.to, times.back());
-  const double force = reference_->largest_of({"contact_force_", "reaction_"});
+  // Not the columns of single interactions, whose forces may cancel.
+  const double force = std::max(reference_->largest_of(force_columns), reference_->largest_of({"reaction_"}));
   const double energy = reference_->largest_of(energy_columns);
   const auto judge = [&](const char* column, const char* what, double size, double scale, const char* scale_name) {
     if (!(size <= negligible * scale)) return;

@@ -9,6 +9,7 @@
 #include "discretization/element_batches.hpp"
 #include "discretization/pattern.hpp"
 #include "mesh/local_mesh.hpp"
+#include "term/force_term.hpp"
 
 namespace ixos {
 
@@ -61,6 +62,25 @@ struct BlockCells {
   std::vector<Pack> owned;         ///< by batch: 1 for cells whose energy counts on this rank, else 0
 };
 
+/// A segment's arrays at one batch; absent arrays stay null.
+template <class Kernel>
+class GatheredSegment {
+ public:
+  GatheredSegment(const ElementBatches<Kernel::N, Kernel::D>& batches, std::size_t b, const Segment& segment)
+      : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+    batches.gather(b, segment.to, to_);
+    if (has_from_) batches.gather(b, segment.from, from_);
+    if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
+  }
+  typename Kernel::template Segment<Pack> segment() const {
+    return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+  }
+
+ private:
+  bool has_from_, has_velocity_;
+  typename BlockCells<Kernel>::Nodal to_, from_, velocity_;
+};
+
 /// Gradients of a local array at the points of a batch.
 template <class Kernel>
 class CellGradients {
@@ -70,7 +90,7 @@ class CellGradients {
   CellGradients(const BlockCells<Kernel>& cells, std::size_t b, const typename BlockCells<Kernel>::Nodal& values)
       : geometry_(cells.geometry[b]), values_(values) {}
 
-  Small<Pack, Kernel::D> operator()(std::size_t q) const {
+  Small<Pack, Kernel::G> operator()(std::size_t q) const {
     return Kernel::gradient(values_, Kernel::shape_gradients(geometry_, q));
   }
 

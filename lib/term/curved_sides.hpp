@@ -67,6 +67,44 @@ class CurvedSides : public SurfaceSides<SideElement> {
     return gaps;
   }
 
+  /// Returns the obstacle's unit normals at a batch's nodes, nothing at derivative nodes. Zero where the gap has no
+  /// direction.
+  template <class SightOf>
+  Vectors nodal_normals(std::size_t b, const double* u, const SightOf& sight_of) const {
+    const Vectors x = places_of(b, u);
+    Vectors normals{};
+    for (std::size_t a = 0; a < Base::places; ++a) {
+      PackPoint point{};
+      for (std::size_t i = 0; i < D; ++i) point[i] = x[a][i];
+      const Sight sight = sight_of(point);
+      Pack square = 0.0;
+      for (std::size_t i = 0; i < D; ++i) square += sight.normal[i] * sight.normal[i];
+      // The gradient of a vertical gap is longer than 1.
+      const Pack length = std::experimental::sqrt(select(square > 0.0, square, Pack(1.0)));
+      for (std::size_t i = 0; i < D; ++i) normals[a][i] = sight.normal[i] / length;
+    }
+    return normals;
+  }
+
+  /// Adds the tangent of a batch from the matrices of its quadrature points. The blocks of two nodes (a, c) and (c, a)
+  /// are equal.
+  void scatter_tangent(std::size_t b, const Small<Pack, D>* matrices, double* values) const {
+    Small<Pack, N * D> tangent;
+    for (std::size_t a = 0; a < N; ++a)
+      for (std::size_t c = a; c < N; ++c) {
+        Small<Pack, D> sum{};  // stays in registers
+        for (std::size_t q = 0; q < quadrature().size(); ++q) {
+          const auto& shape = quadrature().value[q];
+          const double weight = shape[a] * shape[c];
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = 0; j < D; ++j) sum[i][j] += weight * matrices[q][i][j];
+        }
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) tangent[a * D + i][c * D + j] = tangent[c * D + i][a * D + j] = sum[i][j];
+      }
+    batches().scatter_tangent(b, tangent, values);
+  }
+
   /// Places of one batch's quadrature points along a segment. The sides must outlive it.
   class Ends {
    public:

@@ -22,8 +22,8 @@ enum class Formulation {
 struct CellFields {
   std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus
   std::vector<double> jacobian;          ///< J [-]
-  std::vector<double> energy_density;    ///< W per reference volume [E0]
-  std::vector<double> dissipated;        ///< by viscosity since the start [E0]; empty without viscosity
+  std::vector<double> energy_density;    ///< stored by the law and by Maxwell branches [E0]
+  std::vector<double> dissipated;        ///< by viscosity and branches since the start [E0]; empty without them
 };
 
 /// The elasticity of a block.
@@ -39,8 +39,9 @@ class Elasticity : public ForceTerm {
   virtual void cell_stress(const double* u, std::vector<SymmetricTensor>& stress) const = 0;
 };
 
-/// Returns whether a block of that law and formulation can be applied without a matrix, by Term::create_action().
-bool has_action(const ElasticLaw& law, Formulation formulation);
+/// Returns whether the tangent of a block of that formulation can be applied without a matrix, by
+/// ForceTerm::create_action(). Blocks of axisymmetric meshes cannot.
+bool has_action(Formulation formulation);
 
 /// Returns the term for one block, its cells in SIMD batches. The caller has checked the mesh (see check_cells).
 /// `points`: Gauss points a direction of elements that are not enriched, 0 for the element's own number; an enriched

@@ -7,9 +7,11 @@
 
 #include "element/elastic_action.hpp"
 #include "element/elastic_kernel.hpp"
+#include "element/moduli_action.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
 #include "term/block_cells.hpp"
+#include "term/kept_action.hpp"
 
 namespace ixos {
 
@@ -20,7 +22,7 @@ struct KeptState {
 };
 template <class Kernel>
 struct KeptState<Kernel, true> {
-  using type = typename Kernel::Law::template Kept<Kernel::D, Pack>;
+  using type = typename Kernel::Law::template Kept<Kernel::G, Pack>;
 };
 
 template <class Kernel>
@@ -29,11 +31,11 @@ class ElasticTerm final : public Elasticity {
   using Material = typename Kernel::Law;
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
-  static constexpr bool has_action =
-      std::is_same_v<Kernel, ElasticKernel<Element, Material>> && Material::has_spatial_tangent;
+  static constexpr bool has_action = std::is_same_v<Kernel, ElasticKernel<Element, Material>> && !Kernel::revolved;
   using Cells = BlockCells<Kernel>;
   using Nodal = typename Cells::Nodal;
   using CellTangent = typename Cells::CellTangent;
+  using Gathered = GatheredSegment<Kernel>;
   using PointState = typename KeptState<Kernel, Kernel::keeps_points>::type;
 
  public:
@@ -109,7 +111,7 @@ class ElasticTerm final : public Elasticity {
     });
   }
 
-  /// Returns null unless the kernel is ElasticKernel and the law has a spatial tangent.
+  /// Returns null unless the kernel is ElasticKernel of a body without axial symmetry.
   std::unique_ptr<TangentAction> create_action() const override {
     if constexpr (has_action) return std::make_unique<Action>(*this);
     return nullptr;
@@ -179,68 +181,26 @@ class ElasticTerm final : public Elasticity {
     }
   }
 
-  class Action final : public TangentAction {
-    using Kept = ElasticAction<Element, Material>;
-    using Layout = typename Kept::Layout;
+  using Linearization = std::conditional_t<Material::has_spatial_tangent, ElasticAction<Element, Material>,
+                                           ModuliAction<Element, Material>>;
 
+  class Action final : public KeptAction<Linearization, Kernel> {
    public:
-    explicit Action(const ElasticTerm& term) : term_(term) {}
+    explicit Action(const ElasticTerm& term) : KeptAction<Linearization, Kernel>(term.cells_), term_(term) {}
 
     void linearize(const Segment& segment, const Rule& rule, Tangent, const LinearPart& linear) override {
-      layout_ = Layout(term_.material_, rule, linear.rest, linear.inertia);
-      size_ = term_.cells_.table.size() * layout_.point_size();
-      data_.resize(size_ * term_.cells_.size());
-      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
+      this->keep({term_.material_, rule, linear.rest, linear.inertia}, [&](std::size_t b, NarrowPack* data) {
         const Gathered ends(term_.cells_.batches, b, segment);
-        Kept::linearize(term_.material_, term_.cells_.geometry[b], ends.segment(), rule, linear.rest, linear.inertia,
-                        &data_[b * size_]);
-      }
+        Linearization::linearize(term_.material_, term_.cells_.geometry[b], ends.segment(), rule, linear.rest,
+                                 linear.inertia, data);
+      });
     }
 
     /// Returns whether the quadrature points are those of Mass.
     bool applies_mass() const override { return term_.has_default_points_; }
 
-    void add_product(const double* x, double* y) const override {
-      typename Kept::template Scratch<Pack> scratch(term_.cells_.table.size());
-      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
-        Nodal u, f{};
-        term_.cells_.batches.gather(b, x, u);
-        Kept::add_product(term_.cells_.table, layout_, &data_[b * size_], u, scratch, f);
-        term_.cells_.batches.scatter_force(b, f, y);
-      }
-    }
-
-    void add_diagonal(double* d) const override {
-      for (std::size_t b = 0; b < term_.cells_.size(); ++b) {
-        Nodal diagonal{};
-        Kept::add_diagonal(term_.cells_.table, layout_, &data_[b * size_], diagonal);
-        term_.cells_.batches.scatter_diagonal(b, diagonal, d);
-      }
-    }
-
    private:
     const ElasticTerm& term_;
-    Layout layout_;
-    std::size_t size_ = 0;  ///< of a batch's data
-    std::vector<NarrowPack> data_;
-  };
-
-  /// The segment's arrays at one batch; absent arrays stay null.
-  class Gathered {
-   public:
-    Gathered(const ElementBatches<N, D>& batches, std::size_t b, const Segment& segment)
-        : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
-      batches.gather(b, segment.to, to_);
-      if (has_from_) batches.gather(b, segment.from, from_);
-      if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
-    }
-    typename Kernel::template Segment<Pack> segment() const {
-      return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
-    }
-
-   private:
-    bool has_from_, has_velocity_;
-    Nodal to_, from_, velocity_;
   };
 
   Material material_;
@@ -261,7 +221,8 @@ std::unique_ptr<Elasticity> make_kernel_term(const LocalMesh& mesh, const LocalB
 }
 
 /// A separate file defines each of these functions, so that they compile apart: make_any_term() serves laws that are
-/// not compiled into the kernels, the others one formulation of those that are. An enhanced block is not enriched.
+/// not compiled into the kernels, make_revolved_term() all laws in bodies of revolution, the others one formulation of
+/// the laws that are compiled in. An enhanced block is not enriched.
 std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, const LocalBlock& block,
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points);
@@ -271,5 +232,9 @@ std::unique_ptr<Elasticity> make_enhanced_term(const LocalMesh& mesh, const Loca
 std::unique_ptr<Elasticity> make_any_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                           const std::shared_ptr<const ElasticLaw>& law, int points,
                                           Formulation formulation);
+
+std::unique_ptr<Elasticity> make_revolved_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                               const std::shared_ptr<const ElasticLaw>& law, int points,
+                                               Formulation formulation);
 
 }  // namespace ixos

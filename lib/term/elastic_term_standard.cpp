@@ -14,13 +14,12 @@ bool is_compiled_in(const ElasticLaw& law) {
 
 }  // namespace
 
-bool has_action(const ElasticLaw& law, Formulation formulation) {
-  return formulation == Formulation::Standard && is_compiled_in(law);
-}
+bool has_action(Formulation formulation) { return formulation == Formulation::Standard; }
 
 std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                               const std::shared_ptr<const ElasticLaw>& law, int points,
                                               Formulation formulation) {
+  if (mesh.axisymmetric) return make_revolved_term(mesh, block, pattern, law, points, formulation);
   if (!is_compiled_in(*law)) return make_any_term(mesh, block, pattern, law, points, formulation);
   const bool enriched = block.type != CellType::Quad4 && block.type != CellType::Hex8;
   if (formulation == Formulation::MeanDilatation) return make_mean_dilatation_term(mesh, block, pattern, law, points);

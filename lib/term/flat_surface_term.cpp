@@ -1,11 +1,12 @@
 // Interaction of a surface with a half-space.
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 
+#include "interaction/damage_law.hpp"
 #include "interaction/surface_kernel.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "term/flat_sides.hpp"
+#include "term/point_laws.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -13,19 +14,25 @@ namespace {
 
 /// Sides of one element type.
 template <class SideElement, class Law>
-class FlatSurfaceTerm final : public Interaction {
-  using Kernel = SurfaceKernel<SideElement, Law>;
+class FlatSurfaceTerm final : public InteractionOverSteps<FlatSurfaceTerm<SideElement, Law>, Law> {
+  using Laws = PointLaws<Law>;
+  using Kernel = SurfaceKernel<SideElement, typename Laws::OfBatch>;
   using Sides = FlatSides<SideElement>;
   static constexpr std::size_t D = Sides::D;
   static constexpr std::size_t N = Sides::N;
   using Nodal = typename Sides::Nodal;
+  friend InteractionOverSteps<FlatSurfaceTerm, Law>;
 
  public:
   FlatSurfaceTerm(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern, const Law& law,
                   const HalfSpace& wall, const SurfaceOptions& options)
-      : law_(law), options_(options), sides_(mesh, sides, pattern, wall, options.points) {}
+      : margin_(options.margin),
+        sides_(mesh, sides, pattern, wall, options.points),
+        laws_(mesh, sides, sides_.quadrature().size(), law) {
+    sides_.scale(options.factor);
+  }
 
-  bool needs_positive_gaps() const override { return law_.domain == GapDomain::Positive; }
+  bool needs_positive_gaps() const override { return laws_.whole().domain == GapDomain::Positive; }
 
   void place(const Pattern& pattern) override { sides_.place(pattern); }
 
@@ -34,8 +41,8 @@ class FlatSurfaceTerm final : public Interaction {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Gaps gaps(sides_, b, segment);
       Nodal along{};
-      least_gap = smaller(least_gap,
-                          Kernel::add_force(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), rule, along));
+      least_gap = smaller(least_gap, Kernel::add_force(laws_.of(b), sides_.quadrature(), sides_.measure(b),
+                                                       gaps.segment(), rule, along));
       sides_.batches().scatter_force(b, sides_.from_normal(along), f);
     }
     return least(least_gap) > 0 || !needs_positive_gaps();
@@ -45,8 +52,8 @@ class FlatSurfaceTerm final : public Interaction {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Gaps gaps(sides_, b, segment);
       Small<Pack, N> along{};
-      Kernel::add_tangent(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), rule, kind == Tangent::Convex,
-                          along);
+      Kernel::add_tangent(laws_.of(b), sides_.quadrature(), sides_.measure(b), gaps.segment(), rule,
+                          kind == Tangent::Convex, along);
       Small<Pack, N * D> tangent;
       for (std::size_t r = 0; r < N * D; ++r)
         for (std::size_t c = 0; c < N * D; ++c)
@@ -68,7 +75,7 @@ class FlatSurfaceTerm final : public Interaction {
         least_gap = std::min(least_gap, least(r));
         double total_shape = 0;
         for (double value : shape) total_shape += std::abs(value);
-        const Pack stiffness = total_shape * sides_.measure(b)[q] * std::experimental::abs(law_.stiffness(r));
+        const Pack stiffness = total_shape * sides_.measure(b)[q] * std::experimental::abs(laws_.at(b, q).stiffness(r));
         for (std::size_t a = 0; a < N; ++a) rows[a] += std::abs(shape[a]) * stiffness;
       }
       // |n_i n_j| summed over j.
@@ -85,7 +92,8 @@ class FlatSurfaceTerm final : public Interaction {
   double energy(const double* u) const override {
     Pack sum = 0.0;
     for (std::size_t b = 0; b < sides_.size(); ++b)
-      sum += sides_.owned(b) * Kernel::energy(law_, sides_.quadrature(), sides_.measure(b), sides_.gaps_of(b, u));
+      sum +=
+          sides_.owned(b) * Kernel::energy(laws_.of(b), sides_.quadrature(), sides_.measure(b), sides_.gaps_of(b, u));
     return total(sum);
   }
 
@@ -96,7 +104,7 @@ class FlatSurfaceTerm final : public Interaction {
       const Gaps gaps(sides_, b, segment);
       step = smaller(step,
                      Kernel::admissible_step(sides_.quadrature(), gaps.segment(), rule, sides_.change_of(b, direction),
-                                             options_.margin, law_.equilibrium_gap()));
+                                             margin_, laws_.whole().equilibrium_gap()));
     }
     return least(step);
   }
@@ -107,22 +115,15 @@ class FlatSurfaceTerm final : public Interaction {
       const Nodal from = sides_.gaps_of(b, segment.from), to = sides_.gaps_of(b, segment.to);
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
         sum += sides_.owned(b) * sides_.measure(b)[q] *
-               law_.mean_potential(Kernel::interpolate(sides_.quadrature().value[q], from),
-                                   Kernel::interpolate(sides_.quadrature().value[q], to));
+               laws_.at(b, q).mean_potential(Kernel::interpolate(sides_.quadrature().value[q], from),
+                                             Kernel::interpolate(sides_.quadrature().value[q], to));
     }
     return total(sum);
   }
 
-  bool has_mean_potential() const override {
-    if constexpr (std::is_same_v<Law, AnyGapLaw>)
-      return law_.has_mean_potential();
-    else
-      return !IsCutOff<Law>::value;
-  }
-
   double gap_ratio(const double* from, const double* to) const override {
     if (!needs_positive_gaps()) return 1;
-    const double near = 10 * law_.equilibrium_gap();
+    const double near = 10 * laws_.whole().equilibrium_gap();
     double largest = 1;
     for (std::size_t b = 0; b < sides_.size(); ++b) {
       const Nodal start = sides_.gaps_of(b, from), end = sides_.gaps_of(b, to);
@@ -143,7 +144,7 @@ class FlatSurfaceTerm final : public Interaction {
       const Nodal gap = sides_.gaps_of(b, u);
       for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
         const Pack force =
-            sides_.measure(b)[q] * law_.magnitude(Kernel::interpolate(sides_.quadrature().value[q], gap));
+            sides_.measure(b)[q] * laws_.at(b, q).magnitude(Kernel::interpolate(sides_.quadrature().value[q], gap));
         sum += sides_.owned(b) * force * force;
       }
     }
@@ -162,16 +163,24 @@ class FlatSurfaceTerm final : public Interaction {
 
   void add_nodal_pressure(const double* u, double* force) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) {
-      const Gaps gaps(sides_, b, {nullptr, nullptr, u});
-      Nodal along{};
-      Kernel::add_force(law_, sides_.quadrature(), sides_.measure(b), gaps.segment(), end_rule(), along);
-      for (Pack& value : along) value = -value;  // internal forces point into the wall
-      sides_.add_nodal(b, along, force);
+      const Nodal gap = sides_.gaps_of(b, u);
+      Nodal sums{};
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const Pack r = Kernel::interpolate(sides_.quadrature().value[q], gap);
+        sides_.add_weighted(b, q, sides_.measure(b)[q] * laws_.at(b, q).traction(r), sums);
+      }
+      sides_.add_nodal(b, sums, force);
     }
   }
 
   void lower_nodal_gap(const double* u, double* gap) const override {
     for (std::size_t b = 0; b < sides_.size(); ++b) sides_.lower_nodal(b, sides_.gaps_of(b, u), gap);
+  }
+
+  void set_nodal_normal(const double*, double* normal) const override {
+    Nodal ones;
+    ones.fill(1.0);
+    for (std::size_t b = 0; b < sides_.size(); ++b) sides_.set_nodal(b, sides_.from_normal(ones), normal);
   }
 
   void report(const double* u, InteractionReport& report) const override {
@@ -182,8 +191,9 @@ class FlatSurfaceTerm final : public Interaction {
         const Pack r = Kernel::interpolate(sides_.quadrature().value[q], gap);
         const Pack weight = sides_.owned(b) * sides_.measure(b)[q];
         report.least_gap = std::min(report.least_gap, least(r));
-        report.measure += total(select(r < law_.adhesion_gap(), weight, Pack(0.0)));
-        const double force = total(Pack(weight * law_.traction(r)));
+        report.measure +=
+            total(select(r < laws_.whole().adhesion_gap(), Pack(sides_.owned(b) * sides_.area(b)[q]), Pack(0.0)));
+        const double force = total(Pack(weight * laws_.at(b, q).traction(r)));
         for (std::size_t d = 0; d < D; ++d) report.force[d] += force * sides_.normal()[d];
       }
     }
@@ -199,7 +209,7 @@ class FlatSurfaceTerm final : public Interaction {
       for (std::size_t b = 0; b < along_.size(); ++b) {
         const Gaps gaps(term_.sides_, b, segment);
         along_[b] = {};
-        Kernel::add_tangent(term_.law_, term_.sides_.quadrature(), term_.sides_.measure(b), gaps.segment(), rule,
+        Kernel::add_tangent(term_.laws_.of(b), term_.sides_.quadrature(), term_.sides_.measure(b), gaps.segment(), rule,
                             kind == Tangent::Convex, along_[b]);
       }
     }
@@ -247,21 +257,21 @@ class FlatSurfaceTerm final : public Interaction {
     Nodal to_, from_, velocity_;
   };
 
-  Law law_;
-  SurfaceOptions options_;
-  Sides sides_;
-};
+  /// See InteractionOverSteps.
+  template <class Visit>
+  void for_each_gap(const double* u, const Visit& visit) const {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Nodal gap = sides_.gaps_of(b, u);
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q)
+        visit(b, q, Kernel::interpolate(sides_.quadrature().value[q], gap),
+              Pack(sides_.owned(b) * sides_.measure(b)[q]));
+    }
+  }
 
-template <class Law>
-Interactions make_terms(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
-                        const Law& law, const HalfSpace& wall, const SurfaceOptions& options) {
-  Interactions terms;
-  for_each_kind_of_side(mesh, sides, [&](auto side, const std::vector<LocalSide>& group) {
-    using SideElement = typename decltype(side)::type;
-    terms.push_back(std::make_unique<FlatSurfaceTerm<SideElement, Law>>(mesh, group, pattern, law, wall, options));
-  });
-  return terms;
-}
+  double margin_;
+  Sides sides_;
+  Laws laws_;
+};
 
 }  // namespace
 
@@ -269,10 +279,12 @@ Interactions make_flat_terms(const LocalMesh& mesh, const std::vector<LocalSide>
                              const std::shared_ptr<const GapLaw>& law, const HalfSpace& wall,
                              const SurfaceOptions& options) {
   if (const auto* own = dynamic_cast<const GapLawOf<VanDerWaals>*>(law.get()))
-    return make_terms(mesh, sides, pattern, own->law(), wall, options);
+    return make_terms<FlatSurfaceTerm>(mesh, sides, pattern, own->law(), wall, options);
   if (const auto* own = dynamic_cast<const GapLawOf<CutOff<VanDerWaals>>*>(law.get()))
-    return make_terms(mesh, sides, pattern, own->law(), wall, options);
-  return make_terms(mesh, sides, pattern, AnyGapLaw(law), wall, options);
+    return make_terms<FlatSurfaceTerm>(mesh, sides, pattern, own->law(), wall, options);
+  if (const auto* own = dynamic_cast<const GapLawOf<DamageLaw>*>(law.get()))
+    return make_terms<FlatSurfaceTerm>(mesh, sides, pattern, own->law(), wall, options);
+  return make_terms<FlatSurfaceTerm>(mesh, sides, pattern, AnyGapLaw(law), wall, options);
 }
 
 }  // namespace ixos

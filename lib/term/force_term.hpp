@@ -90,6 +90,9 @@ class ForceTerm : public Term {
 
   /// Returns this rank's share of the potential energy [E0 L0^D].
   virtual double energy(const double* u) const = 0;
+  /// Returns this rank's share of the energy whose gradient the force is over a segment with a length, in the stage
+  /// that began last [E0 L0^D]. It differs from the energy if the term relaxes meanwhile.
+  virtual double potential(const double* u) const { return energy(u); }
 };
 
 inline bool ForceTerm::add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints&, double* f) const {

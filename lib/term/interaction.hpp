@@ -1,6 +1,7 @@
 /// The contract of an interaction, beyond that of all terms.
 #pragma once
 #include <array>
+#include <functional>
 #include <limits>
 #include <set>
 #include <vector>
@@ -8,6 +9,17 @@
 #include "term/force_term.hpp"
 
 namespace ixos {
+
+/// A number that varies over a surface, by the place of the undeformed body [L0]; the third coordinate is 0 in two
+/// dimensions.
+using PlaceFactor = std::function<double(const std::array<double, 3>&)>;
+
+/// A factor over a surface: the product of a function of the place and of numbers at the mesh's nodes.
+struct SurfaceFactor {
+  PlaceFactor of_place{};  ///< null: 1
+  /// By local node, interpolated linearly, in 3D bilinearly, between the corners of each side; empty: 1.
+  std::vector<double> of_node{};
+};
 
 /// This rank's share of an interaction's report on a displacement. Sums over ranks give the whole; for `least_gap`, the
 /// minimum.
@@ -23,13 +35,22 @@ struct LowestPoint {
   std::array<double, 3> place{};                         ///< deformed [L0]; the third is 0 in two dimensions
 };
 
+/// A number that friction keeps at each point: the length of the slip so far [L0], the work dissipated per reference area [E0
+/// L0] before the interaction's factor scales it, and whether it slid in the last step, 1 or 0.
+enum class FrictionNumber { Slip, Dissipated, Sliding };
+
 /// Sides of cells: local block, cell and side.
 using CountedSides = std::set<std::array<int, 3>>;
 
-/// An interaction of a surface with its surroundings.
+/// An interaction of a surface with its surroundings. The obstacle may move. Functions of a segment take its place at
+/// the times of the segment, functions of a displacement alone its place at the time of set_time(), and gap_ratio() its
+/// places at both ends of the step that began last.
 class Interaction : public ForceTerm {
  public:
   Part part() const final { return Part::Interaction; }
+
+  /// Returns the rule that the term follows in place of that one.
+  virtual const Rule& followed(const Rule& rule) const { return rule; }
 
   /// Returns whether a gap r <= 0 is inadmissible.
   virtual bool needs_positive_gaps() const = 0;
@@ -38,11 +59,8 @@ class Interaction : public ForceTerm {
   virtual double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const = 0;
 
   /// Returns this rank's share of the potential whose derivative in u_to is the force of the exact rule. Called only if
-  /// is_gradient() holds for that rule, and has_mean_potential().
+  /// is_gradient() holds for that rule.
   virtual double mean_potential(const Segment& segment) const = 0;
-
-  /// Returns whether the law has that potential. Equal on all ranks.
-  virtual bool has_mean_potential() const = 0;
 
   /// Returns the largest ratio of the gaps at a quadrature point in a step. Only points whose lesser gap is below ten
   /// times the equilibrium gap count. Returns 1 if the law is defined at every gap.
@@ -59,17 +77,45 @@ class Interaction : public ForceTerm {
   /// looks at the nodes, and between them at a grid twice as fine as the nodes of a side.
   virtual LowestPoint lowest_point(const double* u) const = 0;
 
-  /// Adds, per local node, int N_a dA over those sides of the surface that are not counted yet, and counts them:
-  /// several interactions may act on one side [L0^(D-1)].
+  /// Adds, per local node, int w_a dA over those sides of the surface that are not counted yet, and counts them:
+  /// several interactions may act on one side. The weight w_a is the shape function N_a [L0^(D-1)], but
+  /// N_a/(2 pi R) at a node on the axis of an axisymmetric mesh where int N_a dA vanishes.
   virtual void add_nodal_measure(CountedSides& counted, double* measure) const = 0;
 
-  /// Adds, per local node, int N_a T dA with the law's traction T, which is positive where the obstacle pushes the body
-  /// away [E0 L0^(D-1)].
+  /// Adds, per local node, int w_a T dA with the law's traction T, which is positive where the obstacle pushes the body
+  /// away. The weights are those of add_nodal_measure().
   virtual void add_nodal_pressure(const double* u, double* force) const = 0;
+
+  /// Returns whether the law has a damage. Equal on all ranks.
+  virtual bool has_damage() const { return false; }
+  /// Adds, per local node, int w_a d dA with the damage d in [0, 1] after the last step. The weights are those of
+  /// add_nodal_measure().
+  virtual void add_nodal_damage(double* /*sums*/) const {}
 
   /// Lowers the numbers by local node to the gaps of the surface's nodes [L0]; NaN stands for no gap yet. At derivative
   /// nodes it is the gap's derivative, if this gap is the least at their corner.
   virtual void lower_nodal_gap(const double* u, double* gap) const = 0;
+
+  /// Sets the local array at the surface's nodes to the obstacle's unit normal, away from the obstacle, at its point
+  /// nearest to the node. Leaves derivative nodes as they are.
+  virtual void set_nodal_normal(const double* u, double* normal) const = 0;
+
+  /// Returns whether the force is friction alone. Equal on all ranks.
+  virtual bool has_friction() const { return false; }
+  /// Adds, per local node, int w_a s dA with that number s, of the work times the interaction's factor. The weights are
+  /// those of add_nodal_measure().
+  virtual void add_nodal_friction(FrictionNumber, double* /*sums*/) const {}
+
+  /// Returns whether the obstacle is moved. Equal on all ranks.
+  virtual bool is_moved() const { return false; }
+  /// Returns whether the obstacle's place and velocity are numbers at that time [T0]. Equal on all ranks.
+  virtual bool is_finite(double /*time*/) const { return true; }
+  /// Sets the time [T0] of the states on which functions of a displacement alone report.
+  virtual void set_time(double /*time*/) const {}
+  /// Returns this rank's share of the work of a moved obstacle on the way of the segment [E0 L0^D]. For a mean that is
+  /// no sum of points it is the change of the interaction's energy less the force's work on the body. Otherwise it is
+  /// the power of the forces at the rule's points, summed with the weights, times the length of the segment.
+  virtual double obstacle_work(const Segment& /*segment*/, const Rule& /*rule*/) const { return 0; }
 };
 
 }  // namespace ixos

@@ -20,7 +20,10 @@ struct StageStart {
   double start_weight = 0;
   double time = 0;    ///< of the step's start [T0]
   double length = 0;  ///< from the step's start to the stage's end [T0]
-  double dt = 0;      ///< the whole step, to which rows refer [T0]
+  /// Mean time from the step's start to the points of the elastic rule [T0]: the stage's length for a force at its end,
+  /// half of it for a mean over the stage.
+  double mean_time = 0;
+  double dt = 0;  ///< the whole step, to which rows refer [T0]
   /// Degrees of freedom whose velocity at the stage's end is prescribed, and a local array of those velocities [L0/T0].
   /// Damping takes them in place of the row's; viscosity takes the row of strains throughout. Null if there are none.
   const std::vector<int>* driven = nullptr;
@@ -36,19 +39,19 @@ struct AcceptedStep {
 
 /// One contribution to the model: a ForceTerm or a RateTerm.
 ///
-/// A term lives through steps. initialize() begins its history. begin_step() tells it the accepted state, from which
-/// all attempts of the step start, and begin_stage() what a stage's equation refers to; evaluations follow; accept()
-/// makes the state at the step's end the accepted one. A step that is rejected ends with the next begin_step(). A term
-/// changes its kept state in accept() only, and names it in transfer(). Hence a rejected step leaves no trace. Arrays
-/// are local. None of the functions communicates, unless it says so.
+/// A term lives through steps. initialize() begins its history at a first state. begin_step() tells it the accepted
+/// state, from which all attempts of the step start, and begin_stage() what a stage's equation refers to; evaluations
+/// follow; accept() makes the state at the step's end the accepted one. A step that is rejected ends with the next
+/// begin_step(). A term changes its kept state in accept() only, and names it in transfer(). Hence a rejected step
+/// leaves no trace. Arrays are local. None of the functions communicates, unless it says so.
 class Term {
  public:
   virtual ~Term() = default;
 
   /// Finds the places of its matrix entries in a pattern that has changed.
   virtual void place(const Pattern& /*pattern*/) {}
-  /// Discards what earlier steps left.
-  virtual void initialize() {}
+  /// Discards what earlier steps left, and begins anew at the given state.
+  virtual void initialize(const KnownState& /*start*/) {}
   virtual void begin_step(const KnownState& /*start*/, double /*time*/, double /*dt*/) {}
   virtual void begin_stage(const StageStart& /*start*/) {}
   /// Returns whether accept() returns work that the model books under the term's name. Equal on all ranks.
@@ -58,6 +61,9 @@ class Term {
   virtual double accept(const AcceptedStep& /*step*/) { return 0; }
   /// Returns whether the term keeps something from step to step, which transfer() writes or reads. Equal on all ranks.
   virtual bool has_state() const { return false; }
+  /// Returns whether forces depend on what it keeps: then a restart of another scene takes that over, too. Equal on all
+  /// ranks.
+  virtual bool has_history() const { return false; }
   /// Collective.
   virtual void transfer(Record&) {}
 };

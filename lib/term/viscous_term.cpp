@@ -14,15 +14,16 @@ namespace {
 
 template <class Element>
 class ViscousTerm final : public Viscosity {
-  using Kernel = ElasticKernel<Element, LinearElastic>;  // for its geometry
+  using Kernel = ElasticKernel<Element, LinearElastic>;  // for its geometry; also that of rings
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
+  static constexpr std::size_t G = Kernel::G;
   using Gradients = CellGradients<Kernel>;
   using Nodal = typename BlockCells<Kernel>::Nodal;
   using CellTangent = typename BlockCells<Kernel>::CellTangent;
-  using Matrix = Small<Pack, D>;
-  using Moduli = Small<Pack, D * D>;
-  using Point = ViscousPoint<D, Pack>;
+  using Matrix = Small<Pack, G>;
+  using Moduli = Small<Pack, G * G>;
+  using Point = ViscousPoint<G, Pack>;
 
  public:
   ViscousTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Hooke& law, int points)
@@ -35,7 +36,7 @@ class ViscousTerm final : public Viscosity {
   bool is_gradient(RateForm form) const override { return form == RateForm::End; }
 
   void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
-  void initialize() override { dissipated_.clear(); }
+  void initialize(const KnownState&) override { dissipated_.clear(); }
 
   void begin_stage(const StageStart& start) override {
     form_ = start.rate_form;
@@ -244,28 +245,27 @@ class ViscousTerm final : public Viscosity {
     return product(f, law_.stress(symmetric_product(f, g)));
   }
 
-  void add_nodal(std::size_t b, std::size_t q, const Matrix& p, double factor, Nodal& force) const {
-    const Nodal dn = Kernel::shape_gradients(cells_.geometry[b], q);
+  void add_nodal(std::size_t b, std::size_t q, Matrix p, double factor, Nodal& force) const {
     const Pack weight = factor * cells_.geometry[b].points[q].weight;
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t i = 0; i < D; ++i)
-        for (std::size_t j = 0; j < D; ++j) force[a][i] += weight * p[i][j] * dn[a][j];
+    for (auto& row : p)
+      for (Pack& value : row) value *= weight;
+    add_nodal_forces(p, Kernel::shape_gradients(cells_.geometry[b], q), force);
   }
 
   template <bool symmetric>
   void add_cell_tangent(std::size_t b, std::size_t q, const Moduli& moduli, CellTangent& tangent) const {
-    const Nodal dn = Kernel::shape_gradients(cells_.geometry[b], q);
+    const auto dn = Kernel::shape_gradients(cells_.geometry[b], q);
     add_contraction<symmetric>(dn, dn, moduli, tangent);
   }
 
   static Matrix difference(Matrix a, const Matrix& b) {
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) a[i][j] -= b[i][j];
+    for (std::size_t i = 0; i < G; ++i)
+      for (std::size_t j = 0; j < G; ++j) a[i][j] -= b[i][j];
     return a;
   }
   static void add(double factor, const Matrix& a, Matrix& sum) {
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) sum[i][j] += factor * a[i][j];
+    for (std::size_t i = 0; i < G; ++i)
+      for (std::size_t j = 0; j < G; ++j) sum[i][j] += factor * a[i][j];
   }
 
   Hooke law_;  ///< of rates of strain [E0 T0]
@@ -284,6 +284,11 @@ class ViscousTerm final : public Viscosity {
 
 std::unique_ptr<Viscosity> make_viscous_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                              const Hooke& law, int points) {
+  if (mesh.axisymmetric)
+    return with_plane_element(block.type, [&](auto element) -> std::unique_ptr<Viscosity> {
+      using Ring = Revolved<typename decltype(element)::type>;
+      return std::make_unique<ViscousTerm<Ring>>(mesh, block, pattern, law, points);
+    });
   return with_element(block.type, [&](auto element) -> std::unique_ptr<Viscosity> {
     return std::make_unique<ViscousTerm<typename decltype(element)::type>>(mesh, block, pattern, law, points);
   });

@@ -15,7 +15,7 @@ Acceleration::Acceleration(const Model& model, std::shared_ptr<const LinearSolve
 
 bool Acceleration::balance(double time, const std::vector<double>& u, const std::vector<double>& v) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  const Segment here{nullptr, nullptr, u.data()};
+  const Segment here{nullptr, nullptr, u.data(), time};
   force_.resize(u.size());
   balance_.assign(u.size(), 0.0);
   model_.loads().add_force(time, 1.0, balance_.data());

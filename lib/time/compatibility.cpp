@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -17,28 +18,45 @@ bool has_discrete_gradient(const Material& material) {
   return material.formulation == Formulation::Standard && material.law->has_discrete_gradient();
 }
 
-bool lacks_potential(const ForceTerm& term, const Table& table) {
-  const auto* interaction = dynamic_cast<const Interaction*>(&term);
-  if (interaction == nullptr || interaction->has_mean_potential()) return false;
-  return std::any_of(table.stages.begin(), table.stages.end(), [&](const Stage& stage) {
-    return stage.interaction.mean == Mean::Exact && term.is_gradient(stage.interaction);
-  });
+namespace {
+
+/// Returns what is wrong with the scheme for branches with that update, in words that follow its name.
+std::string why_not_by(const Table& table, HistoryUpdate update) {
+  if (needs_discrete_gradient(table)) return "needs a discrete gradient, which branches do not have";
+  if (is_explicit(table)) return "is explicit: its forces know no history within a step";
+  for (std::size_t s = 0; s < table.stages.size(); ++s)
+    if (const double time = table.stages[s].elastic.mean_time(); !(time > 0 && time <= 1 + 1e-12))
+      return fmt::format(
+          "takes the elastic force of stage {} at a mean time of {:.4g} times the stage; branches need one above 0 and "
+          "of at most 1",
+          s + 1, time);
+  const bool over_step = table.stages.size() == 1 && std::abs(table.stages.front().elastic.mean_time() - 0.5) < 1e-12;
+  if (update == HistoryUpdate::SecondOrder && !over_step)
+    return "takes the elastic force at the end of a stage, which the history update \"Second Order\" does not fit";
+  return "";
+}
+
+}  // namespace
+
+std::string why_no_branches(const Material& material, const Table& table) {
+  std::string why = why_no_branches(material);
+  if (!why.empty()) return why;
+  why = why_not_by(table, material.history_update);
+  if (why.empty()) return "";
+  return fmt::format("the scheme \"{}\" {}; use another scheme, such as \"Average Vector Field\"", table.name, why);
 }
 
 void check_compatible(const Model& model, const Table& table) {
-  if (needs_discrete_gradient(table))
-    for (const Material& material : model.materials())
-      if (!has_discrete_gradient(material))
-        throw InputError(fmt::format(
-            "the scheme \"{}\" needs a discrete gradient, and the {} of block \"{}\" has none; use another "
-            "one, or the scheme \"Average Vector Field\"",
-            table.name, material.formulation == Formulation::Standard ? "elastic law" : "formulation", material.block));
-  for (const NamedForceTerm& named : model.force_terms())
-    if (lacks_potential(*named.term, table))
-      throw InputError(
-          fmt::format("the scheme \"{}\" takes the exact mean of the interaction \"{}\", which allows no cutoff before "
-                      "a flat wall; use the cutoff 0, or at least 1 interaction point in time",
-                      table.name, named.name));
+  for (const Material& material : model.materials()) {
+    const std::string block = " of block \"" + material.block + "\"";
+    if (const std::string why = why_no_branches(material, table); !material.branches.empty() && !why.empty())
+      throw InputError(fmt::format("the Maxwell branches{}: {}", block, why));
+    if (needs_discrete_gradient(table) && !has_discrete_gradient(material))
+      throw InputError(fmt::format(
+          "the scheme \"{}\" needs a discrete gradient, and the {}{} has none; use another one, or the "
+          "scheme \"Average Vector Field\"",
+          table.name, material.formulation != Formulation::Standard ? "formulation" : "elastic law", block));
+  }
 }
 
 }  // namespace ixos

@@ -76,7 +76,14 @@ Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& 
     : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
 
 void Integrator::initialize(std::vector<double> u, std::vector<double> v, double time) {
+  begin_at(std::move(u), std::move(v), time);
+  find_forces();
+}
+
+/// Sets the state, discards what earlier steps left, and begins the terms' histories.
+void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double time) {
   time_ = time;
+  model_.set_time(time);
   time_carry_ = 0;
   dissipated_ = 0;
   external_work_ = 0;
@@ -85,19 +92,24 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
   acceleration_known_ = false;
   dissipated_before_ = 0;
   dissipations_.assign(model_.dissipation_names().size(), 0.0);
-  model_.initialize();
   State& start = states_.front();
   const State given{std::move(u), std::move(v), {}};
   start = given;  // a copy: the arrays keep their memory, so that views of them stay valid
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
   model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
+  model_.initialize(known_states(states_, 1).front());
+}
+
+/// Solves for the acceleration if a stage or an output needs it. Throws InputError if the state is not admissible.
+void Integrator::find_forces() {
+  const State& start = states_.front();
   if (needs_acceleration_ || table_.closing != Closing::Collocate || has_external_)
     acceleration();
-  else if (!balance_.balance(time, start.u, start.v))
+  else if (!balance_.balance(time_, start.u, start.v))
     throw InputError("the state at the start is not admissible: a gap is not positive, or an element is inverted");
   if (const std::string crossed = crossing(model_, start.u.data()); !crossed.empty())
     throw InputError("the state at the start is not admissible: " + crossed);
-  if (has_external_) balance_.record_forces(time, start);
+  if (has_external_) balance_.record_forces(time_, states_.front());
 }
 
 /// Solves for the acceleration of the present state, unless it is known. Returns false if that fails.
@@ -117,14 +129,18 @@ const std::vector<double>& Integrator::acceleration() {
 
 /// Expressions are sampled before a run (check_over). A value that the samples missed ends the step, not the program.
 bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& reason) const {
-  if (!has_external_) return true;
   const double end = time_ + stage.end * dt;
-  bool defined = model_.constraints().are_finite(end) && model_.loads().are_finite(end);
-  for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(time_ + point.time * dt);
-  if (model_.space().minimum(defined ? 1 : 0) > 0) return true;
-  reason = fmt::format("a prescribed motion or a load is not a finite number between t = {:.10g} and {:.10g} T0", time_,
-                       end);
-  return false;
+  bool defined = model_.obstacles_are_finite(end);
+  if (has_external_) {
+    defined = defined && model_.constraints().are_finite(end) && model_.loads().are_finite(end);
+    for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(time_ + point.time * dt);
+    defined = model_.space().minimum(defined ? 1 : 0) > 0;
+  }
+  if (!defined)
+    reason = fmt::format(
+        "a prescribed motion, an obstacle's motion or a load is not a finite number between t = {:.10g} and {:.10g} T0",
+        time_, end);
+  return defined;
 }
 
 bool Integrator::take_explicit_step(double dt, std::string& reason) {
@@ -152,7 +168,7 @@ bool Integrator::take_explicit_step(double dt, std::string& reason) {
 }
 
 double Integrator::stable_step(double wanted) {
-  return stable_step_ ? (*stable_step_)(states_.front(), wanted) : wanted;
+  return stable_step_ ? (*stable_step_)(states_.front(), time_, wanted) : wanted;
 }
 
 StepResult Integrator::step(double dt) {
@@ -198,7 +214,9 @@ StepResult Integrator::advance(double dt) {
     close_stage(stage, dt, std::move(u));
   }
   // The forces at quadrature points do not notice a node that has crossed an obstacle.
+  model_.set_time(time_ + dt);
   const std::string crossed = crossing(model_, states_.back().u.data());
+  model_.set_time(time_);
   result.crossed = !crossed.empty();
   if (result.crossed) result.reason = crossed + "; allow Maximum Cuts, or use shorter steps or smaller faces";
   result.converged = !result.crossed;
@@ -208,12 +226,16 @@ StepResult Integrator::advance(double dt) {
 void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
+  // Before the terms accept: the force of the step is that of the history at its start.
+  const double moved = model_.has_moved_obstacles() ? work_of_obstacles(model_, table_, states_, time_, dt) : 0;
   const std::vector<double> dissipated = model_.accept({known_states(states_, states_.size()), &table_.work, dt});
   for (std::size_t i = 0; i < dissipated.size(); ++i) {
     dissipated_ += dissipated[i];
     dissipations_[i] += dissipated[i];
   }
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
+  if (model_.has_springs()) external_work_ += model_.grip_work();
+  external_work_ += moved;
   if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
   if (judged_) {
     previous_.v = states_.front().v;
@@ -226,6 +248,7 @@ void Integrator::accept() {
   const double next = time_ + increment;
   time_carry_ = (next - time_) - increment;
   time_ = next;
+  model_.set_time(time_);
   acceleration_known_ = table_.closing != Closing::Collocate;
 }
 

@@ -93,6 +93,8 @@ class Integrator {
   void make_solvers();
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
+  void begin_at(std::vector<double> u, std::vector<double> v, double time);
+  void find_forces();
   bool know_acceleration();
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);

@@ -35,10 +35,13 @@ void Integrator::transfer(Record& record) {
   if (!std::isfinite(time_)) throw InputError(fmt::format("the time {} is not finite", time_));
   check_whole("displacement", state.u, Extent::Local);
   check_whole("velocity", state.v, Extent::Local);
+  model_.set_time(time_);
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
   refuse_jump();
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
-  initialize(std::vector<double>(state.u), std::vector<double>(state.v), time_);
+  begin_at(std::vector<double>(state.u), std::vector<double>(state.v), time_);
+  model_.transfer_histories(record);
+  find_forces();
   time_carry_ = carry;
   dissipated_ = dissipated_before_ = dissipated;
   external_work_ = external_work;

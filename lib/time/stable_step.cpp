@@ -31,9 +31,9 @@ void StableStep::look_at(const std::vector<double>& u) {
 }
 
 /// Returns the longest stable step [T0]; 0 if a gap is not positive.
-double StableStep::limit(const std::vector<double>& u) const {
+double StableStep::limit(const std::vector<double>& u, double time) const {
   sums_ = elastic_;
-  const Segment here{nullptr, nullptr, u.data()};
+  const Segment here{nullptr, nullptr, u.data(), time};
   if (!model_.add_row_sums(Part::Interaction, here, sums_.data())) return 0;
   const double w2 = model_.mass()->largest_quotient(sums_.data());
   return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
@@ -48,16 +48,16 @@ void StableStep::transfer(Record& record) {
     throw InputError("\"elastic row sums\" is empty, or its age is negative");
 }
 
-double StableStep::operator()(const State& state, double wanted) {
+double StableStep::operator()(const State& state, double time, double wanted) {
   if (age_ == 0) look_at(state.u);
   age_ = (age_ + 1) % elastic_interval;
-  double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u)));
+  double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u, time)));
   if (!model_.has_interactions()) return step;
   // The bound at the end of the step. A shorter step leads less far, so that bound holds for it too.
   for (int halving = 0; halving < 60; ++halving) {
     for (std::size_t i = 0; i < ahead_.size(); ++i)
       ahead_[i] = state.u[i] + step * (state.v[i] + step / 2 * state.a[i]);
-    const double there = safety_ * model_.space().minimum(limit(ahead_));
+    const double there = safety_ * model_.space().minimum(limit(ahead_, time + step));
     if (there >= step) return step;
     step = std::max(there, step / 2);
   }

@@ -10,8 +10,8 @@ namespace ixos {
 
 Potential StageProblem::rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const {
   Potential sum;
-  if (rule.mean == Mean::Exact) {
-    sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data()});
+  if (part == Part::Interaction) {
+    sum.value = model_.local_mean_potential({from_->data(), nullptr, u.data(), step_time_, stage_->end * dt_}, rule);
     sum.magnitude = std::abs(sum.value);
   }
   std::vector<double> at(u.size());
@@ -21,10 +21,12 @@ Potential StageProblem::rule_potential(Part part, const Rule& rule, const std::v
       for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.from * (*from_)[i];
     if (point.velocity != 0)
       for (std::size_t i = 0; i < u.size(); ++i) at[i] += point.velocity * path_velocity_[i];
-    const double energy = model_.local_energy(part, at.data());
+    model_.set_time(step_time_ + point.time * stage_->end * dt_);
+    const double energy = model_.local_potential(part, rule, at.data());
     sum.value += point.weight / point.to * energy;
     sum.magnitude += point.weight / point.to * std::abs(energy);
   }
+  model_.set_time(step_time_);
   return sum;
 }
 

@@ -64,15 +64,17 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
   // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
-  // the last bit: the weights are 1/2.
-  const bool have_end = residual_of_ == stage_ && u_ == known[0].u;
+  // the last bit: the weights are 1/2. Obstacles that have moved and histories that have grown change it.
+  const bool have_end =
+      residual_of_ == stage_ && u_ == known[0].u && !model_.has_moved_obstacles() && !model_.has_histories();
   const auto keep = [&](Part part, const Rule& rule, std::vector<double>& force) {
     if (rule.kept_weight == 0) return;
     if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
       for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += force[i];
       return;
     }
-    admissible = model_.force(part, {nullptr, nullptr, from_->data()}, end_rule(), force.data()) && admissible;
+    const Segment start{nullptr, nullptr, from_->data(), time};
+    admissible = model_.force(part, start, end_rule(), force.data()) && admissible;
     residual_of_ = kept_of_ = imported_for_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
@@ -104,6 +106,7 @@ void StageProblem::begin_stage(const std::vector<KnownState>& known) {
   start.start_weight = stage_->rate_start;
   start.time = step_time_;
   start.length = stage_->end * dt_;
+  start.mean_time = stage_->elastic.mean_time() * start.length;
   start.dt = dt_;
   if (exact_rates_ && !model_.constraints().empty()) {
     start.driven = &model_.constraints().dofs();
@@ -131,7 +134,7 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
   if (!model_.has_interactions()) return;
   for (std::size_t i = 0; i < guess.size(); ++i) direction_[i] = guess[i] - base[i];
-  const Segment at_base{nullptr, nullptr, base.data()};
+  const Segment at_base{nullptr, nullptr, base.data(), stage_time_};  // obstacles are where the guess meets them
   const double step = model_.admissible_step(at_base, end_rule(), direction_.data());
   if (step < 1)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] = base[i] + step * direction_[i];
@@ -166,26 +169,29 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
 
   bool admissible = force(Part::Elastic, stage_->elastic, elastic_.data());
   // Norms of the three parts, the number of ranks on which some part is inadmissible, the number of values that are not
-  // yet reached, and the norm of u.
-  double sums[6] = {
-      has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned)};
+  // yet reached, the norm of u, and the rounding of interactions.
+  double sums[7] = {
+      has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned), 0};
   if (model_.has_interactions()) {
     admissible = force(Part::Interaction, stage_->interaction, interaction_.data()) && admissible;
     sums[2] = dot(interaction_, interaction_, owned);
+    // A stiff law that begins to act within the step has no rounding at the step's start.
+    if (model_.has_laws_of_every_gap()) sums[6] = model_.local_rounding(u_.data());
   }
   sums[3] = admissible ? 0 : 1;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     if (!is_reached(i, u_[i])) sums[4] += 1;
   }
-  model_.space().sum(sums, 6);
+  model_.space().sum(sums, 7);
   moving_ = sums[4] > 0;
-  if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2])) return false;
+  // A rounding beyond all numbers would pass any force as converged.
+  if (sums[3] > 0 || !std::isfinite(sums[0] + sums[1] + sums[2] + sums[6])) return false;
   imported_for_ = stage_;
   if (!kept_points_.empty()) kept_of_ = stage_;
   // After a long step the rounding errors are larger than at its start.
-  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() * (diagonal_ + stiffness_ - model_.elastic_scale()) *
-                   std::sqrt(sums[5]);
+  rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
+                   ((diagonal_ + stiffness_ - model_.elastic_scale()) * std::sqrt(sums[5]) + std::sqrt(sums[6]));
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);

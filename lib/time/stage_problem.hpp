@@ -50,6 +50,7 @@ class StageProblem final : public NonlinearProblem {
   /// rounding u_s alone makes.
   double convergence_bound(double relative_tolerance) const override;
   bool is_gradient() const override { return has_potential_ && !moving_; }
+  bool has_kinks() const override { return !has_potential_ && !moving_ && model_.has_friction(); }
   double way_left(const Vector& x) override;
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;

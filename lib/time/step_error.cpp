@@ -22,7 +22,8 @@ double local_error(const Model& model, const Table& table, const std::vector<Sta
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.space().owned()); ++i)
     if (!model.mesh().is_derivative(i / d) && !model.constraints().holds(static_cast<int>(i)))
       largest = std::max(largest, std::abs(third_derivative(i)));
-  return std::abs(table.error_constant) * dt * dt * dt * model.space().maximum(largest);
+  return std::max(std::abs(table.error_constant) * dt * dt * dt * model.space().maximum(largest),
+                  model.history_error(start.u.data(), end.u.data(), dt));
 }
 
 }  // namespace ixos

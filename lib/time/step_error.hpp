@@ -19,7 +19,8 @@ struct PreviousVelocity {
 /// error constant times dt^3 u''' [L0] (Zienkiewicz and Xie 1991 for Newmark's method; Bank et al. 1985 for two
 /// stages). u''' is twice a divided difference of velocities: those of the step before, of the start and of the end. If
 /// the table has two stages, it uses the three velocities of the step itself; in a first step, the start's velocity and
-/// acceleration and the end's velocity. Derivative nodes and prescribed degrees of freedom do not count. Collective.
+/// acceleration and the end's velocity. Derivative nodes and prescribed degrees of freedom do not count. If
+/// Model::history_error() is larger, returns that. Collective.
 double local_error(const Model& model, const Table& table, const std::vector<State>& states, double dt,
                    const PreviousVelocity& previous);
 

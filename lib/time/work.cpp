@@ -55,4 +55,27 @@ double work_of_external_forces(const Model& model, const Table& table, const std
   return sum;
 }
 
+double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double time,
+                         double dt) {
+  const State& start = states.front();
+  if (table.work.form == WorkSum::Form::Increment) {
+    const Rule& rule = table.stages.back().interaction;
+    Array path_velocity;
+    if (rule.uses_velocity()) path_velocity = start.v;
+    for (double& value : path_velocity) value *= dt;
+    return model.obstacle_work(
+        {start.u.data(), path_velocity.empty() ? nullptr : path_velocity.data(), states.back().u.data(), time, dt},
+        rule);
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const bool at_end = i == 0 || i + 1 == states.size();
+    const double weight = table.work.form == WorkSum::Form::Stages ? table.work.weights[i] : at_end ? 0.5 : 0.0;
+    const double when = i == 0 ? 0.0 : table.stages[i - 1].end;
+    if (weight != 0)
+      sum += model.obstacle_work({nullptr, nullptr, states[i].u.data(), time, dt}, {{{weight, 0, 0, 1, when}}, 0});
+  }
+  return sum;
+}
+
 }  // namespace ixos

@@ -14,4 +14,10 @@ namespace ixos {
 /// a)/2 do not vanish there, and EndMean adds d . M dv + du . M e/dt. Collective.
 double work_of_external_forces(const Model& model, const Table& table, const std::vector<State>& states, double dt);
 
+/// Returns the work of moved obstacles over that step, which begins at `time` [E0 L0^D]. Increment: along the path of
+/// the interaction's mean force, see Interaction::obstacle_work(); with a mean that is no sum of points the balance
+/// closes exactly. EndMean and Stages: the power of the forces in the states that the table's sum weighs. Collective.
+double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double time,
+                         double dt);
+
 }  // namespace ixos

@@ -13,7 +13,8 @@ std::vector<ResultUnit> result_units(const UnitSystem& units, int dimension) {
                               {"energy", plane ? "E0 L0^2" : "E0 L0^3", plane ? "J/m" : "J"},
                               {"linear_momentum", plane ? "E0 L0 T0" : "E0 L0^2 T0", plane ? "N s/m" : "N s"},
                               {"angular_momentum", plane ? "E0 L0^2 T0" : "E0 L0^3 T0", plane ? "N s" : "N m s"},
-                              {"contact_measure", plane ? "L0" : "L0^2", plane ? "m" : "m^2"}};
+                              {"contact_measure", plane ? "L0" : "L0^2", plane ? "m" : "m^2"},
+                              {"moment", plane ? "E0 L0^2" : "E0 L0^3", plane ? "N" : "N m"}};
   for (ResultUnit& unit : all) unit.scale = units.si(unit.expression);
   return all;
 }

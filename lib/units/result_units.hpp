@@ -15,8 +15,8 @@ struct ResultUnit {
   double scale = 0;        ///< how many SI units it is
 };
 
-/// Returns the units of all results of a run in 2 or 3 dimensions. In 2 dimensions forces, energies and momenta are per
-/// depth. Throws InputError for one that is beyond the range of numbers.
+/// Returns the units of all results of a run in 2 or 3 dimensions. In 2 dimensions forces, moments, energies and
+/// momenta are per depth. Throws InputError for one that is beyond the range of numbers.
 std::vector<ResultUnit> result_units(const UnitSystem& units, int dimension);
 
 }  // namespace ixos

@@ -145,7 +145,7 @@ void bind_initial_state(SimulationClass& simulation) {
            R"(Begins anew from displacements u [L0] and velocities v [L0/T0], arrays of nodes x dimension.
 
 The rows are those of `points`; ghosts take their owners' values. What is None stays as it is: u, v, the time [T0].
-Work, dissipated energy and the memory of materials begin at zero. Raises InputError, and changes nothing, for another
+Work, dissipated energy and the memory of materials and surfaces begin at zero. Raises InputError, and changes nothing, for another
 shape, for numbers that are not finite, for values that boundary conditions prescribe otherwise (see `constrained`), for
 gaps that are not positive, for inverted elements, and if the accelerations cannot be solved for. Constrained velocities
 of schemes in momentum form become those of the motion. Collective.)")

@@ -20,7 +20,7 @@ py::dict energies(const LiveSimulation& simulation) {
     const Model& model = s.model();
     const State& state = s.integrator().state();
     kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
-    elastic = model.energy(Part::Elastic, state.u.data());
+    elastic = model.elastic_energy(s.integrator().time(), state.u.data());
     if (model.has_interactions()) contact = model.energy(Part::Interaction, state.u.data());
   });
   py::dict result;
@@ -45,6 +45,24 @@ py::dict contact(const LiveSimulation& simulation) {
       compute(simulation, [](Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); });
   py::dict result;
   result["contact_force"] = taken(std::move(report.force));
+  result["contact_measure"] = report.measure;
+  result["min_gap"] = report.least_gap;
+  return result;
+}
+
+/// The keys are the beginnings of the columns of history.csv.
+py::dict interaction(const LiveSimulation& simulation, const std::string& name) {
+  InteractionReport report;
+  std::vector<double> moment;
+  compute(simulation, [&](Simulation& s) {
+    const InteractionGroup& group = s.model().interaction(name);
+    const double* u = s.integrator().state().u.data();
+    report = group.report(u);
+    moment = group.moment(u);
+  });
+  py::dict result;
+  result["contact_force"] = taken(std::move(report.force));
+  if (!moment.empty()) result["contact_moment"] = taken(std::move(moment));
   result["contact_measure"] = report.measure;
   result["min_gap"] = report.least_gap;
   return result;
@@ -113,6 +131,9 @@ void bind_measures(SimulationClass& simulation) {
           "Angular momentum about the origin: z in two dimensions. Collective.")
       .def_property_readonly("contact", &contact,
                              "contact_force, contact_measure and min_gap, as in history.csv. Collective.")
+      .def("interaction", &interaction, py::arg("name"),
+           "Returns contact_force, contact_moment about the origin (not of axisymmetric bodies), contact_measure and "
+           "min_gap of one interaction. Collective.")
       .def("reaction", &reaction, py::arg("node_set"),
            "Returns the sum of the reactions of a node set [E0 L0^(D-1)]. Collective.")
       .def("probe", &probe, py::arg("name"), "Returns displacement u and velocity v of a probe. Collective.")

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "checkpoint/fingerprint.hpp"
 #include "checkpoint/seal.hpp"
+#include "mesh/fingerprint.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "support/scene_text.hpp"

@@ -15,9 +15,17 @@ STRIP = [RAMP + "2", FINAL + "3"]  # a ramp has to end before the run does
 BLOCK = [FINAL + "2"]
 SMALL_BLOCK = ["Mesh/Box/Divisions={14, 14, 14}", "Mesh/Box/Lengths={14, 14, 14}"]
 SHORT_STEPS = [STEPS + "Time Step=0.005", RAMP + "0.1", FINAL + "0.1"]  # Automatic takes Chebyshev, matrix-free
+HERTZ = ["Mesh/Box/Divisions={62, 46}"]
+WAVES = ["Mesh/Box/Divisions={50, 16}", STEPS + "Time Step=0.05"]
+JKR = ["Mesh/Box/Divisions={46, 11}", STEPS + "Time Step=0.05"]
 SPATULA = ["Mesh/Spatula/Target Cells=4000", RAMP + "2", FINAL + "3"]
 BEND = ["Mesh/Spatula/Target Cells=4000", FINAL + "0", "Boundary Conditions/Bend/Node Set=tip",
         "Boundary Conditions/Bend/Components=z", "Boundary Conditions/Bend/History=Bend", "Output/Reactions={tip}"]
+RATE_PEEL = ["Mesh/Box/Lengths={40, 2}", "Mesh/Box/Divisions={80, 4}",
+             "Output/Probes/end/Point={40, 1.254709287789268}", FINAL + "1000"]
+ROUGH = ["Mesh/Box/Divisions={6, 6, 2}", FINAL + "1"]
+SCANNED = ["Interactions/Sample/Obstacle=Height Field", "Interactions/Sample/Height Field/File=afm-rough.gsf",
+           "Interactions/Sample/Height Field/Periodic=true"]
 TRAPEZOID = ["Custom/Stages/One/Velocity={2, -2, -1, 0}", "Custom/Stages/One/Acceleration={4, -4, -4, -1}"]
 
 
@@ -44,6 +52,8 @@ TO_2 = {"Interval": "{0, 2}"}
 STUDIES = {
     "ball-study": ShortStudy({TIME: "0.3"}, {"Time Step": ["0.01", "0.002"]}, {STEP: "0.0005"}),
     "ball-adaptive-study": ShortStudy({TIME: "0.4"}, {"Level": ["1", "2"]}, {STEP: "0.0005"}),
+    "rate-peel-study": ShortStudy({TIME: "25"}, {"History": ["Static", "Second Order"], "Time Step": ["5"]},
+                                  {STEP: "2.5"}, {"Interval": "{0, 25}"}),
     "spatula-study": ShortStudy({TIME: "2", RAMP[:-1]: "2"}, {"Time Step": ["0.5"], "Tolerance": ["1e-4", "1e-9"]},
                                 {STEP: "0.25"}, TO_2),
     "strip-options-study": ShortStudy(COARSE, {"Round": ["1"]}, {}, TO_2),
@@ -76,11 +86,24 @@ def scene_forms(schemes):
     for operator in ("Matrix-Free", "Assembled"):
         yield f"block-on-wall, MueLu, {operator}", "block-on-wall", [
             *SMALL_BLOCK, *BLOCK, *solver("Preconditioner Type=MueLu", "Operator=" + operator)]
+    for scene, short in (("hertz", HERTZ), ("jkr", JKR), ("waviness", WAVES)):
+        yield scene, scene, short
     yield "spatula", "spatula", SPATULA
     yield "spatula, MueLu, Matrix-Free", "spatula", [
         *SPATULA, *solver("Preconditioner Type=MueLu", "Operator=Matrix-Free")]
     for scheme in ("Static", "Newmark"):
         yield "spatula-vibration, bent, " + scheme, "spatula-vibration", [*BEND, SCHEME + scheme]
+    yield "mems-beam", "mems-beam", [FINAL + "0.1"]
+    yield "pillar", "pillar", ["Mesh/Box/Divisions={20, 8}", FINAL + "0.5"]
+    yield "afm", "afm", [FINAL + "0.5"]
+    yield "afm-rough", "afm-rough", ROUGH
+    yield "afm-rough, scanned", "afm-rough", [*ROUGH, *SCANNED]
+    yield "film-peel", "film-peel", [FINAL + "2"]
+    yield "rate-peel", "rate-peel", RATE_PEEL
+    yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
+    yield "spring-block", "spring-block", [FINAL + "0.5"]
+    yield "restitution", "restitution", ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
+    yield "sphere-hysteresis", "sphere-hysteresis", ["Mesh/Box/Divisions={46, 11}", FINAL + "20"]
 
 
 def named(entry, tag, name):

@@ -107,6 +107,49 @@ TEST_F(PointDataTest, ComesBackOnAnotherPartition) {
   expect_filled(alone.block(), back);
 }
 
+/// The sides of a part's set, and numbers that tell them from others.
+struct SidesOfPart {
+  explicit SidesOfPart(const LocalMesh& mesh)
+      : sides(mesh.side_sets[mesh.side_set("bottom")]), data(mesh, sides, 2, 1) {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t q = 0; q < 2; ++q)
+        expected.push_back(number(mesh.blocks.front().original_cells[static_cast<std::size_t>(sides[i].cell)], q, 0));
+  }
+  void fill() {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t q = 0; q < 2; ++q) data(i / width, q)[i % width] = expected[2 * i + q];
+  }
+  void expect_filled() const {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      for (std::size_t q = 0; q < 2; ++q) EXPECT_EQ(double(data(i / width, q)[i % width]), expected[2 * i + q]) << i;
+  }
+  const std::vector<LocalSide>& sides;
+  PointData data;
+  std::vector<double> expected;
+};
+
+TEST_F(PointDataTest, NumbersOfSidesComeBackOnAnyPartition) {
+  const Part part(test::world());
+  SidesOfPart written(part.local);
+  written.fill();
+  CheckpointSize size;
+  written.data.transfer(size);
+  CheckpointWriter writer(path_, *part.space, part.local, size.bytes());
+  written.data.transfer(writer);
+  writer.publish();
+  test::world()->barrier();
+  CheckpointReader reader(path_, *part.space, part.local);
+  SidesOfPart back(part.local);
+  back.data.transfer(reader);
+  back.expect_filled();
+  const Part alone(test::self());
+  CheckpointReader other(path_, *alone.space, alone.local);
+  SidesOfPart whole(alone.local);
+  ASSERT_EQ(whole.sides.size(), 7U);
+  whole.data.transfer(other);
+  whole.expect_filled();
+}
+
 TEST_F(PointDataTest, AnotherNumberOfPointsIsRefused) {
   const Part part(test::world());
   write(part);

@@ -189,7 +189,7 @@ TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
   const Outcome outcome = ixos({ball, "--explain"}, folder_);
   EXPECT_EQ(outcome.status, 0);
   for (const char* part : {"48 cells, 114 degrees of freedom", "Neo-Hooke", "Van der Waals", "linear solver Direct",
-                           "Left out, at no cost:\n  friction: Ixos has none",
+                           "Left out, at no cost:\n  friction: obstacles act along their normals only",
                            "\n  damping: ", "Fields of nodes: displacement [L0], velocity [L0/T0]", "jacobian [-]"})
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in " << outcome.output;
   EXPECT_TRUE(std::filesystem::is_empty(folder_));

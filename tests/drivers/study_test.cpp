@@ -300,7 +300,8 @@ TEST_F(StudyDriverTest, TheDocumentationIsThatOfTheValidators) {
 }
 
 TEST_F(StudyDriverTest, StudiesInXmlAreSound) {
-  for (const char* name : {"ball-study", "ball-adaptive-study", "strip-study", "strip-options-study"})
+  for (const char* name :
+       {"ball-study", "ball-adaptive-study", "strip-study", "strip-options-study", "rate-peel-study"})
     EXPECT_EQ(run(std::string("'" IXOS_XML_DIRECTORY "/") + name + ".xml' --list").status, 0) << name;
 }
 

@@ -7,6 +7,7 @@
 
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -15,11 +16,7 @@ constexpr Lame lame{0.4, 0.7};
 
 template <std::size_t D>
 Small<double, D> gradient() {
-  Small<double, D> h{};
-  double phase = 0.4;
-  for (auto& row : h)
-    for (double& value : row) value = 0.3 * std::sin(phase += 1.3);
-  return h;
+  return test::sample<D>(0.3, 0.4);
 }
 
 /// Returns the numbers of the components xx, yy, zz, xy, yz, zx.

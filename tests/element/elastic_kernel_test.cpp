@@ -8,6 +8,7 @@
 #include "element/element_nodes.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -192,10 +193,8 @@ TYPED_TEST(ElasticKernelTest, PacksEqualDoublesLaneByLane) {
 TYPED_TEST(ElasticKernelTest, ConstantStressIsInEquilibriumOnADistortedElement) {
   const TypeParam body{};
   auto m = TypeParam::motion(0.0);
-  Small<double, TypeParam::D> h{}, stress{};
-  double phase = 0.2;
-  for (auto& row : h)
-    for (double& value : row) value = 0.2 * std::sin(phase += 1.3);
+  const auto h = test::sample<TypeParam::D>(0.2, 0.2);
+  Small<double, TypeParam::D> stress{};
   m.to = TypeParam::affine(h, m.x);
   body.material.stress(h, stress);
   double volume = 0;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "element/locking_body.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -83,10 +84,7 @@ TYPED_TEST(LockingKernelsTest, ForceAndTangentAreTheSlopesOfEnergyAndForceAsRuns
 
 TYPED_TEST(LockingKernelsTest, HomogeneousStatesOfADistortedElementAreThoseOfTheStandardKernel) {
   TypeParam body{};
-  Small<double, TypeParam::D> h{};
-  double phase = 0.2;
-  for (auto& row : h)
-    for (double& value : row) value = 0.2 * std::sin(phase += 1.3);
+  const auto h = test::sample<TypeParam::D>(0.2, 0.2);
   const auto u = TypeParam::affine(h, body.x);
   const auto force = body.force(u), expected = body.template force<typename TypeParam::Standard>(u);
   for (std::size_t a = 0; a < TypeParam::N; ++a)

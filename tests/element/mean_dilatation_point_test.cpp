@@ -9,6 +9,7 @@
 #include "material/neo_hooke.hpp"
 #include "material/strain.hpp"
 #include "support/automatic_differentiation.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -26,12 +27,6 @@ struct Sample {
   /// law.
   using Variable = test::Dual<static_cast<int>(D* D + 1)>;
   static constexpr int theta = static_cast<int>(D * D);
-
-  Sample() {
-    double phase = 0.2;
-    for (auto& row : h)
-      for (double& value : row) value = 0.2 * std::sin(phase += 1.3);
-  }
 
   State<double> state() const { return {h, mean}; }
   State<Variable> seeded() const {
@@ -62,7 +57,7 @@ struct Sample {
   }
 
   Material law{lame_constants(1.0, 0.3)};
-  Small<double, D> h{};
+  Small<double, D> h = test::sample<D>(0.2, 0.2);
   double mean = 0.15;
 };
 

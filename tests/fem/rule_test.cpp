@@ -88,9 +88,26 @@ TEST(RuleTest, GaussRulesAreConsistentAverages) {
     }
 }
 
+TEST(RuleTest, MeansOverTheStraightPathAreTold) {
+  for (const Rule& rule : {gauss_rule(2), gauss_rule(8), gauss_rule(64), exact_rule(), discrete_gradient_rule()})
+    EXPECT_TRUE(rule.is_path_mean());
+  for (const Rule& rule : {end_rule(), gauss_rule(1), gauss_rule(5, Path::Kinematic),
+                           point_rule({0.0, 1.0}, {0.5, 0.5}), point_rule({0.5, 1.0}, {0.5, 0.5}), Rule{}})
+    EXPECT_FALSE(rule.is_path_mean());
+}
+
 TEST(RuleTest, NumbersOfGaussPointsOutOfRangeAreRefused) {
   EXPECT_THROW(gauss_rule(0), InputError);
   EXPECT_THROW(gauss_rule(65, Path::Kinematic), InputError);
+}
+
+TEST(RuleTest, TheMeanTimeIsThatOfThePoints) {
+  EXPECT_EQ(end_rule(0.3).mean_time(), 1);
+  EXPECT_NEAR(gauss_rule(4).mean_time(), 0.5, 1e-15);
+  EXPECT_NEAR(gauss_rule(3, Path::Kinematic).mean_time(), 0.5, 1e-15);
+  EXPECT_EQ(point_rule({0, 1}, {0.5, 0.5}).mean_time(), 1) << "the kept part does not count";
+  EXPECT_EQ(point_rule({0.5}, {1}).mean_time(), 0.5);
+  EXPECT_EQ(discrete_gradient_rule().mean_time(), 0.5);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Exodus meshes.
+// Exodus meshes and their nodal fields.
 #include <algorithm>
 
 #include "base/error.hpp"
@@ -16,6 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                [&](int node) { return node >= 0 && node < mesh.nodes(); }),
                    "a cell has a node that there is not");
     check_cells(mesh);
+    fuzz::expect(read_tried_exodus_field(file.path(), "strength").size() == static_cast<std::size_t>(mesh.nodes()),
+                 "a field has another number of nodes than the mesh");
   } catch (const InputError& error) {
     fuzz::expect_message(error);
   }

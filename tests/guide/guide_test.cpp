@@ -13,7 +13,7 @@
 
 namespace ixos {
 
-LawEntry electrostatic_law();
+LawEntry foundation_law();
 ElasticEntry soft_rubber_entry();
 ObstacleEntry slit_obstacle();
 MeshEntry sheared_mesh();
@@ -51,7 +51,7 @@ auto made(const Entry& entry, const Set& set, Context... context) {
 const auto nothing = [](Teuchos::ParameterList&) {};
 
 TEST(GuideTest, TheLawsMeanIsTheIntegral) {
-  const auto law = made(electrostatic_law(), nothing);
+  const auto law = made(foundation_law(), nothing);
   const double r0 = 0.3, r1 = 0.9;
   EXPECT_NEAR(law->mean_traction(r0, r1)[0] * (r1 - r0), law->energy(r0)[0] - law->energy(r1)[0], 1e-16);
 }

@@ -48,12 +48,32 @@ TEST(CutOffTest, MeansAreThoseOfFineQuadrature) {
     const auto end = test::variable<1>(0, r1);
     const test::Dual<1> mean = law.mean_traction(test::Dual<1>(r0), end);
     EXPECT_NEAR(law.mean_stiffness(r0, r1), -mean.dx(0), 1e-12) << r0 << ' ' << r1;
+    const test::Dual<1> potential = law.mean_potential(test::Dual<1>(r0), end);
+    EXPECT_NEAR(potential.dx(0), -mean.val(), 1e-12) << r0 << ' ' << r1;
   }
   EXPECT_NEAR(law.mean_traction(0.3, 0.3), law.traction(0.3), 1e-16);
   EXPECT_NEAR(law.mean_stiffness(0.3, 0.3), law.stiffness(0.3) / 2, 1e-14);
   EXPECT_EQ(law.mean_traction(2.0, 2.0), 0);
   EXPECT_EQ(law.mean_stiffness(2.0, 2.0), 0);
-  EXPECT_THROW(law.mean_potential(0.3, 0.4), std::logic_error);
+  EXPECT_EQ(law.mean_potential(2.0, 2.5), 0);
+  EXPECT_EQ(law.mean_potential(0.3, 0.3), 0);
+}
+
+/// The integral of (E(r) - E(r0))/(r - r0) over r, in parts that end at the range.
+TEST(CutOffTest, ThePotentialOfTheMeanIsThatOfFineQuadrature) {
+  const Quadrature gauss = gauss_legendre_unit(64);
+  for (const auto& [r0, r1] :
+       {std::pair{0.25, 0.3}, std::pair{1.2, 1.9}, std::pair{1.9, 1.2}, std::pair{1.6, 1.8}, std::pair{0.4, 2.4},
+        std::pair{1.5, 1.1}, std::pair{1.5, 2.0}, std::pair{1.5 + 1e-9, 1.2}, std::pair{1.5 - 1e-9, 1.7}}) {
+    double sum = 0;
+    const double middle = std::min(std::max(range, std::min(r0, r1)), std::max(r0, r1));
+    for (const auto& [from, to] : {std::pair{r0, middle}, std::pair{middle, r1}})
+      for (std::size_t i = 0; i < gauss.points.size(); ++i) {
+        const double r = from + gauss.points[i] * (to - from);
+        if (r != r0) sum += (to - from) * gauss.weights[i] * (law.energy(r) - law.energy(r0)) / (r - r0);
+      }
+    EXPECT_NEAR(law.mean_potential(r0, r1), sum, 1e-13) << r0 << ' ' << r1;
+  }
 }
 
 }  // namespace

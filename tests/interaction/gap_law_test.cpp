@@ -42,6 +42,7 @@ struct Spring {
   T magnitude(const T& r) const {
     return 7.0 * r * r;
   }
+  bool repels() const { return false; }
   double equilibrium_gap() const { return 0.125; }
   double adhesion_gap() const { return 0.25; }
   double range() const { return 3; }
@@ -80,6 +81,13 @@ TEST(GapLawTest, EveryCallReachesTheLaw) {
   expect_same(*gap_law(van_der_waals), van_der_waals);
   EXPECT_EQ(gap_law(Spring())->domain(), GapDomain::All);
   EXPECT_EQ(gap_law(van_der_waals)->domain(), GapDomain::Positive);
+  EXPECT_FALSE(gap_law(Spring())->repels());
+  EXPECT_TRUE(gap_law(van_der_waals)->repels());
+}
+
+TEST(GapLawTest, TheWorkOfAdhesionIsTheDepthOfThePotential) {
+  EXPECT_EQ(work_of_adhesion(*gap_law(van_der_waals)), -van_der_waals.energy(van_der_waals.equilibrium_gap()));
+  EXPECT_EQ(work_of_adhesion(*gap_law(Spring())), 0);
 }
 
 TEST(GapLawTest, KernelsSeeTheSameLaw) {
@@ -96,6 +104,14 @@ TEST(GapLawTest, TheRangeIsThatOfTheLaw) {
   EXPECT_EQ(gap_law(van_der_waals)->cut_off(2)->range(), 2);
 }
 
+TEST(GapLawTest, ARangeBeyondThatOfTheLawChangesNothing) {
+  const auto law = gap_law(Spring());
+  EXPECT_EQ(law->cut_off(3)->range(), 3);
+  EXPECT_EQ(law->cut_off(5)->range(), 3);
+  EXPECT_EQ(law->cut_off(5)->traction(2)[0], law->traction(2)[0]);
+  EXPECT_EQ(law->cut_off(2)->range(), 2);
+}
+
 TEST(GapLawTest, TheLawCanBeFoundAgain) {
   const auto law = gap_law(van_der_waals);
   const auto* own = dynamic_cast<const GapLawOf<VanDerWaals>*>(law.get());
@@ -109,9 +125,6 @@ TEST(GapLawTest, ACutOffEndsTheTraction) {
   EXPECT_NEAR(law->traction(0.5)[0], van_der_waals.traction(0.5) - van_der_waals.traction(2.0),
               1e-13 * van_der_waals.magnitude(0.5));
   EXPECT_EQ(law->traction(2.5)[0], 0);
-  EXPECT_THROW(law->mean_potential(0.3, 0.4), std::logic_error);
-  EXPECT_FALSE(law->has_mean_potential());
-  EXPECT_TRUE(gap_law(van_der_waals)->has_mean_potential());
 }
 
 // A law cut off at 1 and then at 3 would be zero from 1 on if the second range did not take the place of the first.

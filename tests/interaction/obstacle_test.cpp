@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interaction/obstacle_fixture.hpp"
+
 namespace ixos {
 namespace {
 
-using Point = std::array<double, 3>;
-
-PackPoint packed(const Point& x) { return {x[0], x[1], x[2]}; }
-
-Point sum(const Point& x, double factor, const Point& y) {
-  return {x[0] + factor * y[0], x[1] + factor * y[1], x[2] + factor * y[2]};
-}
+using test::dot;
+using test::gap;
+using test::packed;
+using test::Point;
+using test::sum;
 
 /// The obstacles of this file say where they are, and no more: the rest is Obstacle's own.
 class Plane final : public Obstacle {
@@ -88,8 +88,6 @@ class Saddle final : public Obstacle {
 
 const Point tilt{0.48, 0.6, 0.64};
 
-double dot(const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
-
 /// Returns n . (x1 - x0) with the mean normal.
 double change(const Obstacle& obstacle, const Point& x0, const Point& x1) {
   const MeanSight mean = obstacle.mean(packed(x0), packed(x1));
@@ -97,8 +95,6 @@ double change(const Obstacle& obstacle, const Point& x0, const Point& x1) {
   for (std::size_t i = 0; i < 3; ++i) result += lane(mean.normal[i], 0) * (x1[i] - x0[i]);
   return result;
 }
-
-double gap(const Obstacle& obstacle, const Point& x) { return obstacle.at(packed(x)).gap[0]; }
 
 TEST(ObstacleMeanTest, OfAPlaneIsItsNormal) {
   const Plane plane(tilt, 0.5);

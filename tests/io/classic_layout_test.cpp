@@ -135,6 +135,8 @@ TEST(ClassicLayoutTest, RecordsThatIxosCannotWriteAreRefused) {
   EXPECT_EQ(refusal(header({time, variable("vals", {time_step, num_nodes}, 608, float_type)})), damaged());
   EXPECT_EQ(refusal(header({variable("coordx", {num_nodes}, 500)})), damaged()) << "nothing grows";
   EXPECT_EQ(refusal(header({time, variable("vals", {time_step}, 592)})), damaged()) << "before the first record";
+  EXPECT_EQ(refusal(header({variable("time_whole", {time_step}, 100)})), damaged()) << "within the header";
+  EXPECT_EQ(refusal(header({time, variable("vals", {time_step, time_step}, 608)})), damaged()) << "grows twice";
   EXPECT_EQ(refusal(header({time, variable("vals", {time_step}, 608)})), "");
   EXPECT_EQ(refusal(header({time, variable("vals", {time_step}, 609)})), damaged()) << "beyond the end of a record";
 }

@@ -133,6 +133,23 @@ TEST_F(ExodusVariablesTest, MissingAndDamagedFilesAreRefused) {
   EXPECT_NE(refusal(cut), "");
 }
 
+// Exodus cuts names of more than 32 bytes unless it is told otherwise; names of single interactions may be longer.
+TEST_F(ExodusVariablesTest, LongNamesAreComparedAsAWhole) {
+  const std::string stem = "pressure_of_an_interaction_with_a_long_name_";
+  const FieldNames own{{stem + "a", stem + "b"}, {"jacobian"}, {"kinetic_energy"}};
+  for (ExodusFormat format : {ExodusFormat::Classic, ExodusFormat::Hdf5}) {
+    {
+      ExodusHandle file(create_exodus(path("long.e"), format), path("long.e"));
+      define_exodus_mesh(file, test::two_cells(), test::whole(test::two_cells()), "title");
+      define_variables(file, own, true);
+      EXPECT_EQ(file.close(), 0);
+    }
+    EXPECT_EQ(refusal(path("long.e"), size, own, {0, 0}, format), "");
+    const FieldNames other{{stem + "a", stem + "c"}, own.cell, own.global};
+    EXPECT_EQ(refusal(path("long.e"), size, other, {0, 0}, format), misfit(path("long.e"), 0));
+  }
+}
+
 TEST_F(ExodusVariablesTest, AMissingFileHasNoBytes) {
   std::ofstream(path("five")) << "12345";
   EXPECT_EQ(bytes_of(path("five")), 5);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/automatic_differentiation.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -15,27 +15,10 @@ namespace {
 constexpr Lame lame = lame_constants(1.0, 0.2);
 constexpr NeoHooke material{lame};
 
-/// A displacement gradient without any symmetry, entries up to `size`.
+using test::sample;
+using test::seeded;
 template <std::size_t D>
-Small<double, D> sample(double size) {
-  Small<double, D> h{};
-  double phase = 1.0;
-  for (auto& row : h)
-    for (double& value : row) value = size * std::sin(phase += 1.3);
-  return h;
-}
-
-template <std::size_t D>
-using Variable = test::Dual<static_cast<int>(D* D)>;
-
-template <std::size_t D>
-Small<Variable<D>, D> seeded(const Small<double, D>& h) {
-  Small<Variable<D>, D> result{};
-  for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t j = 0; j < D; ++j)
-      result[i][j] = test::variable<static_cast<int>(D * D)>(static_cast<int>(i * D + j), h[i][j]);
-  return result;
-}
+using Variable = test::OfGradient<D>;
 
 /// W = mu/2 (tr C - 3) - mu ln J + lambda/2 (ln J)^2 as it stands, C_33 = 1 in plane strain. It loses digits at small
 /// strain: hence the longer numbers.

@@ -7,6 +7,7 @@
 
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
+#include "support/displacement_gradients.hpp"
 
 namespace ixos {
 namespace {
@@ -22,9 +23,6 @@ struct Sample {
   static constexpr std::size_t D = Dim;
 
   Sample() {
-    double phase = 1.0;
-    for (auto& row : h)
-      for (double& value : row) value = 0.3 * std::sin(phase += 1.3);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) f[i][j] = delta(i, j) + (Material::can_invert ? h[i][j] : 0.0);
     Small<double, D> stress{};
@@ -33,7 +31,7 @@ struct Sample {
   }
 
   Material law{lame};
-  Small<double, D> h{}, f{}, inverse{};
+  Small<double, D> h = test::sample<D>(0.3), f{}, inverse{};
   Small<double, D * D> moduli{};
   SpatialTangent<double> tangent{};
 };

@@ -24,7 +24,8 @@ using test::refusal;
 /// Ids with gaps, in the order of the nodes.
 long long id_of(int node) { return 100 + 3LL * node; }
 
-/// What this rank has of a mesh whose nodes have these owners: a cell is on the rank of its last node.
+/// Returns this rank's share of the mesh. `owner` has the rank of each node; the owner of a cell's last node has the
+/// cell.
 DistributedMesh share_of(const Mesh& mesh, const std::vector<int>& owner) {
   const int rank = test::world()->getRank();
   const auto d = static_cast<std::size_t>(mesh.dimension);

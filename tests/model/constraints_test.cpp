@@ -54,6 +54,26 @@ TEST(ConstraintsSerialTest, OneMotionDrivesManyDegreesOfFreedomByTheirFactors) {
   EXPECT_EQ(v, (std::vector<double>{0, -1, 2, 3}));
 }
 
+TEST(ConstraintsSerialTest, MotionsAddUp) {
+  Constraints constraints;
+  const auto first = rate_ramp(2.0, 0.0, 0.0, RampShape::Linear);  // 2 t
+  const auto second = constant(5.0);
+  constraints.add(1, {{3.0, first}, {-1.0, second}});
+  constraints.add(1, {{3.0, first}, {-1.0, second}});
+  constraints.add(2, {});
+  constraints.add(3, 1.0, first);
+  EXPECT_EQ(constraints.dofs(), (std::vector<int>{1, 2, 3}));
+  EXPECT_THROW(constraints.add(1, {{3.0, first}}), InputError);
+  EXPECT_THROW(constraints.add(1, 3.0, first), InputError);
+  EXPECT_THROW(constraints.add(3, {}), InputError);
+  EXPECT_NO_THROW(constraints.add(2, {}));
+  EXPECT_NO_THROW(constraints.add(2, 1.0, nullptr));
+  std::vector<double> u(4, 9.0), v(4, 9.0);
+  constraints.set(4.0, u.data(), v.data(), nullptr);
+  EXPECT_EQ(u, (std::vector<double>{9, 3 * 8 - 5, 0, 8}));
+  EXPECT_EQ(v, (std::vector<double>{9, 6, 0, 2}));
+}
+
 TEST(ConstraintsSerialTest, AnUndefinedMotionIsNotFinite) {
   Constraints constraints;
   constraints.add(0, 1.0, nullptr);

@@ -24,11 +24,11 @@ class Silent final : public Interaction {
   bool needs_positive_gaps() const override { return positive_; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
-  bool has_mean_potential() const override { return true; }
   double rounding(const double*) const override { return 0; }
   void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override {}
   void lower_nodal_gap(const double*, double*) const override {}
+  void set_nodal_normal(const double*, double*) const override {}
   LowestPoint lowest_point(const double* u) const override {
     LowestPoint lowest;
     for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
@@ -90,6 +90,17 @@ TEST(CrossingTest, LawsOfAllGapsAreNotRefused) {
   EXPECT_EQ(crossing(*model, u.data()), "");
   EXPECT_NEAR(least_free_gap(*model, u.data()), -0.1, 1e-15);
   EXPECT_EQ(least_free_gap(*block(true), u.data()), std::numeric_limits<double>::infinity());
+}
+
+TEST(CrossingTest, BeyondTheEdgeNoLawIsAllowed) {
+  for (const bool positive : {true, false}) {
+    const auto model = block(positive);
+    std::vector<double> u = test::at_rest(*model);
+    u[1] = -std::numeric_limits<double>::infinity();
+    EXPECT_NE(
+        crossing(*model, u.data()).find("the surface of interaction \"Wall\" is beyond the edge of the obstacle, at "),
+        std::string::npos);
+  }
 }
 
 TEST(CrossingTest, AStepThatCrossesIsRejectedByImplicitAndExplicitSchemes) {

@@ -19,6 +19,7 @@ namespace {
 using test::at_rest;
 using test::elastic;
 using test::model_of;
+using test::noise;
 
 constexpr double nu = 0.3;
 const Lame lame = lame_constants(1, nu);
@@ -37,15 +38,6 @@ std::vector<double> stretched(const Model& model, double factor) {
   std::vector<double> u = at_rest(model);
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   for (std::size_t i = 0; i < u.size(); i += d) u[i] = factor * model.mesh().coordinates[i];
-  return u;
-}
-
-/// Returns numbers without order, the same on every rank.
-std::vector<double> noise(const Model& model, double size) {
-  std::vector<double> u = at_rest(model);
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  for (std::size_t i = 0; i < u.size(); ++i)
-    u[i] = size * std::sin(0.3 + 1.7 * model.mesh().original_ids[i / d] + 0.9 * static_cast<double>(i % d));
   return u;
 }
 

@@ -17,9 +17,15 @@ using test::refusal;
 
 TEST(SettingsTest, ValuesKeepTheirTypes) {
   Teuchos::ParameterList list;
-  set(list, {{"number", 2.5}, {"count", 3}, {"word", "Hamaker"}, {"point", {0.0, -1.0}}, {"whole", {0, 1}}});
+  set(list, {{"number", 2.5},
+             {"count", 3},
+             {"word", "Hamaker"},
+             {"point", {0.0, -1.0}},
+             {"whole", {0, 1}},
+             {"choice", true}});
   EXPECT_EQ(list.get<double>("number"), 2.5);
   EXPECT_EQ(list.get<int>("count"), 3);
+  EXPECT_TRUE(list.get<bool>("choice"));
   EXPECT_EQ(list.get<std::string>("word"), "Hamaker");
   EXPECT_EQ(list.get<Teuchos::Array<double>>("point").toVector(), (std::vector<double>{0, -1}));
   EXPECT_EQ(list.get<Teuchos::Array<double>>("whole").toVector(), (std::vector<double>{0, 1}));

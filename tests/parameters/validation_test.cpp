@@ -129,6 +129,18 @@ TEST(ValidationTest, ParametersThatLawsShareAreAcceptedWithEachOfThem) {
               "accepted");
 }
 
+TEST(ValidationTest, LawsOfRubberHaveTheirOwnConstants) {
+  const auto material = [](const std::string& entries) {
+    return refusal(integrator + test::list("Materials", test::list("A", test::word("Model", "Gent") + entries)));
+  };
+  EXPECT_EQ(material(test::list("Gent", test::number("Limit", 3) + test::word("Volumetric Energy", "Convex"))),
+            "accepted");
+  EXPECT_EQ(material(test::number("Young's Modulus", 3)),
+            "Materials/A: \"Young's Modulus\" belongs to Model \"Neo-Hooke\" or \"Linear Elastic\" or \"Saint "
+            "Venant-Kirchhoff\", but Model is \"Gent\"; remove it, or set Model to \"Neo-Hooke\" or \"Linear "
+            "Elastic\" or \"Saint Venant-Kirchhoff\"");
+}
+
 TEST(ValidationTest, ACompleteSceneIsValidWhateverItChooses) {
   const ParameterList complete =
       validated(test::scene(wall(test::word("Law", "Morse") + test::word("Obstacle", "Sphere") +

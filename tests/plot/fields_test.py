@@ -17,11 +17,13 @@ try:
 except ImportError:
     vtkIOSSReader = None
 
-LISTED = "Output/Fields={default, gap, contact_pressure, reaction, stress, von_mises_stress, principal_stress}"
+LISTED = ("Output/Fields={default, gap, contact_pressure, reaction, stress, von_mises_stress, principal_stress, gap_Wall, "
+          "normal_Wall, traction_Wall, pressure_Wall}")
 # A strip that is pulled off a wall, its right edge prescribed: 81 x 3 nodes, 40 of 80 sides before the wall.
 STRIP = ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}", "Interactions/Wall/Contact Element=Q1C1",
          "Time Integrator/Type=Static", "Time Integrator/Time Step Control/Time Step=1", "Histories/Pull/Rate Ramp/Length=4",
-         "Time Integrator/Time Step Control/Final Time=4", "Output/Fields Time Interval=2", LISTED]
+         "Time Integrator/Time Step Control/Final Time=4", "Output/Fields Time Interval=2",
+         "Output/Interaction Columns=On", LISTED]
 CUBE = ["Mesh/Type=Box", "Mesh/Box/Dimension=3", "Mesh/Box/Lower={-1,-1,1}", "Mesh/Box/Lengths={2,2,2}",
         "Mesh/Box/Divisions={2,2,2}", "Interactions/Wall/Side Set=bottom",
         "Time Integrator/Time Step Control/Final Time=0.003", "Output/Fields Interval=3"]
@@ -111,8 +113,23 @@ class FieldsTest(ScriptTest):
                 area[line[1:]] += lengths / 2
                 area[line[:-1]] += lengths / 2
                 self.assertAlmostEqual(pressure @ area, run["contact_force_y"][row], delta=1e-13)
+                deformed = fields.coordinates[:, 0] + fields.displacement(frame)[:, 0]
+                moment = run["contact_moment_Wall_z"][row]  # x F_y
+                self.assertAlmostEqual(deformed @ (pressure * area), moment, delta=1e-7 * max(1, abs(moment)))
                 np.testing.assert_allclose(pressure, fields.nodal("interaction_traction", frame)[:, 1], atol=1e-14)
                 self.assertEqual(np.abs(np.delete(pressure, surface)).max(), 0.0)
+
+    def test_the_only_interaction_has_the_fields_and_columns_of_all(self):
+        for fields, run in self.strips:
+            for frame in range(len(fields.times)):
+                for own, of_all in (("gap_Wall", "gap"), ("pressure_Wall", "contact_pressure"),
+                                    ("traction_Wall", "interaction_traction")):
+                    np.testing.assert_array_equal(fields.nodal(own, frame), fields.nodal(of_all, frame))
+                surface = ~np.isnan(fields.nodal("gap", frame))
+                np.testing.assert_array_equal(fields.nodal("normal_Wall", frame), np.outer(surface, [0, 1]))
+            for own, of_all in (("contact_force_Wall_x", "contact_force_x"), ("contact_force_Wall_y", "contact_force_y"),
+                                ("contact_measure_Wall", "contact_measure"), ("min_gap_Wall", "min_gap")):
+                np.testing.assert_array_equal(run[own], run[of_all])
 
     def test_stresses_agree_with_each_other(self):
         for fields, _ in self.strips:
@@ -158,7 +175,8 @@ class FieldsTest(ScriptTest):
         reader.SetAllArrayStatus(reader.NODAL, 1)
         vectors = {reader.GetPointResultArrayName(i) for i in range(reader.GetNumberOfPointResultArrays())}
         self.assertEqual(vectors, {"displacement", "velocity", "acceleration", "interaction_traction", "gap",
-                                   "contact_pressure", "reaction"})
+                                   "contact_pressure", "reaction", "gap_Wall", "normal_Wall", "traction_Wall",
+                                   "pressure_Wall"})
 
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
     def test_the_reader_on_ioss_joins_tensors_too(self):

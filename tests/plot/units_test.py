@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Tests of units.py and pull.py on made-up results: tests/plot/units_test.py"""
 import json
+import re
 import sys
 import unittest
 
@@ -13,7 +14,7 @@ from synthetic import peel, write_history  # noqa: E402
 import measures  # noqa: E402
 import pull  # noqa: E402
 import units  # noqa: E402
-from results import ResultsError, Run  # noqa: E402
+from results import ResultsError, Run, wall_height  # noqa: E402
 
 MOTION = """<ParameterList name="{0}"><Parameter name="Node Set" value="right"/>
   <Parameter name="Components" value="{1}"/><Parameter name="History" value="{2}"/></ParameterList>"""
@@ -49,6 +50,20 @@ class UnitsTest(ScriptTest):
         folder = self.measured("plain", 1e-9, 2e9, 1e-9)
         self.assertEqual(Run(folder)["time"][1], 0.1)
 
+    def test_a_wall_that_moves_has_no_height(self):
+        def height(name, entries):
+            folder = peel(self.folder / name)
+            (folder / "effective.xml").write_text(
+                '<ParameterList><ParameterList name="Interactions"><ParameterList name="Wall">'
+                '<Parameter name="Point" value="{0, 3}"/><ParameterList name="Motion">'
+                f'{entries}</ParameterList></ParameterList></ParameterList></ParameterList>')
+            return wall_height(folder)
+        still = '<Parameter name="Translation" value="{}"/><Parameter name="Rotation" value=""/>'
+        self.assertEqual(height("still", still), 3)
+        self.assertEqual(height("no_motion", ""), 3)
+        self.assertIsNone(height("pressed", still.replace("{}", "{-, Press}")))
+        self.assertIsNone(height("turned", still.replace('"Rotation" value=""', '"Rotation" value="Turn"')))
+
     def test_prefixes_keep_numbers_readable(self):
         folder = self.measured("nano", 1e-9, 2e9, 1e-9)
         units.use_si(folder)
@@ -76,6 +91,25 @@ class UnitsTest(ScriptTest):
         svg, = self.draw("peeling.py", folder, "--si", "--format", "svg")
         self.assertIn("pull-off force [N/m]", svg.read_text())
         self.assertIn("time [µs]", svg.read_text())
+
+    def test_columns_and_fields_of_single_interactions(self):
+        def quantity(column):
+            return next((kind for pattern, kind in units.COLUMNS if re.fullmatch(pattern, column)), None)
+        for column, expected in (("contact_force_Upper wall_x", "force"), ("contact_moment_Wall_z", "moment"),
+                                 ("contact_measure_Wall", "measure"), ("min_gap_Wall", "length"),
+                                 ("moment_Jaw_z", "moment"), ("friction_force_Wall_x", "force"),
+                                 ("dissipated_friction_of_Wall", "energy"), ("dissipated_damping", "energy"), ("contact_force_y", "force"), ("P_ux", "length"),
+                                 ("angular_momentum_z", "angular momentum"), ("newton_iterations", None)):
+            self.assertEqual(quantity(column), expected, column)
+        self.assertEqual([units.name("moment", dimension) for dimension in (2, 3)], ["E₀ L₀²", "E₀ L₀³"])
+        for field, expected in (("gap_Wall", "length"), ("slip_Wall", "length"), ("pressure_Wall", "stress"),
+                                ("traction_Wall", "stress"), ("friction_Wall", "stress"),
+                                ("interaction_traction", "stress"), ("von_mises_stress", "stress"),
+                                ("sliding_Wall", None), ("dissipated_Wall", "surface energy"),
+                                ("dissipated_energy_density", "stress"), ("damage_pressure plate", None),
+                                ("normal_Wall", None), ("damage_stress plate", None),
+                                ("normal_pressure plate", None), ("gap", "length")):
+            self.assertEqual(units.field_quantity(field), expected, field)
 
     def test_runs_without_units_are_refused(self):
         folder = peel(self.folder / "old")

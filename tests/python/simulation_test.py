@@ -63,6 +63,15 @@ class StepTest(unittest.TestCase):
         force = ball.contact["contact_force"]
         self.assertLess(force[1], 0)  # the wall attracts
         np.testing.assert_allclose(total(ball, ball.interaction_forces), -force, rtol=1e-12, atol=1e-15)
+        wall = ball.interaction("Wall")  # the only one
+        np.testing.assert_array_equal(wall["contact_force"], force)
+        self.assertEqual(wall["min_gap"], ball.contact["min_gap"])
+        self.assertEqual(wall["contact_measure"], ball.contact["contact_measure"])
+        x, y = (ball.points + ball.u).T
+        f_x, f_y = -ball.interaction_forces.T
+        np.testing.assert_allclose(wall["contact_moment"], [total(ball, x * f_y - y * f_x)], rtol=1e-12, atol=1e-13)
+        with self.assertRaisesRegex(ixos.InputError, 'interaction "Wal" does not exist; did you mean "Wall"?'):
+            ball.interaction("Wal")
         np.testing.assert_allclose(total(ball, ball.elastic_forces), 0, atol=1e-13)
         # The momentum of the ball grows at the rate of the wall's force.
         before, time = ball.linear_momentum, ball.time

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "run/energy_watch.hpp"
 #include "run/restart_fixture.hpp"
 #include "support/bodies.hpp"
 
@@ -60,6 +61,27 @@ TEST_F(EnergyWatchTest, AnUndamagedRunIsQuiet) {
     EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
     EXPECT_EQ(warnings_, 0) << told_;
   }
+}
+
+// Points in time bound neither the work of a moved wall nor the kinks of a law that allows overlaps; the exact mean and
+// a given tolerance do.
+TEST_F(EnergyWatchTest, MovedWallsAndLawsOfEveryGapAreWatchedWithTheExactMeanOnly) {
+  const auto is_on = [](const std::string& more, int points, const std::string& watch = "") {
+    std::string scene = flying("Average Vector Field", watch);
+    const std::string place = numbers("Point", {0, -0.9});
+    scene.insert(scene.find(place), more);
+    const std::string type = word("Type", "Average Vector Field");
+    scene.insert(scene.find(type), list("Average Vector Field", count("Interaction Points", points)));
+    scene += list("Histories", expression("Shake", "0.01*sin(t)", "0.01*cos(t)", "-0.01*sin(t)"));
+    return EnergyWatch(Simulation(test::scene(scene), world())).on();
+  };
+  const std::string moved = list("Motion", "<Parameter name='Translation' type='Array(string)' value='{-, Shake}'/>");
+  EXPECT_TRUE(is_on("", 8));
+  EXPECT_FALSE(is_on(moved, 8));
+  EXPECT_TRUE(is_on(moved, 0));
+  EXPECT_TRUE(is_on(moved, 8, number("Tolerance", 1e-3)));
+  EXPECT_FALSE(is_on(word("Law", "Penalty"), 8));
+  EXPECT_TRUE(is_on(word("Law", "Penalty"), 0));
 }
 
 TEST_F(EnergyWatchTest, DamageIsWarnedOfOnceByDefault) {

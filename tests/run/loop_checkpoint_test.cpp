@@ -1,4 +1,4 @@
-// A program's own state beside Ixos': in the checkpoints of run(), and in those of a time loop of its own.
+// The state of a program beside that of Ixos, in checkpoints that run() writes and in those that the program writes.
 #include "run/loop_checkpoint.hpp"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ class Stage {
   double force_ = 0;
 };
 
-/// The program: a loop of its own.
+/// A program that calls Integrator::step() itself.
 class Program {
  public:
   Program() : simulation_(test::scene(staged()), world(), ".", stage_.histories()) {}
@@ -125,7 +125,8 @@ TEST_F(LoopCheckpointTest, WhatDoesNotFitIsRefusedWithTheFilesName) {
   refused([&] { read_checkpoint(path_, program.simulation()); }, "holds \"stage\"");
   refused([&] { read_checkpoint(path_, program.integrator(), program.stage().states()); },
           "was written for a scene: read it with its Simulation");
-  refused([&] { run_scene(drawn(word("Type", "Newmark") + steps(0.02, 1)), "run", path_); }, "a time loop of its own");
+  refused([&] { run_scene(drawn(word("Type", "Newmark") + steps(0.02, 1)), "run", path_); },
+          "a program wrote this file with write_checkpoint()");
   write_checkpoint(path_, program.integrator());
   refused([&] { read_checkpoint(path_, program.integrator(), program.stage().states()); }, "lacks \"stage\"");
   Simulation longer(test::scene(block_of(3, "Newmark")), world()), other(test::scene(block_of(2, "Midpoint")), world()),

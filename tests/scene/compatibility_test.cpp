@@ -62,32 +62,22 @@ TEST(CompatibilityTest, LimitsOfTheGapRatioNeedAnInteraction) {
             place + "Choose Time Points: true has no effect: the scene has no interaction; use false");
 }
 
-TEST(CompatibilityTest, TheExactMeanBeforeAWallAllowsNoCutoff) {
-  const std::string cutoff = number("Cutoff", 2);
-  EXPECT_EQ(
-      refusal(test::adhesive_block(2, wall, cutoff) + exact_mean()),
-      "Interactions/Wall/Cutoff: 2 is not allowed: with these settings the scheme \"Average Vector Field\" takes "
-      "the exact mean of the interaction, which allows no cutoff before a flat wall; use 0, or Interaction Points "
-      "of at least 1");
-  EXPECT_EQ(refusal(test::adhesive_block(2, wall, cutoff) + test::time_integrator("Average Vector Field", 0.02, 1)),
-            "");
-  EXPECT_EQ(refusal(test::adhesive_block(2, wall, cutoff) + test::time_integrator("Energy-Momentum", 0.02, 1)), "");
-}
-
-TEST(CompatibilityTest, TheExactMeanBeforeASphereAllowsACutoff) {
-  for (const char* law : {"Van der Waals", "Morse"}) {
-    Simulation s(
-        test::scene(test::adhesive_block(2, {law, "Sphere", "Neo-Hooke"}, number("Cutoff", 0.6)) + exact_mean()),
-        test::self());
-    const auto energy = [&s] {
-      const State& state = s.integrator().state();
-      return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy +
-             s.model().energy(Part::Elastic, state.u.data()) + s.model().energy(Part::Interaction, state.u.data());
-    };
-    const double before = energy();
-    for (int step = 0; step < 50; ++step) ASSERT_TRUE(s.integrator().step(0.02).converged) << law;
-    EXPECT_NEAR(energy(), before, 1e-11) << law;
-  }
+TEST(CompatibilityTest, TheExactMeanAllowsACutoff) {
+  for (const char* law : {"Van der Waals", "Morse", "Mie", "Xu-Needleman"})
+    for (const char* obstacle : {"Half-Space", "Sphere"}) {
+      SCOPED_TRACE(std::string(law) + ", " + obstacle);
+      Simulation s(
+          test::scene(test::adhesive_block(2, {law, obstacle, "Neo-Hooke"}, number("Cutoff", 0.6)) + exact_mean()),
+          test::self());
+      const auto energy = [&s] {
+        const State& state = s.integrator().state();
+        return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy +
+               s.model().energy(Part::Elastic, state.u.data()) + s.model().energy(Part::Interaction, state.u.data());
+      };
+      const double before = energy();
+      for (int step = 0; step < 50; ++step) ASSERT_TRUE(s.integrator().step(0.02).converged);
+      EXPECT_NEAR(energy(), before, 1e-11);
+    }
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ using test::world;
 class CountingTerm final : public Interaction {
  public:
   struct Calls {
-    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, pressure = 0,
-         lowest_point = 0;
+    long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, normal = 0,
+         pressure = 0, lowest_point = 0;
   };
   explicit CountingTerm(Calls& calls) : calls_(calls) {}
   bool add_force(const Segment&, const Rule&, double*) const override { return ++calls_.force > 0; }
@@ -42,7 +42,6 @@ class CountingTerm final : public Interaction {
   bool needs_positive_gaps() const override { return true; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
   double mean_potential(const Segment&) const override { return 0; }
-  bool has_mean_potential() const override { return true; }
   double rounding(const double*) const override { return 0; }
   LowestPoint lowest_point(const double*) const override {
     ++calls_.lowest_point;
@@ -51,6 +50,7 @@ class CountingTerm final : public Interaction {
   void add_nodal_measure(CountedSides&, double*) const override {}
   void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
   void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
+  void set_nodal_normal(const double*, double*) const override { ++calls_.normal; }
 
  private:
   Calls& calls_;
@@ -102,7 +102,7 @@ TEST(CostsTest, FieldsThatAreNotListedAreNotEvaluated) {
   EXPECT_EQ(usual.calls.pressure, 0);
   EXPECT_EQ(usual.calls.nodal_gap, 0);
   const auto listed = [&](const std::string& names) {
-    return fly("", frames + "<Parameter name=\"Fields\" type=\"Array(string)\" value=\"{" + names + "}\"/>");
+    return fly("", frames + test::texts("Fields", "{" + names + "}"));
   };
   const Flight gap = listed("displacement, gap");
   EXPECT_EQ(gap.calls.pressure, 0);

@@ -30,7 +30,8 @@ Mesh squares() {
   return mesh;
 }
 
-Driving driving(const std::string& conditions, const std::string& histories = "", const GivenHistories& given = {}) {
+Driving driving(const std::string& conditions, const std::string& histories = "", const GivenHistories& given = {},
+                bool axisymmetric = false) {
   const Teuchos::ParameterList scene = validated(
       test::scene(list("Materials", list("Rubber", number("Density", 1))) + list("Boundary Conditions", conditions) +
                   list("Histories", histories) + test::time_integrator("Newmark", 0.1, 10)),
@@ -39,7 +40,8 @@ Driving driving(const std::string& conditions, const std::string& histories = ""
   StepControlOptions control;
   control.final_time = 10;
   control.time_step = 0.1;
-  const Mesh mesh = squares();
+  Mesh mesh = squares();
+  mesh.axisymmetric = axisymmetric;
   return Driving(node, Histories(node.sublist("Histories"), 0, 10, given), control, mesh, connected_parts(mesh));
 }
 
@@ -101,6 +103,15 @@ TEST(DrivingTest, ABodySlidesOnlyWhereItIsNotHeld) {
   EXPECT_EQ(along(condition("Guide", "left", "all"), inclined), 0);
 }
 
+TEST(DrivingTest, ABodyOfRevolutionDoesNotSlideOffItsAxis) {
+  const std::string load = list("Squeeze", word("Type", "Body Force") + numbers("Vector", {3, 4}));
+  EXPECT_EQ(driving(load, "", {}, true).of_part(0, up).pulls.at(0).along, 0);
+  EXPECT_EQ(driving(load, "", {}, true).of_part(4, up).pulls.at(0).towards, 0);
+  EXPECT_EQ(driving(load, "", {}, true).of_part(4, up).pulls.at(0).away, 4);
+  // Before a coaxial cylinder it can move along the axis.
+  EXPECT_EQ(driving(load, "", {}, true).of_part(0, {1, 0, 0}).pulls.at(0).along, 4);
+}
+
 TEST(DrivingTest, ASymmetryHoldsNoBodyAlongTheNormal) {
   EXPECT_FALSE(driving(condition("Symmetry", "left", "x")).of_part(0, up).held);
   EXPECT_TRUE(driving(condition("Symmetry", "left", "x")).of_part(0, {1, 0, 0}).held);
@@ -133,6 +144,34 @@ TEST(DrivingTest, VelocitiesThatJumpLater) {
                                list("Rate Ramp", number("Rate", 3) + number("Length", 0.01) + number("Start", 1.52)));
   EXPECT_NEAR(sudden.velocity_jump, 3, 1e-12);
   EXPECT_NEAR(sudden.jump_time, 1.6, 1e-12);
+}
+
+TEST(DrivingTest, AnObstacleMayBeginAnywhereButNotJumpLater) {
+  const Teuchos::ParameterList scene = validated(
+      test::scene(list("Materials", list("Rubber", "")) +
+                  list("Histories", test::expression("Fly", "2+5*t", "5", "0") +
+                                        list("Hit", word("Type", "Rate Ramp") +
+                                                        list("Rate Ramp", number("Rate", 3) + number("Length", 0.01) +
+                                                                              number("Start", 1.52)))) +
+                  test::time_integrator("Newmark", 0.1, 10)),
+      scene_parameters());
+  const SceneNode node(scene, "");
+  StepControlOptions control;
+  control.final_time = 10;
+  control.time_step = 0.1;
+  const Mesh mesh = squares();
+  const Histories histories(node.sublist("Histories"), 0, 10);
+  Driving driving(node, histories, control, mesh, connected_parts(mesh));
+  MotionOptions obstacle;
+  obstacle.translation = {"Fly", "Hit"};
+  driving.add_obstacle(node, obstacle, histories);
+  ASSERT_EQ(driving.motions().size(), 2U);
+  EXPECT_EQ(driving.motions()[0].start, 0);
+  EXPECT_NEAR(driving.motions()[0].velocity_jump, 0, 1e-12);
+  EXPECT_NEAR(driving.motions()[0].range, 50, 1e-12);
+  EXPECT_NEAR(driving.motions()[1].velocity_jump, 3, 1e-12);
+  EXPECT_NEAR(driving.motions()[1].jump_time, 1.6, 1e-12);
+  EXPECT_TRUE(driving.of_part(0, up).pulls.empty()) << "no body is pulled";
 }
 
 }  // namespace

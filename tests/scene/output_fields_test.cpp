@@ -23,13 +23,11 @@ Teuchos::ParameterList block(const std::string& more = "") {
   return test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1) + more);
 }
 
-std::string fields(const std::string& names) {
-  return list("Output", "<Parameter name=\"Fields\" type=\"Array(string)\" value=\"{" + names + "}\"/>");
-}
+std::string fields(const std::string& names) { return list("Output", test::texts("Fields", "{" + names + "}")); }
 
-std::vector<std::string> names_of(const std::vector<const OutputField*>& chosen) {
+std::vector<std::string> names_of(const std::vector<OutputField>& chosen) {
   std::vector<std::string> names;
-  for (const OutputField* field : chosen) names.push_back(field->name);
+  for (const OutputField& field : chosen) names.push_back(field.name);
   return names;
 }
 

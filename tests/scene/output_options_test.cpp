@@ -36,6 +36,7 @@ TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
   EXPECT_EQ(output.energies, fresh.energies);
   EXPECT_EQ(output.momenta, fresh.momenta);
   EXPECT_EQ(output.interaction, fresh.interaction);
+  EXPECT_EQ(output.interaction_columns, fresh.interaction_columns);
   EXPECT_TRUE(output.reactions.empty());
   EXPECT_TRUE(output.fields.empty());
 }
@@ -50,6 +51,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   user.set("Energies", false);
   user.set("Momenta", false);
   user.set("Interaction", false);
+  user.set("Interaction Columns", "Off");
   user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
   user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("default", "stress")));
   user.sublist("Checkpoint").set("Interval", 5);
@@ -71,8 +73,22 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   EXPECT_FALSE(output.energies);
   EXPECT_FALSE(output.momenta);
   EXPECT_FALSE(output.interaction);
+  EXPECT_EQ(output.interaction_columns, InteractionColumns::Off);
   EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
   EXPECT_EQ(output.fields, (std::vector<std::string>{"default", "stress"}));
+}
+
+TEST(OutputOptionsTest, SeveralInteractionsHaveColumnsOfTheirOwn) {
+  OutputOptions output;
+  EXPECT_FALSE(has_interaction_columns(output, 1));
+  EXPECT_TRUE(has_interaction_columns(output, 2));
+  output.interaction = false;
+  EXPECT_FALSE(has_interaction_columns(output, 2));
+  output.interaction_columns = InteractionColumns::On;
+  EXPECT_TRUE(has_interaction_columns(output, 1));
+  output.interaction = true;
+  output.interaction_columns = InteractionColumns::Off;
+  EXPECT_FALSE(has_interaction_columns(output, 2));
 }
 
 TEST(OutputOptionsTest, EitherIntervalGivesFrames) {

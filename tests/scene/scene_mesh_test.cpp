@@ -122,10 +122,14 @@ TEST(SceneMeshTest, AGivenMeshTakesThePlaceOfAnyOther) {
       .sublist("lower")
       .set("Kind", "Nodes")
       .set("Upper", Teuchos::Array<double>(Teuchos::tuple(0.5, 0.5)));
-  const Teuchos::ParameterList changed = with_given_mesh(scene, 2);
+  const Teuchos::ParameterList changed = with_given_mesh(scene, 2, false);
   EXPECT_EQ(changed.sublist("Mesh").get<std::string>("Type"), "Given");
   EXPECT_FALSE(changed.sublist("Mesh").isParameter("Box"));
   EXPECT_EQ(changed.sublist("Mesh").sublist("Given").get<int>("Dimension"), 2);
+
+  EXPECT_FALSE(is_axisymmetric(changed.sublist("Mesh")));
+  EXPECT_TRUE(is_axisymmetric(with_given_mesh(scene, 2, true).sublist("Mesh")));
+  EXPECT_TRUE(is_axisymmetric(with_given_mesh(with_given_mesh(scene, 2, true), 2, false).sublist("Mesh")));
 
   Mesh square;
   square.coordinates = {0, 0, 1, 0, 1, 1, 0, 1};

@@ -44,6 +44,17 @@ TEST(AsymmetryTest, IsNamed) {
             "the discrete gradient of the scheme \"Energy-Momentum\"");
 }
 
+TEST(AsymmetryTest, OnlyAnObstacleThatTurnsIsCalledMoved) {
+  const std::string press = test::texts("Translation", "{-, Way}");
+  const auto moved = [](const test::Adhesion& obstacle, const std::string& motion) {
+    return cause(test::adhesive_block(2, obstacle, list("Motion", motion)) +
+                 list("Histories", test::expression("Way", "0.02*t", "0.02", "0")) + exact_mean());
+  };
+  EXPECT_EQ(moved(wall, press), "");
+  EXPECT_EQ(moved(sphere, press), "the exact mean before the curved obstacle of Interactions/Wall");
+  EXPECT_EQ(moved(wall, word("Rotation", "Way")), "the exact mean before the moved obstacle of Interactions/Wall");
+}
+
 TEST(LinearSolverCheckTest, SolversOfSymmetricMatricesAreRefusedForUnsymmetricTangents) {
   const struct {
     std::string scene, cause;
@@ -96,19 +107,18 @@ TEST(LinearSolverCheckTest, SymmetricTangentsTakeAllSolvers) {
     EXPECT_EQ(refusal(scene + choice), "") << choice;
 }
 
-TEST(LinearSolverCheckTest, MatrixFreeTangentsAreRefusedForTheMaterialThatHasNone) {
+TEST(LinearSolverCheckTest, MatrixFreeTangentsAreRefusedForTheFormulationThatHasNone) {
   const std::string matrix_free =
       test::time_integrator("Newmark", 0.1, 1) +
       list("Linear Solver", word("Linear Solver Type", "Belos") + word("Operator", "Matrix-Free"));
   const std::string place = "Linear Solver/Operator: \"Matrix-Free\" is not offered for Materials/Rubber/";
-  EXPECT_EQ(refusal(test::adhesive_block(3, {"Morse", "Sphere", "Saint Venant-Kirchhoff"}) + matrix_free),
-            place + "Model \"Saint Venant-Kirchhoff\"; use \"Assembled\"");
   std::string enhanced = test::adhesive_block(3, sphere);
   const std::string model = word("Model", "Neo-Hooke");
   enhanced.insert(enhanced.find(model), word("Element Formulation", "Enhanced"));
   EXPECT_EQ(refusal(enhanced + matrix_free), place + "Element Formulation \"Enhanced\"; use \"Assembled\"");
   for (const char* obstacle : {"Half-Space", "Sphere"})
-    EXPECT_EQ(refusal(test::adhesive_block(3, {"Morse", obstacle, "Neo-Hooke"}) + matrix_free), "") << obstacle;
+    for (const char* law : {"Neo-Hooke", "Saint Venant-Kirchhoff", "Ogden"})
+      EXPECT_EQ(refusal(test::adhesive_block(3, {"Morse", obstacle, law}) + matrix_free), "") << obstacle << law;
 }
 
 }  // namespace

@@ -60,6 +60,27 @@ TEST(WarningsTest, NoSceneOfTheProjectDrawsOne) {
     EXPECT_EQ(all_of(file, {}), "") << file;
 }
 
+TEST(WarningsTest, StepsBeyondAThirdOfARelaxationTime) {
+  const std::string branches = "Materials/Ball/Maxwell Branches/", step = "Time Integrator/Time Step Control/";
+  const Assignments two{branches + "Relaxation Times={3, 0.0145}", branches + "Moduli={0.1, 0.1}",
+                        "Time Integrator/Type=Average Vector Field", step + "Time Step=0.005"};
+  EXPECT_EQ(all_of("ball.xml", two), "") << "Backward Euler dissipates in any step";
+  Assignments second = two;
+  second.push_back(branches + "History Update=Second Order");
+  expect_warning(
+      "ball.xml", second, "relaxation",
+      "Materials/Ball: steps of up to 0.005 T0 are longer than a third of the shortest relaxation time, 0.0145 "
+      "T0: with the History Update \"Second Order\" they may dissipate less than 0; use a Time Step of at most "
+      "0.0048, or \"Backward Euler\"");
+  second.push_back(step + "Time Step=0.004");
+  EXPECT_EQ(all_of("ball.xml", second), "");
+  second.push_back(step + "Type=Adaptive");
+  second.push_back(step + "Adaptive/Tolerance=0.001");
+  expect_warning("ball.xml", second, "relaxation", "use a Maximum Time Step of at most 0.0048");
+  second.push_back(step + "Adaptive/Maximum Time Step=0.004");
+  EXPECT_EQ(all_of("ball.xml", second), "");
+}
+
 TEST(WarningsTest, SoundScenesDrawNone) {
   const std::string ball = "ball.xml", strip = "strip.xml", block = "block-on-wall.xml";
   const std::string step = "Time Integrator/Time Step Control/Time Step=", type = "Time Integrator/Type=";
@@ -186,6 +207,23 @@ TEST(WarningsTest, MotionsThatJump) {
                  "jump", pull + "1 of the whole motion of 3 L0 happens in one step of 0.1 T0");
 }
 
+TEST(WarningsTest, ObstaclesThatJump) {
+  const std::string wall = "Interactions/Wall/Motion", rate = "Histories/Pull/Rate Ramp/";
+  const Assignments moved = {wall + "/Translation={-, Pull}", "Boundary Conditions/Pull/History="};
+  const auto with = [&](Assignments more) {
+    more.insert(more.begin(), moved.begin(), moved.end());
+    return more;
+  };
+  expect_warning("strip.xml", with({rate + "Rate=40", rate + "Length=0.01", rate + "Start=1.05"}), "jump",
+                 wall + ": the velocity of the motion jumps by 40 L0/T0 at t = 1.1 T0, 0.027 of the wave speed");
+  // A wall may begin at any place and speed, as a body may that flies towards it.
+  for (const Assignments& begins :
+       {Assignments{"Histories/Pull/Type=Constant", "Histories/Pull/Constant/Value=-2"},
+        Assignments{"Histories/Pull/Type=Expression", "Histories/Pull/Expression/Value=-40*t",
+                    "Histories/Pull/Expression/Velocity=-40", "Histories/Pull/Expression/Acceleration=0"}})
+    EXPECT_EQ(all_of("strip.xml", with(begins)).find("jump"), std::string::npos) << begins[1];
+}
+
 TEST(WarningsTest, FastMotionsThatBeginSmoothlyDrawNone) {
   EXPECT_EQ(all_of("strip.xml", {"Histories/Pull/Rate Ramp/Rate=100"}), "");
 }
@@ -215,6 +253,21 @@ TEST(WarningsTest, GapsWithoutAttraction) {
   EXPECT_EQ(all_of("ball.xml", {"Mesh/Disk/Center={0, 60}", "Initial Conditions/Velocity={0, -10}"}), "");
 }
 
+TEST(WarningsTest, AttractionWithoutRepulsion) {
+  const std::string law = "Interactions/Wall/Law=";
+  for (const char* name : {"Smooth Dugdale", "Triangle"})
+    expect_warning("ball.xml", {law + name}, "no repulsion",
+                   "the law only attracts, and no other interaction of the side set repels: nothing stops the "
+                   "surface at the obstacle (largest attraction 0.062 of Young's modulus, limit 0.0001)");
+  const std::string falling = "Initial Conditions/Velocity={0, -1}";
+  EXPECT_EQ(all_of("ball.xml", {law + "Smooth Dugdale", falling, "Materials/Ball/Young's Modulus=1000"}), "");
+  for (const char* partner : {"Penalty", "Log Barrier", "Mie"})
+    EXPECT_EQ(all_of("ball.xml", {law + "Smooth Dugdale", falling, "Interactions/Stop/Side Set=surface",
+                                  std::string("Interactions/Stop/Law=") + partner}),
+              "")
+        << partner;
+}
+
 TEST(WarningsTest, OneLayerOfCells) {
   expect_warning("strip.xml", {"Mesh/Box/Divisions={320, 1}"}, "bending",
                  "100 % of the surface (limit 50 %) has one layer of cells behind it, 10 L0 thick on a body of 200 L0");
@@ -237,6 +290,29 @@ TEST(WarningsTest, AnObliquePullWithoutFriction) {
                  "no friction", "Boundary Conditions/Wind acts at 45 degrees");
   expect_warning("block-on-wall.xml", pressed("{1, 0, -1}"), "no friction",
                  "Boundary Conditions/Press acts at 45 degrees");
+}
+
+TEST(WarningsTest, FrictionWithTheThresholdOfOneOfSeveralLaws) {
+  const std::string second = "Interactions/Second/", friction = "Interactions/Wall/Friction/";
+  const auto laws = [&](const std::string& type, const std::string& parameter, const std::string& place) {
+    return Assignments{friction + "Type=" + type, friction + parameter + "=0.5", second + "Side Set=surface",
+                       second + "Law=Penalty", second + "Point=" + place};
+  };
+  const std::string here = "{0, 0}";
+  expect_warning("ball.xml", laws("Extended Amontons", "Coefficient", here), "friction of one law",
+                 "Interactions/Wall: the threshold of the friction follows the law of this list alone, and \"Second\"");
+  for (const Assignments& sound :
+       {laws("Extended Amontons", "Coefficient", "{0, -1}"), laws("Constant Stress", "Stress", here)})
+    EXPECT_EQ(all_of("ball.xml", sound).find("friction of one law"), std::string::npos);
+}
+
+// Where the obstacle will be, the warning does not tell.
+TEST(WarningsTest, AMovedObstacleIsNotJudgedByItsStart) {
+  const Assignments pulled{"Boundary Conditions/Guide/History=Pull"};
+  Assignments moved = pulled;
+  moved.emplace_back("Interactions/Wall/Motion/Translation={-, Pull}");
+  EXPECT_NE(all_of("strip.xml", pulled).find("no friction"), std::string::npos);
+  EXPECT_EQ(all_of("strip.xml", moved).find("no friction"), std::string::npos);
 }
 
 TEST(WarningsTest, PushesAndHeldBodiesDrawNone) {

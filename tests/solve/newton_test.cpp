@@ -21,13 +21,15 @@ using Equation = std::function<std::pair<double, double>(double id, double x)>;
 /// A system of equations that are all alike.
 class Equations final : public test::DiagonalProblem {
  public:
-  explicit Equations(Equation equation) : equation_(std::move(equation)) {}
+  explicit Equations(Equation equation, bool kinks = false) : equation_(std::move(equation)), kinks_(kinks) {}
+  bool has_kinks() const override { return kinks_; }
 
  private:
   double value(double id, double x) const override { return equation_(id, x).first; }
   double slope(double id, double x) const override { return equation_(id, x).second; }
 
   Equation equation_;
+  bool kinks_;
 };
 
 constexpr int unknowns = Equations::unknowns;
@@ -38,10 +40,10 @@ struct Ending {
 };
 
 /// Solves from x = start on.
-Ending solve(const Equation& equation, double start, const NewtonOptions& options) {
+Ending solve(const Equation& equation, double start, const NewtonOptions& options, bool kinks = false) {
   Teuchos::ParameterList list;
   list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Equations problem(equation);
+  Equations problem(equation, kinks);
   NewtonSolver newton(problem, LinearSolverFactory(list), options);
   Vector x(problem.map());
   x.putScalar(start);
@@ -51,6 +53,19 @@ Ending solve(const Equation& equation, double start, const NewtonOptions& option
   for (std::size_t i = 0; i < view.extent(0); ++i) mine[static_cast<std::size_t>(problem.id(i))] = view(i, 0);
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, unknowns, mine.data(), ending.x.data());
   return ending;
+}
+
+// The force of a slip that sticks up to 0.1 and slides beyond: from x = 10, full steps lead to -10 and back.
+TEST(NewtonTest, FullStepsCycleAtAKinkUnlessTheyAreShortened) {
+  const Equation slip = [](double, double x) {
+    const bool sticks = std::abs(x) < 0.1;
+    return std::pair{(sticks ? 10 * x : std::copysign(1.0, x)) + 0.1 * x, sticks ? 10.1 : 0.1};
+  };
+  const NewtonOptions options{1e-10, 100, {}};
+  EXPECT_FALSE(solve(slip, 10, options).result.converged);
+  const Ending ending = solve(slip, 10, options, true);
+  EXPECT_TRUE(ending.result.converged) << ending.result.reason;
+  for (const double x : ending.x) EXPECT_NEAR(x, 0, 1e-10);
 }
 
 TEST(NewtonTest, SquareRootsFollowHeronsSequence) {

@@ -7,6 +7,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "solve/semi_discrete_bodies.hpp"
+#include "support/refusal.hpp"
 
 namespace ixos {
 namespace {
@@ -192,6 +193,28 @@ TEST(SemiDiscreteEvaluatorTest, AnInadmissibleStateFailsInEveryOutput) {
     Thyra::apply(*w, Thyra::NOTRANS, *ones, product.ptr());
     EXPECT_TRUE(std::isnan(Thyra::norm_2(*product)));
   }
+}
+
+TEST(SemiDiscreteEvaluatorTest, LawsWithAHistoryAreRefused) {
+  const std::string bond = test::list(
+      "Bond", test::word("Side Set", "top") + test::word("Law", "Bilinear Damage") +
+                  test::list("Bilinear Damage", test::number("Work of Adhesion", 0.02) +
+                                                    test::number("Strength", 0.05) + test::number("Stiffness", 0.5)));
+  const auto scene = [](const std::string& interactions) {
+    return test::scene(
+        test::list("Mesh", test::word("Type", "Box") + test::list("Box", test::numbers("Lengths", {2, 1}) +
+                                                                             test::counts("Divisions", {2, 1}))) +
+        test::list("Materials", test::list("Rubber", test::number("Density", 1))) + interactions +
+        test::time_integrator("Newmark", 0.1, 1));
+  };
+  const Simulation plain(scene(""), test::world()), bonded(scene(test::list("Interactions", bond)), test::world());
+  EXPECT_FALSE(plain.model().has_histories());
+  EXPECT_TRUE(bonded.model().has_histories());
+  EXPECT_EQ(test::refusal([&] { SemiDiscreteEvaluator{plain.model()}; }), "");
+  EXPECT_EQ(
+      test::refusal([&] { SemiDiscreteEvaluator{bonded.model()}; }),
+      "an interaction's law or a material has a history, which follows the steps of an Integrator; the evaluator has "
+      "none");
 }
 
 }  // namespace

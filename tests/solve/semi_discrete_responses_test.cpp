@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "model/grips.hpp"
 #include "solve/semi_discrete_bodies.hpp"
+#include "support/solids.hpp"
 
 namespace ixos {
 namespace {
@@ -61,6 +64,29 @@ TEST(SemiDiscreteResponsesTest, ARigidMotionHasItsClosedForms) {
     slope += sign * values(responses, Response::Energies, balance)[2] / (2 * h);
   }
   EXPECT_NEAR(interaction[1], -slope, 1e-8 * std::abs(slope));
+}
+
+// A body at rest, held by springs whose ends are 0.3 away in x.
+TEST(SemiDiscreteResponsesTest, StretchedSpringsStoreElasticEnergy) {
+  BoxShape shape;
+  shape.lengths = {3, 2, 0};
+  shape.divisions = {6, 4, 1};
+  const auto model = test::model_of(box(shape), test::elastic(neo_hooke, 0.2), Inertia::Consistent);
+  RigidMotionOptions options;
+  options.translation = {rate_ramp(0.1, 0.0, 0.0, RampShape::Linear), nullptr};  // 0.1 t
+  grip_elastically(*model, "Machine", "left", {2, options}, {{4, 0}, {}});
+  const Vector u = test::uniform(*model, 0.1, 0);
+  const SemiDiscreteEvaluator evaluator(*model);
+  auto out = evaluator.createOutArgs();
+  const auto energies = Thyra::createMember(evaluator.get_g_space(0));
+  const auto gradient = Thyra::createMembers(evaluator.get_x_space(), 3);
+  out.set_g(0, energies);
+  out.set_DgDx(
+      0, Thyra::ModelEvaluatorBase::Derivative<double>(gradient, Thyra::ModelEvaluatorBase::DERIV_MV_GRADIENT_FORM));
+  evaluator.evalModel(test::arguments(evaluator, u, test::uniform(*model, 0, 0), test::uniform(*model, 0, 0), 3.0),
+                      out);
+  EXPECT_NEAR(Thyra::get_ele(*energies, 1), 4 * 0.2 * 0.2 / 2, 1e-14);
+  EXPECT_NEAR(Thyra::sum(*gradient->col(1)), -4 * 0.2, 1e-13);
 }
 
 // A bar of linear elasticity without lateral contraction, stretched by 1 %: the held side bears E times strain times

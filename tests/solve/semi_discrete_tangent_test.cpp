@@ -18,7 +18,7 @@ std::vector<double> local(const Model& model, const Vector& x) {
 
 Teuchos::RCP<CrsMatrix> matrix(const Model& model, const TangentWeights& weights, const Vector& u, const Vector& v) {
   auto result = model.pattern().create_matrix(model.space());
-  set_semi_discrete_tangent(model, weights, local(model, u), local(model, v), *result);
+  set_semi_discrete_tangent(model, weights, local(model, u), local(model, v), 0, *result);
   return result;
 }
 
@@ -86,7 +86,7 @@ TEST(SemiDiscreteTangentTest, AMatrixOfAnotherSparsityIsRefused) {
   const Vector zero(s->model().space().owned_map());
   const auto wrong = other->model().pattern().create_matrix(other->model().space());
   EXPECT_THROW(
-      set_semi_discrete_tangent(s->model(), {1, 0, 0}, local(s->model(), zero), local(s->model(), zero), *wrong),
+      set_semi_discrete_tangent(s->model(), {1, 0, 0}, local(s->model(), zero), local(s->model(), zero), 0, *wrong),
       std::logic_error);
 }
 
@@ -100,7 +100,7 @@ TEST(SemiDiscreteOperatorTest, IsTheMatrixWithoutOne) {
     model.constrain_matrix(weights.constrained(), assembled->getLocalMatrixHost().values.data());
     Vector expected(model.space().owned_map()), product(expected);
     assembled->apply(direction, expected);
-    op.linearize(weights, local(model, u));
+    op.linearize(weights, local(model, u), 0);
     op.apply(direction, product);
     EXPECT_LT(distance(product, expected), 1e-6) << weights.mass;  // elastic actions keep single precision
     op.matrix()->apply(direction, product);

@@ -51,6 +51,9 @@ std::string numbers(const std::string& name, const std::vector<double>& values) 
 std::string counts(const std::string& name, const std::vector<int>& values) {
   return parameter(name, "Array(int)", braces(values));
 }
+std::string texts(const std::string& name, const std::string& values) {
+  return parameter(name, "Array(string)", values);
+}
 
 std::string expression(const std::string& name, const std::string& value, const std::string& rate,
                        const std::string& acceleration) {

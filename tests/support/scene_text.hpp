@@ -25,6 +25,8 @@ std::string count(const std::string& name, int value);
 std::string word(const std::string& name, const std::string& value);
 std::string numbers(const std::string& name, const std::vector<double>& values);
 std::string counts(const std::string& name, const std::vector<int>& values);
+/// `values`: "{a, b}".
+std::string texts(const std::string& name, const std::string& values);
 
 /// A list of "Histories" with an Expression in t; a load needs the value only.
 std::string expression(const std::string& name, const std::string& value, const std::string& rate = "",

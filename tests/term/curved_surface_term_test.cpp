@@ -6,8 +6,6 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
-#include "mesh/enrichment/enrich.hpp"
-#include "mesh/generators/shapes.hpp"
 #include "parameters/validation.hpp"
 #include "support/solids.hpp"
 #include "term/surface_terms.hpp"
@@ -15,42 +13,17 @@
 namespace ixos {
 namespace {
 
-/// A box above y = 0 (2D) or z = 0 (3D); its bottom has the contact element.
-std::unique_ptr<Model> box_model(int dimension, ContactElement element) {
-  BoxShape shape;
-  shape.dimension = dimension;
-  shape.lengths = {2, 1, 1};
-  shape.divisions = {3, 2, 2};
-  shape.lower = {-1, dimension == 2 ? 0.3 : -0.5, 0.3};
-  Mesh mesh = box(shape);
-  enrich(mesh, "bottom", element);
-  return test::model_of(mesh, test::elastic(neo_hooke, 0.3), Inertia::None);
-}
-
-/// A smooth displacement, local array.
-std::vector<double> field(const Model& model, double size) {
-  const LocalMesh& mesh = model.mesh();
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  std::vector<double> u(mesh.coordinates.size());
-  for (std::size_t k = 0; k < u.size(); ++k) {
-    const std::size_t node = k / d;
-    const double x = mesh.coordinates[node * d], y = mesh.coordinates[node * d + 1];
-    u[k] = mesh.is_derivative(node) ? 0.1 * size * std::sin(double(k % d) + x)
-                                    : size * std::sin(1.3 * x + 0.7 * y + double(k % d));
-  }
-  return u;
-}
-
 const std::shared_ptr<const GapLaw>& law() {
   static const std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25));
   return law;
 }
 
-Interactions terms(const Model& model, const std::shared_ptr<const Obstacle>& obstacle, bool curved) {
+Interactions terms(const Model& model, const std::shared_ptr<const Obstacle>& obstacle, bool curved,
+                   const std::shared_ptr<const GapLaw>& own = law()) {
   const LocalMesh& mesh = model.mesh();
   const auto& sides = mesh.side_sets[mesh.side_set("bottom")];
-  return curved ? make_curved_terms(mesh, sides, model.pattern(), law(), obstacle, {})
-                : make_surface_terms(mesh, sides, model.pattern(), law(), obstacle, {});
+  return curved ? make_curved_terms(mesh, sides, model.pattern(), own, obstacle, {})
+                : make_surface_terms(mesh, sides, model.pattern(), own, obstacle, {});
 }
 
 std::shared_ptr<const Obstacle> sphere(double radius, int dimension) {
@@ -99,12 +72,13 @@ const std::vector<std::pair<int, ContactElement>> bodies = {{2, ContactElement::
 /// A half-space is an obstacle like any other: both paths agree to rounding.
 TEST(CurvedSurfaceTermTest, BeforeAHalfSpaceItIsTheFlatTerm) {
   for (const auto& [dimension, element] : bodies) {
-    const auto model = box_model(dimension, element);
+    const auto model = test::box_with_contact(dimension, element);
     HalfSpace wall;
     wall.normal = dimension == 2 ? std::array<double, 3>{0.6, 0.8, 0} : std::array<double, 3>{0, 0.6, 0.8};
     wall.point = {-1.2, -0.8, -0.4};
     const auto flat = terms(*model, flat_wall(wall), false), curved = terms(*model, flat_wall(wall), true);
-    const std::vector<double> from = field(*model, 0.02), to = field(*model, -0.03), way = field(*model, -2);
+    const std::vector<double> from = test::smooth_field(*model, 0.02), to = test::smooth_field(*model, -0.03),
+                              way = test::smooth_field(*model, -2);
     const Segment segment{from.data(), nullptr, to.data()};
     for (const Rule& rule : {end_rule(), gauss_rule(3), exact_rule()}) {
       const auto f = force(flat, segment, rule, to.size()), g = force(curved, segment, rule, to.size());
@@ -134,11 +108,11 @@ TEST(CurvedSurfaceTermTest, BeforeAHalfSpaceItIsTheFlatTerm) {
 /// Force, tangent and the work of the exact mean before a sphere, whose surface touches y = 0 or z = 0 from below.
 TEST(CurvedSurfaceTermTest, ForceAndTangentAreDerivatives) {
   for (const auto& [dimension, element] : bodies) {
-    const auto model = box_model(dimension, element);
+    const auto model = test::box_with_contact(dimension, element);
     const auto round = terms(*model, sphere(3, dimension), true);
     const auto d = static_cast<std::size_t>(dimension);
-    std::vector<double> from = field(*model, 0.02), to = field(*model, -0.03);
-    const std::vector<double> way = field(*model, 1);
+    std::vector<double> from = test::smooth_field(*model, 0.02), to = test::smooth_field(*model, -0.03);
+    const std::vector<double> way = test::smooth_field(*model, 1);
     const auto owned = static_cast<std::size_t>(model->space().owned());
     const auto moved = [&](double s) {
       std::vector<double> u = to;
@@ -184,6 +158,89 @@ TEST(CurvedSurfaceTermTest, ForceAndTangentAreDerivatives) {
   }
 }
 
+/// Obstacles of every other kind, below the body or around it.
+std::vector<std::shared_ptr<const Obstacle>> other_obstacles(int dimension) {
+  const auto d = static_cast<std::size_t>(dimension);
+  std::vector<double> below(d, 0.0), above(d, 0.0);
+  below.back() = -3;
+  above.back() = 7;
+  const Settings wave{{"Amplitude", 0.05}, {"Period", 4.0}},
+      vertical{{"Amplitude", 0.05}, {"Period", 4.0}, {"Gap", "Vertical"}};
+  Settings cylinder{{"Radius", 3.0}, {"Center", below}};
+  if (d == 3) cylinder.push_back({"Axis", {0.3, 1.0, 0.0}});
+  return {make_obstacle("Sphere", d, {{"Radius", 7.0}, {"Center", above}, {"Cavity", true}}),
+          make_obstacle("Cylinder", d, cylinder), make_obstacle("Cone", d, {{"Radius", 0.5}, {"Half Angle", 70.0}}),
+          make_obstacle("Sine Wall", d, wave), make_obstacle("Sine Wall", d, vertical)};
+}
+
+// Gaps are from 0.3 to 0.5. The first range leaves out some points, the second one all.
+TEST(CurvedSurfaceTermTest, NothingActsBeyondTheRange) {
+  for (const double range : {0.4, 0.2})
+    for (const int dimension : {2, 3})
+      for (const auto& obstacle : {sphere(3, dimension), other_obstacles(dimension)[3]}) {
+        const auto model = test::box_with_contact(dimension, ContactElement::Q1C1);
+        const auto cut = terms(*model, obstacle, true, law()->cut_off(range));
+        const std::vector<double> u = test::smooth_field(*model, 0.02), way = test::smooth_field(*model, 1);
+        const double h = 1e-5;
+        std::vector<double> ahead = u, behind = u;
+        for (std::size_t k = 0; k < u.size(); ++k) {
+          ahead[k] += h * way[k];
+          behind[k] -= h * way[k];
+        }
+        const auto f = force(cut, {nullptr, nullptr, u.data()}, end_rule(), u.size());
+        double sums[2] = {energy(cut, ahead.data()) - energy(cut, behind.data()), 0};
+        for (std::size_t k = 0; k < static_cast<std::size_t>(model->space().owned()); ++k) sums[1] += f[k] * way[k];
+        model->space().sum(sums, 2);
+        EXPECT_NEAR(sums[0] / (2 * h), sums[1], 1e-8);
+        EXPECT_EQ(sums[1] == 0, range < 0.3) << range;
+      }
+}
+
+/// The tangent from kept points is that of add_tangent(). The exact mean does the work that the energy loses.
+TEST(CurvedSurfaceTermTest, BeforeEveryObstacleTangentsAreDerivativesKeptOrNot) {
+  for (const auto& [dimension, element] : bodies)
+    for (const auto& obstacle : other_obstacles(dimension)) {
+      const auto model = test::box_with_contact(dimension, element);
+      const auto own = terms(*model, obstacle, true);
+      const std::vector<double> from = test::smooth_field(*model, 0.02), to = test::smooth_field(*model, -0.03),
+                                way = test::smooth_field(*model, 1);
+      const auto owned = static_cast<std::size_t>(model->space().owned());
+      const double h = 1e-5;
+      std::vector<double> ahead = to, behind = to;
+      for (std::size_t k = 0; k < to.size(); ++k) {
+        ahead[k] += h * way[k];
+        behind[k] -= h * way[k];
+      }
+      for (const Rule& rule : {end_rule(), gauss_rule(4), exact_rule()}) {
+        const Segment segment{from.data(), nullptr, to.data()};
+        const auto f1 = force(own, {from.data(), nullptr, ahead.data()}, rule, to.size());
+        const auto f0 = force(own, {from.data(), nullptr, behind.data()}, rule, to.size());
+        const auto k_way = product(*model, own, segment, rule, Tangent::Exact, way);
+        // The second derivatives before a cone jump.
+        for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR((f1[k] - f0[k]) / (2 * h), k_way[k], 2e-5);
+        for (const auto& term : own) {
+          const auto kept = term->create_kept();
+          std::vector<double> g(to.size(), 0.0), alone(to.size(), 0.0);
+          EXPECT_TRUE(term->add_force_and_keep(segment, rule, *kept, g.data()));
+          EXPECT_TRUE(term->add_force(segment, rule, alone.data()));
+          EXPECT_EQ(g, alone);
+          const auto d = static_cast<std::size_t>(dimension);
+          for (Tangent kind : {Tangent::Exact, Tangent::Convex}) {
+            std::vector<double> a(static_cast<std::size_t>(model->pattern().pairs()) * d * d, 0.0), b = a;
+            term->add_kept_tangent(segment, rule, kind, *kept, a.data());
+            term->add_tangent(segment, rule, kind, b.data());
+            for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-14);
+          }
+        }
+      }
+      const auto mean = force(own, {from.data(), nullptr, to.data()}, exact_rule(), to.size());
+      double work[2] = {0, energy(own, to.data()) - energy(own, from.data())};
+      for (std::size_t k = 0; k < owned; ++k) work[0] += mean[k] * (to[k] - from[k]);
+      model->space().sum(work, 2);
+      EXPECT_NEAR(work[0], work[1], 1e-13);
+    }
+}
+
 /// Returns the gap ratio of a rigid motion from x = -2 to 2 at this height above the start, over all ranks.
 double ratio_past_a_sphere(const Model& model, double height) {
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
@@ -205,7 +262,7 @@ double ratio_past_a_sphere(const Model& model, double height) {
 TEST(CurvedSurfaceTermTest, TheGapRatioSeesWhatThePathPasses) {
   const auto gap_after = [](double x) { return std::hypot(2 + x, 3.3) - 3; };
   for (const auto& [dimension, element] : bodies) {
-    const auto model = box_model(dimension, element);
+    const auto model = test::box_with_contact(dimension, element);
     const double ratio = ratio_past_a_sphere(*model, 0);
     EXPECT_GT(ratio, gap_after(0.95) / 0.3);
     EXPECT_LT(ratio, gap_after(1) / 0.3 + 1e-12);
@@ -217,9 +274,9 @@ TEST(CurvedSurfaceTermTest, TheGapRatioSeesWhatThePathPasses) {
 }
 
 TEST(CurvedSurfaceTermTest, RowSumsBoundTheTangent) {
-  const auto model = box_model(2, ContactElement::Q1C1);
+  const auto model = test::box_with_contact(2, ContactElement::Q1C1);
   const auto round = terms(*model, sphere(3, 2), true);
-  const std::vector<double> u = field(*model, 0.02);
+  const std::vector<double> u = test::smooth_field(*model, 0.02);
   std::vector<double> sums(u.size(), 0.0);
   for (const auto& term : round) EXPECT_TRUE(term->add_row_sums({nullptr, nullptr, u.data()}, sums.data()));
   for (const double sign : {1.0, -1.0}) {

@@ -203,7 +203,7 @@ TEST(ViscousTermTest, WorkIsBookedAtThePointsAndInTheSum) {
     model->space().sum(sums, 2);
     EXPECT_EQ(sums[1], 6);
     EXPECT_NEAR(sums[0], work, 1e-13);
-    model->initialize();
+    model->initialize({});
     const std::vector<CellFields> cleared = model->cell_fields(u.data());
     for (double density : cleared[0].dissipated) EXPECT_EQ(density, 0);
     // Against the forces: du . f for a momentum form, the mean of the ends for the trapezoid.

@@ -63,7 +63,7 @@ TEST(StableStepSerialTest, BoundsTheHighestFrequency) {
   for (double gap : {3.0, 0.3, 0.22}) {
     Simulation s(test::scene(near_wall(gap) + test::time_integrator("Central Difference", 0.01, 1)), self());
     const State& state = s.integrator().state();
-    const double bound = StableStep(s.model(), 1.0)(state, 1e9);
+    const double bound = StableStep(s.model(), 1.0)(state, 0, 1e9);
     std::vector<double> there = state.u;
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += bound * (state.v[i] + bound / 2 * state.a[i]);
     const double exact = 2 / std::max(highest_frequency(s, state.u), highest_frequency(s, there));
@@ -78,7 +78,7 @@ TEST(StableStepSerialTest, LooksWhereTheStepLeads) {
   Simulation s(test::scene(near_wall(0.35) + test::time_integrator("Central Difference", 0.01, 1)), self());
   State state = s.integrator().state();
   for (std::size_t i = 1; i < state.v.size(); i += 2) state.v[i] = -3;
-  const double bound = StableStep(s.model(), 0.9)(state, 1e9);
+  const double bound = StableStep(s.model(), 0.9)(state, 0, 1e9);
   for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] += bound * (state.v[i] + bound / 2 * state.a[i]);
   EXPECT_GT(s.model().interaction_report(state.u.data()).least_gap, 0.1);
   std::vector<double> sums(state.u.size(), 0.0);

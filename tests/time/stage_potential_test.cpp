@@ -21,12 +21,12 @@ using test::word;
 using test::world;
 
 /// Damped, loaded, held at one side, its enriched bottom at a wall.
-std::string body() {
+std::string body(const std::string& friction = "") {
   std::string block = test::block_2d(0.5);
   block.insert(block.find(number("Density", 1)), number("Mass Damping", 0.3) + number("Stiffness Damping", 0.05));
   return block +
          list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.4}) +
-                                               number("Gamma W", 0.1) + word("Contact Element", "Q1C3"))) +
+                                               number("Gamma W", 0.1) + word("Contact Element", "Q1C3") + friction)) +
          list("Boundary Conditions",
               list("Held", word("Node Set", "left")) +
                   list("Wind", word("Type", "Traction") + word("Side Set", "right") + numbers("Vector", {0.1, 0.2})));
@@ -42,19 +42,18 @@ std::vector<double> wave(const LocalMesh& mesh, double phase) {
   return field;
 }
 
-TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
-  Simulation s(test::scene(body() + test::time_integrator("Newmark", 0.1, 1)), world());
+/// Compares differences of the potential with the residual, at every stage of the tables.
+void expect_slopes(const std::string& scene, const std::vector<Table>& tables) {
+  Simulation s(test::scene(scene + test::time_integrator("Newmark", 0.1, 1)), world());
   Model& model = s.model();
-  for (const Table& table :
-       {newmark(0.3, 0.6), bathe_composite(0.3, 0.45), gautam_sauer_composite(0.25, 0.5, 5, Path::Linear),
-        gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8), average_vector_field(4, 0),
-        gautam_sauer_composite(0.25, 0.5, 0, Path::Linear)})
+  for (const Table& table : tables)
     for (std::size_t k = 0; k < table.stages.size(); ++k) {
       std::vector<State> known(k + 1);
       for (std::size_t j = 0; j <= k; ++j) {
         const double phase = 0.9 * static_cast<double>(j);
         known[j] = {wave(model.mesh(), phase), wave(model.mesh(), phase + 1), wave(model.mesh(), phase + 2)};
       }
+      model.begin_step({known[0].u.data(), known[0].v.data()}, 0.0, 0.1);
       StageProblem problem(model, table);
       problem.arm(k, known, 0.0, 0.1);
       const auto map = problem.map();
@@ -76,6 +75,29 @@ TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
           << table.name << ", stage " << k + 1;
       EXPECT_GT(std::abs(slope), 1e-3);
     }
+}
+
+TEST(StagePotentialTest, ItsSlopeIsTheResidual) {
+  expect_slopes(body(),
+                {newmark(0.3, 0.6), bathe_composite(0.3, 0.45), gautam_sauer_composite(0.25, 0.5, 5, Path::Linear),
+                 gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic), average_vector_field(4, 8),
+                 average_vector_field(4, 0), gautam_sauer_composite(0.25, 0.5, 0, Path::Linear)});
+}
+
+// Friction follows the mean in closed form, and the law beside it the points.
+TEST(StagePotentialTest, ItsSlopeIsTheResidualWithFriction) {
+  const std::string constant = list("Friction", word("Type", "Constant Stress") + number("Stress", 2) +
+                                                    number("Sharpness", 1) + number("Stiffness", 200)),
+                    smoothed = list("Friction",
+                                    word("Type", "Smoothed") + number("Coefficient", 200) + number("Slip Speed", 0.1));
+  for (const std::string& friction : {constant, smoothed}) {
+    std::string scene = body(friction);
+    if (const std::string far = "{0, -0.4}"; friction == smoothed)
+      scene.replace(scene.find(far), far.size(), "{0, -0.2}");
+    expect_slopes(scene, {newmark(0.3, 0.6), average_vector_field(4, 3), average_vector_field(4, 2),
+                          average_vector_field(4, 0), gautam_sauer_composite(0.25, 0.5, 3, Path::Linear),
+                          gautam_sauer_composite(0.25, 0.5, 5, Path::Kinematic)});
+  }
 }
 
 TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
@@ -101,6 +123,19 @@ TEST(StagePotentialTest, RelaxedTangentsAreSteeper) {
     EXPECT_GT(curvature, before) << level;
     before = curvature;
   }
+}
+
+// At the start of the step no point is in reach of the penalty, so that its rounding is known within the step only.
+TEST(StagePotentialTest, AStiffLawThatBeginsToActConvergesToItsRounding) {
+  Simulation s(test::scene_file("hertz.xml", {"Mesh/Box/Divisions={31, 23}", "Nonlinear Solver/Tolerance=1e-11",
+                                              "Interactions/Sphere/Penalty/Stiffness=10000"}),
+               world());
+  for (int n = 0; n < 2; ++n) {
+    const StepResult result = s.integrator().step(0.1);
+    ASSERT_TRUE(result.converged) << result.reason;
+    EXPECT_LT(result.newton_iterations, 50);
+  }
+  EXPECT_LT(s.model().interaction_report(s.integrator().state().u.data()).least_gap, 0.01) << "it acts";
 }
 
 }  // namespace

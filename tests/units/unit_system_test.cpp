@@ -84,6 +84,8 @@ TEST(ResultUnitsTest, ScalesOfManyDigitsAreSound) {
   // E0 L0^3 T0, computed with fractions.Fraction of Python.
   EXPECT_EQ(units[8].quantity, "angular_momentum");
   EXPECT_EQ(units[8].scale, 1.105715541245733e-24);
+  EXPECT_EQ(units.back().quantity, "moment");
+  EXPECT_EQ(units.back().scale, units[6].scale) << "the number of an energy";
 }
 
 TEST(ResultUnitsTest, UnitsBeyondTheRangeOfNumbersNameTheScales) {

@@ -78,7 +78,7 @@ TEST(DrivenTest, ReactionOfARigidMotionIsMassTimesAccelerationAndDamping) {
   }
 }
 
-// The same motion, which the program sets step by step, and wrongly at first.
+// The program sets the same motion before each step. It sets a wrong one first, and the step is repeated.
 TEST(DrivenTest, AMotionThatTheProgramSetsBeforeEachAttempt) {
   const double m = 6, dt = 0.05;
   const auto shake = [](double t) {

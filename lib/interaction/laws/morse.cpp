@@ -1,42 +1,11 @@
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
+#include "interaction/law_parameters.hpp"
+#include "interaction/mean_functions.hpp"
 
 namespace ixos {
 namespace {
-
-/// Returns f(x) lane by lane.
-template <class Function>
-Pack lanewise(const Pack& x, const Function& f) {
-  return Pack([&](auto i) { return f(static_cast<double>(x[i])); });
-}
-
-/// expm1(x)/x, the mean of e^t over t from 0 to x.
-double mean_exponential(double x) { return x == 0 ? 1 : std::expm1(x) / x; }
-
-/// Minus the derivative of mean_exponential(-x), which is [1 - (1 + x) e^-x]/x^2, by its series where that loses
-/// digits.
-double mean_slope(double x) {
-  if (std::abs(x) > 0.5) return (1 - (1 + x) * std::exp(-x)) / (x * x);
-  double term = 1, sum = 0;
-  for (int k = 0; k < 20; ++k) {
-    sum += term / (k + 2);
-    term *= -x / (k + 1);
-  }
-  return sum;
-}
-
-/// Ein(x) = int_0^x (1 - e^-t)/t dt (Abramowitz and Stegun 1964, 5.1.40), by its series for small and negative x.
-double entire_exponential_integral(double x) {
-  constexpr double euler = 0.577215664901532861;
-  if (x > 2) return -std::expint(-x) + std::log(x) + euler;
-  double term = 1, sum = 0;
-  for (int k = 1; k < 200; ++k) {
-    term *= -x / k;
-    sum -= term / k;
-  }
-  return sum;
-}
 
 /// psi = W (y^2 - 2 y) with y = e^(-k (r - r_e)) (Morse 1929). Defined for every gap. Means are closed forms that keep
 /// their digits as r1 approaches r0.
@@ -68,8 +37,8 @@ class Morse {
   }
   Pack mean_stiffness(const Pack& r0, const Pack& r1) const {
     const Pack y = at(r0), x = decay_ * (r1 - r0);
-    const Pack slow = lanewise(x, [](double t) { return mean_slope(t); });
-    const Pack fast = lanewise(x, [](double t) { return 2 * mean_slope(2 * t); });
+    const Pack slow = lanewise(x, [](double t) { return exponential_moment_1(t); });
+    const Pack fast = lanewise(x, [](double t) { return 2 * exponential_moment_1(2 * t); });
     return (2 * decay_ * decay_ * work_) * (y * y * fast - y * slow);
   }
   Pack mean_potential(const Pack& r0, const Pack& r1) const {
@@ -85,6 +54,7 @@ class Morse {
   double energy(double r) const { return energy(Pack(r))[0]; }
   double traction(double r) const { return traction(Pack(r))[0]; }
 
+  bool repels() const { return true; }
   double equilibrium_gap() const { return gap_; }
   double adhesion_gap() const { return gap_ + std::log(2.0) / decay_; }
 
@@ -95,9 +65,8 @@ class Morse {
   double work_, decay_, gap_;
 };
 
-/// Defaults: the work of adhesion and the largest attraction of the default Van der Waals law, at its equilibrium gap.
 struct Parameters {
-  double work = 0.01549567, strength = 0.0624428, gap = 0.2547093;
+  double work = default_work, strength = default_strength, gap = default_gap;
 };
 
 }  // namespace
@@ -113,10 +82,7 @@ LawEntry morse_law() {
           "Morse 1929", options.list(), [options](const SceneNode& node) {
             const Parameters p = options.read(node);
             const double decay = 2 * p.strength / p.work;
-            if (!std::isfinite(decay) || !(decay > 0))
-              node.refuse("",
-                          "Strength and Work of Adhesion are too extreme: the decay constant 2 s0/W must be positive "
-                          "and finite");
+            check_derived(node, "Strength and Work of Adhesion", {{"decay constant 2 s0/W", decay}});
             return gap_law(Morse(p.work, decay, p.gap));
           }};
 }

@@ -1,9 +1,7 @@
 #include "interaction/half_space.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "interaction/catalogue.hpp"
+#include "interaction/direction.hpp"
 
 namespace ixos {
 namespace {
@@ -12,6 +10,7 @@ class Wall final : public Obstacle {
  public:
   explicit Wall(const HalfSpace& wall) : wall_(wall) {}
   const HalfSpace* half_space() const override { return &wall_; }
+  bool is_coaxial() const override { return wall_.normal[0] == 0 && wall_.normal[2] == 0; }
   /// As in the scalar path: laws count the gap's own rounding.
   Pack size_at(const PackPoint&) const override { return 0.0; }
   Sight at(const PackPoint& x) const override {
@@ -41,20 +40,8 @@ struct Parameters {
 
 std::shared_ptr<const Obstacle> make(const SceneNode& node, std::size_t dimension) {
   HalfSpace wall;
-  wall.normal = {};
-  const auto point = node.numbers("Point", dimension, std::vector<double>(dimension, 0.0));
-  std::vector<double> up(dimension, 0.0);
-  up.back() = 1;
-  const auto normal = node.numbers("Normal", dimension, up);
-  double largest = 0;
-  for (double n : normal) largest = std::max(largest, std::abs(n));
-  if (!(largest > 0)) throw InputError(node.path_of("Normal") + " is zero: it must point out of the wall");
-  double square = 0;
-  for (double n : normal) square += n / largest * (n / largest);
-  for (std::size_t d = 0; d < dimension; ++d) {
-    wall.point[d] = point[d];
-    wall.normal[d] = normal[d] / largest / std::sqrt(square);
-  }
+  wall.point = place_of(node, "Point", dimension);
+  wall.normal = unit_vector(node, "Normal", dimension, last_axis(dimension), "it must point out of the wall");
   return flat_wall(wall);
 }
 

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
 #include "mesh/generators/entry.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/normalize.hpp"
 #include "parameters/range_validator.hpp"
 
 namespace ixos {
@@ -33,6 +35,33 @@ std::vector<std::array<int, 2>> core_boundary(int n) {
   for (int i = n; i > 0; --i) nodes.push_back({i, n});
   for (int j = n; j > 0; --j) nodes.push_back({0, j});
   return nodes;
+}
+
+/// Removes the cells to the left of the centre, and the nodes that no other cell has.
+void halve(double center, double radius, Mesh& mesh) {
+  const auto x = [&](int node) -> double& { return mesh.coordinates[2 * static_cast<std::size_t>(node)]; };
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (std::abs(x(node) - center) < 1e-9 * radius) x(node) = center;  // sines and cosines are rounded
+  std::vector<int> cell_number, nodes;
+  for (int cell = 0; cell < mesh.blocks[0].cells(); ++cell) {
+    const int* old = &mesh.blocks[0].nodes[cell_entry(cell, 4)];
+    const bool kept = std::all_of(old, old + 4, [&](int node) { return x(node) >= center; });
+    cell_number.push_back(kept ? static_cast<int>(nodes.size()) / 4 : -1);
+    if (kept) nodes.insert(nodes.end(), old, old + 4);
+  }
+  mesh.blocks[0].nodes = std::move(nodes);
+  std::vector<Side> sides;
+  for (Side side : mesh.side_sets[0].sides) {
+    side.cell = cell_number[static_cast<std::size_t>(side.cell)];
+    if (side.cell >= 0) sides.push_back(side);
+  }
+  mesh.side_sets[0].sides = std::move(sides);
+  drop_unused_nodes(mesh);
+  mesh.notes.clear();  // nobody gave the mesh these nodes
+  NodeSet axis{"axis", {}};
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (x(node) == center) axis.nodes.push_back(node);
+  mesh.node_sets.push_back(std::move(axis));
 }
 
 struct Parameters : DiskShape {
@@ -94,6 +123,7 @@ Mesh disk(const DiskShape& shape) {
   mesh.side_sets.push_back(std::move(surface));
   mesh.node_sets.push_back(std::move(rim));
   mesh.node_sets.push_back({"center", {core_node(n / 2, n / 2)}});
+  if (shape.half) halve(shape.center[0], radius, mesh);
   return mesh;
 }
 
@@ -105,10 +135,12 @@ MeshEntry disk_mesh() {
            "Number of cells along a side of the square core. It must be even.", between(2, 10000))
       .add("Rings", &Parameters::rings, "Number of layers of cells around the core.", between(1, 10000))
       .add("Core Half Side", &Parameters::core_half_side,
-           "Half the side length of the core, divided by the radius of the disk [-].", greater_and_less_than(0, 0.7));
+           "Half the side length of the core, divided by the radius of the disk [-].", greater_and_less_than(0, 0.7))
+      .add("Half", &Parameters::half,
+           "Keep only the half of the disk to the right of its centre: with the Geometry Axisymmetric, a ball.");
   return {{"Disk",
            "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
-           "\"surface\", and the node set \"center\".",
+           "\"surface\", and the node set \"center\"; a half disk also has the node set \"axis\".",
            "", options.list(),
            [options](const SceneNode& node) {
              Parameters shape = options.read(node);

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <set>
 
 #include "base/error.hpp"
-#include "mesh/check_names.hpp"
+#include "mesh/given_sets.hpp"
 #include "parameters/range_validator.hpp"
 
 namespace ixos {
@@ -59,20 +58,11 @@ void check_sets(const Mesh& mesh) {
       if (!seen.insert(node).second) throw InputError(fmt::format("node set \"{}\" has node {} twice", set.name, node));
     }
   }
-  for (const SideSet& set : mesh.side_sets) {
-    std::set<std::array<int, 3>> seen;
-    for (const Side& side : set.sides) {
-      const bool has_block = side.block >= 0 && side.block < static_cast<int>(mesh.blocks.size());
-      const ElementBlock* block = has_block ? &mesh.blocks[static_cast<std::size_t>(side.block)] : nullptr;
-      if (block == nullptr || side.cell < 0 || side.cell >= block->cells() || side.side < 0 ||
-          side.side >= sides_per_cell(block->type))
-        throw InputError(fmt::format("side set \"{}\" has side {} of cell {} of block {}, which does not exist",
-                                     set.name, side.side, side.cell, side.block));
-      if (!seen.insert({side.block, side.cell, side.side}).second)
-        throw InputError(fmt::format("side set \"{}\" has side {} of cell {} of block {} twice", set.name, side.side,
-                                     side.cell, side.block));
-    }
-  }
+  std::vector<SideLimits> limits;
+  limits.reserve(mesh.blocks.size());
+  for (const ElementBlock& block : mesh.blocks)
+    limits.push_back({static_cast<std::size_t>(block.cells()), sides_per_cell(block.type)});
+  for (const SideSet& set : mesh.side_sets) check_sides(set, limits);
 }
 
 }  // namespace

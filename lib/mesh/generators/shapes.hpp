@@ -13,10 +13,12 @@ struct DiskShape {
   int core_divisions = 4;          ///< cells along a side of the core, >= 2 and even
   int rings = 2;                   ///< layers of cells around the core, >= 1
   double core_half_side = 0.4;     ///< half side of the core over the radius, in (0, 0.7)
+  bool half = false;               ///< only the half at x >= center[0]
 };
 
 /// Returns (core_divisions)^2 + 4 core_divisions rings cells, counter-clockwise. Block "body"; node and side set
-/// "surface"; the node set "center" is the node at the centre. Throws InputError for a value out of range.
+/// "surface"; the node set "center" is the node at the centre. A half disk has half of the cells, and the node set
+/// "axis" of the nodes on its straight side. Throws InputError for a value out of range.
 Mesh disk(const DiskShape& shape);
 
 /// A box of quadrilaterals (dimension 2) or hexahedra (dimension 3).

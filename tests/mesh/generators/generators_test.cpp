@@ -93,6 +93,26 @@ TEST(DiskTest, CellsAreCounterClockwiseAndConvex) {
   }
 }
 
+TEST(DiskTest, AHalfHasHalfOfTheCells) {
+  DiskShape shape;
+  shape.diameter = 8;
+  shape.center = {0, 3};
+  const Mesh whole = disk(shape);
+  shape.half = true;
+  const Mesh half = disk(shape);
+  EXPECT_EQ(2 * half.cells(), whole.cells());
+  EXPECT_NEAR(disk_area(half), disk_area(whole) / 2, 1e-13);
+  const auto& axis = named(half.node_sets, "axis").nodes;
+  EXPECT_EQ(axis.size(), 4u + 1 + 2 * 2);  // across the core, and two rings at both ends
+  EXPECT_EQ(half.nodes() * 2, whole.nodes() + static_cast<int>(axis.size()));
+  for (const int node : axis) EXPECT_EQ(position(half, node)[0], 0);
+  EXPECT_EQ(2 * named(half.side_sets, "surface").sides.size(), named(whole.side_sets, "surface").sides.size());
+  for (const Side& side : named(half.side_sets, "surface").sides) EXPECT_GT(side_vector(half, side)[0], 0);
+  const int middle = named(half.node_sets, "center").nodes.at(0);
+  EXPECT_EQ(position(half, middle)[1], 3);
+  EXPECT_TRUE(half.notes.empty());  // the user's file left nothing out
+}
+
 TEST(DiskTest, RimNodesLieOnTheCircle) {
   DiskShape shape;
   shape.center = {3.0, -2.0};

@@ -7,11 +7,15 @@ import os
 import tempfile
 import unittest
 
+import bounces
+import catalogue
 import density
+import dissipation
 import gap
 import law
 import locking
 import million
+import obstacles
 import ranks
 import scaling
 import step
@@ -54,6 +58,29 @@ class LinesTest(unittest.TestCase):
                 outcome = self.run_scene({**gap.block(start * R0), **steps(scheme, 1e-5, 200)})
                 self.assertLess(outcome.energy_error(), 1e-11)
 
+    def test_long_runs_keep_the_balance_with_the_closed_form_and_with_enough_points(self):
+        for place, scene in bounces.SCENES.items():
+            points = 16 if place == "spherical cavity" else 8
+            for scheme, count in (("Average Vector Field", 0), ("Average Vector Field", points), ("Energy-Momentum", None)):
+                run = self.run_scene({**scene(), **bounces.with_points(scheme, count)}).run
+                self.assertLess(bounces.error(run), 1e-9, f"{place}, {scheme}")
+                self.assertGreater(bounces.bounces(run), 3, place)
+                if place == "spherical cavity" and scheme == "Energy-Momentum":
+                    self.assertLess(bounces.moment_error(run), 1e-9)
+
+    def test_work_is_stored_or_dissipated_over_a_long_run_with_branches_and_friction(self):
+        run = self.run_scene(dissipation.bouncing()).run
+        self.assertLess(dissipation.error(run), 1e-11)
+        for name, value in dissipation.share(run).items():
+            self.assertGreater(value, 0.1 * dissipation.total_work(run), name)
+
+    def test_relaxation_times_and_friction_over_decades_keep_the_balance(self):
+        for axis in ("relaxation", "friction"):
+            _, values, entries = dissipation.AXES[axis]
+            for value in (values[0], values[-1]):
+                outcome = self.run_scene(dissipation.thrown(entries(value), "Average Vector Field"))
+                self.assertLess(outcome.energy_error(), 1e-9, (axis, value))
+
     def test_a_scheme_that_loses_the_energy_is_told_of(self):
         outcome = self.run_scene({**gap.block(1e-3 * R0), **steps("Average Vector Field", 1e-3, 2)},
                                  saying="the scheme's energy error reached")
@@ -77,6 +104,28 @@ class LinesTest(unittest.TestCase):
             self.assertLess(outcome.energy_error(), 1e-11, scheme)
             # The impact took place: the body was squeezed, and turned round at the wall.
             self.assertGreater(outcome.run["contact_force_y"].max(), 1)
+
+    def test_the_energy_is_kept_before_round_rough_and_moving_obstacles(self):
+        for scheme in CONSERVING:
+            for entries, length, bound in ((obstacles.on_sphere(0.5), 1e-3, 1e-10), (obstacles.on_sphere(1e6), 1e-3, 1e-6),
+                                           (obstacles.on_sphere(1e6, True), 1e-3, 1e-6),
+                                           (obstacles.on_waves(5.0, "Vertical"), 1e-4, 1e-10),
+                                           (obstacles.before_moving(1e3), 0.01 * R0 / 1e3, 1e-10)):
+                outcome = self.run_scene({**entries, **steps(scheme, length, 300)})
+                self.assertLess(outcome.energy_error(), bound, (scheme, entries))
+
+    def test_the_energy_is_kept_with_every_law_at_both_ends_of_its_strengths(self):
+        for name, (_, values, scene_of) in catalogue.CASES.items():
+            for value in (values[0], values[-1]):
+                outcome = self.run_scene({**scene_of(value), **steps("Energy-Momentum", 1e-3, 200)})
+                self.assertLess(outcome.energy_error(), 1e-9, (name, value))
+
+    def test_a_kink_needs_the_exact_mean(self):
+        scene = catalogue.CASES["dugdale"][2](0.01)
+        for scheme, bound in ((catalogue.EXACT, 1e-10), ("Average Vector Field", 1)):
+            outcome = self.run_scene({**scene, **catalogue.scheme_of(scheme)})
+            self.assertLess(outcome.energy_error(), bound)
+        self.assertGreater(outcome.energy_error(), 1e-3)
 
     def test_units_over_twelve_decades_change_no_bit(self):
         for scheme, extra in (("Average Vector Field", {}), ("Bathe Composite", {}),

@@ -1,8 +1,9 @@
 """Maps of outcomes: schemes over a parameter, coloured by the energy error."""
 import numpy as np
 
+from runs import SCHEMES, number  # adds the folder of style to the path
+
 import style
-from runs import SCHEMES, number
 
 FAILED, REFUSED, WRONG = "#BDBDBD", "#FFFFFF", "#D62728"
 

@@ -1,0 +1,147 @@
+#include "model/grips.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+std::size_t checked_set(const Model& model, const std::string& name, const std::string& node_set,
+                        const RigidMotion& motion) {
+  model.check_open();
+  if (motion.dimension() != model.mesh().dimension)
+    throw InputError(fmt::format("the motion of the grip \"{}\" has {} dimensions, the mesh {}", name,
+                                 motion.dimension(), model.mesh().dimension));
+  if (model.mesh().axisymmetric && (motion.turns() || motion.translates(0)))
+    throw InputError(
+        fmt::format("the grip \"{}\" moves off the axis of an axisymmetric mesh: it may translate along y only", name));
+  for (const Grip& grip : model.grips())
+    if (grip.name == name) throw InputError("there are two grips of the name \"" + name + "\"");
+  return model.mesh().node_set(node_set);
+}
+
+std::vector<MotionShare> shares_of(const LocalMesh& mesh, const RigidMotion& motion, int node, int i) {
+  const auto n = static_cast<std::size_t>(node);
+  const double* place = &mesh.coordinates[n * static_cast<std::size_t>(mesh.dimension)];
+  // The coordinates of a derivative node are dX/ds.
+  return mesh.is_derivative(n) ? motion.displacement_derivative(place, i) : motion.displacement(place, i);
+}
+
+/// Returns the coefficients; none if they are empty or all are 0. Throws InputError.
+std::vector<double> checked(const char* what, std::vector<double> values, const LocalMesh& mesh) {
+  const int dimension = mesh.dimension;
+  if (values.empty()) return values;
+  if (values.size() != static_cast<std::size_t>(dimension))
+    throw InputError(
+        fmt::format("the {} has {} components, but the mesh has {} dimensions", what, values.size(), dimension));
+  for (const double value : values)
+    if (!(value >= 0 && std::isfinite(value)))
+      throw InputError(fmt::format("the {} has the component {}; each must be finite and at least 0", what, value));
+  if (mesh.axisymmetric && values[0] != 0)
+    throw InputError(
+        fmt::format("the {} has the radial component {}; on an axisymmetric mesh a grip acts along y only: use 0", what,
+                    values[0]));
+  if (std::all_of(values.begin(), values.end(), [](double value) { return value == 0; })) values.clear();
+  return values;
+}
+
+/// Nodes of the mesh that carry springs, ghosts included, and the number of them on all ranks.
+struct Carriers {
+  std::vector<int> nodes;
+  double count = 0;
+};
+
+Carriers carriers(const Model& model, std::size_t set) {
+  Carriers result;
+  for (const int node : model.mesh().node_sets[set]) {
+    if (model.mesh().is_added(static_cast<std::size_t>(node))) continue;
+    result.nodes.push_back(node);
+    if (node < model.mesh().owned_nodes) ++result.count;
+  }
+  model.space().sum(&result.count, 1);
+  return result;
+}
+
+DrivenEnds driven_ends(const Model& model, const Carriers& carriers, const RigidMotion& motion,
+                       const std::vector<double>& whole) {
+  DrivenEnds ends;
+  const auto to = std::make_shared<Constraints>();
+  const int d = model.mesh().dimension;
+  for (const int node : carriers.nodes)
+    for (int i = 0; i < d; ++i) {
+      if (whole[static_cast<std::size_t>(i)] == 0) continue;
+      ends.dofs.push_back(node * d + i);
+      ends.coefficients.push_back(whole[static_cast<std::size_t>(i)] / carriers.count);
+      to->add(node * d + i, shares_of(model.mesh(), motion, node, i));
+    }
+  ends.to = to;
+  return ends;
+}
+
+/// Adds the loads sum_k (coefficient factor_k) history(motion_k), one for each motion: all ranks add the same ones.
+template <class History>
+void add_driving_loads(Model& model, const DrivenEnds& ends, const RigidMotion& motion, const History& history) {
+  const LocalMesh& mesh = model.mesh();
+  for (const auto& function : motion.functions()) {
+    std::vector<double> forces(static_cast<std::size_t>(model.space().local()), 0.0);
+    for (std::size_t k = 0; k < ends.dofs.size(); ++k)
+      for (const MotionShare& share :
+           shares_of(mesh, motion, ends.dofs[k] / mesh.dimension, ends.dofs[k] % mesh.dimension))
+        if (share.motion == function)
+          forces[static_cast<std::size_t>(ends.dofs[k])] += ends.coefficients[k] * share.factor;
+    model.loads().add(std::move(forces), history(function));
+  }
+}
+
+}  // namespace
+
+void grip_rigidly(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion) {
+  const std::size_t set = checked_set(model, name, node_set, motion);
+  const LocalMesh& mesh = model.mesh();
+  together<InputError>(model.space().comm(), [&] {
+    for (const int node : mesh.node_sets[set])
+      for (int i = 0; i < mesh.dimension; ++i) try {
+          model.constraints().check(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
+        } catch (const InputError& error) {
+          throw InputError(fmt::format("{}: component {} of node {} of the mesh", error.what(), "xyz"[i],
+                                       mesh.message_number(static_cast<std::size_t>(node))));
+        }
+  });
+  for (const int node : mesh.node_sets[set])
+    for (int i = 0; i < mesh.dimension; ++i)
+      model.constraints().add(node * mesh.dimension + i, shares_of(mesh, motion, node, i));
+  model.add_grip({name, set, motion}, nullptr, nullptr);
+}
+
+void grip_elastically(Model& model, const std::string& name, const std::string& node_set, const RigidMotion& motion,
+                      const GripSupport& support) {
+  const std::size_t set = checked_set(model, name, node_set, motion);
+  const std::vector<double> stiffness = checked("stiffness", support.stiffness, model.mesh());
+  const std::vector<double> damping = checked("damping", support.damping, model.mesh());
+  if (stiffness.empty() && damping.empty())
+    throw InputError("the grip has neither a stiffness nor a damping greater than 0");
+  if (!damping.empty() && model.mass() == nullptr)
+    throw InputError("the grip has a damping, but without inertia there are no velocities; use the damping 0");
+  const Carriers nodes = carriers(model, set);
+  if (nodes.count == 0) throw InputError("the node set \"" + node_set + "\" has no nodes");
+  const auto local = static_cast<std::size_t>(model.space().local());
+  std::unique_ptr<Springs> springs;
+  std::unique_ptr<Dashpots> dashpots;
+  if (!stiffness.empty()) {
+    springs = std::make_unique<Springs>(driven_ends(model, nodes, motion, stiffness), model.pattern(), local);
+    add_driving_loads(model, springs->ends(), motion, [](const auto& f) { return f; });
+  }
+  if (!damping.empty()) {
+    dashpots = std::make_unique<Dashpots>(driven_ends(model, nodes, motion, damping), model.pattern(), local);
+    add_driving_loads(model, dashpots->ends(), motion, [](const auto& f) { return rate_of(f); });
+  }
+  model.add_grip({name, set, motion, false}, std::move(springs), std::move(dashpots));
+}
+
+}  // namespace ixos

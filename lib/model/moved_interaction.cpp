@@ -1,0 +1,238 @@
+#include "model/moved_interaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ixos {
+namespace {
+
+const RulePoint end_point{1, 0, 0, 1};
+
+/// Returns whether the point is the segment's end.
+bool is_end(const RulePoint& point) {
+  return point.to == 1 && point.from == 0 && point.velocity == 0 && point.time == 1;
+}
+
+}  // namespace
+
+MovedInteraction::MovedInteraction(std::unique_ptr<Interaction> fixed, const RigidMotion& motion, const LocalMesh& mesh,
+                                   const std::vector<LocalSide>& sides, const Pattern& pattern)
+    : fixed_(std::move(fixed)), frame_(motion, mesh, sides, pattern) {
+  const auto local = static_cast<std::size_t>(mesh.nodes()) * static_cast<std::size_t>(mesh.dimension);
+  for (std::vector<double>* array : {&from_, &to_, &change_, &force_}) array->resize(local);
+}
+
+void MovedInteraction::place(const Pattern& pattern) {
+  fixed_->place(pattern);
+  frame_.place(pattern);
+}
+
+double MovedInteraction::see_ends(const Segment& segment, RigidPose& end) const {
+  const RigidPose start = frame_.pose(segment.start);
+  end = frame_.pose(segment.time(end_point));
+  frame_.see(start, segment.from, from_);
+  frame_.see(end, segment.to, to_);
+  return (start.angle + end.angle) / 2;
+}
+
+bool MovedInteraction::is_finite(double time) const {
+  const RigidPose pose = frame_.pose(time);
+  double sum = pose.angle + pose.spin;
+  for (std::size_t i = 0; i < 3; ++i) sum += pose.translation[i] + pose.velocity[i];
+  return std::isfinite(sum);
+}
+
+const double* MovedInteraction::seen(const double* u) const {
+  frame_.see(frame_.pose(time_), u, to_);
+  return to_.data();
+}
+
+/// A mean over the step of an obstacle that turns has no potential: its force is not turned as its end is.
+bool MovedInteraction::is_gradient(const Rule& asked) const {
+  const Rule& rule = fixed_->followed(asked);
+  return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
+}
+
+bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, double* f) const {
+  const Rule& rule = fixed_->followed(asked);
+  bool admissible = true, end_is_seen = false;
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
+    admissible = fixed_->add_force(here(), end_rule(point.weight), force_.data()) && admissible;
+    frame_.add_moved(pose, pose.angle, force_, f);
+    end_is_seen = end_is_seen || is_end(point);
+  });
+  if (rule.mean != Mean::Points) {
+    RigidPose end;
+    const double angle = see_ends(segment, end);
+    admissible = fixed_->add_force(ends(), rule, force_.data()) && admissible;
+    frame_.add_moved(end, angle, force_, f);
+  } else if (!end_is_seen) {
+    // The end must be admissible, too. The weight is 0; a force beyond the law's domain may be no number.
+    frame_.see(frame_.pose(segment.time(end_point)), segment.to, to_);
+    admissible = fixed_->add_force(here(), end_rule(0), force_.data()) && admissible;
+    frame_.clear(force_);
+  }
+  return admissible;
+}
+
+void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, double* values) const {
+  const Rule& rule = fixed_->followed(asked);
+  // The tangent of a turned frame is R_left K R_right^T: the values are turned into the frame and back.
+  const auto add = [&](const RigidPose& pose, double left, double right, const Segment& inside, const Rule& own) {
+    if (frame_.turns()) frame_.turn_blocks(pose, left, right, false, values);
+    fixed_->add_tangent(inside, own, kind, values);
+    if (frame_.turns()) frame_.turn_blocks(pose, left, right, true, values);
+  };
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
+    add(pose, pose.angle, pose.angle, here(), end_rule(point.weight * point.to));
+  });
+  if (rule.mean == Mean::Points) return;
+  RigidPose end;
+  const double angle = see_ends(segment, end);
+  add(end, angle, end.angle, ends(), rule);
+}
+
+bool MovedInteraction::add_row_sums(const Segment& segment, double* sums) const {
+  const RigidPose pose = frame_.pose(segment.time(end_point));
+  frame_.see(pose, segment.to, to_);
+  const bool admissible = fixed_->add_row_sums(here(), force_.data());
+  frame_.add_row_sums(pose, force_, sums);
+  return admissible;
+}
+
+double MovedInteraction::energy(const double* u) const { return fixed_->energy(seen(u)); }
+
+double MovedInteraction::obstacle_work(const Segment& segment, const Rule& asked) const {
+  const Rule& rule = fixed_->followed(asked);
+  double work = 0;
+  const auto add_power = [&](double weight, const RigidPose& pose) {
+    fixed_->add_force(here(), end_rule(), force_.data());
+    work -= segment.length * weight * frame_.power(pose, force_, to_);
+    frame_.clear(force_);
+  };
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) { add_power(point.weight, pose); });
+  if (rule.kept_weight != 0) {
+    const RigidPose pose = frame_.pose(segment.start);
+    frame_.see(pose, segment.from, to_);
+    add_power(rule.kept_weight, pose);
+  }
+  if (rule.mean == Mean::Points) return work;
+  RigidPose end;
+  const double angle = see_ends(segment, end);
+  fixed_->add_force(ends(), rule, force_.data());
+  work += frame_.work(end, angle, force_, from_, to_, segment.from, segment.to);
+  frame_.clear(force_);
+  return work;
+}
+
+double MovedInteraction::admissible_step(const Segment& segment, const Rule& rule, const double* direction) const {
+  if (!needs_positive_gaps()) return 1;
+  double step = 1;
+  bool end_is_seen = false;
+  const auto restrict_at = [&](const RulePoint& point, const RigidPose& pose) {
+    frame_.see_change(pose, point.to, direction, change_);
+    step = std::min(step, fixed_->admissible_step(here(), Rule{}, change_.data()));
+    end_is_seen = end_is_seen || is_end(point);
+  };
+  at_points(segment, rule, restrict_at);
+  if (!end_is_seen) at_points(segment, end_rule(), restrict_at);
+  return step;
+}
+
+double MovedInteraction::mean_potential(const Segment& segment) const {
+  RigidPose end;
+  see_ends(segment, end);
+  return fixed_->mean_potential(ends());
+}
+
+double MovedInteraction::gap_ratio(const double* from, const double* to) const {
+  RigidPose end;
+  see_ends({from, nullptr, to, step_start_, step_end_ - step_start_}, end);
+  return fixed_->gap_ratio(from_.data(), to_.data());
+}
+
+double MovedInteraction::rounding(const double* u) const { return fixed_->rounding(seen(u)); }
+
+void MovedInteraction::report(const double* u, InteractionReport& report) const {
+  InteractionReport own;
+  fixed_->report(seen(u), own);
+  const RigidPose pose = frame_.pose(time_);
+  std::array<double, 3> force{};
+  std::copy(own.force.begin(), own.force.end(), force.begin());
+  const std::array<double, 3> turning = pose.turning(pose.angle, force);
+  report.force.resize(own.force.size(), 0.0);
+  for (std::size_t i = 0; i < own.force.size(); ++i) report.force[i] += force[i] + turning[i];
+  report.measure += own.measure;
+  report.least_gap = std::min(report.least_gap, own.least_gap);
+}
+
+LowestPoint MovedInteraction::lowest_point(const double* u) const {
+  LowestPoint point = fixed_->lowest_point(seen(u));
+  point.place = MovingFrame::from_frame(frame_.pose(time_), point.place);
+  return point;
+}
+
+void MovedInteraction::add_nodal_measure(CountedSides& counted, double* measure) const {
+  fixed_->add_nodal_measure(counted, measure);
+}
+
+void MovedInteraction::add_nodal_pressure(const double* u, double* force) const {
+  fixed_->add_nodal_pressure(seen(u), force);
+}
+
+void MovedInteraction::lower_nodal_gap(const double* u, double* gap) const { fixed_->lower_nodal_gap(seen(u), gap); }
+
+void MovedInteraction::set_nodal_normal(const double* u, double* normal) const {
+  fixed_->set_nodal_normal(seen(u), force_.data());
+  const RigidPose pose = frame_.pose(time_);
+  std::vector<double> turned(force_.size(), 0.0);
+  frame_.add_moved(pose, pose.angle, force_, turned.data());
+  // Several terms share nodes: only the nodes of this one are set.
+  const std::size_t d = frame_.dimension();
+  std::vector<double> gap(turned.size() / d, std::numeric_limits<double>::quiet_NaN());
+  fixed_->lower_nodal_gap(to_.data(), gap.data());
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    if (!std::isnan(gap[i / d])) normal[i] = turned[i];
+}
+
+/// Returns the states as they are seen at their own times, without rates: the start of the step, then the ends of
+/// stages. An interaction that keeps nothing gets none.
+std::vector<KnownState> MovedInteraction::known_in_frame(const std::vector<KnownState>& known) {
+  if (!fixed_->has_state()) return {};
+  std::vector<KnownState> result;
+  known_.resize(std::max(known_.size(), known.size()));
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const double time = k == 0 ? step_start_ : k <= stage_ends_.size() ? stage_ends_[k - 1] : step_end_;
+    known_[k].resize(to_.size());
+    frame_.see(frame_.pose(time), known[k].u, known_[k]);
+    result.push_back({known_[k].data()});
+  }
+  return result;
+}
+
+void MovedInteraction::begin_step(const KnownState& start, double time, double dt) {
+  step_start_ = time;
+  step_end_ = time + dt;
+  stage_ends_.clear();
+  for (const KnownState& seen : known_in_frame({start})) fixed_->begin_step(seen, time, dt);
+}
+
+void MovedInteraction::begin_stage(const StageStart& start) {
+  stage_ends_.resize(start.known.size() - 1);
+  StageStart own = start;
+  own.known = known_in_frame(start.known);
+  own.driven = nullptr;
+  own.driven_velocity = nullptr;
+  stage_ends_.push_back(start.time + start.length);
+  if (!own.known.empty()) fixed_->begin_stage(own);
+}
+
+double MovedInteraction::accept(const AcceptedStep& step) {
+  AcceptedStep own = step;
+  own.states = known_in_frame(step.states);
+  return own.states.empty() ? 0 : fixed_->accept(own);
+}
+
+}  // namespace ixos

@@ -1,0 +1,19 @@
+/// The columns of history.csv.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "scene/simulation.hpp"
+
+namespace ixos {
+
+struct HistoryColumns {
+  std::vector<std::string> names;      ///< in the order of a row
+  std::vector<std::string> reactions;  ///< those that are forces of node sets, then of grips, in the same order
+};
+
+/// Returns the columns of a simulation with a model and probes. Throws InputError, with the path of the list, if a name
+/// would repeat a column or cannot head one. Equal on all ranks.
+HistoryColumns history_columns(const Simulation& simulation);
+
+}  // namespace ixos

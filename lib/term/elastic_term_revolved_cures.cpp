@@ -1,0 +1,21 @@
+#include "element/enhanced_kernel.hpp"
+#include "element/mean_dilatation_kernel.hpp"
+#include "term/elastic_term_revolved.hpp"
+
+namespace ixos {
+
+std::unique_ptr<Elasticity> make_revolved_mean_term(const LocalMesh& mesh, const LocalBlock& block,
+                                                    const Pattern& pattern,
+                                                    const std::shared_ptr<const ElasticLaw>& law, int points) {
+  return with_plane_element(block.type, [&](auto element) {
+    return make_ring_term<MeanDilatationKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
+  });
+}
+
+std::unique_ptr<Elasticity> make_revolved_enhanced_term(const LocalMesh& mesh, const LocalBlock& block,
+                                                        const Pattern& pattern,
+                                                        const std::shared_ptr<const ElasticLaw>& law, int points) {
+  return make_ring_term<EnhancedKernel, Quad4>(mesh, block, pattern, law, points);
+}
+
+}  // namespace ixos

@@ -1,0 +1,62 @@
+/// A matrix at each quadrature point of a surface, applied without the matrix of the whole.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "term/curved_sides.hpp"
+
+namespace ixos {
+
+/// The operator sum N_a k N_c over the quadrature points, with a matrix k at each. The sides must outlive it.
+template <class SideElement>
+class PointMatrices {
+  using Sides = CurvedSides<SideElement>;
+  using Vectors = typename Sides::Vectors;
+  static constexpr std::size_t D = Sides::D, N = Sides::N;
+
+ public:
+  using Matrix = Small<Pack, D>;
+
+  explicit PointMatrices(const Sides& sides)
+      : sides_(sides), points_(sides.quadrature().size()), k_(sides.size() * points_) {}
+
+  Matrix& operator()(std::size_t b, std::size_t q) { return k_[b * points_ + q]; }
+
+  /// Adds the product with x to y; both are local arrays.
+  void add_product(const double* x, double* y) const {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const Vectors u = sides_.change_of(b, x);
+      Vectors f{};
+      for (std::size_t q = 0; q < points_; ++q) {
+        const auto& shape = sides_.quadrature().value[q];
+        const PackPoint at = sides_.interpolate(q, u);
+        for (std::size_t i = 0; i < D; ++i) {
+          Pack force = 0.0;
+          for (std::size_t j = 0; j < D; ++j) force += k_[b * points_ + q][i][j] * at[j];
+          for (std::size_t a = 0; a < N; ++a) f[a][i] += shape[a] * force;
+        }
+      }
+      sides_.batches().scatter_force(b, f, y);
+    }
+  }
+
+  void add_diagonal(double* d) const {
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      Vectors diagonal{};
+      for (std::size_t q = 0; q < points_; ++q) {
+        const auto& shape = sides_.quadrature().value[q];
+        for (std::size_t a = 0; a < N; ++a)
+          for (std::size_t i = 0; i < D; ++i) diagonal[a][i] += (shape[a] * shape[a]) * k_[b * points_ + q][i][i];
+      }
+      sides_.batches().scatter_diagonal(b, diagonal, d);
+    }
+  }
+
+ private:
+  const Sides& sides_;
+  std::size_t points_;
+  std::vector<Matrix> k_;  ///< batches x quadrature points
+};
+
+}  // namespace ixos

@@ -1,0 +1,167 @@
+// Fields of surfaces with friction.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "interaction/catalogue.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "model/model.hpp"
+#include "model/surface_interaction.hpp"
+#include "support/solids.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr double stress = 0.03, stiffness = 5, way = 0.4, radius = 50, lowest = 0.15;
+
+const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
+                                           ContactElement::Q1C4, ContactElement::Q1CH};
+
+enum class Shape { Plane, Sphere, Ring };
+
+/// A rigid body of 3 by 1 (by 1) L0 over a wall or a sphere, or one of revolution with a radius of 3 L0 over a wall.
+std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shape, double eps, double factor) {
+  BoxShape own;
+  own.dimension = dimension;
+  own.lengths = {3, 1, 1};
+  own.divisions = {6, 2, 2};
+  Mesh mesh = box(own);
+  mesh.axisymmetric = shape == Shape::Ring;
+  enrich(mesh, "bottom", element);
+  auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
+  SurfaceInteraction wall;
+  wall.name = "Wall";
+  wall.side_set = "bottom";
+  wall.law = gap_law(VanDerWaals(2.5, 25));
+  const auto up = static_cast<std::size_t>(dimension - 1);
+  std::vector<double> below(up + 1, 0.0);
+  below[up] = -lowest;
+  HalfSpace half_space;
+  std::copy(below.begin(), below.end(), half_space.point.begin());
+  half_space.normal = {0, 0, 0};
+  half_space.normal[up] = 1;
+  wall.obstacle = flat_wall(half_space);
+  below[up] -= radius;
+  if (shape == Shape::Sphere)
+    wall.obstacle =
+        make_obstacle("Sphere", static_cast<std::size_t>(dimension), {{"Radius", radius}, {"Center", below}});
+  wall.friction.type = FrictionType::ConstantStress;
+  wall.friction.stress = stress;
+  wall.friction.stiffness = eps;
+  wall.friction.cutoff_share = 1;
+  if (factor != 1) wall.factor = [factor](const std::array<double, 3>&) { return factor; };
+  add_interaction(*model, wall);
+  model->initialize({test::at_rest(*model).data()});
+  return model;
+}
+
+/// Takes one step in which each place X moves by factor(X) along x. Returns the end.
+template <class Function>
+std::vector<double> slide(Model& model, const Function& factor) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const std::vector<double> from = test::at_rest(model);
+  std::vector<double> to = from;
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
+    if (!mesh.is_derivative(node)) to[node * d] = factor(mesh.coordinates[node * d]);
+  model.begin_step({from.data()}, 0, 1);
+  model.accept({{{from.data()}, {to.data()}}, nullptr, 1});
+  return to;
+}
+
+/// Calls visit(node) at the owned nodes of the surface.
+template <class Visit>
+void for_each_node(const Model& model, const Visit& visit) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node)
+    if (!mesh.is_derivative(node) && mesh.coordinates[node * d + d - 1] == 0) visit(node);
+}
+
+TEST(FrictionFieldsTest, AUniformSlideAlongAPlaneIsExact) {
+  for (const int dimension : {2, 3})
+    for (const ContactElement element : contact_elements)
+      for (const double factor : {1.0, 2.0}) {
+        SCOPED_TRACE(testing::Message() << dimension << "D, element " << static_cast<int>(element) << ", " << factor);
+        const auto model = resting(dimension, element, Shape::Plane, stiffness, factor);
+        const auto d = static_cast<std::size_t>(dimension);
+        const std::vector<double> u = slide(*model, [](double) { return way; });
+        const InteractionGroup& group = model->interaction("Wall");
+        const auto traction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip),
+                   lost = group.friction(FrictionNumber::Dissipated), slides = group.friction(FrictionNumber::Sliding);
+        const double slid = way - stress / stiffness;
+        for_each_node(*model, [&](std::size_t node) {
+          for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(traction[node * d + i], i == 0 ? -factor * stress : 0, 1e-14);
+          EXPECT_NEAR(slip[node], slid, 1e-13);
+          EXPECT_NEAR(lost[node], factor * stress * slid, 1e-14);
+          EXPECT_NEAR(slides[node], 1, 1e-13);
+        });
+        EXPECT_NEAR(group.friction_force(u.data())[0], -3 * factor * stress, 1e-14);
+      }
+}
+
+// A surface that sticks has a spring's traction, and no slip.
+TEST(FrictionFieldsTest, ASurfaceThatSticksDoesNotSlide) {
+  const auto model = resting(2, ContactElement::Q1C2, Shape::Plane, stiffness, 1);
+  const std::vector<double> u = slide(*model, [](double) { return 0.5 * stress / stiffness; });
+  const InteractionGroup& group = model->interaction("Wall");
+  const auto traction = group.friction(u.data());
+  for_each_node(*model, [&](std::size_t node) { EXPECT_NEAR(traction[2 * node], -0.5 * stress, 1e-15); });
+  for (const FrictionNumber number : {FrictionNumber::Slip, FrictionNumber::Dissipated, FrictionNumber::Sliding})
+    for (double value : group.friction(number)) EXPECT_EQ(value, 0);
+}
+
+// The traction turns with the sphere. Nodal means differ from the values at the node by the angle over a side, 0.01.
+TEST(FrictionFieldsTest, AUniformSlideAlongASphereFollowsItsTangent) {
+  for (const int dimension : {2, 3})
+    for (const ContactElement element : contact_elements) {
+      SCOPED_TRACE(testing::Message() << dimension << "D, element " << static_cast<int>(element));
+      const auto model = resting(dimension, element, Shape::Sphere, stiffness, 1);
+      const LocalMesh& mesh = model->mesh();
+      const auto d = static_cast<std::size_t>(dimension);
+      const std::vector<double> u = slide(*model, [](double) { return way; });
+      const InteractionGroup& group = model->interaction("Wall");
+      const auto traction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip);
+      for_each_node(*model, [&](std::size_t node) {
+        const double x = mesh.coordinates[node * d], height = radius + lowest;
+        const double y = d == 3 ? mesh.coordinates[node * d + 1] : 0;
+        const double at_start = std::atan(x / std::hypot(y, height)), at_end = std::atan((x + way) / height);
+        EXPECT_NEAR(traction[node * d], -stress * std::cos(at_end), 5e-4 * stress);
+        EXPECT_NEAR(traction[node * d + d - 1], stress * std::sin(at_end), 7e-3 * stress);
+        EXPECT_NEAR(slip[node], way * std::cos(at_start) - stress / stiffness, 5e-4 * way);
+      });
+    }
+}
+
+// A surface of revolution that widens. On the axis nothing has a direction across it, and the mean of the slip c R,
+// with the weights of the section where the ring vanishes, has a closed form: int N s ds = 0 for quadratic sides.
+TEST(FrictionFieldsTest, NothingSlidesOnTheAxis) {
+  const double c = 0.1, hard = 1e5;
+  for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C4}) {
+    SCOPED_TRACE(static_cast<int>(element));
+    const auto model = resting(2, element, Shape::Ring, hard, 1);
+    const LocalMesh& mesh = model->mesh();
+    const std::vector<double> u = slide(*model, [&](double x) { return c * x; });
+    const InteractionGroup& group = model->interaction("Wall");
+    const auto friction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip),
+               lost = group.friction(FrictionNumber::Dissipated);
+    for_each_node(*model, [&](std::size_t node) {
+      EXPECT_NEAR(lost[node], stress * slip[node], 1e-14);
+      if (mesh.coordinates[2 * node] > 0) {
+        EXPECT_NEAR(friction[2 * node], -stress, 1e-13);
+        return;
+      }
+      EXPECT_EQ(friction[2 * node], 0);
+      EXPECT_EQ(friction[2 * node + 1], 0);
+      // A linear side has the weight (1 - s) s: int (1 - s) s^2 over int (1 - s) s is a half of it.
+      EXPECT_NEAR(slip[node], element == ContactElement::Q1C1 ? 0.5 * c * 0.5 : 0, 2 * stress / hard);
+    });
+    EXPECT_NEAR(group.friction_force(u.data())[0], -stress * M_PI * 9, 1e-13);  // radial, around the ring
+  }
+}
+
+}  // namespace
+}  // namespace ixos
