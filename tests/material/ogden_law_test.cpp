@@ -9,12 +9,8 @@
 #include "support/derivative.hpp"
 
 namespace ixos {
-namespace {}
-template <class T>
-Curvatures<T> curvatures(const T&, const T&) const {
-  return {T(0.0), T(0.0), T(0.0)};
-}
-};
+namespace {
+
 const VolumetricEnergy volumetric{2.0, VolumetricEnergy::Form::Logarithm};
 const Lame lame{1.1, 2.0 - 2.2 / 3};
 

@@ -8,6 +8,7 @@ without one is an error. The script takes the first form of each scene, two form
 study. With --all it takes every form with every scheme, and every run of every study. ixos-study must stand beside ixos.
 """
 import argparse
+import concurrent.futures
 import os
 import pathlib
 import re
@@ -50,12 +51,13 @@ def study_runs(every):
                 yield f"{study}, {name}", scene, settings.split("; "), 1
 
 
-def verify(scene, settings, ranks, folder):
+def verify(scene, settings, ranks):
     """Returns whether the check succeeded, and what it printed."""
     command = [DRIVER, str(XML / (scene + ".xml")), "--verify-restart", "--kills", str(KILLS), "--ranks", str(ranks)]
     for setting in settings:
         command += ["--set", setting]
-    run = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    with tempfile.TemporaryDirectory(prefix="ixos-restarts-") as folder:
+        run = subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     return run.returncode == 0 and run.stdout.count("the same") == KILLS + 1, run.stdout + run.stderr
 
 
@@ -70,11 +72,10 @@ def main():
     if not runs:
         sys.exit(f"no form has \"{options.name}\" in its name")
     failed = False
-    for name, scene, settings, ranks in runs:
-        with tempfile.TemporaryDirectory(prefix="ixos-restarts-") as folder:
-            good, said = verify(scene, settings, ranks, folder)
-        print(f"{name}: {'verified' if good else 'FAILED'}\n" + ("" if good else said), end="", flush=True)
-        failed = failed or not good
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+        for (name, *_), (good, said) in zip(runs, pool.map(lambda run: verify(*run[1:]), runs)):
+            print(f"{name}: {'verified' if good else 'FAILED'}\n" + ("" if good else said), end="", flush=True)
+            failed = failed or not good
     return 1 if failed else 0
 
 
