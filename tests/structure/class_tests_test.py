@@ -59,7 +59,6 @@ elsewhere = {
     "io/hdf5_rows.hpp": ("io/hdf5_series_test.cpp", "sets that the ordinary HDF5 driver finds"),
     "io/mesh_file.hpp": ("scene/scene_mesh_test.cpp", "meshes of gmsh and Exodus found and refused"),
     "io/hdf5_file.hpp": ("checkpoint/checkpoint_file_test.cpp", "checkpoints are their only files"),
-    "material/mooney_rivlin.hpp": ("material/ogden_law_test.cpp", "WithExponentsTwoAndMinusTwoIsMooneyRivlins"),
     "material/strain_law.hpp": ("material/rubber_laws_test.cpp", "objectivity, limits, refusals; all laws in the catalogue"),
     "material/strain_state.hpp": ("material/isochoric_law_test.cpp", "invariants against longer numbers"),
     "material/symmetric_moduli.hpp": ("material/isochoric_law_test.cpp", "moduli against automatic differentiation"),
