@@ -24,8 +24,6 @@ fi
 
 # Containers run as root; the two cores are shared.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OPENBLAS_NUM_THREADS=1
-# Precompiled headers are cached by what they hold, not by their time.
-export CCACHE_SLOPPINESS=pch_defines,time_macros
 
 (
   cd "$root"

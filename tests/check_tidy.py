@@ -13,7 +13,6 @@ import concurrent.futures
 import json
 import os
 import pathlib
-import re
 import subprocess
 import sys
 
@@ -43,11 +42,6 @@ def key(source, command, files, version):
     return hash_contents(ROOT, [os.path.relpath(path, ROOT) for path in own], version, command.replace(ROOT, ""))
 
 
-def without_precompiled_header(command):
-    """Returns a compile command for clang-tidy, which cannot read the precompiled header of another compiler."""
-    return re.sub(r" -include \S*cmake_pch\.hxx| -Winvalid-pch| -fpch-preprocess", "", command)
-
-
 def tidy(source, build):
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
@@ -62,12 +56,6 @@ def main():
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     with open(os.path.join(build, "compile_commands.json")) as file:
         commands = json.load(file)
-    for entry in commands:
-        entry["command"] = without_precompiled_header(entry["command"])
-    database = os.path.join(build, "tidy")
-    os.makedirs(database, exist_ok=True)
-    with open(os.path.join(database, "compile_commands.json"), "w") as file:
-        json.dump(commands, file)
     seen = dependencies(build)
     passed = PassedChecks("ixos-tidy")
     todo = []
@@ -84,7 +72,7 @@ def main():
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
     clean = True
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], database), todo)):
+        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build), todo)):
             if good:
                 passed.add(state)
             else:

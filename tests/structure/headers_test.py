@@ -7,7 +7,7 @@ lib/ixos, must declare each name that its comment lists.
 The compiler only checks the syntax, with the flags that the build folder has for the sources of lib. Headers are named
 by their path below lib; default: all. A header is not checked again while its text, that of each header of lib that it
 includes, the flags and the version of the compiler are those of a check that it passed, nor if a source of lib includes
-it first: tests/check_tidy.py compiles sources without the precompiled header. --all checks it all the same.
+it first: every build compiles it then. --all checks it all the same.
 With --installed, BUILD_FOLDER is that of a program that uses an installed Ixos: only the stable headers, lib/ixos,
 compile, with its flags. These checks are noted in $XDG_CACHE_HOME/ixos-headers (default ~/.cache/ixos-headers). The
 exit status is 1 if a header does not compile.
@@ -103,7 +103,7 @@ def main():
             else:
                 passed.add(keys[header])
     print(f"{len(todo)} headers of lib compiled alone, {failed} failed; {len(headers) - len(todo)} had not changed or "
-          "are compiled by clang-tidy")
+          "stand first in a source")
     sys.exit(1 if failed else 0)
 
 
