@@ -28,6 +28,9 @@ class MovedInteraction final : public Interaction {
   void add_nodal_friction(FrictionNumber number, double* sums) const override {
     fixed_->add_nodal_friction(number, sums);
   }
+  void report_friction(const double* u, FrictionReport& report) const override {
+    fixed_->report_friction(seen(u), report);
+  }
   bool is_finite(double time) const override;
   void set_time(double time) const override { time_ = time; }
   double obstacle_work(const Segment& segment, const Rule& rule) const override;
