@@ -29,7 +29,8 @@ PREFIXES = {-18: "a", -15: "f", -12: "p", -9: "n", -6: "µ", -3: "m", 0: "", 3: 
 COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work|dissipated_.*", "energy"),
            (r"linear_momentum_[xyz]", "momentum"), (r"angular_momentum_[xyz]", "angular momentum"),
            (r"contact_force_(.*_)?[xyz]|friction_force_.*_[xyz]|reaction_.*_[xyz]", "force"),
-           (r"(contact_)?moment_.*_[xyz]", "moment"), (r"contact_measure(_.*)?", "measure"), (r"min_gap(_.*)?", "length"),
+           (r"(contact_)?moment_.*_[xyz]", "moment"), (r"min_gap(_.*)?|mean_slip_.*", "length"),
+           (r"contact_measure(_.*)?|sliding_measure_.*|sticking_measure_.*", "measure"),
            (r".*_u[xyz]", "length"), (r".*_v[xyz]", "speed")]
 
 _shown = None  # the scales whose prefixes the axes have

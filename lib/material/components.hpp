@@ -85,11 +85,11 @@ struct TensorAlgebra {
   }
   /// Returns the cofactors: det(A) A^-T.
   [[gnu::always_inline]] static Tensor cofactors(const Tensor& m) {
-    return make([&](std::size_t i, std::size_t j) {
-      const std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+    return make([&](auto i, auto j) __attribute__((always_inline)) {
+      constexpr std::size_t a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
       T result(0.0);
-      if (Components::has(a, c) && Components::has(b, d)) result += m[a][c] * m[b][d];
-      if (Components::has(a, d) && Components::has(b, c)) result -= m[a][d] * m[b][c];
+      if constexpr (Components::has(a, c) && Components::has(b, d)) result += m[a][c] * m[b][d];
+      if constexpr (Components::has(a, d) && Components::has(b, c)) result -= m[a][d] * m[b][c];
       return result;
     });
   }

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "mesh/distributed_cells.hpp"
 #include "mesh/given_sets.hpp"
+#include "mesh/meridian.hpp"
 #include "mesh/node_directory.hpp"
 #include "mesh/quality.hpp"
 
@@ -173,6 +174,8 @@ LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm) {
   LocalMesh local;
   local.dimension = mesh.dimension;
   local.axisymmetric = mesh.axisymmetric;
+  const double radius = largest_radius(mesh);
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, 1, &radius, &local.largest_radius);
   local.global_nodes = directory.size();
   add_nodes(mesh, touching, directory, comm, local);
   add_sides(mesh, touching, add_cells(mesh, touching, local), local);

@@ -4,6 +4,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "mesh/meridian.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
@@ -64,6 +65,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   LocalMesh local;
   local.dimension = mesh.dimension;
   local.axisymmetric = mesh.axisymmetric;
+  local.largest_radius = largest_radius(mesh);
   local.plain_nodes = mesh.plain_nodes;
   local.global_nodes = mesh.nodes();
   local.global_cells = mesh.cells();

@@ -48,6 +48,7 @@ struct LocalMesh {
   std::vector<std::vector<int>> node_sets;  ///< local node numbers, ghosts included
   int plain_nodes = -1;                     ///< see Mesh
   bool axisymmetric = false;                ///< see Mesh
+  double largest_radius = 0;                ///< of the nodes of all ranks, if the mesh is axisymmetric [L0]
   long long global_nodes = 0;
   long long global_cells = 0;
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "mesh/distributed_mesh.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
 
@@ -18,11 +19,13 @@ void check_meridian(const Mesh& mesh);
 /// Does the same with a rank's part.
 void check_meridian(const LocalMesh& mesh);
 
-/// Returns the largest radius of a rank's nodes [L0]. Nodes that stand for derivatives have no radius.
-double largest_radius(const LocalMesh& mesh);
+/// Returns the largest radius of a mesh's nodes, or of a rank's share of them [L0]; 0 if the mesh has none. Nodes that
+/// stand for derivatives have no radius.
+double largest_radius(const Mesh& mesh);
+double largest_radius(const DistributedMesh& mesh);
 
-/// Returns by local node whether it is on the axis: within axis_tolerance of this rank's largest radius. Derivative
-/// nodes are not. Empty if the mesh is not axisymmetric.
+/// Returns by local node whether it is on the axis: within axis_tolerance of the mesh's largest radius, so equal on all
+/// ranks. Derivative nodes are not. Empty if the mesh is not axisymmetric.
 std::vector<bool> nodes_on_axis(const LocalMesh& mesh);
 
 }  // namespace ixos

@@ -4,13 +4,11 @@
 
 namespace ixos {
 
-void hold_axis(const LocalMesh& mesh, const DofSpace& space, Constraints& constraints) {
+void hold_axis(const LocalMesh& mesh, Constraints& constraints) {
   if (!mesh.axisymmetric) return;
-  const double on_axis = axis_tolerance * space.maximum(largest_radius(mesh));
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    const auto place = static_cast<std::size_t>(node);
-    if (!mesh.is_derivative(place) && mesh.coordinates[2 * place] <= on_axis) constraints.add(2 * node, 1.0, nullptr);
-  }
+  const std::vector<bool> on_axis = nodes_on_axis(mesh);
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (on_axis[static_cast<std::size_t>(node)]) constraints.add(2 * node, 1.0, nullptr);
 }
 
 }  // namespace ixos

@@ -1,13 +1,12 @@
 /// The axis of bodies of revolution.
 #pragma once
-#include "discretization/dof_space.hpp"
 #include "mesh/local_mesh.hpp"
 #include "model/constraints.hpp"
 
 namespace ixos {
 
 /// Holds the radial displacement of the nodes on the axis of an axisymmetric mesh; changes nothing for other meshes. A
-/// material point of the axis stays on it. Collective.
-void hold_axis(const LocalMesh& mesh, const DofSpace& space, Constraints& constraints);
+/// material point of the axis stays on it.
+void hold_axis(const LocalMesh& mesh, Constraints& constraints);
 
 }  // namespace ixos

@@ -103,6 +103,15 @@ std::vector<double> InteractionGroup::friction_force(const double* u) const {
   return report.force;
 }
 
+FrictionReport InteractionGroup::friction_report(const double* u) const {
+  FrictionReport report;
+  for (const Interaction* term : terms_)
+    if (term->has_friction()) term->report_friction(u, report);
+  double sums[] = {report.acting, report.sliding, report.sticking, report.slip};
+  space_.sum(sums, 4);
+  return {sums[0], sums[1], sums[2], sums[3]};
+}
+
 std::vector<double> InteractionGroup::friction(FrictionNumber number) const {
   std::vector<double> means(static_cast<std::size_t>(mesh_.nodes()), 0.0);
   for (const Interaction* term : terms_) term->add_nodal_friction(number, means.data());

@@ -41,6 +41,8 @@ class InteractionGroup {
   bool has_friction() const;
   /// Returns the sum of the friction on the bodies, of all ranks [E0 L0^(D-1)]. Collective.
   std::vector<double> friction_force(const double* u) const;
+  /// Returns the report of friction of all ranks. Friction of several terms adds up. Collective.
+  FrictionReport friction_report(const double* u) const;
   /// Returns the part of the traction that is friction, likewise: zero on the axis.
   std::vector<double> friction(const double* u) const;
   /// Returns the nodal means of what friction keeps, with the weights of pressure(); zero away from the surfaces and at

@@ -29,7 +29,7 @@ Model::Model(LocalMesh mesh, const Comm& comm, const std::vector<Material>& mate
     if (std::none_of(materials.begin(), materials.end(), [&](const Material& m) { return m.block == block.name; }))
       throw InputError("block \"" + block.name + "\" has no material; add a list that names this Block");
   add_branches();
-  hold_axis(mesh_, space_, constraints_);
+  hold_axis(mesh_, constraints_);
   find_scales();
 }
 

@@ -55,18 +55,51 @@ bool MovedInteraction::is_gradient(const Rule& asked) const {
   return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
 }
 
+/// What the interaction keeps at each point of a rule, or of its mean.
+struct MovedInteraction::Kept final : KeptPoints {
+  std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet
+
+  /// Returns the part of point k, or null if the tangent has another weight there than the force.
+  KeptPoints* part(std::size_t k, const RulePoint& point) const { return point.to == 1 ? parts[k].get() : nullptr; }
+};
+
+std::unique_ptr<KeptPoints> MovedInteraction::create_kept() const {
+  if (fixed_->create_kept() == nullptr) return nullptr;
+  return std::make_unique<Kept>();
+}
+
 bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, double* f) const {
+  return add_force(segment, asked, nullptr, f);
+}
+
+bool MovedInteraction::add_force_and_keep(const Segment& segment, const Rule& asked, KeptPoints& kept,
+                                          double* f) const {
+  auto& parts = static_cast<Kept&>(kept).parts;
   const Rule& rule = fixed_->followed(asked);
+  parts.resize(rule.mean == Mean::Points ? rule.points.size() : 1);
+  for (std::unique_ptr<KeptPoints>& part : parts)
+    if (!part) part = fixed_->create_kept();
+  return add_force(segment, asked, &static_cast<Kept&>(kept), f);
+}
+
+bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, Kept* kept, double* f) const {
+  const Rule& rule = fixed_->followed(asked);
+  const auto add = [&](const Segment& inside, const Rule& own, KeptPoints* part) {
+    return part != nullptr ? fixed_->add_force_and_keep(inside, own, *part, force_.data())
+                           : fixed_->add_force(inside, own, force_.data());
+  };
   bool admissible = true, end_is_seen = false;
+  std::size_t k = 0;
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
-    admissible = fixed_->add_force(here(), end_rule(point.weight), force_.data()) && admissible;
+    KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
+    admissible = add(here(), end_rule(point.weight), part) && admissible;
     frame_.add_moved(pose, pose.angle, force_, f);
     end_is_seen = end_is_seen || is_end(point);
   });
   if (rule.mean != Mean::Points) {
     RigidPose end;
     const double angle = see_ends(segment, end);
-    admissible = fixed_->add_force(ends(), rule, force_.data()) && admissible;
+    admissible = add(ends(), rule, kept != nullptr ? kept->parts[0].get() : nullptr) && admissible;
     frame_.add_moved(end, angle, force_, f);
   } else if (!end_is_seen) {
     // The end must be admissible, too. The weight is 0; a force beyond the law's domain may be no number.
@@ -78,20 +111,36 @@ bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, doub
 }
 
 void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, double* values) const {
+  add_tangent(segment, asked, kind, nullptr, values);
+}
+
+void MovedInteraction::add_kept_tangent(const Segment& segment, const Rule& asked, Tangent kind, const KeptPoints& kept,
+                                        double* values) const {
+  add_tangent(segment, asked, kind, &static_cast<const Kept&>(kept), values);
+}
+
+void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, const Kept* kept,
+                                   double* values) const {
   const Rule& rule = fixed_->followed(asked);
   // The tangent of a turned frame is R_left K R_right^T: the values are turned into the frame and back.
-  const auto add = [&](const RigidPose& pose, double left, double right, const Segment& inside, const Rule& own) {
+  const auto add = [&](const RigidPose& pose, double left, double right, const Segment& inside, const Rule& own,
+                       const KeptPoints* part) {
     if (frame_.turns()) frame_.turn_blocks(pose, left, right, false, values);
-    fixed_->add_tangent(inside, own, kind, values);
+    if (part != nullptr)
+      fixed_->add_kept_tangent(inside, own, kind, *part, values);
+    else
+      fixed_->add_tangent(inside, own, kind, values);
     if (frame_.turns()) frame_.turn_blocks(pose, left, right, true, values);
   };
+  std::size_t k = 0;
   at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
-    add(pose, pose.angle, pose.angle, here(), end_rule(point.weight * point.to));
+    const KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
+    add(pose, pose.angle, pose.angle, here(), end_rule(point.weight * point.to), part);
   });
   if (rule.mean == Mean::Points) return;
   RigidPose end;
   const double angle = see_ends(segment, end);
-  add(end, angle, end.angle, ends(), rule);
+  add(end, angle, end.angle, ends(), rule, kept != nullptr ? kept->parts[0].get() : nullptr);
 }
 
 bool MovedInteraction::add_row_sums(const Segment& segment, double* sums) const {

@@ -28,6 +28,9 @@ class MovedInteraction final : public Interaction {
   void add_nodal_friction(FrictionNumber number, double* sums) const override {
     fixed_->add_nodal_friction(number, sums);
   }
+  void report_friction(const double* u, FrictionReport& report) const override {
+    fixed_->report_friction(seen(u), report);
+  }
   bool is_finite(double time) const override;
   void set_time(double time) const override { time_ = time; }
   double obstacle_work(const Segment& segment, const Rule& rule) const override;
@@ -36,6 +39,12 @@ class MovedInteraction final : public Interaction {
   bool is_gradient(const Rule& rule) const override;
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override;
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override;
+  /// The ends of segments and means are kept as the interaction keeps them. Other points in time are not: their
+  /// tangents have other weights than their forces.
+  std::unique_ptr<KeptPoints> create_kept() const override;
+  bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override;
+  void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
+                        double* values) const override;
   std::unique_ptr<TangentAction> create_action() const override;
   bool add_row_sums(const Segment& segment, double* sums) const override;
   double energy(const double* u) const override;
@@ -66,6 +75,10 @@ class MovedInteraction final : public Interaction {
 
  private:
   class Action;
+  struct Kept;
+  /// `kept`: null if nothing is kept.
+  bool add_force(const Segment& segment, const Rule& rule, Kept* kept, double* f) const;
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, const Kept* kept, double* values) const;
   /// Calls visit(point, pose) for each point of the rule, after it has set to_ to what is seen there.
   template <class Visit>
   void at_points(const Segment& segment, const Rule& rule, const Visit& visit) const {

@@ -86,12 +86,15 @@ std::vector<double> History::single_interactions() const {
   return row;
 }
 
-/// Returns the friction on the bodies of each interaction with friction.
+/// Returns the friction on the bodies, the slip and the measures of each interaction with friction.
 std::vector<double> History::frictions() const {
+  const double* u = simulation_.integrator().state().u.data();
   std::vector<double> row;
   for (const InteractionGroup& own : frictions_) {
-    const std::vector<double> force = own.friction_force(simulation_.integrator().state().u.data());
+    const std::vector<double> force = own.friction_force(u);
+    const FrictionReport report = own.friction_report(u);
     row.insert(row.end(), force.begin(), force.end());
+    row.insert(row.end(), {report.mean_slip(), report.sliding, report.sticking});
   }
   return row;
 }

@@ -89,8 +89,11 @@ HistoryColumns history_columns(const Simulation& simulation) {
       columns.add(path, "min_gap_" + name);
     }
   for (const std::string& name : model.interaction_names())
-    if (model.interaction(name).has_friction())
-      columns.add("Interactions/" + name, "friction_force_" + name + "_", axes);
+    if (model.interaction(name).has_friction()) {
+      const std::string path = "Interactions/" + name;
+      columns.add(path, "friction_force_" + name + "_", axes);
+      for (const char* stem : {"mean_slip_", "sliding_measure_", "sticking_measure_"}) columns.add(path, stem + name);
+    }
   for (const std::string& source : model.dissipation_names()) columns.add(list_of(source), dissipation_column(source));
   return {columns.names(), reactions};
 }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/error.hpp"
@@ -86,11 +87,10 @@ class BranchPoints {
   template <std::size_t C>
   void add_moduli(std::size_t b, std::size_t q, const Gradient& h, const Steps& steps, const Pack& weight,
                   Small<Pack, C>& moduli) const {
-    const Strain strain(in_space(h));
-    BranchModuli<Components, Pack> sum;
-    for (std::size_t n = 0; n < branches_.size(); ++n)
-      sum.add(branches_[n].modulus, strain, Branch(strain, history(b, q, n), steps[n]));
-    sum.add_to(weight, strain, moduli);
+    if constexpr (std::is_same_v<Components, PlaneComponents>)
+      add_moduli_without_calls(b, q, h, steps, weight, moduli);
+    else
+      add_moduli_at(b, q, h, steps, weight, moduli);
   }
 
   /// Accepts a step of length dt between two displacement gradients; `force` are the steps of its force. Returns the
@@ -133,6 +133,23 @@ class BranchPoints {
   }
 
  private:
+  template <std::size_t C>
+  [[gnu::always_inline]] void add_moduli_at(std::size_t b, std::size_t q, const Gradient& h, const Steps& steps,
+                                            const Pack& weight, Small<Pack, C>& moduli) const {
+    const Strain strain(in_space(h));
+    BranchModuli<Components, Pack> sum;
+    for (std::size_t n = 0; n < branches_.size(); ++n)
+      sum.add(branches_[n].modulus, strain, Branch(strain, history(b, q, n), steps[n]));
+    sum.add_to(weight, strain, moduli);
+  }
+  /// Does the same with all calls inline. In a plane they would cost as much as the few components, in space they spare
+  /// registers.
+  template <std::size_t C>
+  [[gnu::flatten]] void add_moduli_without_calls(std::size_t b, std::size_t q, const Gradient& h, const Steps& steps,
+                                                 const Pack& weight, Small<Pack, C>& moduli) const {
+    add_moduli_at(b, q, h, steps, weight, moduli);
+  }
+
   /// Returns the factors of Cb - Ci at the start, and of the change of Cb, in the local error of Ci; x = dt/tau.
   static std::array<double, 2> error_factors(double x, HistoryUpdate update) {
     const double decay = std::exp(-x), ramp = -std::expm1(-x) / x;

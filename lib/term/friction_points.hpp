@@ -78,6 +78,8 @@ class FrictionPoints {
   /// threshold [E0/L0].
   Pack largest_stiffness(std::size_t b, std::size_t q, const Vector& u) const;
   Pack number(std::size_t b, std::size_t q, FrictionNumber number) const { return stored_(b, q, place_of(number)); }
+  /// Adds the report on u.
+  void report(const double* u, FrictionReport& report) const;
 
   /// Returns a nodal array's vector at a quadrature point.
   Vector at(std::size_t q, const typename Sides::Vectors& nodal) const { return first(sides_.interpolate(q, nodal)); }

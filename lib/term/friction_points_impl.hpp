@@ -190,4 +190,27 @@ Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vec
   return work;
 }
 
+template <class SideElement>
+void FrictionPoints<SideElement>::report(const double* u, FrictionReport& report) const {
+  Pack acting = 0.0, sliding = 0.0, sticking = 0.0, slip = 0.0;
+  for (std::size_t b = 0; b < sides_.size(); ++b) {
+    const auto nodal = sides_.change_of(b, u);
+    for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+      const Pack gap = obstacle_->gap(place(b, q, at(q, nodal)));
+      const auto near = gap < law_.cutoff() && law_.threshold(gap) > 0.0;
+      // Where the interaction's factor is zero, so is the measure.
+      const Pack area = select(sides_.measure(b)[q] > 0.0, Pack(sides_.owned(b) * sides_.area(b)[q]), Pack(0.0));
+      const Pack acts = select(near, area, Pack(0.0)), slides = number(b, q, FrictionNumber::Sliding);
+      acting += acts;
+      sliding += area * slides;
+      sticking += acts * (1.0 - slides);
+      slip += acts * number(b, q, FrictionNumber::Slip);
+    }
+  }
+  report.acting += total(acting);
+  report.sliding += total(sliding);
+  report.sticking += total(sticking);
+  report.slip += total(slip);
+}
+
 }  // namespace ixos

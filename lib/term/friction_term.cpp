@@ -166,6 +166,8 @@ class FrictionTerm final : public Interaction {
     }
   }
 
+  void report_friction(const double* u, FrictionReport& report) const override { points_.report(u, report); }
+
  private:
   /// Nodal displacements of one batch at the ends of the segment.
   struct Ends {

@@ -35,9 +35,22 @@ struct LowestPoint {
   std::array<double, 3> place{};                         ///< deformed [L0]; the third is 0 in two dimensions
 };
 
-/// A number that friction keeps at each point: the length of the slip so far [L0], the work dissipated per reference area [E0
-/// L0] before the interaction's factor scales it, and whether it slid in the last step, 1 or 0.
+/// A number that friction keeps at each point: the length of the slip so far [L0], the work dissipated per reference
+/// area [E0 L0] before the interaction's factor scales it, and whether it slid in the last step, 1 or 0.
 enum class FrictionNumber { Slip, Dissipated, Sliding };
+
+/// This rank's share of how surfaces slide along their obstacles. Sums over ranks give the whole. Friction acts where
+/// the gap is below its g_cut and its threshold is greater than zero. Measures are reference lengths or areas
+/// [L0^(D-1)].
+struct FrictionReport {
+  double acting = 0;    ///< measure on which friction acts
+  double sliding = 0;   ///< measure that slid in the last step
+  double sticking = 0;  ///< measure on which friction acts and that did not slide in the last step
+  double slip = 0;      ///< integral of the slip so far over the measure on which friction acts [L0^D]
+
+  /// Returns the mean of the slip over the measure on which friction acts [L0]; 0 if it acts nowhere.
+  double mean_slip() const { return acting > 0 ? slip / acting : 0.0; }
+};
 
 /// Sides of cells: local block, cell and side.
 using CountedSides = std::set<std::array<int, 3>>;
@@ -116,6 +129,9 @@ class Interaction : public ForceTerm {
   /// no sum of points it is the change of the interaction's energy less the force's work on the body. Otherwise it is
   /// the power of the forces at the rule's points, summed with the weights, times the length of the segment.
   virtual double obstacle_work(const Segment& /*segment*/, const Rule& /*rule*/) const { return 0; }
+
+  /// Adds the report of friction on u, if the force is friction.
+  virtual void report_friction(const double* /*u*/, FrictionReport& /*report*/) const {}
 };
 
 }  // namespace ixos

@@ -23,6 +23,10 @@ BEND = ["Mesh/Spatula/Target Cells=4000", FINAL + "0", "Boundary Conditions/Bend
         "Boundary Conditions/Bend/Components=z", "Boundary Conditions/Bend/History=Bend", "Output/Reactions={tip}"]
 RATE_PEEL = ["Mesh/Box/Lengths={40, 2}", "Mesh/Box/Divisions={80, 4}",
              "Output/Probes/end/Point={40, 1.254709287789268}", FINAL + "1000"]
+FILM_FRICTION = ["Interactions/Wall/Friction/" + setting
+                 for setting in ("Type=Constant Stress", "Stress=0.003", "Stiffness=1.5")]
+BALL_ON_WALL = ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
+BALL_BRANCH = ["Materials/Ball/Maxwell Branches/" + setting for setting in ("Relaxation Times={3}", "Moduli={0.3}")]
 ROUGH = ["Mesh/Box/Divisions={6, 6, 2}", FINAL + "1"]
 SCANNED = ["Interactions/Sample/Obstacle=Height Field", "Interactions/Sample/Height Field/File=afm-rough.gsf",
            "Interactions/Sample/Height Field/Periodic=true"]
@@ -99,10 +103,12 @@ def scene_forms(schemes):
     yield "afm-rough", "afm-rough", ROUGH
     yield "afm-rough, scanned", "afm-rough", [*ROUGH, *SCANNED]
     yield "film-peel", "film-peel", [FINAL + "2"]
+    yield "film-peel, friction", "film-peel", [FINAL + "12", *FILM_FRICTION]
     yield "rate-peel", "rate-peel", RATE_PEEL
     yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
     yield "spring-block", "spring-block", [FINAL + "0.5"]
-    yield "restitution", "restitution", ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
+    yield "restitution", "restitution", BALL_ON_WALL
+    yield "restitution, Maxwell branch", "restitution", [*BALL_ON_WALL, *BALL_BRANCH]
     yield "sphere-hysteresis", "sphere-hysteresis", ["Mesh/Box/Divisions={46, 11}", FINAL + "20"]
 
 

@@ -100,7 +100,41 @@ TEST(FrictionFieldsTest, AUniformSlideAlongAPlaneIsExact) {
           EXPECT_NEAR(slides[node], 1, 1e-13);
         });
         EXPECT_NEAR(group.friction_force(u.data())[0], -3 * factor * stress, 1e-14);
+        const FrictionReport report = group.friction_report(u.data());
+        EXPECT_NEAR(report.acting, 3, 1e-13);
+        EXPECT_NEAR(report.sliding, 3, 1e-13);
+        EXPECT_EQ(report.sticking, 0);
+        EXPECT_NEAR(report.mean_slip(), slid, 1e-13);
       }
+}
+
+// The places x < 1.5 stay, those beyond 2 slide, and the slip is linear between.
+TEST(FrictionFieldsTest, APartOfTheSurfaceSlides) {
+  const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1);
+  const std::vector<double> u = slide(*model, [](double x) { return x > 1.75 ? way : 0; });
+  const FrictionReport report = model->interaction("Wall").friction_report(u.data());
+  const double spring = stress / stiffness;  // 0.015 of the way: no point of the cell between sticks
+  EXPECT_NEAR(report.sliding, 1.5, 1e-13);
+  EXPECT_NEAR(report.sticking, 1.5, 1e-13);
+  EXPECT_NEAR(report.acting, 3, 1e-13);
+  EXPECT_NEAR(report.mean_slip(), (1.0 * (way - spring) + 0.5 * (way / 2 - spring)) / 3, 1e-13);
+}
+
+// The slip stays where it is, but friction does not act on a surface that is lifted, nor where the factor is zero.
+TEST(FrictionFieldsTest, FrictionDoesNotActOnASurfaceThatIsApart) {
+  for (const bool lifted : {true, false}) {
+    const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, lifted ? 1 : 0);
+    std::vector<double> from = slide(*model, [](double) { return way; }), to = from;
+    for (std::size_t k = 1; lifted && k < to.size(); k += 2) to[k] += 2;
+    for (int n = 0; n < 2; ++n) {
+      model->begin_step({from.data()}, 0, 1);
+      model->accept({{{from.data()}, {to.data()}}, nullptr, 1});
+      from = to;
+    }
+    const FrictionReport report = model->interaction("Wall").friction_report(to.data());
+    for (const double value : {report.acting, report.sliding, report.sticking, report.mean_slip()})
+      EXPECT_EQ(value, 0) << lifted;
+  }
 }
 
 // A surface that sticks has a spring's traction, and no slip.
@@ -112,6 +146,10 @@ TEST(FrictionFieldsTest, ASurfaceThatSticksDoesNotSlide) {
   for_each_node(*model, [&](std::size_t node) { EXPECT_NEAR(traction[2 * node], -0.5 * stress, 1e-15); });
   for (const FrictionNumber number : {FrictionNumber::Slip, FrictionNumber::Dissipated, FrictionNumber::Sliding})
     for (double value : group.friction(number)) EXPECT_EQ(value, 0);
+  const FrictionReport report = group.friction_report(u.data());
+  EXPECT_NEAR(report.sticking, 3, 1e-13);
+  EXPECT_EQ(report.sliding, 0);
+  EXPECT_EQ(report.mean_slip(), 0);
 }
 
 // The traction turns with the sphere. Nodal means differ from the values at the node by the angle over a side, 0.01.

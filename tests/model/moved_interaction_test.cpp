@@ -6,6 +6,7 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "support/comparison.hpp"
 #include "support/solids.hpp"
 #include "term/surface_terms.hpp"
 
@@ -175,6 +176,52 @@ TEST(MovedInteractionTest, TangentsAreDerivativesOfForces) {
         std::vector<double> z(to.size(), 0.0), diagonal(to.size(), 0.0);
         action->add_product(x.data(), z.data());
         for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR(z[k], y[k], 1e-11);
+      }
+    }
+}
+
+/// Returns the values of the tangent, what was kept if there is some.
+std::vector<double> tangent(const Model& model, const Interaction& term, const Segment& segment, const Rule& rule,
+                            Tangent kind, const KeptPoints* kept) {
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.7);
+  if (kept != nullptr)
+    term.add_kept_tangent(segment, rule, kind, *kept, values.data());
+  else
+    term.add_tangent(segment, rule, kind, values.data());
+  return values;
+}
+
+// One place serves several rules, as it does for the stages of a scheme. Another displacement shows what is kept: the
+// ends of segments and the mean, not other points in time.
+TEST(MovedInteractionTest, KeptTangentsAreThoseOfTheForce) {
+  for (const auto& [dimension, element] : bodies)
+    for (const bool turns : {false, true}) {
+      const auto model = test::box_with_contact(dimension, element);
+      const RigidMotion way = motion(dimension, turns);
+      const std::vector<double> from = test::smooth_field(*model, 0.02), to = test::smooth_field(*model, -0.03);
+      const Segment segment{from.data(), nullptr, to.data(), 0.5, 0.8},
+          other{to.data(), nullptr, from.data(), 0.5, 0.8};
+      for (const auto& term : terms(*model, flat_wall({}), &way)) EXPECT_EQ(term->create_kept(), nullptr);
+      for (const auto& term : terms(*model, sphere(dimension), &way)) {
+        const auto kept = term->create_kept();
+        ASSERT_NE(kept, nullptr);
+        for (const Rule& rule : {gauss_rule(3), end_rule(0.7), exact_rule(), gauss_rule(2), end_rule()}) {
+          std::vector<double> f(to.size(), 0.0), g = f;
+          EXPECT_TRUE(term->add_force_and_keep(segment, rule, *kept, f.data()));
+          EXPECT_TRUE(term->add_force(segment, rule, g.data()));
+          EXPECT_EQ(f, g);
+          const auto values = [&](const Segment& at, Tangent kind, bool is_kept) {
+            return tangent(*model, *term, at, rule, kind, is_kept ? kept.get() : nullptr);
+          };
+          for (const Tangent kind : {Tangent::Exact, Tangent::Convex})
+            EXPECT_LT(test::distance(values(segment, kind, true), values(segment, kind, false)), 1e-13);
+          if (turns ||
+              test::distance(values(segment, Tangent::Exact, false), values(other, Tangent::Exact, false)) < 1e-6)
+            continue;  // the rank has no sides
+          const bool is_kept = rule.mean == Mean::Exact || rule.has_end();
+          EXPECT_EQ(values(other, Tangent::Exact, true) == values(segment, Tangent::Exact, true), is_kept);
+        }
       }
     }
 }

@@ -98,7 +98,9 @@ class UnitsTest(ScriptTest):
         for column, expected in (("contact_force_Upper wall_x", "force"), ("contact_moment_Wall_z", "moment"),
                                  ("contact_measure_Wall", "measure"), ("min_gap_Wall", "length"),
                                  ("moment_Jaw_z", "moment"), ("friction_force_Wall_x", "force"),
-                                 ("dissipated_friction_of_Wall", "energy"), ("dissipated_damping", "energy"), ("contact_force_y", "force"), ("P_ux", "length"),
+                                 ("mean_slip_Upper wall", "length"), ("sliding_measure_Wall", "measure"),
+                                 ("sticking_measure_Wall", "measure"), ("dissipated_friction_of_Wall", "energy"),
+                                 ("dissipated_damping", "energy"), ("contact_force_y", "force"), ("P_ux", "length"),
                                  ("angular_momentum_z", "angular momentum"), ("newton_iterations", None)):
             self.assertEqual(quantity(column), expected, column)
         self.assertEqual([units.name("moment", dimension) for dimension in (2, 3)], ["E₀ L₀²", "E₀ L₀³"])

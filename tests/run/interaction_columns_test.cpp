@@ -128,8 +128,36 @@ TEST_F(InteractionColumnsTest, EachSourceOfDissipationHasAColumnOfItsOwn) {
                                       "friction of Upper wall"}));
   for (const char* column :
        {"dissipated_energy", "dissipated_damping", "dissipated_damage_of_damping", "dissipated_friction_of_damping",
-        "dissipated_damage_of_energy", "dissipated_friction_of_Upper wall", "friction_force_Upper wall_y"})
+        "dissipated_damage_of_energy", "dissipated_friction_of_Upper wall", "friction_force_Upper wall_y",
+        "mean_slip_damping", "sliding_measure_Upper wall", "sticking_measure_Upper wall"})
     EXPECT_EQ(std::count(history.names().begin(), history.names().end(), column), 1) << column;
+}
+
+// A block of 2 by 1 L0 is dragged by 0.1 t^2: it sticks up to tau/eps = 4e-4, then slides as a whole.
+TEST_F(InteractionColumnsTest, SlipAndWhatSlidesHaveColumns) {
+  const double spring = 0.02 / 50;
+  const auto held = [](const std::string& name, const std::string& axis, const std::string& more) {
+    return list(name, word("Node Set", "all") + word("Components", axis) + more);
+  };
+  const HistoryTable history = run_scene(
+      list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {4, 2})) +
+                       list("Sets", list("all", word("Kind", "Nodes")))) +
+      list("Materials", list("Rubber", number("Density", 1))) +
+      list("Interactions",
+           list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.25}) +
+                            list("Friction", word("Type", "Constant Stress") + number("Stress", 0.02)))) +
+      list("Histories", test::expression("Drag", "0.1*t^2", "0.2*t", "0.2")) +
+      list("Boundary Conditions", held("Drag", "x", word("History", "Drag")) + held("Guide", "y", "")) +
+      test::time_integrator("Static", 0.05, 0.5));
+  const auto time = history.column("time"), slip = history.column("mean_slip_Wall"),
+             sliding = history.column("sliding_measure_Wall"), sticking = history.column("sticking_measure_Wall");
+  ASSERT_EQ(time.size(), 11U);
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const double way = 0.1 * time[k] * time[k];
+    EXPECT_NEAR(slip[k], std::max(way - spring, 0.0), 1e-12) << time[k];
+    EXPECT_NEAR(sliding[k], way > spring ? 2 : 0, 1e-12) << time[k];
+    EXPECT_NEAR(sticking[k], way > spring ? 0 : 2, 1e-12) << time[k];
+  }
 }
 
 // The mesh may come from a program, with any name of a block.

@@ -69,7 +69,6 @@ elsewhere = {
     "mesh/distributed_cells.hpp": ("mesh/distributed_mesh_test.cpp", "the cells and sides of each rank's part"),
     "mesh/enrichment/contact_nodes.hpp": ("mesh/enrichment/enrich_test.cpp", "the steps of enrich()"),
     "mesh/generators/spatula_pad.hpp": ("mesh/generators/spatula_parts_test.cpp", "the pad's outline and faces"),
-    "mesh/meridian.hpp": ("model/axis_test.cpp", "nodes beyond the axis are refused"),
     "mesh/mesh.hpp": ("mesh/generators/generators_test.cpp", "mostly data; numbers of cells and nodes"),
     "mesh/partition.hpp": ("mesh/local_mesh_test.cpp", "PartitionNodesTest"),
     "mesh/selection.hpp": ("mesh/enrichment/enrich_test.cpp", "SelectionTest"),

@@ -6,7 +6,8 @@
 Each block of C++ in docs/developer-guide.md must stand, apart from white space, in a source file of tests/guide, which
 the suite compiles and tests, or of lib. Each block of C++ in docs/embedding.md, docs/embedding-evaluator.md and
 docs/embedding-stepping.md must stand in a program of docs/examples/programs. Each block of XML in docs/user-guide.md
-must stand in a scene of tests/guide.
+must stand in a scene of tests/guide. docs/user-guide.md and docs/cookbook/README.md must link to each page of
+docs/cookbook.
 """
 import re
 import sys
@@ -36,11 +37,26 @@ def find_missing_code(page, sources):
     return len(blocks), [block for block in blocks if not any(squeeze(block) in text for text in code)]
 
 
+def find_unlinked_pages():
+    """Yields a message for each page of the cookbook to which the guide or the cookbook's contents do not link."""
+    pages = sorted((ROOT / "docs/cookbook").glob("*/*.md"))
+    if not pages:
+        sys.exit("docs/cookbook has no pages: is the pattern out of date?")
+    for source in ("docs/user-guide.md", "docs/cookbook/README.md"):
+        text = (ROOT / source).read_text(encoding="utf-8")
+        for page in pages:
+            if f"]({page.relative_to((ROOT / source).parent)})" not in text:
+                yield f"{source}: it has no link to {page.relative_to(ROOT)}"
+
+
 def main():
     scenes = find_untested_scenes()
     for block in scenes:
         print("docs/user-guide.md: this scene is in no file of tests/guide:\n" + block)
-    wrong = len(scenes)
+    unlinked = list(find_unlinked_pages())
+    for problem in unlinked:
+        print(problem)
+    wrong = len(scenes) + len(unlinked)
     programs = list((ROOT / "docs/examples/programs").glob("*.cpp"))
     for page, where, sources in (
             ("docs/developer-guide.md", "tests/guide or lib",
