@@ -159,6 +159,7 @@ Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vec
   const auto positive = [](const Pack& x) { return select(x > 0.0, x, Pack(0.0)); };
   const auto length = [](const Vector& x) { return Pack(std::experimental::sqrt(inner(x, x))); };
   Pack work, plastic_slip;
+  Pack least = creep_length_;  // smoothed friction slides fully beyond its creep
   Vector traction;
   if (is_smoothed()) {
     const SmoothedSlip<Pack, D> potential(creep_length_, threshold);
@@ -171,6 +172,7 @@ Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vec
     plastic_slip = positive(length(slip) - radius);
     work = threshold * plastic_slip + 0.5 * stiffness * excess * excess;
     traction = potential.at(slip, {}).traction;
+    least = 1e-10 * radius;  // a surface that comes to rest slides by rounding
   }
   plastic_slip = select(threshold > 0.0, plastic_slip, Pack(0.0));  // a surface that is apart does not slide
   const Pack size = length(traction), drop = positive(size - end_threshold);
@@ -184,9 +186,7 @@ Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vec
   for (std::size_t i = 0; i < D; ++i) stored_(b, q, i) = traction[i] - turn * (start.normal[i] + end.normal[i]);
   stored_(b, q, place_of(FrictionNumber::Slip)) += plastic_slip;
   stored_(b, q, place_of(FrictionNumber::Dissipated)) += work;
-  // Smoothed friction slides fully beyond its creep.
-  stored_(b, q, place_of(FrictionNumber::Sliding)) =
-      select(plastic_slip > (is_smoothed() ? creep_length_ : 0.0), Pack(1.0), Pack(0.0));
+  stored_(b, q, place_of(FrictionNumber::Sliding)) = select(plastic_slip > least, Pack(1.0), Pack(0.0));
   return work;
 }
 

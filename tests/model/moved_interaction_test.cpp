@@ -210,12 +210,12 @@ TEST(MovedInteractionTest, KeptTangentsAreThoseOfTheForce) {
           std::vector<double> f(to.size(), 0.0), g = f;
           EXPECT_TRUE(term->add_force_and_keep(segment, rule, *kept, f.data()));
           EXPECT_TRUE(term->add_force(segment, rule, g.data()));
-          EXPECT_EQ(f, g);
+          EXPECT_LT(test::distance(f, g), 1e-13);
           const auto values = [&](const Segment& at, Tangent kind, bool is_kept) {
             return tangent(*model, *term, at, rule, kind, is_kept ? kept.get() : nullptr);
           };
           for (const Tangent kind : {Tangent::Exact, Tangent::Convex})
-            EXPECT_LT(test::distance(values(segment, kind, true), values(segment, kind, false)), 1e-13);
+            EXPECT_LT(test::distance(values(segment, kind, true), values(segment, kind, false)), 1e-11);
           if (turns ||
               test::distance(values(segment, Tangent::Exact, false), values(other, Tangent::Exact, false)) < 1e-6)
             continue;  // the rank has no sides

@@ -146,17 +146,18 @@ TEST_F(InteractionColumnsTest, SlipAndWhatSlidesHaveColumns) {
       list("Interactions",
            list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.25}) +
                             list("Friction", word("Type", "Constant Stress") + number("Stress", 0.02)))) +
-      list("Histories", test::expression("Drag", "0.1*t^2", "0.2*t", "0.2")) +
+      list("Histories", test::expression("Drag", "0.1*min(t, 0.5)^2", "t > 0.5 ? 0 : 0.2*t", "t > 0.5 ? 0 : 0.2")) +
       list("Boundary Conditions", held("Drag", "x", word("History", "Drag")) + held("Guide", "y", "")) +
-      test::time_integrator("Static", 0.05, 0.5));
+      test::time_integrator("Static", 0.05, 0.7));
   const auto time = history.column("time"), slip = history.column("mean_slip_Wall"),
              sliding = history.column("sliding_measure_Wall"), sticking = history.column("sticking_measure_Wall");
-  ASSERT_EQ(time.size(), 11U);
+  ASSERT_EQ(time.size(), 15U);
   for (std::size_t k = 0; k < time.size(); ++k) {
-    const double way = 0.1 * time[k] * time[k];
+    const double way = 0.1 * std::pow(std::min(time[k], 0.5), 2);
+    const bool slides = way > spring && k <= 10;  // then it is held
     EXPECT_NEAR(slip[k], std::max(way - spring, 0.0), 1e-12) << time[k];
-    EXPECT_NEAR(sliding[k], way > spring ? 2 : 0, 1e-12) << time[k];
-    EXPECT_NEAR(sticking[k], way > spring ? 0 : 2, 1e-12) << time[k];
+    EXPECT_NEAR(sliding[k], slides ? 2 : 0, 1e-12) << time[k];
+    EXPECT_NEAR(sticking[k], slides ? 0 : 2, 1e-12) << time[k];
   }
 }
 
