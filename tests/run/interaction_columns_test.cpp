@@ -146,14 +146,17 @@ TEST_F(InteractionColumnsTest, SlipAndWhatSlidesHaveColumns) {
       list("Interactions",
            list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.25}) +
                             list("Friction", word("Type", "Constant Stress") + number("Stress", 0.02)))) +
-      list("Histories", test::expression("Drag", "0.1*min(t, 0.5)^2", "t > 0.5 ? 0 : 0.2*t", "t > 0.5 ? 0 : 0.2")) +
+      list("Histories",
+           list("Drag", word("Type", "Ramp") +
+                            list("Ramp", number("Value", 0.025) + number("Length", 0.5) + word("Shape", "Quintic")))) +
       list("Boundary Conditions", held("Drag", "x", word("History", "Drag")) + held("Guide", "y", "")) +
       test::time_integrator("Static", 0.05, 0.7));
   const auto time = history.column("time"), slip = history.column("mean_slip_Wall"),
              sliding = history.column("sliding_measure_Wall"), sticking = history.column("sticking_measure_Wall");
   ASSERT_EQ(time.size(), 15U);
   for (std::size_t k = 0; k < time.size(); ++k) {
-    const double way = 0.1 * std::pow(std::min(time[k], 0.5), 2);
+    const double part = std::min(time[k] / 0.5, 1.0);
+    const double way = 0.025 * std::pow(part, 3) * (10 - 15 * part + 6 * part * part);
     const bool slides = way > spring && k <= 10;  // then it is held
     EXPECT_NEAR(slip[k], std::max(way - spring, 0.0), 1e-12) << time[k];
     EXPECT_NEAR(sliding[k], slides ? 2 : 0, 1e-12) << time[k];
