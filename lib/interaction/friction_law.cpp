@@ -81,6 +81,8 @@ Pack FrictionLaw::threshold(const Pack& gap) const {
   return select(excess > 0.0, Pack(friction_.coefficient * excess), Pack(0.0));
 }
 
+double FrictionLaw::threshold_at(double gap) const { return threshold(gap)[0]; }
+
 Pack FrictionLaw::slope(const Pack& gap) const {
   if (friction_.type == FrictionType::ConstantStress) {
     if (friction_.sharpness == 0) return 0.0;

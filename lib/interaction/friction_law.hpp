@@ -41,6 +41,8 @@ class FrictionLaw {
   /// Returns T_s at a gap [E0], and its derivative [E0/L0]. 0 where the gap is no number or infinite.
   Pack threshold(const Pack& gap) const;
   Pack slope(const Pack& gap) const;
+  /// Returns the threshold at one gap [E0]. Callers need not know the width of a Pack.
+  double threshold_at(double gap) const;
 
  private:
   /// Throws InputError if the law does not fit.

@@ -57,7 +57,7 @@ const Options<Friction>& friction_options() {
 std::string friction_in_words(const Friction& friction, const std::shared_ptr<const GapLaw>& law) {
   if (friction.type == FrictionType::None) return "";
   const FrictionLaw threshold(friction, law);
-  const double equilibrium = law->equilibrium_gap(), at_rest = threshold.threshold(equilibrium)[0];
+  const double equilibrium = law->equilibrium_gap(), at_rest = threshold.threshold_at(equilibrium);
   std::string text =
       friction.type == FrictionType::ConstantStress
           ? fmt::format("  Friction: {}, threshold {:.6g} E0", constant, friction.stress)

@@ -49,6 +49,7 @@ TEST(FrictionLawTest, AConstantStressEndsAtTheCutoff) {
   const FrictionLaw hard(constant(0.02), law);
   EXPECT_EQ(hard.threshold(0.1)[0], 0.02);
   EXPECT_EQ(hard.threshold(0.3)[0], 0.02);
+  EXPECT_EQ(hard.threshold_at(0.3), 0.02);
   EXPECT_EQ(hard.threshold(0.31)[0], 0);
   const FrictionLaw smooth(constant(0.02, 100), law);
   EXPECT_EQ(smooth.threshold(smooth.cutoff())[0], 0.01);
