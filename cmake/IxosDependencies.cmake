@@ -11,6 +11,8 @@ find_package(EXPAT REQUIRED)
 find_library(IXOS_METIS metis REQUIRED)
 find_library(IXOS_MUPARSER muparser REQUIRED)
 find_library(IXOS_EXODUS exoIIv2c REQUIRED)
+# The netCDF that libexodus itself holds; a second one beside it would take its calls.
+find_library(IXOS_NETCDF NAMES netcdf_mpi libnetcdf_mpi.so.19 REQUIRED)
 find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_XXHASH xxhash REQUIRED)
 # Headers only, in a system directory.
