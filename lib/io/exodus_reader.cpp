@@ -69,7 +69,7 @@ class Reader {
     if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > most_ ||
         header_.num_elem > most_)
       refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
-    check_exodus_shapes(file_, path(), header_, most_);
+    check_exodus_shapes(file_, header_, most_);
     mesh_.dimension = static_cast<int>(header_.num_dim);
     read_coordinates();
     read_block_headers();
@@ -157,7 +157,7 @@ class Reader {
 
   void read_blocks() {
     std::vector<std::string> left_out;
-    check_exodus_cells(file_, path(), static_cast<int64_t>(blocks_.size()));
+    check_exodus_cells(file_, static_cast<int64_t>(blocks_.size()));
     for (const ExodusBlock& block : blocks_) {
       const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
       ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};

@@ -4,6 +4,7 @@
 #include <netcdf.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -12,7 +13,7 @@ namespace ixos {
 namespace {
 
 /// Checks a variable, if the file has it.
-void check_shape(int file, const std::string& path, const std::string& name, const std::vector<std::string>& expected) {
+void check_shape(const ExodusHandle& file, const std::string& name, const std::vector<std::string>& expected) {
   int variable = 0, count = 0;
   if (nc_inq_varid(file, name.c_str(), &variable) != NC_NOERR) return;
   bool same = nc_inq_varndims(file, variable, &count) == NC_NOERR && static_cast<std::size_t>(count) == expected.size();
@@ -23,15 +24,15 @@ void check_shape(int file, const std::string& path, const std::string& name, con
     same = nc_inq_dimid(file, expected[i].c_str(), &dimension) == NC_NOERR && dimension == dimensions[i];
   }
   if (!same)
-    throw InputError(fmt::format("{}: is damaged: \"{}\" has not the dimension{} {}", path, name,
+    throw InputError(fmt::format("{}: is damaged: \"{}\" has not the dimension{} {}", file.path(), name,
                                  expected.size() == 1 ? "" : "s", fmt::join(expected, " and ")));
 }
 
 }  // namespace
 
-void check_exodus_shapes(int file, const std::string& path, const ex_init_params& header, int64_t most) {
+void check_exodus_shapes(const ExodusHandle& file, const ex_init_params& header, int64_t most) {
   const auto check = [&](const std::string& name, const std::string& dimension) {
-    check_shape(file, path, name, {dimension});
+    check_shape(file, name, {dimension});
   };
   for (const char* axis : {"coordx", "coordy", "coordz"}) check(axis, "num_nodes");
   check("node_num_map", "num_nodes");
@@ -47,9 +48,9 @@ void check_exodus_shapes(int file, const std::string& path, const ex_init_params
     for (const char* part : {"elem", "side"}) check(fmt::format("{}_ss{}", part, k), fmt::format("num_side_ss{}", k));
 }
 
-void check_exodus_cells(int file, const std::string& path, int64_t blocks) {
+void check_exodus_cells(const ExodusHandle& file, int64_t blocks) {
   for (int64_t k = 1; k <= blocks; ++k)
-    check_shape(file, path, fmt::format("connect{}", k),
+    check_shape(file, fmt::format("connect{}", k),
                 {fmt::format("num_el_in_blk{}", k), fmt::format("num_nod_per_el{}", k)});
 }
 
