@@ -86,6 +86,8 @@ class Fields:
     def _outline(self, whole):
         """The nodes around a whole cell. The first side of its pieces is the enriched one, the third its opposite."""
         cells = self.cells[whole]
+        if cells.shape[1] == 9:  # with the middles of its sides
+            return cells[0, [0, 4, 1, 5, 2, 6, 3, 7]]
         return cells[0] if len(cells) == 1 else np.concatenate([cells[:, 0], cells[-1, 1:3], cells[::-1, 3]])
 
     def nearest_frame(self, time):

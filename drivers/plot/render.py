@@ -9,7 +9,7 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (the renderer itself)
 from matplotlib import colormaps
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON, vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
@@ -21,6 +21,8 @@ from results import ResultsError
 SIZE = (1600, 1200)
 LINES = (0.25, 0.25, 0.25)
 VIEW = (0.6, -1.0, 0.4)  # from the body to the eye
+# VTK's order of the 27 nodes of a quadratic hexahedron by Exodus' order: corners, edges, faces, the centre.
+VTK_ORDER = [*range(12), *range(16, 20), *range(12, 16), 23, 24, 25, 26, 21, 22, 20]
 
 
 def require_screen():
@@ -48,8 +50,10 @@ def body(fields, frame, values, colors):
     grid = vtkUnstructuredGrid()
     grid.SetPoints(points)
     cells = vtkCellArray()
-    cells.SetData(8, numpy_to_vtkIdTypeArray(fields.cells.ravel(), deep=True))
-    grid.SetCells(VTK_HEXAHEDRON, cells)
+    quadratic = fields.cells.shape[1] == 27
+    nodes = fields.cells[:, VTK_ORDER] if quadratic else fields.cells
+    cells.SetData(nodes.shape[1], numpy_to_vtkIdTypeArray(nodes.ravel(), deep=True))
+    grid.SetCells(VTK_TRIQUADRATIC_HEXAHEDRON if quadratic else VTK_HEXAHEDRON, cells)
     grid.GetCellData().SetScalars(numpy_to_vtk(values, deep=True))
     surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)

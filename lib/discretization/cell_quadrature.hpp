@@ -9,13 +9,14 @@
 namespace ixos {
 
 /// Returns the Gauss points along each direction. For an enriched element the block gives the number along the contact
-/// side; other elements take `points` in every direction. 0 stands for the element's own number.
+/// side; linear elements take `points` in every direction, quadratic ones one more. 0 stands for the element's own
+/// number.
 template <class Element>
 std::array<int, Element::dimension> cell_points(const LocalBlock& block, int points) {
   std::array<int, Element::dimension> counts = Element::default_points;
-  const bool enriched = Element::nodes != 1 << Element::dimension;
+  const bool enriched = is_enriched(block.type);
   for (std::size_t d = 0; enriched && block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
-  if (!enriched && points > 0) counts.fill(points);
+  if (!enriched && points > 0) counts.fill(is_quadratic(block.type) ? points + 1 : points);
   return counts;
 }
 

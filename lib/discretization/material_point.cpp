@@ -23,18 +23,18 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   const int* nodes = &block.nodes[cell_entry(cell, N)];
-  constexpr std::size_t corner_count = std::size_t{1} << D;
+  const std::size_t places = is_enriched(block.type) ? std::size_t{1} << D : N;  // the others may be derivatives
   std::array<double, D> low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());
-  for (std::size_t a = 0; a < corner_count; ++a)
+  for (std::size_t a = 0; a < places; ++a)
     for (std::size_t i = 0; i < D; ++i) {
       const double value = mesh.coordinates[static_cast<std::size_t>(nodes[a]) * D + i];
       low[i] = std::min(low[i], value);
       high[i] = std::max(high[i], value);
     }
   for (std::size_t i = 0; i < D; ++i) {
-    const double slack = 0.2 * (high[i] - low[i]);  // an enriched side may bulge
+    const double slack = 0.2 * (high[i] - low[i]);  // a side that is not straight may bulge
     if (x[i] < low[i] - slack || x[i] > high[i] + slack) return false;
   }
 

@@ -9,6 +9,26 @@
 
 namespace ixos {
 
+/// The layout of the data that ElasticAction keeps, the same for all elements of D dimensions: lambda times the weight
+/// of each time point (those of the rule, and one for the undeformed body if that counts), and whether a mass is
+/// included.
+template <std::size_t D>
+struct ElasticLayout {
+  static constexpr std::size_t metric_size = D * (D + 1) / 2;
+  static constexpr std::size_t time_point_size = D * D + 1;
+
+  ElasticLayout() = default;
+  template <class Material>
+  ElasticLayout(const Material& material, const Rule& rule, double rest, double inertia) : has_mass(inertia != 0) {
+    for (const RulePoint& time : rule.points) volume_moduli.push_back(material.lame.lambda * time.weight * time.to);
+    if (rest != 0) volume_moduli.push_back(material.lame.lambda * rest);
+  }
+  std::size_t point_size() const { return metric_size + volume_moduli.size() * time_point_size + (has_mass ? 1 : 0); }
+
+  std::vector<double> volume_moduli;
+  bool has_mass = false;
+};
+
 /// K u from data kept at the quadrature points. With G = dxi/dx at a time point of the rule (J0^-1 F^-1, times the root
 /// of the quadrature weight), the spatial tangent (see SpatialTangent) acts on g = du/dxi as
 ///
@@ -26,23 +46,14 @@ struct ElasticAction {
   using Kernel = ElasticKernel<Element, Material>;
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
-  static constexpr std::size_t metric_size = D * (D + 1) / 2;
-  static constexpr std::size_t time_point_size = D * D + 1;
+  using Layout = ElasticLayout<D>;
+  static constexpr std::size_t metric_size = Layout::metric_size;
+  static constexpr std::size_t time_point_size = Layout::time_point_size;
+  /// The action of the same data on another element's nodes.
+  template <class Other>
+  using On = ElasticAction<Other, Material>;
   template <class T>
   using Nodal = typename Kernel::template Nodal<T>;
-
-  /// The layout of the kept data: lambda times the weight of each time point (those of the rule, and one for the
-  /// undeformed body if that counts), and whether a mass is included.
-  struct Layout {
-    Layout() = default;
-    Layout(const Material& material, const Rule& rule, double rest, double inertia) : has_mass(inertia != 0) {
-      for (const RulePoint& time : rule.points) volume_moduli.push_back(material.lame.lambda * time.weight * time.to);
-      if (rest != 0) volume_moduli.push_back(material.lame.lambda * rest);
-    }
-    std::size_t point_size() const { return metric_size + volume_moduli.size() * time_point_size + (has_mass ? 1 : 0); }
-    std::vector<double> volume_moduli;
-    bool has_mass = false;
-  };
 
   template <class T>
   using Scratch = PointScratch<D, T>;
@@ -134,8 +145,11 @@ struct ElasticAction {
     Small<T, D>* gradients = scratch.gradients.data();
     std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
     PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
-    for (std::size_t q = 0; q < table.size(); ++q, data += layout.point_size())
+    const std::size_t point_size = layout.point_size();
+    for (std::size_t q = 0; q < table.size(); ++q, data += point_size) {
+      if constexpr (D == 3) prefetch(data + table.size() * point_size, point_size);
       multiply_point<HasMass>(layout.volume_moduli, data, gradients[q], HasMass ? values + q : nullptr);
+    }
     PointGradients<Element>::template integrate<HasMass>(table, gradients, values, f);
   }
 

@@ -9,6 +9,20 @@
 
 namespace ixos {
 
+/// The layout of the data that ModuliAction keeps, the same for all elements of D dimensions.
+template <std::size_t D>
+struct ModuliLayout {
+  static constexpr std::size_t moduli_size = D * D * (D * D + 1) / 2;
+
+  ModuliLayout() = default;
+  template <class Material>
+  ModuliLayout(const Material& /*material*/, const Rule& /*rule*/, double /*rest*/, double inertia)
+      : has_mass(inertia != 0) {}
+  std::size_t point_size() const { return moduli_size + (has_mass ? 1 : 0); }
+
+  bool has_mass = false;
+};
+
 /// K u from the moduli at the quadrature points, in plane strain and in three dimensions. With G = dxi/dX the law's
 /// moduli A act on g = du/dxi as
 ///
@@ -24,17 +38,13 @@ struct ModuliAction {
   static constexpr std::size_t D = Kernel::D;
   static constexpr std::size_t N = Kernel::N;
   static constexpr std::size_t size = D * D;
-  static constexpr std::size_t moduli_size = size * (size + 1) / 2;
+  using Layout = ModuliLayout<D>;
+  static constexpr std::size_t moduli_size = Layout::moduli_size;
+  /// The action of the same data on another element's nodes.
+  template <class Other>
+  using On = ModuliAction<Other, Material>;
   template <class T>
   using Nodal = typename Kernel::template Nodal<T>;
-
-  struct Layout {
-    Layout() = default;
-    Layout(const Material& /*material*/, const Rule& /*rule*/, double /*rest*/, double inertia)
-        : has_mass(inertia != 0) {}
-    std::size_t point_size() const { return moduli_size + (has_mass ? 1 : 0); }
-    bool has_mass = false;
-  };
 
   template <class T>
   using Scratch = PointScratch<D, T>;
@@ -118,7 +128,9 @@ struct ModuliAction {
     Small<T, D>* gradients = scratch.gradients.data();
     std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
     PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
+    constexpr std::size_t point_size = moduli_size + (HasMass ? 1 : 0);
     for (std::size_t q = 0; q < table.size(); ++q) {
+      if constexpr (D == 3) prefetch(data + table.size() * point_size, point_size);
       multiply(data, gradients[q]);
       data += moduli_size;
       if constexpr (HasMass) {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "base/small_matrix.hpp"
+#include "element/tensor_gradients.hpp"
+#include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 #include "fem/shape_table.hpp"
 
@@ -52,9 +54,48 @@ struct PointScratch {
   std::vector<std::array<T, D>> values;
 };
 
+/// Prefetches `count` entries. Products read the data kept at the points between evaluate() and integrate(), which take
+/// as long: in three dimensions each point prefetches that of the next element, so that the memory is always busy. The
+/// last element prefetches what lies behind the data, which is harmless.
+template <class Kept>
+[[gnu::always_inline]] inline void prefetch(const Kept* data, std::size_t count) {
+  constexpr std::size_t cache_line = 64;
+  const auto* bytes = reinterpret_cast<const char*>(data);
+  for (std::size_t byte = 0; byte < count * sizeof(Kept); byte += cache_line) __builtin_prefetch(bytes + byte);
+}
+
 /// TabulatedGradients, or a faster specialisation if the element has one.
 template <class Element>
 struct PointGradients : TabulatedGradients<Element> {};
+
+/// Quadratic elements: TensorGradients if they serve the table, else TabulatedGradients.
+template <class Element>
+struct QuadraticPointGradients {
+  static constexpr std::size_t D = Element::dimension;
+  static constexpr std::size_t N = Element::nodes;
+
+  template <bool WithValues, class T>
+  static void evaluate(const ShapeTable<Element>& table, const Small<T, N, D>& u, Small<T, D>* gradients,
+                       std::array<T, D>* values) {
+    if (TensorGradients<Element>::serves(table))
+      TensorGradients<Element>::template evaluate<WithValues>(u, gradients, values);
+    else
+      TabulatedGradients<Element>::template evaluate<WithValues>(table, u, gradients, values);
+  }
+
+  template <bool WithValues, class T>
+  static void integrate(const ShapeTable<Element>& table, const Small<T, D>* stresses, const std::array<T, D>* values,
+                        Small<T, N, D>& f) {
+    if (TensorGradients<Element>::serves(table))
+      TensorGradients<Element>::template integrate<WithValues>(stresses, values, f);
+    else
+      TabulatedGradients<Element>::template integrate<WithValues>(table, stresses, values, f);
+  }
+};
+template <>
+struct PointGradients<Quad9> : QuadraticPointGradients<Quad9> {};
+template <>
+struct PointGradients<Hex27> : QuadraticPointGradients<Hex27> {};
 
 /// The trilinear hexahedron on 2 x 2 x 2 points by sum factorisation: 24 additions turn nodal values into coefficients
 /// of 1, xi, eta, zeta, xi eta, ..., and each derivative is bilinear in the two other directions. This takes a third of

@@ -60,13 +60,18 @@ int nodes_per_cell(CellType type) {
       return 20;
     case CellType::Hex8C4:
       return 29;
+    case CellType::Quad9:
+      return 9;
+    case CellType::Hex27:
+      return 27;
   }
   return 0;
 }
 
-CellType plain_type(CellType type) {
+CellType corner_type(CellType type) {
   switch (type) {
     case CellType::Hex8:
+    case CellType::Hex27:
     case CellType::Hex8C2:
     case CellType::Hex8C3:
     case CellType::Hex8C4:
@@ -77,11 +82,15 @@ CellType plain_type(CellType type) {
   }
 }
 
-int sides_per_cell(CellType type) { return plain_type(type) == CellType::Hex8 ? 6 : 4; }
+bool is_quadratic(CellType type) { return type == CellType::Quad9 || type == CellType::Hex27; }
+
+bool is_enriched(CellType type) { return type != corner_type(type) && !is_quadratic(type); }
+
+int sides_per_cell(CellType type) { return corner_type(type) == CellType::Hex8 ? 6 : 4; }
 
 int contact_side(CellType type) {
-  if (type == plain_type(type)) return -1;
-  return plain_type(type) == CellType::Hex8 ? 4 : 0;
+  if (!is_enriched(type)) return -1;
+  return corner_type(type) == CellType::Hex8 ? 4 : 0;
 }
 
 bool is_hermite(CellType type) { return type == CellType::Quad4CH || type == CellType::Hex8CH; }
@@ -90,7 +99,13 @@ const std::vector<int>& side_nodes(CellType type, int side) {
   static const std::vector<Sides> quads = {quad_sides(0), quad_sides(1), quad_sides(2), quad_sides(3)};
   static const std::vector<Sides> hexes = {hex_sides(0), hex_sides(1), hex_sides(2), hex_sides(3)};
   static const Sides hermite = hermite_sides();
+  static const Sides quadratic_quad = {{0, 1, 4}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
+  static const Sides quadratic_hex = {{0, 1, 5, 4, 8, 13, 16, 12, 25},  {1, 2, 6, 5, 9, 14, 17, 13, 24},
+                                      {2, 3, 7, 6, 10, 15, 18, 14, 26}, {0, 4, 7, 3, 12, 19, 15, 11, 23},
+                                      {0, 3, 2, 1, 11, 10, 9, 8, 21},   {4, 5, 6, 7, 16, 17, 18, 19, 22}};
   if (type == CellType::Hex8CH) return hermite.at(static_cast<std::size_t>(side));
+  if (type == CellType::Quad9) return quadratic_quad.at(static_cast<std::size_t>(side));
+  if (type == CellType::Hex27) return quadratic_hex.at(static_cast<std::size_t>(side));
   const auto extra = [&]() -> std::size_t {
     switch (type) {
       case CellType::Quad4C2:
@@ -107,7 +122,7 @@ const std::vector<int>& side_nodes(CellType type, int side) {
         return 0;
     }
   }();
-  return (plain_type(type) == CellType::Hex8 ? hexes : quads)[extra].at(static_cast<std::size_t>(side));
+  return (corner_type(type) == CellType::Hex8 ? hexes : quads)[extra].at(static_cast<std::size_t>(side));
 }
 
 }  // namespace ixos

@@ -7,14 +7,19 @@ namespace ixos {
 
 /// Quad4Cq, Quad4CH, Hex8Cq and Hex8CH are quadrilaterals and hexahedra with an enriched contact side (see
 /// fem/contact_elements.hpp and fem/contact_hexahedra.hpp): nodes as of Quad4 or Hex8, then the other nodes of that
-/// side.
-enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4, Hex8CH };
+/// side. Quad9 and Hex27 are of second order in each direction (see fem/quadratic_elements.hpp). The corners come first
+/// in every type.
+enum class CellType { Quad4, Hex8, Quad4C2, Quad4C3, Quad4C4, Quad4CH, Hex8C2, Hex8C3, Hex8C4, Hex8CH, Quad9, Hex27 };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
-/// Returns the type of the cell without its enrichment: Quad4 or Hex8.
-CellType plain_type(CellType type);
-/// Returns the enriched side: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 for plain cells.
+/// Returns the linear type of the cell's corners: Quad4 or Hex8.
+CellType corner_type(CellType type);
+/// Returns whether the cell is of second order in each direction: true for Quad9 and Hex27.
+bool is_quadratic(CellType type);
+/// Returns whether the cell is linear but for one richer side.
+bool is_enriched(CellType type);
+/// Returns the enriched side: side 0 of quadrilaterals, side 4 (the bottom) of hexahedra; -1 for other cells.
 int contact_side(CellType type);
 /// Returns whether the other nodes of the contact side are derivatives: true for Quad4CH and Hex8CH.
 bool is_hermite(CellType type);
@@ -25,8 +30,9 @@ inline std::size_t cell_entry(int cell, int nodes_per_cell, int a = 0) {
 }
 
 /// Returns the local node numbers of side `side` (from 0), in the order of the Exodus standard: seen from outside,
-/// counter-clockwise. Two nodes for a quadrilateral, four for a hexahedron; an enriched side adds its other nodes. The
-/// sides of an enriched hexahedron that share an edge with its contact side begin with that edge.
+/// counter-clockwise. Two nodes for a quadrilateral, four for a hexahedron; an enriched side adds its other nodes, a
+/// quadratic one the middles of its edges and its own middle. The sides of an enriched hexahedron that share an edge
+/// with its contact side begin with that edge.
 const std::vector<int>& side_nodes(CellType type, int side);
 
 }  // namespace ixos

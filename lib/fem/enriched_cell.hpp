@@ -11,7 +11,7 @@ namespace ixos {
 /// Returns the factor of the shape function of node `a` in the cell: 1, or its entry in `derivative_scale`.
 template <class Block>
 double node_scale(const Block& block, int cell, int a) {
-  const int corners = nodes_per_cell(plain_type(block.type));
+  const int corners = nodes_per_cell(corner_type(block.type));
   if (block.derivative_scale.empty() || a < corners) return 1.0;
   return block.derivative_scale[cell_entry(cell, nodes_per_cell(block.type) - corners, a - corners)];
 }

@@ -43,6 +43,17 @@ struct ShapeTable {
     }
   }
 
+  /// Makes the table at the points of another element's.
+  template <class Other>
+  explicit ShapeTable(const ShapeTable<Other>& other)
+      : two_points(other.two_points),
+        weight(other.weight),
+        point(other.point),
+        value(other.size()),
+        gradient(other.size()) {
+    for (std::size_t q = 0; q < size(); ++q) Element::evaluate(point[q], value[q], gradient[q]);
+  }
+
   std::size_t size() const { return weight.size(); }
 
   bool two_points;                                             ///< whether there are two along each direction

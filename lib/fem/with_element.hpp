@@ -5,6 +5,7 @@
 #include "fem/cell_type.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
+#include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 
 namespace ixos {
@@ -29,6 +30,8 @@ decltype(auto) with_plane_element(CellType type, const Function& function) {
       return function(TypeTag<Quad4C4>{});
     case CellType::Quad4CH:
       return function(TypeTag<Quad4CH>{});
+    case CellType::Quad9:
+      return function(TypeTag<Quad9>{});
     default:
       throw std::logic_error("not a quadrilateral");
   }
@@ -48,6 +51,8 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Hex8C4>{});
     case CellType::Hex8CH:
       return function(TypeTag<Hex8CH>{});
+    case CellType::Hex27:
+      return function(TypeTag<Hex27>{});
     default:
       return with_plane_element(type, function);
   }
@@ -57,8 +62,10 @@ decltype(auto) with_element(CellType type, const Function& function) {
 /// beside the contact face are enriched along the edge that they share with it.
 template <class Function>
 decltype(auto) with_side_element(CellType type, int side, const Function& function) {
+  if (type == CellType::Hex27) return function(TypeTag<LagrangeFace<2>>{});
+  if (type == CellType::Quad9) return function(TypeTag<LagrangeEdge<2>>{});
   const bool contact = side == contact_side(type);
-  if (plain_type(type) == CellType::Hex8) {
+  if (corner_type(type) == CellType::Hex8) {
     if (contact) {
       if (type == CellType::Hex8C2) return function(TypeTag<LagrangeFace<2>>{});
       if (type == CellType::Hex8C3) return function(TypeTag<LagrangeFace<3>>{});

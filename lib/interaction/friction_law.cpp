@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -35,7 +36,7 @@ void check(const Friction& friction) {
   if (friction.type == FrictionType::Smoothed)
     positive("slip speed", friction.slip_speed);
   else
-    positive("stiffness", friction.stiffness);
+    at_least_zero("stiffness", friction.stiffness);
 }
 
 }  // namespace
@@ -47,6 +48,16 @@ FrictionLaw::FrictionLaw(const Friction& friction, std::shared_ptr<const GapLaw>
   check(friction);
   check_fit();
   if (friction.type != FrictionType::ConstantStress) traction_at_cutoff_ = law_->traction(cutoff_)[0];
+  if (friction_.stiffness == 0) friction_.stiffness = default_stiffness();
+}
+
+double FrictionLaw::default_stiffness() const {
+  constexpr double elastic_share = 0.003, stiffest = 100;
+  const double gap = law_->equilibrium_gap(), attraction = std::abs(law_->traction(law_->adhesion_gap())[0]);
+  const double threshold =
+      friction_.type == FrictionType::ConstantStress ? friction_.stress : friction_.coefficient * attraction;
+  const double stiffness = std::min(threshold / (elastic_share * gap), stiffest * attraction / gap);
+  return std::isfinite(stiffness) && stiffness > 0 ? stiffness : 50;
 }
 
 void FrictionLaw::check_fit() const {

@@ -16,7 +16,7 @@ struct Friction {
   double sharpness = 0;     ///< k of Constant Stress [1/L0]; 0: a jump
   double coefficient = 0;   ///< mu of the others [-]
   double cutoff_share = 1;  ///< c in [0, 1]
-  double stiffness = 50;    ///< eps of the elastic slip [E0/L0]; Smoothed has none
+  double stiffness = 0;     ///< eps of the elastic slip [E0/L0], 0: FrictionLaw chooses it; Smoothed has none
   double slip_speed = 0;    ///< eps_v of Smoothed [L0/T0]
   bool current = false;     ///< the threshold of a step is that at its end, otherwise that at its start
 };
@@ -34,6 +34,9 @@ class FrictionLaw {
   /// traction or an r_eq that the law has not, or no surface reaches g_cut.
   FrictionLaw(const Friction& friction, std::shared_ptr<const GapLaw> law);
 
+  /// Returns the friction with the stiffness that acts. A stiffness of 0 becomes the threshold's scale, tau or mu times
+  /// the largest attraction s0, over 0.003 r_eq, at most 100 s0/r_eq; 50 E0/L0 if the law does not attract. Newton's
+  /// method fails if the elastic slip is much shorter, and if the spring is much stiffer than the law.
   const Friction& friction() const { return friction_; }
   double cutoff() const { return cutoff_; }  ///< g_cut [L0]
   bool needs_positive_gaps() const { return law_->domain() == GapDomain::Positive; }
@@ -47,6 +50,7 @@ class FrictionLaw {
  private:
   /// Throws InputError if the law does not fit.
   void check_fit() const;
+  double default_stiffness() const;
 
   Friction friction_;
   std::shared_ptr<const GapLaw> law_;

@@ -26,7 +26,10 @@ std::string system_word() {
   return "";
 }
 
-const char* topology(CellType type) { return type == CellType::Quad4 ? "QUAD4" : "HEX8"; }
+const char* topology(CellType type) {
+  if (is_quadratic(type)) return type == CellType::Quad9 ? "QUAD9" : "HEX27";
+  return type == CellType::Quad4 ? "QUAD4" : "HEX8";
+}
 
 void put_blocks(const ExodusHandle& file, const Mesh& mesh) {
   int id = 0;

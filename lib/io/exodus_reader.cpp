@@ -176,7 +176,7 @@ class Reader {
   /// Returns the nodes of a block's elements, from 0.
   std::vector<int> read_nodes(const ExodusBlock& block) const {
     if (block.cells == 0) return {};
-    if (block.nodes_per_cell < 1 || block.nodes_per_cell > most_ / block.cells)
+    if (block.nodes_per_cell < 1 || block.nodes_per_cell > std::min<int64_t>(most_, INT_MAX) / block.cells)
       refuse(path(), "is damaged: block \"{}\" claims {} nodes per element", block.name, block.nodes_per_cell);
     std::vector<int> nodes(static_cast<std::size_t>(block.cells * block.nodes_per_cell));
     require(ex_get_conn(file_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr), "connectivity");

@@ -23,12 +23,15 @@ int dimension_of(const ExodusBlock& block, int file_dimension) {
 }
 
 CellType cell_type_of(const ExodusBlock& block, int file_dimension) {
+  const bool solid = begins(block.topology, "HEX") && file_dimension == 3;
   if (begins(block.topology, "QUAD") && block.nodes_per_cell == 4) return CellType::Quad4;
-  if (begins(block.topology, "HEX") && block.nodes_per_cell == 8 && file_dimension == 3) return CellType::Hex8;
+  if (begins(block.topology, "QUAD") && block.nodes_per_cell == 9) return CellType::Quad9;
+  if (solid && block.nodes_per_cell == 8) return CellType::Hex8;
+  if (solid && block.nodes_per_cell == 27) return CellType::Hex27;
   const int dimension = dimension_of(block, file_dimension);
   throw InputError(
-      fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 in 2 and HEX8 in 3 are "
-                  "allowed. {}",
+      fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 and QUAD9 in 2, "
+                  "HEX8 and HEX27 in 3 are allowed. {}",
                   block.name, block.topology, block.nodes_per_cell, file_dimension,
                   recombining_recipe(dimension < 2 ? file_dimension : dimension)));
 }

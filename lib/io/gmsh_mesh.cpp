@@ -104,7 +104,7 @@ class Builder {
       if (elements.type != cell_types[static_cast<std::size_t>(dimension_)])
         throw InputError(
             fmt::format("has {} with {} nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 (3D) "
-                        "are allowed. {}",
+                        "are allowed; Mesh/Cell Order 2 makes quadratic cells of them. {}",
                         type.name, type.nodes, recombining_recipe(dimension_)));
       const std::vector<int>& groups = groups_of(elements);
       if (groups.size() > 1)

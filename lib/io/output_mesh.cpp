@@ -31,13 +31,13 @@ int divisions(CellType type) {
 /// Returns the number of cells into which one is cut.
 int pieces(CellType type) {
   const int n = divisions(type);
-  return plain_type(type) == CellType::Hex8 ? n * n : n;
+  return corner_type(type) == CellType::Hex8 ? n * n : n;
 }
 
 /// Returns whether piece k of a cell has a part of the cell's side. Pieces are cells of the same sides.
 bool has_part(CellType type, int k, int side) {
   const int n = divisions(type), i = k % n, j = k / n;
-  if (plain_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
+  if (corner_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
   if (side == contact_side(type) || side > 3) return true;
   return side % 2 == 0 ? j == (side == 2 ? n - 1 : 0) : i == (side == 1 ? n - 1 : 0);
 }
@@ -71,7 +71,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
     const int parts = pieces(block.type);
     ElementBlock here;
     here.name = parts == 1 ? block.name : block.name + "_contact";
-    here.type = plain_type(block.type);
+    here.type = parts == 1 ? block.type : corner_type(block.type);
     cells.emplace_back();
     first_cell_.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell = 0; cell < block.cells(); ++cell) {

@@ -11,7 +11,7 @@ SideCorners corners_of(const Mesh& mesh, const Side& side) {
   SideCorners corners;
   corners.fill(-1);
   auto corner = corners.begin();
-  for (int place : side_nodes(plain_type(block.type), side.side)) *corner++ = nodes[place];
+  for (int place : side_nodes(corner_type(block.type), side.side)) *corner++ = nodes[place];
   return corners;
 }
 

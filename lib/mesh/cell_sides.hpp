@@ -11,7 +11,7 @@ namespace ixos {
 /// The corners of a side; if sorted, in ascending order, and -1 comes first where a side has two corners.
 using SideCorners = std::array<int, 4>;
 
-/// A side of a cell. Enriched cells have the sides of plain ones.
+/// A side of a cell. Enriched and quadratic cells have the sides of linear ones.
 struct CellSide {
   SideCorners corners;
   int cell;   ///< number of the cell over all blocks, from 0
@@ -22,7 +22,7 @@ struct CellSide {
 /// A range of sides with the same corners.
 using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
 
-/// Returns the corners of a side in the order of a plain cell, see side_nodes(); if there are two, -1 follows twice.
+/// Returns the corners of a side in the order of a linear cell, see side_nodes(); if there are two, -1 follows twice.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 
 /// Returns the corners of a side, of 2 or 4 nodes.

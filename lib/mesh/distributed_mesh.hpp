@@ -8,7 +8,7 @@
 
 namespace ixos {
 
-/// This rank's cells of one material: quadrilaterals in two dimensions, hexahedra in three.
+/// This rank's cells of one material: linear quadrilaterals in two dimensions, linear hexahedra in three.
 struct DistributedBlock {
   std::string name;
   std::vector<long long> nodes;  ///< cells x 4 (or 8) ids of nodes of any rank, row by row, in Exodus order

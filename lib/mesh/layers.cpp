@@ -11,7 +11,7 @@ namespace ixos {
 namespace {
 
 int opposite(CellType type, int side) {
-  if (plain_type(type) == CellType::Quad4 || side < 4) return (side + 2) % 4;
+  if (corner_type(type) == CellType::Quad4 || side < 4) return (side + 2) % 4;
   return side == 4 ? 5 : 4;
 }
 

@@ -114,7 +114,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
       here.owned.push_back(node_owner[static_cast<std::size_t>(first)] == rank ? 1 : 0);
       for (int a = 0; a < n; ++a)
         here.nodes.push_back(to_local[static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)])]);
-      for (int a = nodes_per_cell(plain_type(block.type)); a < n && is_hermite(block.type); ++a)
+      for (int a = nodes_per_cell(corner_type(block.type)); a < n && is_hermite(block.type); ++a)
         here.derivative_scale.push_back(node_scale(block, cell, a));
     }
     local.blocks.push_back(std::move(here));

@@ -74,8 +74,8 @@ struct LocalMesh {
 
 /// Returns this rank's part of a whole mesh that is the same on all ranks. Ixos partitions the nodes, or `node_owner`
 /// has each node's rank. Throws InputError, on all ranks, if they pass different meshes or owners, if the mesh does not
-/// pass check_arrays(), refuse_repeated_cells() and check_cells(), or if an owner is no rank. A mesh that enrich() has
-/// changed must have passed the first two before. Collective.
+/// pass check_arrays(), refuse_repeated_cells(), require_one_order(), require_shared_middles() and check_cells(), or if
+/// an owner is no rank. A mesh that enrich() has changed must have passed the first two before. Collective.
 LocalMesh local_part(const Mesh& mesh, const Comm& comm);
 LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm);
 

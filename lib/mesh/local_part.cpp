@@ -3,6 +3,7 @@
 
 #include "base/agreement.hpp"
 #include "base/digest.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/fingerprint.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/local_mesh.hpp"
@@ -18,6 +19,8 @@ void check_whole(const Mesh& mesh) {
     check_arrays(mesh);
     refuse_repeated_cells(mesh);
   }
+  require_one_order(mesh);
+  require_shared_middles(mesh);
   check_cells(mesh);
 }
 

@@ -59,7 +59,8 @@ struct Mesh {
 
   std::vector<std::string> notes;  ///< what a file holds beside the mesh and Ixos left out, in sentences for the user
 
-  int plain_nodes = -1;  ///< number of nodes before enrich() appended some; -1: none were added
+  int linear_nodes = -1;  ///< number of nodes before raise_order() appended some; -1: none were added
+  int plain_nodes = -1;   ///< number of nodes before enrich() appended some; -1: none were added
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   /// Returns the dimension of the body: 3 if it is one of revolution.

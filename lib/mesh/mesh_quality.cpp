@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
@@ -32,26 +33,35 @@ double scaled_determinant(const Small<double, D>& m) {
   return product > 0 ? determinant(m) / product : 0;
 }
 
-/// Returns the quality of a cell from the element with as many corners as `Element`. The columns of that element's
-/// Jacobian at a corner are half the edges there.
-template <class Element>
-CellQuality cell_quality(const std::vector<double>& coordinates, const int* nodes) {
-  constexpr std::size_t D = Element::dimension, N = Element::nodes;
-  static const ShapeTable<Element> table;  // its points integrate the Jacobian exactly
-  std::array<double, N> ones;
+/// Returns the Jacobian of a cell's map at a point.
+template <class Element, std::size_t D>
+Small<double, D> jacobian_at(const std::array<double, D>& xi, const std::vector<double>& coordinates,
+                             const int* nodes) {
+  std::array<double, Element::nodes> ones, value;
   ones.fill(1);
-  std::array<double, N> value;
-  std::array<std::array<double, D>, N> gradient;
-  const auto at = [&](const std::array<double, D>& xi) {
-    Element::evaluate(xi, value, gradient);
-    return jacobian<D>(coordinates, nodes, ones, gradient);
-  };
+  std::array<std::array<double, D>, Element::nodes> gradient;
+  Element::evaluate(xi, value, gradient);
+  return jacobian<D>(coordinates, nodes, ones, gradient);
+}
+
+/// Returns the quality of a cell. `Corners`: the linear element of its corners; the columns of that element's Jacobian
+/// at a corner are half the edges there.
+template <class Element, class Corners>
+CellQuality cell_quality(const std::vector<double>& coordinates, const int* nodes) {
+  constexpr std::size_t D = Element::dimension;
+  static const ShapeTable<Element> table;  // its points integrate the Jacobian of straight-sided cells exactly
+  std::array<double, Element::nodes> ones;
+  ones.fill(1);
   CellQuality cell;
-  for (std::size_t corner = 0; corner < N; ++corner) {
+  const auto judge = [&](const std::array<double, D>& xi) {
+    const auto j = jacobian_at<Element>(xi, coordinates, nodes);
+    cell.scaled_jacobian = std::min(cell.scaled_jacobian, scaled_determinant(j));
+  };
+  for (std::size_t corner = 0; corner < Corners::nodes; ++corner) {
     std::array<double, D> xi;
     for (std::size_t d = 0; d < D; ++d) xi[d] = (corner >> d) % 2 == 0 ? -1 : 1;
-    const Small<double, D> j = at(xi);
-    cell.scaled_jacobian = std::min(cell.scaled_jacobian, scaled_determinant(j));
+    judge(xi);
+    const auto j = jacobian_at<Corners>(xi, coordinates, nodes);
     for (std::size_t d = 0; d < D; ++d) {
       double square = 0;
       for (std::size_t i = 0; i < D; ++i) square += 4 * j[i][d] * j[i][d];
@@ -59,16 +69,25 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
       cell.longest = std::max(cell.longest, std::sqrt(square));
     }
   }
-  if (D == 3) cell.scaled_jacobian = std::min(cell.scaled_jacobian, scaled_determinant(at({})));
+  if (D == 3) judge({});
+  for (std::size_t q = 0; !std::is_same_v<Element, Corners> && q < table.size(); ++q) judge(table.point[q]);
   for (std::size_t q = 0; q < table.size(); ++q)
     cell.volume += table.weight[q] * determinant(jacobian<D>(coordinates, nodes, ones, table.gradient[q]));
   return cell;
 }
 
+/// Returns the quality of a cell; that of an enriched one is the quality of its corners.
+CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, const int* nodes) {
+  if (type == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes);
+  if (type == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes);
+  return corner_type(type) == CellType::Hex8 ? cell_quality<Hex8, Hex8>(coordinates, nodes)
+                                             : cell_quality<Quad4, Quad4>(coordinates, nodes);
+}
+
 CellPlace place_of(const Mesh& mesh, const ElementBlock& block, int cell) {
   CellPlace place{block.name, cell + 1, {}};
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  const int corners = nodes_per_cell(plain_type(block.type));
+  const int corners = nodes_per_cell(corner_type(block.type));
   for (int a = 0; a < corners; ++a) {
     const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
     for (std::size_t i = 0; i < d; ++i) place.centre[i] += mesh.coordinates[node * d + i] / corners;
@@ -92,8 +111,7 @@ MeshQuality mesh_quality(const Mesh& mesh) {
   for (const ElementBlock& block : mesh.blocks)
     for (int c = 0; c < block.cells(); ++c) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
-      const CellQuality cell = plain_type(block.type) == CellType::Hex8 ? cell_quality<Hex8>(mesh.coordinates, nodes)
-                                                                        : cell_quality<Quad4>(mesh.coordinates, nodes);
+      const CellQuality cell = cell_quality(block.type, mesh.coordinates, nodes);
       scaled.push_back(cell.scaled_jacobian);
       all.volume += cell.volume;
       if (cell.scaled_jacobian < all.least_scaled_jacobian) {
@@ -119,9 +137,7 @@ double least_scaled_jacobian(CellType type, const std::vector<int>& nodes, const
   const auto count = static_cast<std::size_t>(nodes_per_cell(type));
   double least = 1;
   for (std::size_t first = 0; first + count <= nodes.size(); first += count)
-    least = std::min(least, (plain_type(type) == CellType::Hex8 ? cell_quality<Hex8>(coordinates, &nodes[first])
-                                                                : cell_quality<Quad4>(coordinates, &nodes[first]))
-                                .scaled_jacobian);
+    least = std::min(least, cell_quality(type, coordinates, &nodes[first]).scaled_jacobian);
   return least;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,6 +52,8 @@ std::vector<int> drop_unused_nodes(Mesh& mesh) {
     number[node] = kept++;
   }
   mesh.coordinates.resize(static_cast<std::size_t>(kept) * dimension);
+  if (mesh.linear_nodes >= 0)
+    mesh.linear_nodes = static_cast<int>(std::lower_bound(old.begin(), old.end(), mesh.linear_nodes) - old.begin());
   const auto renumber = [&](std::vector<int>& nodes) {
     for (int& node : nodes) node = number[static_cast<std::size_t>(node)];
   };
@@ -67,13 +70,16 @@ std::vector<int> drop_unused_nodes(Mesh& mesh) {
 void flatten(Mesh& mesh) {
   mesh.coordinates = plane_coordinates(mesh.coordinates);
   mesh.dimension = 2;
+  // A quadratic cell's edges from and to corner 0 change places, and so do the two others.
+  constexpr std::array<std::array<int, 2>, 3> swaps{{{1, 3}, {4, 7}, {5, 6}}};
   std::vector<std::vector<bool>> turned;
   for (ElementBlock& block : mesh.blocks) {
     turned.emplace_back(static_cast<std::size_t>(block.cells()));
     for (int cell = 0; cell < block.cells(); ++cell) {
-      int* nodes = &block.nodes[cell_entry(cell, 4)];
+      int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
       if (doubled_area(mesh.coordinates, nodes) >= 0) continue;
-      std::swap(nodes[1], nodes[3]);
+      for (const auto& [a, b] : swaps)
+        if (a < nodes_per_cell(block.type) && b < nodes_per_cell(block.type)) std::swap(nodes[a], nodes[b]);
       turned.back()[static_cast<std::size_t>(cell)] = true;
     }
   }

@@ -22,18 +22,18 @@ struct CellPlace {
   std::array<double, 3> centre{};  ///< mean of its corners [L0]
 };
 
-/// Figures of the whole mesh. They use the cells' corners only: the further nodes of enriched cells do not change their
-/// shape.
+/// Figures of the whole mesh. They use the corners of linear cells only: the further nodes of enriched ones do not
+/// change their shape.
 struct MeshQuality {
   int cells = 0, nodes = 0;
   /// The least scaled Jacobian of all cells. That of a cell is the least Jacobian determinant of edges scaled to length
-  /// 1, at its corners and, in 3D, its centre. 1: a rectangle or brick; 0 or less: degenerate or inverted. Knupp
-  /// (2000), as computed by Verdict.
+  /// 1, at its corners and, in 3D, its centre, of a quadratic cell at its Gauss points, too. 1: a rectangle or brick; 0
+  /// or less: degenerate or inverted. Knupp (2000), as computed by Verdict.
   double least_scaled_jacobian = 0;
   CellPlace most_distorted{};      ///< the cell with the least scaled Jacobian
   double low_scaled_jacobian = 0;  ///< 5 % of the cells have this or less
   double mean_scaled_jacobian = 0;
-  double largest_aspect_ratio = 0;  ///< of a cell: its longest edge over its shortest
+  double largest_aspect_ratio = 0;  ///< of a cell: its longest edge over its shortest, corner to corner
   CellPlace longest{};              ///< the cell with the largest aspect ratio
   int dimension = 2;
   double volume = 0;  ///< area [L0^2] or volume [L0^3]

@@ -15,8 +15,8 @@
 namespace ixos {
 namespace {
 
-/// A cell's nodes in ascending order, -1 for missing ones.
-using CellNodes = std::array<int, 8>;
+/// A cell's corners in ascending order, -1 for missing ones.
+using CellCorners = std::array<int, 8>;
 
 const int* nodes_of(const ElementBlock& block, int cell) {
   return block.nodes.data() + static_cast<std::ptrdiff_t>(cell) * nodes_per_cell(block.type);
@@ -27,7 +27,7 @@ template <class Call>
 void for_each_cell(const Mesh& mesh, const Call& call) {
   int cell = 0;
   for (const ElementBlock& block : mesh.blocks)
-    for (int c = 0; c < block.cells(); ++c) call(cell++, plain_type(block.type), nodes_of(block, c));
+    for (int c = 0; c < block.cells(); ++c) call(cell++, block.type, nodes_of(block, c));
 }
 
 std::vector<double> place(const Mesh& mesh, int node) {
@@ -50,11 +50,11 @@ struct Part {
 }  // namespace
 
 void refuse_repeated_cells(const Mesh& mesh) {
-  std::vector<std::pair<CellNodes, int>> cells;
+  std::vector<std::pair<CellCorners, int>> cells;
   for_each_cell(mesh, [&](int cell, CellType type, const int* nodes) {
-    CellNodes sorted;
+    CellCorners sorted;
     sorted.fill(-1);
-    std::copy_n(nodes, nodes_per_cell(type), sorted.begin());
+    std::copy_n(nodes, nodes_per_cell(corner_type(type)), sorted.begin());
     std::sort(sorted.begin(), sorted.end());
     cells.emplace_back(sorted, cell);
   });

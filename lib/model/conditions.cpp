@@ -41,6 +41,24 @@ void for_each_block(const LocalMesh& mesh, const std::string& name, const Add& a
     for (const std::size_t b : mesh.blocks_named(name)) add(mesh.blocks[b]);
 }
 
+/// Returns, by local node, the share of a block's volume that its mass has there: int N_a dV, or that of the lumped
+/// mass of quadratic cells, so that gravity accelerates each node alike. Collective.
+NodalNumbers volume_of_nodes(const Model& model, const LocalBlock& part) {
+  NodalNumbers volume = no_measure(model);
+  if (model.mass() == nullptr || !model.mass()->is_lumped() || !is_quadratic(part.type)) {
+    add_block_measure(model.mesh(), part, volume);
+    return volume;
+  }
+  Mass lumped(model.mesh(), model.pattern(), true);
+  lumped.add_block(part, 1);
+  std::vector<double> diagonal(static_cast<std::size_t>(model.space().local()), 0.0);
+  lumped.add_diagonal(1, diagonal.data());
+  model.space().update_ghosts(diagonal.data());
+  const auto d = static_cast<std::size_t>(model.mesh().dimension);
+  for (std::size_t a = 0; a < volume.size(); ++a) volume[a] = diagonal[a * d];
+  return volume;
+}
+
 }  // namespace
 
 std::vector<int> components_of(const std::string& components, int dimension) {
@@ -122,8 +140,7 @@ void add_gravity(Model& model, const std::string& block, const std::vector<doubl
                     vector[0]));
   NodalNumbers mass = no_measure(model);
   for_each_block(model.mesh(), block, [&](const LocalBlock& part) {
-    NodalNumbers volume(mass.size(), 0.0);
-    add_block_measure(model.mesh(), part, volume);
+    const NodalNumbers volume = volume_of_nodes(model, part);
     for (const Material& material : model.materials())
       if (material.block == part.name)
         for (std::size_t a = 0; a < mass.size(); ++a) mass[a] += material.density * volume[a];

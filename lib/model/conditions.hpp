@@ -36,7 +36,7 @@ void add_body_force(Model& model, const std::string& block, const std::vector<do
                     std::shared_ptr<const TimeFunction> history);
 
 /// Adds an acceleration [L0/T0^2] that acts on the mass of a block, or of all blocks if its name is empty.
-/// Throws InputError if the mesh is axisymmetric and the first component not 0.
+/// Throws InputError if the mesh is axisymmetric and the first component not 0. Collective.
 void add_gravity(Model& model, const std::string& block, const std::vector<double>& vector,
                  std::shared_ptr<const TimeFunction> history);
 

@@ -13,6 +13,17 @@
 namespace ixos {
 namespace {
 
+/// Returns the factor of an element matrix's diagonal in the lumped mass: the mass over the diagonal's sum.
+template <std::size_t N>
+double diagonal_scale(const Small<double, N>& element) {
+  double mass = 0, diagonal = 0;
+  for (std::size_t a = 0; a < N; ++a) {
+    diagonal += element[a][a];
+    for (std::size_t b = 0; b < N; ++b) mass += element[a][b];
+  }
+  return mass / diagonal;
+}
+
 template <class Element>
 void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern, bool lumped,
          std::vector<double>& pairs) {
@@ -31,8 +42,14 @@ void add(const LocalMesh& mesh, const LocalBlock& block, double density, const P
         for (std::size_t b = 0; b < N; ++b)
           element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];
     }
+    const bool scaled = lumped && is_quadratic(block.type);
+    const double scale_of_diagonal = scaled ? diagonal_scale(element) : 1;
     for (std::size_t a = 0; a < N; ++a) {
       if (nodes[a] >= pattern.rows()) continue;
+      if (scaled) {
+        pairs[static_cast<std::size_t>(nodes[a])] += scale_of_diagonal * element[a][a];
+        continue;
+      }
       for (std::size_t b = 0; b < N; ++b)
         pairs[static_cast<std::size_t>(lumped ? nodes[a] : pattern.pair(nodes[a], nodes[b]))] += element[a][b];
     }

@@ -12,7 +12,10 @@ namespace ixos {
 enum class Inertia { Consistent, Lumped, None };
 
 /// M_ab I with M_ab = int rho N_a N_b dV: one number for each node pair of the Pattern, rows of owned nodes only.
-/// Lumped: its row sums on the diagonal, which keep the body's mass and its first moments. Units E0 T0^2 L0^(D-2).
+/// Lumped: its row sums on the diagonal, which keep the body's mass and its first moments. A quadratic cell adds its
+/// own diagonal instead, scaled to its mass (Hinton, Rock and Zienkiewicz 1976): on parallelepipeds these are the row
+/// sums, which are Simpson's weights; on curved cells and rings at the axis, where row sums may vanish, they stay
+/// positive. Units E0 T0^2 L0^(D-2).
 class Mass {
  public:
   Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped = false);

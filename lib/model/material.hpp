@@ -18,7 +18,7 @@ struct Material {
   double mass_damping = 0;                ///< alpha_1 [1/T0]
   double stiffness_damping = 0;           ///< alpha_2 [T0]
   double viscosity = 0;                   ///< over Lame's constants, see make_viscous_term() [T0]
-  int points = 0;                         ///< Gauss points a direction of plain elements; 0: the element's own
+  int points = 0;                         ///< Gauss points a direction, see cell_points(); 0: the element's own
   Formulation formulation = Formulation::Standard;
   std::vector<MaxwellBranch> branches{};  ///< beside the law
   HistoryUpdate history_update = HistoryUpdate::BackwardEuler;

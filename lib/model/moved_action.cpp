@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "discretization/coarse_space.hpp"
 #include "model/moved_interaction.hpp"
 
 namespace ixos {
@@ -43,6 +44,18 @@ class MovedInteraction::Action final : public TangentAction {
     for (const Part& part : parts_) {
       part.action->add_diagonal(y_.data());
       term_.frame_.add_diagonal(part.pose, y_, d);
+    }
+  }
+
+  void add_coarse(const CoarseSpace& coarse, double* values) const override {
+    for (const Part& part : parts_) {
+      if (!term_.frame_.turns()) {
+        part.action->add_coarse(coarse, values);
+        continue;
+      }
+      std::vector<double> seen(coarse.values(), 0.0);
+      part.action->add_coarse(coarse, seen.data());
+      term_.frame_.add_moved_matrix(part.pose, coarse.pattern(), seen, values);
     }
   }
 

@@ -149,6 +149,24 @@ void MovingFrame::turn_blocks(const RigidPose& pose, double left, double right, 
   }
 }
 
+void MovingFrame::add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
+                                   double* values) {
+  const Small<double, 3> r = rotation(pose, pose.angle);
+  const auto d = static_cast<std::size_t>(pattern.dimension());
+  for (int row = 0; row < pattern.rows(); ++row) {
+    const auto n = static_cast<std::size_t>(row), stride = static_cast<std::size_t>(pattern.stride(row));
+    for (int entry = pattern.row_start()[n]; entry < pattern.row_start()[n + 1]; ++entry) {
+      const auto first =
+          static_cast<std::size_t>(pattern.offset(row, pattern.columns()[static_cast<std::size_t>(entry)]));
+      for (std::size_t i = 0; i < d; ++i)
+        for (std::size_t j = 0; j < d; ++j)
+          for (std::size_t k = 0; k < d; ++k)
+            for (std::size_t l = 0; l < d; ++l)
+              values[first + i * stride + j] += r[i][k] * seen[first + k * stride + l] * r[j][l];
+    }
+  }
+}
+
 Triple MovingFrame::from_frame(const RigidPose& pose, const Triple& y) {
   return sum(sum(y, pose.turning(pose.angle, sum(y, pose.point, -1))), pose.translation);
 }

@@ -40,6 +40,9 @@ class MovingFrame {
   void add_diagonal(const RigidPose& pose, std::vector<double>& diagonal, double* all) const;
   /// Replaces the blocks V of all pairs of the nodes by R_left^T V R_right, or R_left V R_right^T if `back`.
   void turn_blocks(const RigidPose& pose, double left, double right, bool back, double* values) const;
+  /// Adds R V R^T for the blocks V of all pairs of nodes in the frame, in the layout of a pattern.
+  static void add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
+                               double* values);
   /// Returns the point of space at place y of the frame.
   static std::array<double, 3> from_frame(const RigidPose& pose, const std::array<double, 3>& y);
 

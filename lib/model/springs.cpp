@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "discretization/coarse_space.hpp"
 #include "model/diagonal_places.hpp"
 
 namespace ixos {
@@ -37,6 +38,11 @@ class SpringAction final : public TangentAction {
   }
   void add_diagonal(double* d) const override {
     for (std::size_t k = 0; k < ends_.dofs.size(); ++k) d[ends_.dofs[k]] += factor_ * ends_.coefficients[k];
+  }
+  void add_coarse(const CoarseSpace& coarse, double* values) const override {
+    std::vector<double> diagonal(coarse.fine_local(), 0.0);
+    add_diagonal(diagonal.data());
+    coarse.add_diagonal(diagonal.data(), values);
   }
 
  private:

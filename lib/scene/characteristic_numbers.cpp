@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
-#include "mesh/cell_sides.hpp"
 
 namespace ixos {
 namespace {
@@ -23,15 +22,17 @@ Point point_of(const Mesh& mesh, int node) {
   return x;
 }
 
-/// Calls visit(node) for the corners of all cells of the block; returns whether there is one.
+/// Calls visit(node) for the nodes of all cells of the block, of enriched ones for their corners; returns whether there
+/// is one.
 template <class Visit>
-bool for_each_corner(const Mesh& mesh, const std::string& name, const Visit& visit) {
+bool for_each_place(const Mesh& mesh, const std::string& name, const Visit& visit) {
   bool found = false;
   for (const ElementBlock& block : mesh.blocks) {
     if (block.name != name) continue;
-    const int all = nodes_per_cell(block.type), corners = nodes_per_cell(plain_type(block.type));
+    const int all = nodes_per_cell(block.type),
+              places = is_enriched(block.type) ? nodes_per_cell(corner_type(block.type)) : all;
     for (int cell = 0; cell < block.cells(); ++cell)
-      for (int a = 0; a < corners; ++a) visit(block.nodes[cell_entry(cell, all, a)]);
+      for (int a = 0; a < places; ++a) visit(block.nodes[cell_entry(cell, all, a)]);
     found = found || block.cells() > 0;
   }
   return found;
@@ -41,7 +42,7 @@ std::optional<BodyNumbers> body_numbers(const std::string& name, const Material&
   Point lower, upper;
   lower.fill(infinity);
   upper.fill(-infinity);
-  const bool found = for_each_corner(mesh, material.block, [&](int node) {
+  const bool found = for_each_place(mesh, material.block, [&](int node) {
     const Point x = point_of(mesh, node);
     for (std::size_t i = 0; i < 3; ++i) {
       lower[i] = std::min(lower[i], x[i]);
@@ -76,18 +77,20 @@ double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, c
   return highest - lowest;
 }
 
-/// Returns the places of a side's corners, along its rim.
-std::vector<Point> corner_points(const Mesh& mesh, const Side& side) {
-  std::vector<Point> corners;
-  for (int node : corners_of(mesh, side))
-    if (node >= 0) corners.push_back(point_of(mesh, node));
-  return corners;
+/// Returns the places of a side's corners, along its rim; then, of a quadratic cell, those of its other nodes.
+std::vector<Point> side_points(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
+  std::vector<Point> points;
+  for (int a : side_nodes(is_quadratic(block.type) ? block.type : corner_type(block.type), side.side))
+    points.push_back(point_of(mesh, nodes[a]));
+  return points;
 }
 
-/// Returns the length of a side, in 3D its area: half the product of its diagonals.
-double measure_of(const std::vector<Point>& corners) {
+/// Returns the length of a side between its corners, in 3D its area: half the product of its diagonals.
+double measure_of(const std::vector<Point>& corners, int dimension) {
   const auto minus = [](const Point& x, const Point& y) { return Point{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
-  if (corners.size() == 2) {
+  if (dimension == 2) {
     const Point d = minus(corners[1], corners[0]);
     return std::hypot(d[0], d[1]);
   }
@@ -114,19 +117,19 @@ void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
   numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(law.adhesion_gap())[0]));
 }
 
-/// Adds what the sides of the set show; `nearest` becomes the corner of least gap.
+/// Adds what the sides of the set show; `nearest` becomes the node of least gap.
 void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
                Point& nearest) {
   double measure = 0;
   numbers.least_gap = infinity;
   for (const Side& side : set.sides) {
-    const std::vector<Point> corners = corner_points(mesh, side);
-    measure += measure_of(corners) / static_cast<double>(set.sides.size());
-    for (const Point& corner : corners) {
-      const double gap = sight_of(obstacle, corner).gap[0];
+    const std::vector<Point> points = side_points(mesh, side);
+    measure += measure_of(points, mesh.dimension) / static_cast<double>(set.sides.size());
+    for (const Point& point : points) {
+      const double gap = sight_of(obstacle, point).gap[0];
       if (!(gap < numbers.least_gap)) continue;
       numbers.least_gap = gap;
-      nearest = corner;
+      nearest = point;
     }
   }
   numbers.face_length = mesh.dimension == 2 ? measure : std::sqrt(measure);

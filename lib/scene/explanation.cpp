@@ -81,7 +81,7 @@ std::string surroundings(const Simulation& simulation) {
     const SceneNode& node = interaction.node;
     text += fmt::format(
         "Interaction {}: {} between side set \"{}\" and a {}, {} contact elements, {} Gauss points per direction\n",
-        node.name(), node.text("Law"), interaction.side_set, node.text("Obstacle"), node.text("Contact Element"),
+        node.name(), node.text("Law"), interaction.side_set, node.text("Obstacle"), name_of(interaction.element),
         interaction.surface_points > 0 ? std::to_string(interaction.surface_points)
                                        : "the element's default number of");
     if (!interaction.factor_field.empty())
@@ -143,16 +143,18 @@ std::string memory(const Simulation& simulation) {
   const List& linear = simulation.parameters().sublist("Linear Solver");
   const auto preconditioner = linear.get<std::string>("Preconditioner Type");
   const bool needs_matrix = linear.get<std::string>("Operator") != "Matrix-Free" ||
-                            (preconditioner != "Chebyshev" && preconditioner != "None");
+                            (!preconditions_without_matrix(preconditioner) && preconditioner != "None");
   const double matrices = needs_matrix ? static_cast<double>(simulation.integrator().tangents()) : 0;
-  double cells = 0;
-  for (const LocalBlock& block : model.mesh().blocks) cells += block.cells();
-  const double points = d == 2 ? 4 : 8, nodes = points;
+  double bytes = 0;  // quadratic cells, too, have as many points as nodes
+  for (const LocalBlock& block : model.mesh().blocks) {
+    const double nodes = nodes_per_cell(is_enriched(block.type) ? corner_type(block.type) : block.type);
+    bytes += block.cells() * (8 * nodes * (d * d + 1) + 4 * nodes * (nodes + 2));
+  }
   return fmt::format(
       "Memory on this rank, without factorisations: tangent matrices ({}) {}, mass matrix {}, element "
       "geometry and offsets {}\n",
       matrices, megabytes(matrices * pairs * d * d * 12), megabytes(model.mass() == nullptr ? 0 : pairs * 8),
-      megabytes(cells * (8 * points * (d * d + 1) + 4 * nodes * (nodes + 2))));
+      megabytes(bytes));
 }
 
 std::string frames(const Simulation& simulation) {

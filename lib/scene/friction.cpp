@@ -42,9 +42,13 @@ const Options<Friction>& friction_options() {
               "c: friction acts at gaps below g_cut = c g_max + (1 - c) r_eq, with the gap g_max of largest attraction "
               "and the gap r_eq of equilibrium [-]. With 0 only surfaces that are pressed resist slip.",
               between(0, 1))
-          .add("Stiffness", &Friction::stiffness,
-               "Traction eps per elastic slip [E0/L0]. The surface slides when the elastic slip reaches T_s/eps.",
-               greater_than(0))
+          .add(
+              "Stiffness", &Friction::stiffness,
+              "Traction eps per elastic slip [E0/L0]. The surface slides when the elastic slip reaches T_s/eps. With 0 "
+              "the elastic slip before sliding is 0.003 r_eq at a threshold of tau, or of mu times the largest "
+              "attraction s0; but eps is at most 100 s0/r_eq. A law without "
+              "attraction gets 50 E0/L0.",
+              at_least(0))
           .require("Slip Speed", &Friction::slip_speed,
                    "Speed eps_v of slip at which the traction reaches the threshold [L0/T0].", greater_than(0))
           .choose("Threshold", &Friction::current, {{"Lagged", false}, {"Current", true}},
@@ -67,7 +71,7 @@ std::string friction_in_words(const Friction& friction, const std::shared_ptr<co
   if (friction.type == FrictionType::Smoothed)
     text += fmt::format("; full above a slip speed of {:.6g} L0/T0", friction.slip_speed);
   else
-    text += fmt::format("; elastic slip up to {:.3g} L0", at_rest / friction.stiffness);
+    text += fmt::format("; elastic slip up to {:.3g} L0", at_rest / threshold.friction().stiffness);
   return text + "; what it stores is part of contact_energy, what it dissipates of dissipated_energy\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -22,6 +23,13 @@ namespace ixos {
 namespace {
 
 constexpr const char* exodus_format = "Exodus";
+
+const std::vector<std::pair<std::string, ContactElement>>& contact_elements() {
+  static const std::vector<std::pair<std::string, ContactElement>> all{
+      {"Q1C1", ContactElement::Q1C1}, {"Q1C2", ContactElement::Q1C2}, {"Q1C3", ContactElement::Q1C3},
+      {"Q1C4", ContactElement::Q1C4}, {"Q1CH", ContactElement::Q1CH}, {"Q2C2", ContactElement::Q2C2}};
+  return all;
+}
 
 struct Parameters {
   std::string side_set = required;
@@ -46,15 +54,12 @@ const Options<Parameters>& options() {
   static const Options<Parameters> all =
       Options<Parameters>()
           .add("Side Set", &Parameters::side_set, "Side set of the surface that interacts.")
-          .choose("Contact Element", &Parameters::element,
-                  {{"Q1C1", ContactElement::Q1C1},
-                   {"Q1C2", ContactElement::Q1C2},
-                   {"Q1C3", ContactElement::Q1C3},
-                   {"Q1C4", ContactElement::Q1C4},
-                   {"Q1CH", ContactElement::Q1CH}},
-                  "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
-                  "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
-                  "slope. In 3D, Q1CH needs faces in a regular grid.")
+          .choose(
+              "Contact Element", &Parameters::element, contact_elements(),
+              "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
+              "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
+              "slope. In 3D, Q1CH needs faces in a regular grid. Q2C2 is the side of quadratic cells, which have no "
+              "other contact element; Q1C1 means the same there.")
           .add("Bulk Points", &Parameters::bulk_points,
                "Number of Gauss points along the contact side in the enriched elements, in 3D in both directions of "
                "the face. With 0 it is the order + 1, or 5 for Q1CH in 3D.",
@@ -77,7 +82,8 @@ const Options<Parameters>& options() {
           .add(
               "Factor Field", &Parameters::factor_field,
               "Name of a nodal field of the mesh's Exodus file, whose values at the file's last time are a factor like "
-              "Factor, linear (bilinear) on the sides of the file's cells. If both are given, they multiply. Empty: "
+              "Factor, linear (bilinear) between the corners of the sides of the file's cells. If both are given, they "
+              "multiply. Empty: "
               "1.")
           .sublist("Motion", &Parameters::motion, motion_options(),
                    "Motion of the obstacle as a rigid body. Its parameters describe it before the motion. If all "
@@ -160,12 +166,14 @@ std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
   return result;
 }
 
-void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& mesh, int nodes) {
+void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& list,
+                        const Mesh& mesh) {
+  const auto nodes = static_cast<std::size_t>(mesh.linear_nodes < 0 ? mesh.nodes() : mesh.linear_nodes);
   std::map<std::string, std::vector<double>> fields;  // each is read once
   for (SceneInteraction& own : interactions) {
     const std::string& field = own.factor_field;
     if (field.empty()) continue;
-    const auto type = mesh.get<std::string>("Type");
+    const auto type = list.get<std::string>("Type");
     if (type != exodus_format)
       own.node.refuse("Factor Field",
                       fmt::format("\"{}\" is a field of an Exodus file, but Mesh/Type is {}; choose {}, "
@@ -174,11 +182,10 @@ void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuch
     const auto [found, is_new] = fields.insert({field, {}});
     if (is_new)
       found->second = at(own.node.path_of("Factor Field"), [&] {
-        return read_exodus_field(mesh.sublist(exodus_format).get<std::string>("File"), field);
+        return read_exodus_field(list.sublist(exodus_format).get<std::string>("File"), field);
       });
     own.nodal_factor = found->second;
-    if (own.nodal_factor.size() != static_cast<std::size_t>(nodes))
-      own.node.refuse("Factor Field", "the mesh file changed while it was read");
+    if (own.nodal_factor.size() != nodes) own.node.refuse("Factor Field", "the mesh file changed while it was read");
   }
 }
 
@@ -189,19 +196,31 @@ std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interacti
   return all;
 }
 
-void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& mesh) {
+const std::string& name_of(ContactElement element) {
+  for (const auto& [name, value] : contact_elements())
+    if (value == element) return name;
+  throw std::logic_error("a contact element without a name");
+}
+
+void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
   std::map<std::string, const SceneInteraction*> known;
-  for (const SceneInteraction& own : interactions) {
+  for (SceneInteraction& own : interactions) {
+    const SideSet& set =
+        at(own.node.path_of("Side Set"), [&]() -> const SideSet& { return side_set_named(mesh, own.side_set); });
+    own.element = at(own.node.path_of("Contact Element"), [&] { return fitting_element(mesh, set, own.element); });
+    if (own.element == ContactElement::Q2C2 && own.bulk_points > 0)
+      own.node.refuse("Bulk Points", fmt::format("{} has no effect on quadratic cells, which have no enriched sides; "
+                                                 "use 0, and the material's Quadrature Points",
+                                                 own.bulk_points));
     const auto [before, added] = known.insert({own.side_set, &own});
     if (!added) {
       const SceneInteraction& first = *before->second;
       if (first.element != own.element || first.bulk_points != own.bulk_points)
         own.node.refuse("Contact Element",
                         fmt::format("another interaction wants {} on the side set \"{}\", or other Bulk Points",
-                                    first.node.text("Contact Element"), own.side_set));
+                                    name_of(first.element), own.side_set));
       continue;
     }
-    at(own.node.path_of("Side Set"), [&] { return side_set_named(mesh, own.side_set); });
     at(own.node.path_of("Contact Element"), [&] { enrich(mesh, own.side_set, own.element, own.bulk_points); });
   }
   check_cells(mesh);

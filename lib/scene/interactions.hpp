@@ -40,15 +40,20 @@ void declare_interaction(Teuchos::ParameterList& list);
 /// outlive the result.
 std::vector<SceneInteraction> read_interactions(const SceneNode& interactions);
 
-/// Reads the factor fields of the interactions, if any, from the Exodus file of the validated list "Mesh", whose mesh
-/// has that number of nodes. Throws InputError with the list path.
-void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& mesh, int nodes);
+/// Reads the factor fields of the interactions, if any, from the Exodus file of the validated list "Mesh"; `mesh` is
+/// its mesh, perhaps of raised order. Throws InputError with the list path.
+void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuchos::ParameterList& list,
+                        const Mesh& mesh);
 
 /// Returns the factors that were read, one after the other.
 std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interactions);
 
-/// Gives the surfaces the contact elements that the interactions ask for. Throws InputError with the list path.
-void enrich_surfaces(const std::vector<SceneInteraction>& interactions, Mesh& mesh);
+/// Returns the name of a contact element in scenes.
+const std::string& name_of(ContactElement element);
+
+/// Gives the surfaces the contact elements that the interactions ask for, and each interaction the one that it has:
+/// fitting_element(). Throws InputError with the list path.
+void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh);
 
 /// Adds the interactions to the model. Throws InputError, with the list path, if one does not fit the mesh, or its
 /// surface is in or below the obstacle at the initial time. Collective.

@@ -34,7 +34,9 @@ const Options<Defaults>& options() {
                "of Green's strain. Rigid rotations are not damped. Standard elements only.",
                at_least(0))
           .add("Quadrature Points", &Defaults::points,
-               "Number of Gauss points per direction in elements that are not enriched.", between(1, 10))
+               "Number of Gauss points per direction in linear elements that are not enriched; quadratic ones have one "
+               "more.",
+               between(1, 10))
           .choose(
               "Element Formulation", &Defaults::formulation,
               {{"Standard", Formulation::Standard},
@@ -42,8 +44,8 @@ const Options<Defaults>& options() {
                {"Enhanced", Formulation::Enhanced}},
               "Element type. Mean Dilatation avoids volumetric locking; its forces and tangents cost 2 to 4 times as "
               "much as those of Standard. Enhanced also avoids locking in bending; its forces cost 5 to 40 times and "
-              "its tangents 3 to 10 times as much. Enhanced is not suitable for strong compression, and enriched "
-              "contact elements stay Standard.");
+              "its tangents 3 to 10 times as much. Enhanced is not suitable for strong compression, enriched "
+              "contact elements stay Standard, and quadratic cells, which do not lock in bending, refuse it.");
   return all;
 }
 

@@ -36,6 +36,11 @@ void add_mesh(List& list) {
            "revolution about the y axis, x is the radius; forces, energies and masses are those of the whole body. "
            "Nodes on the axis stay on it. A mesh of three dimensions ignores Plane Strain.",
            one_of({"Plane Strain", axisymmetric_geometry}));
+  list.set(cell_order, 1,
+           "Order of the cells. 1: linear cells, and those of a file as they are. 2: quadratic cells, of 9 nodes in 2D "
+           "and 27 in 3D; linear ones get nodes in the middle of their edges, faces and insides. In the Disk they "
+           "follow the circle, other meshes keep their shape; the Map moves the new nodes, too.",
+           between(1, 2));
   declare_map(list.sublist("Map", false,
                            "Formulas that move the nodes, for graded meshes and for shapes that no generator has. Sets "
                            "refer to the new places."));
@@ -114,7 +119,8 @@ List make_scene_parameters() {
   mark_free_form(scene.sublist(
       "Linear Solver", false,
       "A Stratimikos list. Linear Solver Type is Automatic (the default: chosen by size, shape and step size), Direct, "
-      "Belos or Amesos2. Preconditioner Type is None, Direct, MueLu, Ifpack2 or Chebyshev. Two entries are Ixos' own: "
+      "Belos or Amesos2. Preconditioner Type is None, Direct, MueLu, Ifpack2, Chebyshev or Two-Level. Two entries are "
+      "Ixos' own: "
       "Operator is Automatic, Assembled or Matrix-Free, and Reuse/Setup Cost is the cost of a new preconditioner in "
       "iterations of the linear solver."));
   add_output(scene.sublist("Output", false, "Results that a run writes."));

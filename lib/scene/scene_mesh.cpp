@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/mesh_file.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/soundness.hpp"
@@ -31,6 +32,31 @@ const Catalogue<MeshEntry>& meshes() {
   return catalogue;
 }
 
+namespace {
+
+/// Makes the mesh with the order of cells that the list asks for.
+Mesh make_mesh(const SceneNode& node, const MeshEntry& chosen) {
+  if (node.count(cell_order) == 2 && chosen.make_quadratic) {
+    const SceneNode own = node.sublist(chosen.name);
+    return at(own.path(), [&] { return chosen.make_quadratic(own); });
+  }
+  return meshes().make(node);
+}
+
+/// Raises the order of the cells if the list asks for it, applies the map, checks the cells and adds the sets.
+void finish(const SceneNode& node, Mesh& mesh) {
+  if (node.count(cell_order) == 2) raise_order(mesh);
+  at("Mesh", [&] {
+    require_one_order(mesh);
+    require_shared_middles(mesh);
+  });
+  map_nodes(node.sublist("Map"), mesh);
+  at("Mesh", [&] { check_cells(mesh); });
+  add_sets(node.sublist("Sets"), mesh);
+}
+
+}  // namespace
+
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
   const SceneNode node(list, "Mesh");
   const MeshEntry& chosen = meshes().chosen(node);
@@ -38,11 +64,9 @@ Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
     std::string& path = list.sublist(chosen.name).get<std::string>("File");
     path = path_beside(scene_folder, path);
   }
-  Mesh mesh = meshes().make(node);
+  Mesh mesh = make_mesh(node, chosen);
   mesh.axisymmetric = is_axisymmetric(list);
-  map_nodes(node.sublist("Map"), mesh);
-  at("Mesh", [&] { check_cells(mesh); });
-  add_sets(node.sublist("Sets"), mesh);
+  finish(node, mesh);
   return mesh;
 }
 
@@ -52,9 +76,7 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
     check_arrays(given);
     refuse_repeated_cells(given);
   });
-  map_nodes(SceneNode(list, "Mesh").sublist("Map"), given);
-  at("Mesh", [&] { check_cells(given); });
-  add_sets(SceneNode(list, "Mesh").sublist("Sets"), given);
+  finish(SceneNode(list, "Mesh"), given);
   return given;
 }
 

@@ -14,15 +14,18 @@ namespace ixos {
 constexpr const char* geometry_choice = "Geometry";
 constexpr const char* axisymmetric_geometry = "Axisymmetric";
 
+/// The entry of the list "Mesh" that gives the order of the cells.
+constexpr const char* cell_order = "Cell Order";
+
 /// Returns whether a list "Mesh" chooses a body of revolution.
 bool is_axisymmetric(const Teuchos::ParameterList& mesh);
 
-/// Makes the mesh of a validated "Mesh" list, with its map; it has passed check_cells(). Looks for a mesh file in the
-/// working folder, then in `scene_folder`. Throws InputError with the list path.
+/// Makes the mesh of a validated "Mesh" list, with its order of cells and its map; it has passed check_cells(). Looks
+/// for a mesh file in the working folder, then in `scene_folder`. Throws InputError with the list path.
 Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder);
 
-/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()), and applies map and sets of a
-/// validated "Mesh" list. Throws InputError with the list path.
+/// Checks a mesh that a program provides (check_arrays(), repeated cells, check_cells()), and applies order, map and
+/// sets of a validated "Mesh" list. Throws InputError with the list path.
 Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
 
 /// Returns the user's scene with "Given" as its mesh, of that dimension, in place of any other; its "Mesh/Sets" stay.

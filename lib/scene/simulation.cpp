@@ -32,6 +32,7 @@
 #include "scene/symmetry.hpp"
 #include "scene/warnings.hpp"
 #include "solve/linear_solver_defaults.hpp"
+#include "solve/problem_size.hpp"
 #include "time/catalogue.hpp"
 #include "time/default_linear_solver.hpp"
 
@@ -133,7 +134,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
       mesh.notes.push_back(std::move(note));
-    read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh.nodes());
+    read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
     enrich_surfaces(interactions_, mesh);
   });
   notes_ = mesh.notes;
@@ -192,7 +193,8 @@ void Simulation::build_integrator(Table table) {
                          asymmetry(scene, materials_, *model_, table),
                          matrix_only(scene, materials_, model_->mesh()),
                          level_width_,
-                         tangent_stiffness(*model_, table, longest)};
+                         tangent_stiffness(*model_, table, longest),
+                         has_quadratic_cells(model_->mesh())};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);

@@ -14,9 +14,11 @@
 #include "solve/direct_solver.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/lagged_solver.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "solve/operator_preconditioner.hpp"
 #include "solve/rigid_body_modes.hpp"
 #include "solve/thyra.hpp"
+#include "solve/two_level_preconditioner.hpp"
 
 namespace ixos {
 
@@ -37,6 +39,9 @@ void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::
   builder.setPreconditioningStrategyFactory(
       Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, ChebyshevPreconditionerFactory>(),
       "Chebyshev");
+  builder.setPreconditioningStrategyFactory(
+      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, TwoLevelPreconditionerFactory>(),
+      "Two-Level");
   builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
 }
 
@@ -91,7 +96,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
   self.preconditioned = preconditioner != "None";
   self.lagged.from_scratch = preconditioner == "MueLu";
-  self.lagged.of_matrix = preconditioner != "Chebyshev";
+  self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");

@@ -44,6 +44,19 @@ bool has_short_steps(const ProblemSize& size) {
   return size.asymmetry.empty() && size.matrix_only.empty() && size.dimension == 3 && size.stiffness <= 250;
 }
 
+/// Whether the cycle between quadratic and linear cells is possible, and better than a matrix.
+bool suits_two_levels(const ProblemSize& size) {
+  return size.quadratic && size.asymmetry.empty() && size.matrix_only.empty() && size.dimension == 3 &&
+         !factorize_on_first_rank(size);
+}
+
+/// Returns the price of a new preconditioner in iterations.
+double setup_cost(const std::string& preconditioner) {
+  if (preconditioner == "Chebyshev") return 4;  // ten products; an iteration takes three
+  if (preconditioner == "Two-Level") return 8;
+  return 20;
+}
+
 /// If a factorisation costs many Krylov iterations, it pays to keep it.
 bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
@@ -69,8 +82,7 @@ void complete_belos(ParameterList& list, const ProblemSize& size) {
 
 /// Smoothed aggregation with Chebyshev smoothing: 12 to 21 CG iterations on blocks and thin plates of 100,000 to
 /// 360,000 degrees of freedom.
-void complete_muelu(ParameterList& list, const ProblemSize& size) {
-  ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
+void complete_muelu(ParameterList& muelu, const ProblemSize& size) {
   muelu.get("verbosity", std::string("none"));
   muelu.get("number of equations", size.dimension);
   muelu.get("coarse: max size", 1500);
@@ -84,14 +96,28 @@ void complete_muelu(ParameterList& list, const ProblemSize& size) {
 
 /// Returns the entry's value, one of the names.
 std::string choice(ParameterList& list, const char* name, const std::string& fallback,
-                   const std::vector<std::string>& names) {
-  if (list.isParameter(name) && !list.isType<std::string>(name))
-    throw InputError(std::string("Linear Solver/") + name + ": must be a string");
+                   const std::vector<std::string>& names, const std::string& path = "Linear Solver/") {
+  if (list.isParameter(name) && !list.isType<std::string>(name)) throw InputError(path + name + ": must be a string");
   std::string value = list.get(name, fallback);
   if (std::find(names.begin(), names.end(), value) == names.end())
-    throw InputError(std::string("Linear Solver/") + name + ": \"" + value + "\" does not exist; did you mean \"" +
-                     closest_name(value, names) + "\"? Allowed: " + quoted_list(names));
+    throw InputError(path + name + ": \"" + value + "\" does not exist; did you mean \"" + closest_name(value, names) +
+                     "\"? Allowed: " + quoted_list(names));
   return value;
+}
+
+/// Chooses the coarse solver, unless the list does: a factorisation of the linear cells' matrix where that is cheap,
+/// else MueLu.
+void complete_two_level(ParameterList& list, const ProblemSize& size) {
+  ParameterList& coarse = list.sublist("Preconditioner Types").sublist("Two-Level").sublist("Coarse");
+  ProblemSize corners = size;
+  corners.dofs = size.dofs >> size.dimension;
+  const std::string type = choice(coarse, "Type", "Automatic", {"Automatic", "MueLu", "Direct"},
+                                  "Linear Solver/Preconditioner Types/Two-Level/Coarse/");
+  if (type == "Automatic") coarse.set("Type", std::string(factorize_on_first_rank(corners) ? "Direct" : "MueLu"));
+  if (coarse.get<std::string>("Type") == "MueLu")
+    complete_muelu(coarse.sublist("MueLu"), size);
+  else
+    coarse.sublist("Direct").get("Solver Type", preconditioning_factorization(corners));
 }
 
 /// Throws InputError if the list asks for a solver of symmetric matrices.
@@ -127,6 +153,19 @@ void refuse_symmetric_solvers(ParameterList& list, const std::string& asymmetry)
     refuse("Preconditioner Type", "Chebyshev", "\"MueLu\", \"Ifpack2\" or \"Direct\"");
 }
 
+/// Throws InputError if the two-level cycle is not possible.
+void refuse_two_level(const ProblemSize& size, const std::string& op) {
+  const auto refuse = [](const std::string& why) {
+    throw InputError("Linear Solver/Preconditioner Type: \"Two-Level\" needs " + why +
+                     "; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
+  };
+  if (!size.quadratic) refuse("a mesh of quadratic cells, and this one has linear cells");
+  if (!size.asymmetry.empty())
+    refuse("a symmetric matrix; because of " + size.asymmetry + ", the tangent is not symmetric");
+  if (!size.matrix_only.empty()) refuse("matrix-free tangents, which are not offered for " + size.matrix_only);
+  if (op == "Assembled") refuse("matrix-free tangents, and Operator is \"Assembled\"");
+}
+
 void refuse_matrix_free(const ProblemSize& size) {
   if (!size.asymmetry.empty())
     throw InputError("Linear Solver/Operator: \"Matrix-Free\" needs a symmetric tangent; because of " + size.asymmetry +
@@ -141,9 +180,10 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   std::string type = choice(list, "Linear Solver Type", "Automatic", {"Automatic", "Direct", "Belos", "Amesos2"});
   bool asks = list.isParameter("Preconditioner Type");
   std::string preconditioner =
-      choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2", "Direct", "Chebyshev"});
+      choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2", "Direct", "Chebyshev", "Two-Level"});
   const std::string op = choice(list, "Operator", "Automatic", {"Automatic", "Assembled", "Matrix-Free"});
   if (op == "Matrix-Free") refuse_matrix_free(size);
+  if (preconditioner == "Two-Level") refuse_two_level(size, op);
   refuse_symmetric_solvers(list, size.asymmetry);
   if (type == "Automatic") {
     const bool direct = factorize(size) && !asks;
@@ -153,8 +193,10 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
     if (polynomial) preconditioner = "Chebyshev";
     asks = asks || direct || polynomial;
   }
-  if (type == "Belos" && !asks) preconditioner = "MueLu";
-  const bool large = size.dimension == 3 && (!factorize_on_first_rank(size) || preconditioner == "Chebyshev");
+  if (type == "Belos" && !asks) preconditioner = op != "Assembled" && suits_two_levels(size) ? "Two-Level" : "MueLu";
+  const bool without_matrix = preconditions_without_matrix(preconditioner);
+  const bool large =
+      preconditioner == "Two-Level" || (size.dimension == 3 && (!factorize_on_first_rank(size) || without_matrix));
   const bool can = size.asymmetry.empty() && size.matrix_only.empty() && type == "Belos";
   if (op == "Matrix-Free" && !can)
     throw InputError("Linear Solver/Operator: \"Matrix-Free\" needs Linear Solver Type \"Belos\", not \"" + type +
@@ -169,13 +211,15 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   if (type == "Direct") complete_direct(list, size);
   if (preconditioner == "Direct")
     list.sublist("Preconditioner Types").sublist("Direct").get("Solver Type", preconditioning_factorization(size));
-  if (preconditioner == "MueLu") complete_muelu(list, size);
-  // A polynomial's ten products of setup are a few iterations of three.
-  if (preconditioner != "None") list.sublist("Reuse").get("Setup Cost", preconditioner == "Chebyshev" ? 4.0 : 20.0);
+  if (preconditioner == "MueLu") complete_muelu(list.sublist("Preconditioner Types").sublist("MueLu"), size);
+  if (preconditioner == "Two-Level") complete_two_level(list, size);
+  if (preconditioner != "None") list.sublist("Reuse").get("Setup Cost", setup_cost(preconditioner));
   return list;
 }
 
 }  // namespace
+
+bool preconditions_without_matrix(const std::string& type) { return type == "Chebyshev" || type == "Two-Level"; }
 
 ParameterList completed_linear_solver(const ParameterList& user, const ProblemSize& size) {
   try {
@@ -198,6 +242,12 @@ std::string linear_solver_in_words(const ParameterList& completed) {
   std::string text = named("Linear Solver Types", list.get<std::string>("Linear Solver Type"));
   const auto preconditioner = list.get<std::string>("Preconditioner Type");
   if (preconditioner != "None") text += ", preconditioner " + named("Preconditioner Types", preconditioner);
+  if (preconditioner == "Two-Level") {
+    ParameterList& coarse = list.sublist("Preconditioner Types").sublist(preconditioner).sublist("Coarse");
+    const auto coarse_type = coarse.get<std::string>("Type");
+    const std::string kind = coarse.sublist(coarse_type).get("Solver Type", "");
+    text += " (coarse: " + coarse_type + (kind.empty() ? "" : " (" + kind + ")") + ")";
+  }
   return text +
          (list.get<std::string>("Operator") == "Matrix-Free" ? ", matrix-free tangents" : ", assembled tangents");
 }

@@ -14,6 +14,7 @@ struct ProblemSize {
   std::string matrix_only{};  ///< what cannot be applied without a matrix, in words; empty if there is no such part
   double width = 1e300;       ///< mean_level_width() of the mesh; asked for in three dimensions only
   double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
+  bool quadratic = false;     ///< all cells are
 };
 
 /// Fills in a scene's "Linear Solver" list if its "Linear Solver Type" is "Automatic" or missing. Same on all ranks.
@@ -23,13 +24,19 @@ struct ProblemSize {
 ///   nodes, to 2,000,000), else MueLu.
 /// - In 3D, from 2,000 on, if steps are short (a stiffness of at most 250), chooses CG with Chebyshev's polynomial,
 ///   without a matrix.
+/// - Large meshes of quadratic cells in 3D get the two-level cycle in place of MueLu, without a fine matrix. Its coarse
+///   matrix is factorised if that is cheap, else it gets MueLu.
 /// - Large tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in
 ///   single precision.
 /// - If the list asks for Belos or MueLu, fills in its missing entries with settings that suit elasticity.
 /// - An unsymmetric tangent gets LU in place of Cholesky and GMRES in place of CG.
 /// Throws InputError, with the list path and the cause, if the list asks for a solver of symmetric matrices and the
-/// tangent is not symmetric (as a preconditioner CHOLMOD is accepted), or for "Matrix-Free" that is not possible.
+/// tangent is not symmetric (as a preconditioner CHOLMOD is accepted), or for "Matrix-Free" or "Two-Level" that is not
+/// possible.
 Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
+
+/// Returns whether a "Preconditioner Type" never asks a matrix-free tangent for its matrix.
+bool preconditions_without_matrix(const std::string& type);
 
 /// Returns a completed list in words: "Belos (Pseudo Block CG), preconditioner Direct (CHOLMOD), tangents assembled".
 std::string linear_solver_in_words(const Teuchos::ParameterList& completed);

@@ -1,12 +1,20 @@
 #include "solve/problem_size.hpp"
 
+#include <algorithm>
+
 namespace ixos {
+
+bool has_quadratic_cells(const LocalMesh& mesh) {
+  return std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
+                     [](const auto& block) { return block.global_cells == 0 || is_quadratic(block.type); });
+}
 
 ProblemSize problem_size(const Model& model) {
   ProblemSize size;
   size.dimension = model.mesh().dimension;
   size.dofs = model.space().global();
   size.ranks = model.space().comm()->getSize();
+  size.quadratic = has_quadratic_cells(model.mesh());
   if (model.has_viscosity()) size.asymmetry = size.matrix_only = "the viscosity";
   for (const NamedForceTerm& named : model.force_terms()) {
     const std::string name = "\"" + named.name + "\"";

@@ -5,6 +5,9 @@
 
 namespace ixos {
 
+/// Returns whether all cells of the mesh are quadratic. Same on all ranks.
+bool has_quadratic_cells(const LocalMesh& mesh);
+
 /// Returns the properties of the derivatives of a model's semi-discrete equation, for solvers that no scene describes:
 /// without width and stiffness. A viscosity makes W unsymmetric.
 ProblemSize problem_size(const Model& model);

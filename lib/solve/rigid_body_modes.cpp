@@ -7,7 +7,11 @@
 namespace ixos {
 
 Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
-  const LocalMesh& mesh = model.mesh();
+  return rigid_body_modes(model.mesh(), model.space(), model.constraints().dofs());
+}
+
+Teuchos::RCP<MultiVector> rigid_body_modes(const LocalMesh& mesh, const DofSpace& space,
+                                           const std::vector<int>& constrained) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const auto nodes = static_cast<std::size_t>(mesh.owned_nodes);
   std::array<double, 4> sums{};
@@ -16,10 +20,10 @@ Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
       for (std::size_t i = 0; i < d; ++i) sums[i] += mesh.coordinates[n * d + i];
       sums[3] += 1;
     }
-  model.space().sum(sums.data(), 4);
+  space.sum(sums.data(), 4);
 
   const std::size_t modes = d == 2 ? 3 : 6;
-  auto result = Teuchos::rcp(new MultiVector(model.space().owned_map(), modes));
+  auto result = Teuchos::rcp(new MultiVector(space.owned_map(), modes));
   const auto view = result->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t n = 0; n < nodes; ++n) {
     // A derivative node does not take part in translations, and its "place" is a direction.
@@ -36,17 +40,20 @@ Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model) {
       view(n * d + j, d + r) = x[i];
     }
   }
-  for (int dof : model.constraints().dofs())
-    if (dof < model.space().owned())
+  for (int dof : constrained)
+    if (dof < space.owned())
       for (std::size_t m = 0; m < modes; ++m) view(static_cast<std::size_t>(dof), m) = 0;
   return result;
 }
 
 Teuchos::RCP<MultiVector> node_coordinates(const Model& model) {
-  const LocalMesh& mesh = model.mesh();
+  return node_coordinates(model.mesh(), model.space().comm());
+}
+
+Teuchos::RCP<MultiVector> node_coordinates(const LocalMesh& mesh, const Comm& comm) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(mesh.global_nodes),
-                                        static_cast<std::size_t>(mesh.owned_nodes), 0, model.space().comm()));
+                                        static_cast<std::size_t>(mesh.owned_nodes), 0, comm));
   auto result = Teuchos::rcp(new MultiVector(map, d));
   const auto view = result->getLocalViewHost(Tpetra::Access::OverwriteAll);
   for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.owned_nodes); ++n)

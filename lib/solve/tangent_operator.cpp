@@ -48,17 +48,21 @@ void TangentOperator::multiply(const double* x) const {
   std::fill(result_.begin(), result_.end(), 0.0);
   for (const auto& action : elastic_) action->add_product(x, result_.data());
   for (const auto& action : interactions_) action->add_product(x, result_.data());
-  if (!mass_in_elastic_) {
-    if (model_.mass() != nullptr && mass_ != 0) {
-      model_.mass()->multiply(x, part_.data());
-      for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
-    }
-    if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
-  }
+  if (!mass_in_elastic_) add_mass(x);
   if (shift_ != 0)
     for (std::size_t i = 0; i < owned; ++i) result_[i] += shift_ * x[i];
   if (!dashpots_.empty())
     for (std::size_t i = 0; i < owned; ++i) result_[i] += dashpots_[i] * x[i];
+}
+
+/// Adds the mass and the damping's part of it, times x, to result_.
+void TangentOperator::add_mass(const double* x) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  if (model_.mass() != nullptr && mass_ != 0) {
+    model_.mass()->multiply(x, part_.data());
+    for (std::size_t i = 0; i < owned; ++i) result_[i] += mass_ * part_[i];
+  }
+  if (model_.damping() != nullptr) model_.damping()->multiply_add_mass(damping_, x, result_.data());
 }
 
 /// Sets dashpots_ to the tangent of the dashpots, which is a diagonal matrix.
@@ -124,6 +128,31 @@ Teuchos::RCP<CrsMatrix> TangentOperator::matrix() const {
     assembled_ = true;
   }
   return matrix_;
+}
+
+const CoarseSpace& TangentOperator::coarse_space() const {
+  if (!coarse_space_)
+    coarse_space_ = std::make_unique<CoarseSpace>(model_.mesh(), model_.space(), model_.constraints().dofs());
+  return *coarse_space_;
+}
+
+Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
+  const CoarseSpace& coarse = coarse_space();
+  const auto matrix = coarse.pattern().create_matrix(coarse.space());
+  double* values = matrix->getLocalMatrixHost().values.data();
+  for (const auto* actions : {&elastic_, &interactions_})
+    for (const auto& action : *actions) action->add_coarse(coarse, values);
+  std::fill(result_.begin(), result_.end(), 0.0);
+  if (!mass_in_elastic_) {
+    std::fill(x_.begin(), x_.end(), 1.0);
+    add_mass(x_.data());  // its row sums
+  }
+  for (std::size_t i = 0; i < dashpots_.size(); ++i) result_[i] += dashpots_[i];
+  for (double& entry : result_) entry += shift_;
+  model_.space().update_ghosts(result_.data());
+  coarse.add_diagonal(result_.data(), values);
+  coarse.leave_out(constrained_diagonal_, values);
+  return matrix;
 }
 
 }  // namespace ixos

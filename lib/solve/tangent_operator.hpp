@@ -6,6 +6,7 @@
 
 #include "model/model.hpp"
 #include "solve/assemblable_operator.hpp"
+#include "solve/coarsenable_operator.hpp"
 
 namespace ixos {
 
@@ -24,7 +25,7 @@ struct TangentPoint {
 
 /// y = W x from the data that the terms keep at their quadrature points, consistent mass and damping included. The
 /// model must outlive it.
-class TangentOperator : public AssemblableOperator {
+class TangentOperator : public AssemblableOperator, public CoarsenableOperator {
  public:
   /// `assemble` fills matrix values (Pattern::create_matrix's layout, zero before) with the tangent at the last
   /// linearize(), constraints included. Throws InputError if a term cannot be applied matrix-free.
@@ -46,10 +47,14 @@ class TangentOperator : public AssemblableOperator {
   Teuchos::RCP<CrsMatrix> matrix() const override;
   void diagonal(Vector& result) const override;
   void forget_values() const override { assembled_ = false; }
+  const CoarseSpace& coarse_space() const override;
+  /// A consistent mass that the elastic actions do not apply, because their quadrature is not its own, enters lumped.
+  Teuchos::RCP<CrsMatrix> coarse_matrix() const override;
 
  private:
   /// Sets result_ = W x with free and constrained degrees of freedom coupled, x local.
   void multiply(const double* x) const;
+  void add_mass(const double* x) const;
   void linearize_dashpots();
 
   const Model& model_;
@@ -61,6 +66,7 @@ class TangentOperator : public AssemblableOperator {
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;
   mutable bool assembled_ = false;
+  mutable std::unique_ptr<CoarseSpace> coarse_space_;  ///< made at the first use
 };
 
 }  // namespace ixos

@@ -86,23 +86,29 @@ class CurvedSides : public SurfaceSides<SideElement> {
     return normals;
   }
 
-  /// Adds the tangent of a batch from the matrices of its quadrature points. The blocks of two nodes (a, c) and (c, a)
-  /// are equal.
+  /// Adds the tangent of a batch from the matrices of its quadrature points.
   void scatter_tangent(std::size_t b, const Small<Pack, D>* matrices, double* values) const {
     Small<Pack, N * D> tangent;
-    for (std::size_t a = 0; a < N; ++a)
-      for (std::size_t c = a; c < N; ++c) {
+    sum_over_points(quadrature(), matrices, tangent);
+    batches().scatter_tangent(b, tangent, values);
+  }
+
+  /// Sets a tangent to the sum of N_a k N_c over the points of an element's table with a matrix k at each. The blocks
+  /// of two nodes (a, c) and (c, a) are equal.
+  template <class Element>
+  static void sum_over_points(const ShapeTable<Element>& table, const Small<Pack, D>* matrices,
+                              Small<Pack, Element::nodes * D>& tangent) {
+    for (std::size_t a = 0; a < Element::nodes; ++a)
+      for (std::size_t c = a; c < Element::nodes; ++c) {
         Small<Pack, D> sum{};  // stays in registers
-        for (std::size_t q = 0; q < quadrature().size(); ++q) {
-          const auto& shape = quadrature().value[q];
-          const double weight = shape[a] * shape[c];
+        for (std::size_t q = 0; q < table.size(); ++q) {
+          const double weight = table.value[q][a] * table.value[q][c];
           for (std::size_t i = 0; i < D; ++i)
             for (std::size_t j = 0; j < D; ++j) sum[i][j] += weight * matrices[q][i][j];
         }
         for (std::size_t i = 0; i < D; ++i)
           for (std::size_t j = 0; j < D; ++j) tangent[a * D + i][c * D + j] = tangent[c * D + i][a * D + j] = sum[i][j];
       }
-    batches().scatter_tangent(b, tangent, values);
   }
 
   /// Places of one batch's quadrature points along a segment. The sides must outlive it.

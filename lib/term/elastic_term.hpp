@@ -15,7 +15,7 @@ namespace ixos {
 enum class Formulation {
   Standard,        ///< ElasticKernel: locks if nearly incompressible, and in bending
   MeanDilatation,  ///< MeanDilatationKernel: cures the first, of all cell types
-  Enhanced         ///< EnhancedKernel: cures both if pressures are moderate; enriched cells stay Standard
+  Enhanced         ///< EnhancedKernel: cures both if pressures are moderate; linear cells, enriched ones stay Standard
 };
 
 /// Means over the reference volume of each cell of one block, for output.
@@ -44,10 +44,11 @@ class Elasticity : public ForceTerm {
 bool has_action(Formulation formulation);
 
 /// Returns the term for one block, its cells in SIMD batches. The caller has checked the mesh (see check_cells).
-/// `points`: Gauss points a direction of elements that are not enriched, 0 for the element's own number; an enriched
-/// block gives its own number. All but Standard accept no rule with Mean::DiscreteGradient, nor do laws without a
-/// discrete gradient; Enhanced needs two points or more. The laws neo_hooke() and linear_elastic() are compiled into
-/// the kernels, other laws are called once for each pack of quadrature points.
+/// `points`: Gauss points a direction of elements that are not enriched, see cell_points(), 0 for the element's own
+/// number; an enriched block gives its own number. Throws InputError for Enhanced quadratic cells. All but Standard
+/// accept no rule with Mean::DiscreteGradient, nor do laws without a discrete gradient; Enhanced needs two points or
+/// more. The laws neo_hooke() and linear_elastic() are compiled into the kernels, other laws are called once for each
+/// pack of quadrature points.
 std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                               const std::shared_ptr<const ElasticLaw>& law, int points = 0,
                                               Formulation formulation = Formulation::Standard);

@@ -1,5 +1,6 @@
 #include "term/elastic_term_impl.hpp"
 
+#include "base/error.hpp"
 #include "element/elastic_kernel.hpp"
 #include "fem/with_element.hpp"
 
@@ -19,11 +20,15 @@ bool has_action(Formulation formulation) { return formulation == Formulation::St
 std::unique_ptr<Elasticity> make_elastic_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                               const std::shared_ptr<const ElasticLaw>& law, int points,
                                               Formulation formulation) {
+  if (formulation == Formulation::Enhanced && is_quadratic(block.type))
+    throw InputError("block \"" + block.name +
+                     "\": quadratic cells do not lock in bending and have no Enhanced formulation; use Standard, or "
+                     "Mean Dilatation for nearly incompressible materials");
   if (mesh.axisymmetric) return make_revolved_term(mesh, block, pattern, law, points, formulation);
   if (!is_compiled_in(*law)) return make_any_term(mesh, block, pattern, law, points, formulation);
-  const bool enriched = block.type != CellType::Quad4 && block.type != CellType::Hex8;
   if (formulation == Formulation::MeanDilatation) return make_mean_dilatation_term(mesh, block, pattern, law, points);
-  if (formulation == Formulation::Enhanced && !enriched) return make_enhanced_term(mesh, block, pattern, law, points);
+  if (formulation == Formulation::Enhanced && !is_enriched(block.type))
+    return make_enhanced_term(mesh, block, pattern, law, points);
   return with_element(block.type, [&](auto element) {
     return make_kernel_term<ElasticKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
   });

@@ -53,6 +53,13 @@ class FlatSides : public SurfaceSides<SideElement> {
       for (std::size_t d = 0; d < D; ++d) result[a][d] = along[a] * wall_.normal[d];
     return result;
   }
+  /// Sets a matrix on such vectors from the one on their lengths.
+  template <std::size_t Nodes>
+  void spread(const Small<Pack, Nodes>& along, Small<Pack, Nodes * D>& matrix) const {
+    for (std::size_t r = 0; r < Nodes * D; ++r)
+      for (std::size_t c = 0; c < Nodes * D; ++c)
+        matrix[r][c] = along[r / D][c / D] * (wall_.normal[r % D] * wall_.normal[c % D]);
+  }
 
  private:
   Nodal along_normal(const Small<Pack, N, D>& vectors) const {

@@ -5,6 +5,7 @@
 #include "interaction/damage_law.hpp"
 #include "interaction/surface_kernel.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "term/corner_matrices.hpp"
 #include "term/flat_sides.hpp"
 #include "term/point_laws.hpp"
 #include "term/surface_terms.hpp"
@@ -55,9 +56,7 @@ class FlatSurfaceTerm final : public InteractionOverSteps<FlatSurfaceTerm<SideEl
       Kernel::add_tangent(laws_.of(b), sides_.quadrature(), sides_.measure(b), gaps.segment(), rule,
                           kind == Tangent::Convex, along);
       Small<Pack, N * D> tangent;
-      for (std::size_t r = 0; r < N * D; ++r)
-        for (std::size_t c = 0; c < N * D; ++c)
-          tangent[r][c] = along[r / D][c / D] * (sides_.normal()[r % D] * sides_.normal()[c % D]);
+      sides_.spread(along, tangent);
       sides_.batches().scatter_tangent(b, tangent, values);
     }
   }
@@ -231,6 +230,16 @@ class FlatSurfaceTerm final : public InteractionOverSteps<FlatSurfaceTerm<SideEl
           for (std::size_t i = 0; i < D; ++i)
             diagonal[a][i] = along_[b][a][a] * (term_.sides_.normal()[i] * term_.sides_.normal()[i]);
         term_.sides_.batches().scatter_diagonal(b, diagonal, d);
+      }
+    }
+
+    void add_coarse(const CoarseSpace& coarse, double* values) const override {
+      using Corners = typename CornerElement<SideElement>::type;
+      if constexpr (std::is_void_v<Corners>) {
+        TangentAction::add_coarse(coarse, values);
+      } else {
+        const auto set = [&](std::size_t b, auto& k) { term_.sides_.spread(on_corners<SideElement>(along_[b]), k); };
+        add_corner_matrices<Corners::nodes>(term_.sides_.batches(), coarse, set, values);
       }
     }
 

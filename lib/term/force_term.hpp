@@ -1,11 +1,14 @@
 /// The contract of a term whose force is evaluated by a rule on a segment.
 #pragma once
 #include <memory>
+#include <stdexcept>
 
 #include "fem/rule.hpp"
 #include "term/term.hpp"
 
 namespace ixos {
+
+class CoarseSpace;
 
 /// The part of a stage's rules that a term follows.
 enum class Part { Elastic, Interaction };
@@ -47,6 +50,11 @@ class TangentAction {
   virtual void add_product(const double* x, double* y) const = 0;
   /// Adds the diagonal of K to d, without that of a mass.
   virtual void add_diagonal(double* d) const = 0;
+  /// Adds P^T K P, that of a mass included, to matrix values of the coarse space's Pattern: the Galerkin product on the
+  /// linear cells of a mesh of quadratic ones. Throws std::logic_error if the action offers none.
+  virtual void add_coarse(const CoarseSpace& /*coarse*/, double* /*values*/) const {
+    throw std::logic_error("a term has no Galerkin product on linear cells");
+  }
 };
 
 /// The results of a force at quadrature points that a term keeps, so that the tangent at the same place need not

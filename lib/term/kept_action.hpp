@@ -1,9 +1,11 @@
 /// A tangent applied without a matrix, from what a kernel keeps at the quadrature points.
 #pragma once
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "term/block_cells.hpp"
+#include "term/corner_matrices.hpp"
 #include "term/force_term.hpp"
 
 namespace ixos {
@@ -33,6 +35,29 @@ class KeptAction : public TangentAction {
       Nodal diagonal{};
       Kept::add_diagonal(cells_.table, layout_, &data_[b * size_], diagonal);
       cells_.batches.scatter_diagonal(b, diagonal, d);
+    }
+  }
+
+  /// The kept data are in reference coordinates, so they serve linear cells with the same points. The matrix of a cell
+  /// is found column by column.
+  void add_coarse(const CoarseSpace& coarse, double* values) const override {
+    using Corners = typename CornerElement<typename Kernel::Shape>::type;
+    if constexpr (std::is_void_v<Corners>) {
+      if (cells_.size() > 0) TangentAction::add_coarse(coarse, values);
+    } else {
+      using Linear = typename Kept::template On<Corners>;
+      constexpr std::size_t C = Corners::nodes, D = Kernel::D;
+      const ShapeTable<Corners> table(cells_.table);
+      typename Linear::template Scratch<Pack> scratch(table.size());
+      const auto set_matrix = [&](std::size_t b, Small<Pack, C * D>& k) {
+        for (std::size_t column = 0; column < C * D; ++column) {
+          Small<Pack, C, D> u{}, f{};
+          u[column / D][column % D] = 1.0;
+          Linear::add_product(table, layout_, &data_[b * size_], u, scratch, f);
+          for (std::size_t row = 0; row < C * D; ++row) k[row][column] = f[row / D][row % D];
+        }
+      };
+      add_corner_matrices<C>(cells_.batches, coarse, set_matrix, values);
     }
   }
 

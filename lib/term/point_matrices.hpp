@@ -2,8 +2,11 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <stdexcept>
+#include <type_traits>
 #include <vector>
 
+#include "term/corner_matrices.hpp"
 #include "term/curved_sides.hpp"
 
 namespace ixos {
@@ -50,6 +53,22 @@ class PointMatrices {
           for (std::size_t i = 0; i < D; ++i) diagonal[a][i] += (shape[a] * shape[a]) * k_[b * points_ + q][i][i];
       }
       sides_.batches().scatter_diagonal(b, diagonal, d);
+    }
+  }
+
+  /// Adds P^T K P, see TangentAction::add_coarse(). Throws std::logic_error if the sides are not quadratic.
+  void add_coarse(const CoarseSpace& coarse, double* values) const {
+    using Corners = typename CornerElement<SideElement>::type;
+    if constexpr (std::is_void_v<Corners>) {
+      throw std::logic_error("sides that are not quadratic have no coarse space");
+    } else {
+      const ShapeTable<Corners> table(sides_.quadrature());
+      add_corner_matrices<Corners::nodes>(
+          sides_.batches(), coarse,
+          [&](std::size_t b, Small<Pack, Corners::nodes * D>& k) {
+            Sides::sum_over_points(table, &k_[b * points_], k);
+          },
+          values);
     }
   }
 

@@ -50,11 +50,14 @@ std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::s
 void add_block(Mesh& mesh, const std::string& name, const py::object& cells) {
   const std::string place = quoted("block", name);
   const Table table = integers(cells, 2, place);
-  const int corners = mesh.dimension == 2 ? 4 : 8;
-  if (table.shape(1) != corners)
-    throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
-                                 mesh.dimension, corners));
-  mesh.blocks.push_back({name, corners == 4 ? CellType::Quad4 : CellType::Hex8, node_numbers(table, mesh, place)});
+  const bool flat = mesh.dimension == 2;
+  for (const CellType type : {flat ? CellType::Quad4 : CellType::Hex8, flat ? CellType::Quad9 : CellType::Hex27})
+    if (table.shape(1) == nodes_per_cell(type)) {
+      mesh.blocks.push_back({name, type, node_numbers(table, mesh, place)});
+      return;
+    }
+  throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
+                               mesh.dimension, flat ? "4 or 9" : "8 or 27"));
 }
 
 void add_node_set(Mesh& mesh, const std::string& name, const py::object& nodes) {
@@ -110,11 +113,9 @@ Mesh make_mesh(const py::object& given, const py::dict& blocks, const py::dict& 
 
 py::array corners(const Mesh& mesh, const std::vector<Side>& sides) {
   std::vector<int> result;
-  for (const Side& side : sides) {
-    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    for (const int a : side_nodes(block.type, side.side))
-      result.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-  }
+  for (const Side& side : sides)
+    for (const int node : corners_of(mesh, side))
+      if (node >= 0) result.push_back(node);
   return taken(std::move(result), {static_cast<py::ssize_t>(sides.size()), mesh.dimension == 2 ? 2 : 4});
 }
 
@@ -144,8 +145,9 @@ void bind_mesh(py::module_& module) {
   py::class_<Mesh>(module, "Mesh", R"(A mesh of quadrilaterals or hexahedra, whole and in memory.
 
 points: array of points x 2 or 3 coordinates [L0]. blocks: cells by name, arrays of cells x 4 or 8 node numbers from 0,
-in the order of Exodus. node_sets: arrays of node numbers by name. side_sets: arrays of sides x 2 or 4 node numbers by
-name; a side lies on the boundary. Raises InputError for arrays that do not fit each other and for inverted cells.)")
+of quadratic cells 9 or 27, in the order of Exodus. node_sets: arrays of node numbers by name. side_sets: arrays of
+sides x 2 or 4 node numbers, those of the corners, by name; a side lies on the boundary. Raises InputError for arrays
+that do not fit each other and for inverted cells.)")
       .def(py::init(&make_mesh), py::arg("points"), py::arg("blocks"), py::arg("node_sets") = py::dict(),
            py::arg("side_sets") = py::dict())
       .def_static(

@@ -11,6 +11,7 @@
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "material/catalogue.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
@@ -19,12 +20,15 @@
 
 namespace {
 
-ixos::Mesh block(int dimension, int divisions) {
+/// `divisions`: steps from node to node along each edge.
+ixos::Mesh block(int dimension, int divisions, int order) {
   ixos::BoxShape shape;
   shape.dimension = dimension;
   shape.lengths = {10, 10, 10};
-  shape.divisions = {divisions, divisions, divisions};
-  return ixos::box(shape);
+  shape.divisions.fill(divisions / order);
+  ixos::Mesh mesh = ixos::box(shape);
+  if (order == 2) ixos::raise_order(mesh);
+  return mesh;
 }
 
 /// The file of heights for bodies of that dimension: a profile, or a field of 10 by 10 heights.
@@ -64,9 +68,9 @@ std::shared_ptr<const ixos::Obstacle> obstacle(int kind, int dimension) {
 struct Fixture {
   Fixture(int dimension, int divisions, ixos::Formulation formulation = ixos::Formulation::Standard, int kind = 0,
           const std::shared_ptr<const ixos::ElasticLaw>& law = ixos::neo_hooke(ixos::lame_constants(1, 0.3)),
-          const std::vector<ixos::MaxwellBranch>& branches = {})
+          const std::vector<ixos::MaxwellBranch>& branches = {}, int order = 1)
       : comm(Tpetra::getDefaultComm()),
-        mesh(block(dimension, divisions)),
+        mesh(block(dimension, divisions, order)),
         model(ixos::localize(mesh, ixos::partition_nodes(mesh, 1), 0, 1), comm,
               {{"body", law, 1.0, 0, 0, 0, 0, formulation, branches}}),
         u(static_cast<std::size_t>(model.space().local())),
@@ -110,9 +114,9 @@ void elastic_tangent(benchmark::State& state) {
 
 /// The elastic law of that number in the catalogue, with its defaults.
 struct LawFixture : Fixture {
-  explicit LawFixture(benchmark::State& state)
+  explicit LawFixture(benchmark::State& state, int order = 1)
       : Fixture(static_cast<int>(state.range(0)), divisions(state), ixos::Formulation::Standard, 0,
-                ixos::make_elastic_law(entry(state).name)) {
+                ixos::make_elastic_law(entry(state).name), {}, order) {
     state.SetLabel(entry(state).name);
   }
   static const ixos::ElasticEntry& entry(const benchmark::State& state) {
@@ -135,15 +139,21 @@ void law_tangent(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
+void count_degrees_of_freedom(benchmark::State& state, const Fixture& x) {
+  state.counters["dofs"] =
+      benchmark::Counter(static_cast<double>(x.u.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
 /// The product of the tangent and a vector, without a matrix.
 void law_product(benchmark::State& state) {
-  LawFixture x(state);
+  LawFixture x(state, static_cast<int>(state.range(2)));
   std::unique_ptr<ixos::TangentAction> action;
   for (const ixos::NamedForceTerm& named : x.model.force_terms())
     if (named.term->part() == ixos::Part::Elastic) action = named.term->create_action();
   action->linearize(x.here(), ixos::end_rule(), ixos::Tangent::Exact, {0, 0});
   for (auto _ : state) action->add_product(x.u.data(), x.f.data());
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
+  count_degrees_of_freedom(state, x);
 }
 
 /// Maxwell branches without the elastic law beside them.
@@ -180,13 +190,15 @@ void maxwell_tangent(benchmark::State& state) {
 
 /// The product of an assembled tangent and a vector, to compare with.
 void matrix_product(benchmark::State& state) {
-  Fixture x(static_cast<int>(state.range(0)), divisions(state));
+  Fixture x(static_cast<int>(state.range(0)), divisions(state), ixos::Formulation::Standard, 0,
+            ixos::neo_hooke(ixos::lame_constants(1, 0.3)), {}, static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
   x.model.add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
   ixos::Vector in(x.matrix->getDomainMap()), out(x.matrix->getRangeMap());
   in.randomize();
   for (auto _ : state) x.matrix->apply(in, out);
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
+  count_degrees_of_freedom(state, x);
 }
 
 /// Force and tangent, each by itself.
@@ -223,10 +235,10 @@ BENCHMARK(elastic_force)->ArgNames({"D", "points", "formulation"})->ArgsProduct(
 BENCHMARK(elastic_tangent)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(law_force)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
 BENCHMARK(law_tangent)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
-BENCHMARK(law_product)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
+BENCHMARK(law_product)->ArgNames({"D", "law", "order"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}, {1, 2}});
 BENCHMARK(maxwell_force)->ArgNames({"D", "points", "branches"})->ArgsProduct({{2, 3}, {1, 4}, {1, 2, 4}});
 BENCHMARK(maxwell_tangent)->ArgNames({"D", "points", "branches"})->ArgsProduct({{2, 3}, {1, 4}, {1, 2, 4}});
-BENCHMARK(matrix_product)->ArgNames({"D"})->ArgsProduct({{2, 3}});
+BENCHMARK(matrix_product)->ArgNames({"D", "order"})->ArgsProduct({{2, 3}, {1, 2}});
 BENCHMARK(interaction)->ArgNames({"D", "points", "obstacle"})->ArgsProduct({{2, 3}, {1, 8}, {0, 1, 2, 3}});
 BENCHMARK(interaction_kept)->ArgNames({"D", "points", "obstacle"})->ArgsProduct({{2, 3}, {1, 8}, {0, 1, 2, 3}});
 

@@ -60,6 +60,10 @@ STUDIES = {
                                   {STEP: "2.5"}, {"Interval": "{0, 25}"}),
     "spatula-study": ShortStudy({TIME: "2", RAMP[:-1]: "2"}, {"Time Step": ["0.5"], "Tolerance": ["1e-4", "1e-9"]},
                                 {STEP: "0.25"}, TO_2),
+    "strip-elements-study": ShortStudy({RAMP[:-1]: "1.5", TIME: "2", "Output/History Time Interval": "0.5"},
+                                       {"Elements": ["Q1C4 80 x 4", "Enhanced, Q1C4 80 x 4", "Q2 80 x 2"],
+                                        "Time Step": ["0.5"]},
+                                       {"Mesh/Box/Divisions": "{80, 4}", STEP: "0.25"}, TO_2),
     "strip-options-study": ShortStudy(COARSE, {"Round": ["1"]}, {}, TO_2),
     "strip-study": ShortStudy({**COARSE, "Output/History Time Interval": "0.5"},
                               {"Contact Element": ["Q1C1", "Q1C4"], "Time Step": ["0.5", "0.1"]},
@@ -163,6 +167,6 @@ def forms_to_compare(schemes, folder):
 
 def forms_to_time():
     """Returns the forms whose times count."""
-    settings = {"ball": BALL, "strip": STRIP, "block-on-wall": BLOCK}
+    settings = {"ball": BALL, "strip": STRIP, "block-on-wall": BLOCK, "spatula": SPATULA}
     return [Form(scene, XML / (scene + ".xml"), [*short, "Output/Checkpoint/Keep=0"])
             for scene, short in settings.items()]

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "element/element_nodes.hpp"
 #include "element/moduli_action.hpp"
 #include "fem/reference_elements.hpp"
 #include "material/linear_elastic.hpp"
@@ -48,12 +49,16 @@ class ElasticActionTest : public testing::Test {
 
   /// A distorted square or cube, a deformation and a change.
   ElasticActionTest() {
+    std::array<double, D> edges;
+    edges.fill(1.0);
+    x_ = test::ElementNodes<Element>::block(edges);
+    const double size = test::ElementNodes<Element>::quadratic ? 0.3 : 1;
     double phase = 0;
     for (std::size_t a = 0; a < N; ++a)
       for (std::size_t d = 0; d < D; ++d) {
         phase += 1.7;
-        x_[a][d] = 0.5 * corners<static_cast<int>(D)>()[a][d] + 0.08 * std::sin(phase);
-        u_[a][d] = 0.05 * std::sin(1.3 * phase);
+        x_[a][d] += size * 0.08 * std::sin(phase);
+        u_[a][d] = size * 0.05 * std::sin(1.3 * phase);
         change_[a][d] = std::cos(2.1 * phase);
       }
     geometry_ = Kernel::geometry(table_, x_);
@@ -107,7 +112,9 @@ using Cases =
     testing::Types<Case<Quad4, NeoHooke, double>, Case<Hex8, NeoHooke, double>, Case<Hex8, NeoHooke, double, 3>,
                    Case<Hex8, LinearElastic, double>, Case<Quad4, NeoHooke, float>, Case<Hex8, NeoHooke, float>,
                    Case<Quad4, NeoHooke, double, 2, ModuliAction>, Case<Hex8, NeoHooke, double, 2, ModuliAction>,
-                   Case<Hex8, NeoHooke, float, 2, ModuliAction>>;
+                   Case<Hex8, NeoHooke, float, 2, ModuliAction>, Case<Quad9, NeoHooke, double, 3>,
+                   Case<Hex27, NeoHooke, double, 3>, Case<Hex27, NeoHooke, float, 3>,
+                   Case<Hex27, LinearElastic, double, 3, ModuliAction>>;
 TYPED_TEST_SUITE(ElasticActionTest, Cases);
 
 TYPED_TEST(ElasticActionTest, IsTheMatrixTimesTheChange) {

@@ -8,6 +8,7 @@
 #include "base/small_matrix.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
+#include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 #include "support/automatic_differentiation.hpp"
 
@@ -19,6 +20,7 @@ struct ElementNodes {
   static constexpr std::size_t N = Element::nodes;
   static constexpr std::size_t D = Element::dimension;
   static constexpr int dofs = static_cast<int>(N * D);
+  static constexpr bool quadratic = std::is_same_v<Element, Quad9> || std::is_same_v<Element, Hex27>;
   using Variable = Dual<dofs>;
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -32,6 +34,8 @@ struct ElementNodes {
       for (std::size_t d = 0; d < D; ++d) {
         if (a < corner.size())
           x[a][d] = 0.5 * corner[a][d] * edges[d];
+        else if constexpr (quadratic)
+          x[a][d] = 0.5 * LagrangeEdge<2>::node(Element::factors(a)[d]) * edges[d];
         else if (std::is_same_v<Element, Quad4CH>)
           x[a][d] = d == 0 ? 0.5 * edges[0] : 0.0;
         else if (std::is_same_v<Element, Hex8CH>)
@@ -44,8 +48,10 @@ struct ElementNodes {
     return x;
   }
 
+  /// Numbers without order; smaller ones in quadratic elements, whose gradients they make steeper.
   static Nodal<double> wave(double amplitude, double phase) {
     Nodal<double> values{};
+    if (quadratic) amplitude *= 0.25;
     for (auto& node : values)
       for (double& value : node) value = amplitude * std::sin(phase += 1.7);
     return values;

@@ -63,6 +63,7 @@ class RevolvedKernelsTest : public testing::Test {};
 using Rings =
     testing::Types<Ring<Quad4, NeoHooke, ElasticKernel>, Ring<Quad4, LinearElastic, ElasticKernel>,
                    Ring<Quad4C3, NeoHooke, ElasticKernel>, Ring<Quad4CH, NeoHooke, ElasticKernel>,
+                   Ring<Quad9, NeoHooke, ElasticKernel>, Ring<Quad9, NeoHooke, MeanDilatationKernel>,
                    Ring<Quad4, NeoHooke, MeanDilatationKernel>, Ring<Quad4, LinearElastic, MeanDilatationKernel>,
                    Ring<Quad4C2, NeoHooke, MeanDilatationKernel>, Ring<Quad4, NeoHooke, EnhancedKernel>,
                    Ring<Quad4, LinearElastic, EnhancedKernel>>;

@@ -98,6 +98,22 @@ TEST(FrictionLawTest, EveryLawHasAThresholdOrARefusal) {
   EXPECT_GT(refusals, 20);
 }
 
+TEST(FrictionLawTest, TheDefaultElasticSlipIsAShareOfTheEquilibriumGap) {
+  const double slip = 0.003 * wall.equilibrium_gap();
+  for (double coefficient : {1e-9, 1e-3, 0.3}) {
+    const FrictionLaw friction(amontons(coefficient, 1), law);
+    EXPECT_NEAR(friction.threshold_at(wall.equilibrium_gap()) / friction.friction().stiffness / slip, 1, 1e-6);
+  }
+  EXPECT_NEAR(0.02 / FrictionLaw(constant(0.01), law).friction().stiffness, 2 * slip, 1e-15);
+  const double stiffest = 100 * 0.0624428 / wall.equilibrium_gap();
+  EXPECT_NEAR(FrictionLaw(amontons(10, 1), law).friction().stiffness, stiffest, 1e-4);
+  EXPECT_NEAR(FrictionLaw(constant(1), law).friction().stiffness, stiffest, 1e-4);
+  EXPECT_GT(FrictionLaw(constant(0), law).friction().stiffness, 0) << "a surface without a threshold needs one too";
+  Friction given = constant(0.02);
+  given.stiffness = 7;
+  EXPECT_EQ(FrictionLaw(given, law).friction().stiffness, 7);
+}
+
 TEST(FrictionLawTest, RefusesWhatDoesNotFit) {
   const auto refused = [](const Friction& friction, const std::shared_ptr<const GapLaw>& of, const char* words) {
     test::expect_contains(test::refusal([&] { FrictionLaw(friction, of); }), words);
@@ -109,8 +125,8 @@ TEST(FrictionLawTest, RefusesWhatDoesNotFit) {
   refused(constant(-0.1), law, "the stress -0.1");
   refused(amontons(1, 1), bond, "the traction of a law with a history; use the type \"Constant Stress\"");
   Friction soft = constant(1);
-  soft.stiffness = 0;
-  refused(soft, law, "the stiffness 0; it must be finite and greater than 0");
+  soft.stiffness = -1;
+  refused(soft, law, "the stiffness -1; it must be finite and at least 0");
   Friction creeping = amontons(1, 1);
   creeping.type = FrictionType::Smoothed;
   refused(creeping, law, "the slip speed 0");

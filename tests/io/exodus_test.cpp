@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "io/exodus_mesh.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
@@ -42,7 +43,11 @@ TEST(ExodusTest, MeshesReadBackAsTheyWereWritten) {
   flat.divisions = {3, 2, 1};
   solid.dimension = 3;
   solid.divisions = {2, 3, 1};
-  for (Mesh mesh : {disk({}), box(flat), box(solid)}) {
+  DiskShape curved;
+  curved.cell_order = 2;
+  Mesh bricks = box(solid);
+  raise_order(bricks);
+  for (Mesh mesh : {disk({}), box(flat), box(solid), disk(curved), bricks}) {
     // A second block: the last cell, with a side of it in a set.
     const int n = nodes_per_cell(mesh.blocks[0].type);
     ElementBlock second{"second", mesh.blocks[0].type, {mesh.blocks[0].nodes.end() - n, mesh.blocks[0].nodes.end()}};
@@ -58,6 +63,7 @@ TEST(ExodusTest, MeshesReadBackAsTheyWereWritten) {
     ASSERT_EQ(back.blocks.size(), 2U);
     for (std::size_t b = 0; b < 2; ++b) {
       EXPECT_EQ(back.blocks[b].name, mesh.blocks[b].name);
+      EXPECT_EQ(back.blocks[b].type, mesh.blocks[b].type);
       EXPECT_EQ(back.blocks[b].nodes, mesh.blocks[b].nodes);
     }
     ASSERT_EQ(back.side_sets.size(), mesh.side_sets.size());

@@ -123,10 +123,12 @@ TEST(GmshMeshTest, WithoutGroupsTheCellsAreTheBody) {
 }
 
 TEST(GmshMeshTest, OtherCellsAreRefusedWithTheRecipe) {
-  expect_contains(refusal([] { read_gmsh_mesh(path("triangles")); }),
-                  "triangles.msh: has triangles with 3 nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 "
-                  "(3D) are allowed. In gmsh, put these lines into the .geo file and mesh it again: "
-                  "Mesh.ElementOrder = 1; Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;");
+  expect_contains(
+      refusal([] { read_gmsh_mesh(path("triangles")); }),
+      "triangles.msh: has triangles with 3 nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 "
+      "(3D) are allowed; Mesh/Cell Order 2 makes quadratic cells of them. In gmsh, put these lines into the .geo "
+      "file and mesh it again: "
+      "Mesh.ElementOrder = 1; Mesh.RecombineAll = 1; Mesh.SubdivisionAlgorithm = 1;");
   const std::string solid = refusal([] { read_gmsh_mesh(path("tetrahedra")); });
   expect_contains(solid, "has tetrahedra with 4 nodes");
   expect_contains(solid, "Mesh.SubdivisionAlgorithm = 2;");

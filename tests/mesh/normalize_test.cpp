@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "mesh/cell_order.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {
@@ -42,6 +44,25 @@ TEST(NormalizeTest, ClockwiseCellsAreTurnedAndTheirSidesStayWhereTheyAre) {
   for (std::size_t s = 0; s < mesh.side_sets.size(); ++s)
     for (std::size_t k = 0; k < mesh.side_sets[s].sides.size(); ++k)
       EXPECT_EQ(sorted_corners(mesh, mesh.side_sets[s].sides[k]), sorted_corners(before, before.side_sets[s].sides[k]));
+}
+
+TEST(NormalizeTest, QuadraticCellsAreTurnedWithTheirMiddleNodes) {
+  BoxShape shape;
+  shape.divisions = {2, 1, 1};
+  Mesh plane = box(shape);
+  raise_order(plane);
+  Mesh mesh = plane;
+  mesh.dimension = 3;
+  mesh.coordinates.clear();
+  for (std::size_t k = 0; k < plane.coordinates.size(); k += 2)
+    mesh.coordinates.insert(mesh.coordinates.end(), {plane.coordinates[k], plane.coordinates[k + 1], 0});
+  std::vector<int>& nodes = mesh.blocks[0].nodes;
+  const std::vector<int> own(nodes.begin() + 9, nodes.end());
+  const std::size_t clockwise[] = {0, 3, 2, 1, 7, 6, 5, 4, 8};
+  for (std::size_t a = 0; a < 9; ++a) nodes[9 + a] = own[clockwise[a]];
+  flatten(mesh);
+  EXPECT_EQ(mesh.coordinates, plane.coordinates);
+  EXPECT_EQ(mesh.blocks[0].nodes, plane.blocks[0].nodes);
 }
 
 TEST(NormalizeTest, MeshesOutsideThePlaneAreRefused) {

@@ -11,6 +11,7 @@
 #include "model/interaction_group.hpp"
 #include "model/model.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/contact_element.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -26,7 +27,7 @@ std::unique_ptr<Model> revolved(ContactElement element, int across, bool sphere)
   shape.divisions = {across, 4, 1};
   Mesh mesh = box(shape);
   mesh.axisymmetric = true;
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
   SurfaceInteraction below;
   below.name = "Below";
@@ -39,7 +40,7 @@ std::unique_ptr<Model> revolved(ContactElement element, int across, bool sphere)
 }
 
 const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                           ContactElement::Q1C4, ContactElement::Q1CH};
+                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 
 /// Returns pressure and traction at the node on the axis from the rank that owns it, on all ranks.
 std::array<double, 3> on_axis(const Model& model) {

@@ -12,6 +12,7 @@
 #include "mesh/quality.hpp"
 #include "model/conditions.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/contact_element.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
 
@@ -93,9 +94,10 @@ TEST(AxisTest, LoadsAreThoseOfTheWholeBody) {
 }
 
 TEST(AxisTest, AWallActsOnTheWholeDisk) {
-  for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH}) {
+  for (const ContactElement element :
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2}) {
     Mesh mesh = cylinder();
-    if (element != ContactElement::Q1C1) enrich(mesh, "bottom", element, 0);
+    if (element != ContactElement::Q1C1) test::give_contact_element(mesh, "bottom", element, 0);
     const auto model = body(mesh);
     SurfaceInteraction wall;
     wall.side_set = "bottom";

@@ -14,6 +14,7 @@
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
 #include "model/model.hpp"
+#include "support/contact_element.hpp"
 #include "term/surface_terms.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -23,7 +24,7 @@ namespace ixos {
 namespace {
 
 const ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4, ContactElement::Q1CH};
+                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 const VanDerWaals law(2.5, 25);
 
 /// A box of 4 by 3 by 2, the bottom enriched up to x = 2: its rim is tied there and free elsewhere.
@@ -38,7 +39,7 @@ LocalMesh body(ContactElement element, bool distorted) {
     if (x > 0 && x < shape.lengths[k % 3]) x += 0.15 * std::sin(7.0 * static_cast<double>(k));
   }
   add_side_set(mesh, "patch", "bottom", {{}, {2.5, 3, 2}});
-  enrich(mesh, "patch", element);
+  test::give_contact_element(mesh, "patch", element);
   const Comm comm = Tpetra::getDefaultComm();
   return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
 }

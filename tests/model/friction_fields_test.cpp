@@ -10,6 +10,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "model/model.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/contact_element.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -18,7 +19,7 @@ namespace {
 constexpr double stress = 0.03, stiffness = 5, way = 0.4, radius = 50, lowest = 0.15;
 
 const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                           ContactElement::Q1C4, ContactElement::Q1CH};
+                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 
 enum class Shape { Plane, Sphere, Ring };
 
@@ -30,7 +31,7 @@ std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shap
   own.divisions = {6, 2, 2};
   Mesh mesh = box(own);
   mesh.axisymmetric = shape == Shape::Ring;
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
   SurfaceInteraction wall;
   wall.name = "Wall";

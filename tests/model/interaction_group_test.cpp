@@ -10,6 +10,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "model/model.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/contact_element.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
 
@@ -132,7 +133,7 @@ std::vector<double> center(int dimension) {
 /// The block on a sphere of radius 2 about center(); its bottom has the contact element.
 std::unique_ptr<Model> on_sphere(int dimension, ContactElement element) {
   Mesh mesh = block(dimension);
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
   SurfaceInteraction sphere = wall("Sphere", "bottom", {});
   sphere.obstacle =
@@ -143,7 +144,8 @@ std::unique_ptr<Model> on_sphere(int dimension, ContactElement element) {
 
 // Forces of a sphere point to its centre c, so their moment about the origin is c x F, whatever the displacement.
 TEST(InteractionGroupTest, TheMomentAboutASpheresCentreIsZero) {
-  for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH})
+  for (const ContactElement element :
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2})
     for (const int dimension : {2, 3}) {
       const std::vector<double> c = center(dimension);
       const auto model = on_sphere(dimension, element);

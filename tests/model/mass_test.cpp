@@ -5,11 +5,15 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
+#include "discretization/nodal_measure.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/quality.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 
@@ -28,10 +32,12 @@ Mesh sheared(int dimension) {
   return mesh;
 }
 
-std::unique_ptr<Model> body(int dimension, Inertia inertia) {
+std::unique_ptr<Model> body(int dimension, Inertia inertia, int order = 1) {
   Material material = test::elastic(linear_elastic, 0.2);
   material.density = 0.7;
-  return test::model_of(sheared(dimension), material, inertia);
+  Mesh mesh = sheared(dimension);
+  if (order == 2) raise_order(mesh);
+  return test::model_of(mesh, material, inertia);
 }
 
 /// Returns a smooth field of the place, so that ghosts agree with their owners.
@@ -73,9 +79,10 @@ TEST(MassSerialTest, ElementMatrixOfARectangle) {
 }
 
 TEST(MassTest, SumsToTheMassOfTheBodyAndItsFirstMoment) {
-  for (Inertia inertia : {Inertia::Consistent, Inertia::Lumped})
+  for (const auto& [inertia, order] : {std::pair{Inertia::Consistent, 1}, std::pair{Inertia::Lumped, 1},
+                                       std::pair{Inertia::Consistent, 2}, std::pair{Inertia::Lumped, 2}})
     for (int dimension : {2, 3}) {
-      const auto model = body(dimension, inertia);
+      const auto model = body(dimension, inertia, order);
       const auto d = static_cast<std::size_t>(dimension);
       const std::vector<double> y = product(*model, std::vector<double>(test::at_rest(*model).size(), 1.0));
       double sums[3] = {};  // of direction x: the mass, and its moments along x and y
@@ -91,8 +98,9 @@ TEST(MassTest, SumsToTheMassOfTheBodyAndItsFirstMoment) {
 }
 
 TEST(MassTest, LumpedMassesAreRowSumsAndDivideBack) {
-  for (int dimension : {2, 3}) {
-    const auto consistent = body(dimension, Inertia::Consistent), lumped = body(dimension, Inertia::Lumped);
+  for (const auto& [dimension, order] : {std::pair{2, 1}, std::pair{3, 1}, std::pair{2, 2}, std::pair{3, 2}}) {
+    const auto consistent = body(dimension, Inertia::Consistent, order);
+    const auto lumped = body(dimension, Inertia::Lumped, order);
     EXPECT_FALSE(consistent->mass()->is_lumped());
     EXPECT_TRUE(lumped->mass()->is_lumped());
     const std::vector<double> x = wave(*lumped), ones(x.size(), 1.0);
@@ -108,6 +116,64 @@ TEST(MassTest, LumpedMassesAreRowSumsAndDivideBack) {
     }
     EXPECT_NEAR(lumped->mass()->largest_quotient(y.data()), largest, 1e-14);
   }
+}
+
+// rho A/36 by the products of Simpson's weights 1, 4, 1.
+TEST(MassSerialTest, LumpedMassesOfAQuadraticRectangleAreSimpsons) {
+  BoxShape shape;
+  shape.lengths = {3, 2, 0};
+  Mesh mesh = box(shape);
+  raise_order(mesh);
+  const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+  const Pattern pattern(local);
+  Mass mass(local, pattern, true);
+  mass.add_block(local.blocks[0], 0.5);
+  std::vector<double> diagonal(18, 0.0);
+  mass.add_diagonal(1.0, diagonal.data());
+  for (std::size_t a = 0; a < 9; ++a)
+    EXPECT_NEAR(diagonal[2 * static_cast<std::size_t>(local.blocks[0].nodes[a])],
+                0.5 * 6 / 36 *
+                    (a < 4   ? 1
+                     : a < 8 ? 4
+                             : 16),
+                1e-15);
+}
+
+/// Expects positive lumped masses on quadratic cells whose sum is the density times the volume.
+void expect_lumped(const Mesh& mesh, double volume) {
+  Material material = test::elastic(linear_elastic, 0.2);
+  material.density = 0.7;
+  const auto model = test::model_of(mesh, material, Inertia::Lumped);
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<double> diagonal(static_cast<std::size_t>(model->space().owned()), 0.0);
+  model->mass()->add_diagonal(1.0, diagonal.data());
+  double sum = 0;
+  for (std::size_t i = 0; i < diagonal.size(); i += d) {
+    EXPECT_GT(diagonal[i], 0.0);
+    sum += diagonal[i];
+  }
+  model->space().sum(&sum, 1);
+  EXPECT_NEAR(sum, 0.7 * volume, 1e-12 * volume);
+}
+
+TEST(MassTest, LumpedMassesOfCurvedQuadraticCellsArePositive) {
+  DiskShape shape;
+  shape.cell_order = 2;
+  shape.core_divisions = 2;
+  expect_lumped(disk(shape), mesh_quality(disk(shape)).volume);
+  shape.half = true;
+  Mesh ball = disk(shape);
+  ball.axisymmetric = true;
+  // The volume by the nodal measure, which takes other sums.
+  const LocalMesh whole = localize(ball, partition_nodes(ball, 1), 0, 1);
+  std::vector<double> measure(static_cast<std::size_t>(whole.nodes()), 0.0);
+  add_block_measure(whole, whole.blocks[0], measure);
+  expect_lumped(ball, std::accumulate(measure.begin(), measure.end(), 0.0));
+  Mesh mesh = sheared(3);
+  raise_order(mesh);
+  for (std::size_t i = 3 * static_cast<std::size_t>(mesh.linear_nodes); i < mesh.coordinates.size(); ++i)
+    mesh.coordinates[i] += 0.04 * std::sin(7.0 * static_cast<double>(i));
+  expect_lumped(mesh, mesh_quality(mesh).volume);
 }
 
 TEST(MassTest, TheMatrixMultipliesAlike) {

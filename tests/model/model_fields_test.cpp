@@ -9,6 +9,7 @@
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/model.hpp"
+#include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 #include "term/surface_terms.hpp"
@@ -95,7 +96,7 @@ TEST(ModelFieldsTest, TheTraceOfTheStressIsTheFirstInvariant) {
 }
 
 constexpr ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                       ContactElement::Q1C4, ContactElement::Q1CH};
+                                       ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 const HalfSpace tilted{{0.3, -0.9, -0.6}, {0.48, 0.6, 0.64}}, tilted_2d{{0.3, -1.2, 0}, {-0.28, 0.96, 0}};
 const VanDerWaals law(2.5, 25);
 
@@ -105,7 +106,7 @@ struct Wall {
       : Wall(dimension == 2 ? tilted_2d : tilted, dimension, element, flat) {}
   Wall(const HalfSpace& wall, int dimension, ContactElement element, bool flat) : plane(wall) {
     Mesh mesh = block(dimension);
-    enrich(mesh, set, element);
+    test::give_contact_element(mesh, set, element);
     model = model_of(mesh, elastic(neo_hooke, nu), Inertia::None);
     add(flat, plane, set);
   }

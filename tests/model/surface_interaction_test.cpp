@@ -12,6 +12,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "support/contact_element.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
 #include "support/temporary_folder.hpp"
@@ -104,9 +105,10 @@ TEST(SurfaceInteractionTest, FactorsThatAreNoneAreRefused) {
 TEST(SurfaceInteractionTest, ANodalFactorIsLinearBetweenCorners) {
   const VanDerWaals law(2.5, 25);
   for (const bool curved : {false, true})
-    for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH}) {
+    for (const ContactElement element :
+         {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH, ContactElement::Q2C2}) {
       Mesh mesh = plate_mesh();
-      enrich(mesh, "bottom", element);
+      test::give_contact_element(mesh, "bottom", element);
       auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::Consistent);
       SurfaceInteraction wall = wall_below();
       if (curved) wall.obstacle = make_obstacle("Sphere", 2, {{"Radius", 1e7}, {"Center", {0.0, -1e7}}});

@@ -10,6 +10,7 @@ from scripts import ScriptTest, simulate  # noqa: E402 (sets the path to the oth
 from exodus import Fields  # noqa: E402
 from results import Run  # noqa: E402
 
+from vtkmodules.vtkCommonCore import mutable  # noqa: E402
 from vtkmodules.vtkIOExodus import vtkExodusIIReader  # noqa: E402
 
 try:
@@ -189,6 +190,31 @@ class FieldsTest(ScriptTest):
             names = {cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())}
             self.assertTrue({"stress", "principal_stress"} <= names, f"{name}: {names}")
             self.assertIn("displacement", {nodes.GetArrayName(i) for i in range(nodes.GetNumberOfArrays())}, name)
+
+    def test_vtk_sees_the_shape_of_quadratic_cells(self):
+        """The map is of second order in each direction, as VTK's cells are: what it moves is the same everywhere."""
+        flat = [*CUBE, "Mesh/Box/Dimension=2", "Mesh/Box/Lower={-1,1}", "Mesh/Box/Lengths={2,2}", "Mesh/Box/Divisions={2,2}"]
+        for name, settings, lifted, kind in (("bricks", CUBE, "Z=z + 0.1*x^2*(1 + y)^2", 29),
+                                             ("plates", flat, "Y=y + 0.1*x^2", 28)):
+            simulate(self.folder / name, [*settings, "Mesh/Cell Order=2", f"Mesh/Map/{lifted}"])
+            reader = vtkExodusIIReader()
+            reader.SetFileName(str(self.folder / name / "fields.e"))
+            reader.Update()
+            grid = reader.GetOutput().GetBlock(0).GetBlock(0)
+            self.assertEqual(grid.GetNumberOfCells(), 8 if kind == 29 else 4)
+            for number in range(grid.GetNumberOfCells()):
+                cell = grid.GetCell(number)
+                self.assertEqual(cell.GetCellType(), kind)
+                for place in np.random.default_rng(1).random((5, 3)):
+                    weights = np.zeros(cell.GetNumberOfPoints())
+                    x = np.zeros(3)
+                    cell.EvaluateLocation(mutable(0), place, x, weights)
+                    up = 2 if kind == 29 else 1
+                    bend = 0.1 * x[0] ** 2 * ((1 + x[1]) ** 2 if kind == 29 else 1)
+                    low = np.array(cell.GetPoints().GetPoint(0))
+                    low[up] -= 0.1 * low[0] ** 2 * ((1 + low[1]) ** 2 if kind == 29 else 1)
+                    x[up] -= bend
+                    np.testing.assert_allclose(x[:up + 1], (low + place)[:up + 1], atol=1e-6)
 
     @unittest.skipIf(vtkIOSSReader is None, "VTK without its IOSS reader")
     def test_the_reader_on_ioss_finds_blocks_and_sets_of_equal_names(self):

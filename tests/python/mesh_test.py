@@ -34,12 +34,16 @@ class MeshTest(FolderTest):
         self.assertEqual(simulation.parameters.mesh.type, "Given")
 
     def test_the_ball_of_arrays_is_the_ball(self):
-        scene = ixos.Scene(BALL)
-        generated, given = scene.simulation(), scene.simulation(mesh=scene.mesh_arrays())
-        for _ in range(20):
-            generated.step()
-            given.step()
-        np.testing.assert_array_equal(generated.u, given.u)
+        for order in (1, 2):
+            scene = ixos.Scene(BALL)
+            scene.mesh.cell_order = order
+            mesh = scene.mesh_arrays()
+            self.assertEqual(mesh.blocks["body"].shape[1], 4 if order == 1 else 9)
+            generated, given = scene.simulation(), scene.simulation(mesh=mesh)
+            for _ in range(20):
+                generated.step()
+                given.step()
+            np.testing.assert_array_equal(generated.u, given.u)
 
     def test_runs_resume_with_their_mesh_only(self):
         scene, folder = pulled_block(), self.folder / "run"
@@ -63,6 +67,15 @@ class MeshTest(FolderTest):
         mesh = ixos.Mesh(points, {"cube": [range(8)]}, {}, {"top": [[4, 5, 6, 7]]})
         self.assertEqual(mesh.dimension, 3)
         self.assertEqual(len(mesh.boundary), 6)
+
+    def test_quadratic_cells(self):
+        places = [(0, 0), (2, 0), (2, 2), (0, 2), (1, 0), (2, 1), (1, 2), (0, 1), (1, 1)]
+        mesh = ixos.Mesh(np.array(places, float), {"body": [range(9)]}, {"left": [0, 3, 7]}, {"bottom": [[0, 1]]})
+        self.assertEqual(mesh.blocks["body"].shape, (1, 9))
+        np.testing.assert_array_equal(mesh.side_sets["bottom"], [[0, 1]])
+        self.assertEqual(len(mesh.boundary), 4)
+        mesh.write(self.folder / "quadratic.e")
+        np.testing.assert_array_equal(ixos.Mesh.read(self.folder / "quadratic.e").blocks["body"], [range(9)])
 
     def test_files(self):
         mesh = block()

@@ -143,9 +143,9 @@ TEST_F(InteractionColumnsTest, SlipAndWhatSlidesHaveColumns) {
       list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + test::counts("Divisions", {4, 2})) +
                        list("Sets", list("all", word("Kind", "Nodes")))) +
       list("Materials", list("Rubber", number("Density", 1))) +
-      list("Interactions",
-           list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.25}) +
-                            list("Friction", word("Type", "Constant Stress") + number("Stress", 0.02)))) +
+      list("Interactions", list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.25}) +
+                                            list("Friction", word("Type", "Constant Stress") + number("Stress", 0.02) +
+                                                                 number("Stiffness", 50)))) +
       list("Histories",
            list("Drag", word("Type", "Ramp") +
                             list("Ramp", number("Value", 0.025) + number("Length", 0.5) + word("Shape", "Quintic")))) +

@@ -127,6 +127,27 @@ TEST_F(RestartTest, HermiteFacesGoOn) {
                  {4, 8});
 }
 
+TEST_F(RestartTest, QuadraticCellsGoOn) {
+  const std::string cubes =
+      list("Box", count("Dimension", 3) + numbers("Lengths", {3, 2, 1}) + counts("Divisions", {2, 1, 1}));
+  for (const std::string& body : {cubes, std::string()}) {
+    const bool solid = !body.empty();
+    const std::string disk = list("Disk", number("Diameter", 3) + numbers("Center", {0, 2}) + count("Rings", 1));
+    for (const char* scheme : {"Average Vector Field", "Central Difference"})
+      expect_goes_on(
+          list("Mesh", word("Type", solid ? "Box" : "Disk") + count("Cell Order", 2) + (solid ? body : disk)) +
+              list("Materials", list("Rubber", number("Density", 1) + number("Viscosity", 0.02))) +
+              list("Interactions",
+                   list("Wall", word("Side Set", solid ? "bottom" : "surface") +
+                                    (solid ? numbers("Point", {0, 0, -0.5}) : numbers("Point", {0, 0})))) +
+              list("Initial Conditions",
+                   numbers("Velocity", solid ? std::vector<double>{0.1, 0, -0.3} : std::vector<double>{0.1, -0.3})) +
+              list("Output", count("Fields Interval", 3) + checkpoints(4, 100)) +
+              list("Time Integrator", word("Type", scheme) + steps(0.05, 0.6)),
+          {4, 8});
+  }
+}
+
 TEST_F(RestartTest, GripsGoOn) {
   const std::string grips = list(
       "Grips", list("Jaw", word("Node Set", "top") + word("Rotation", "Down") + numbers("Point", {1, 1})) +
@@ -218,6 +239,16 @@ TEST_F(RestartTest, LaggedPreconditionersGoOn) {
   for (const char* op : {"Assembled", "Matrix-Free"}) {
     SCOPED_TRACE(std::string("Chebyshev, ") + op);
     expect_goes_on(scene("Chebyshev", "Bathe Composite", 3, op), {5, 25});
+  }
+  for (const char* coarse : {"MueLu", "Direct"}) {
+    SCOPED_TRACE(std::string("Two-Level, ") + coarse);
+    std::string quadratic = scene("Two-Level", "Bathe Composite", 3, "Matrix-Free");
+    const std::string linear = word("Type", "Box"), types = "<ParameterList name=\"Preconditioner Types\">";
+    quadratic.insert(quadratic.find(linear), count("Cell Order", 2));
+    quadratic.insert(
+        quadratic.find(types) + types.size(),
+        list("Two-Level", list("Coarse", word("Type", coarse) + list("MueLu", count("coarse: max size", 10)))));
+    expect_goes_on(quadratic, {5, 25});
   }
   // A multigrid's finest level is the operator's own matrix, which only a new preconditioner changes.
   for (const char* preconditioner : {"MueLu", "Ifpack2", "Direct"}) {

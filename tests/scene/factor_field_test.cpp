@@ -50,7 +50,9 @@ void write_block(int dimension, const std::function<double(const double*)>& stre
   comm->barrier();
 }
 
-std::string from_file() { return list("Mesh", word("Type", "Exodus") + list("Exodus", word("File", file))); }
+std::string from_file(int order = 1) {
+  return list("Mesh", word("Type", "Exodus") + test::count("Cell Order", order) + list("Exodus", word("File", file)));
+}
 
 /// The block over the wall at 0.
 Teuchos::ParameterList scene(const std::string& mesh, const std::string& interaction) {
@@ -61,25 +63,26 @@ Teuchos::ParameterList scene(const std::string& mesh, const std::string& interac
 
 TEST(FactorFieldTest, TheFieldScalesTheForceOverTheSurface) {
   const std::string field = word("Factor Field", "strength");
-  for (const std::string element : {"Q1C1", "Q1C2", "Q1C4", "Q1CH"}) {
+  for (const std::string element : {"Q1C1", "Q1C2", "Q1C4", "Q1CH", "Q2C2"}) {
+    const int order = element == "Q2C2" ? 2 : 1;
     write_block(2, [](const double* x) { return x[0]; });
-    const Simulation plane(scene(from_file(), field + word("Contact Element", element)), test::world());
+    const Simulation plane(scene(from_file(order), field + word("Contact Element", element)), test::world());
     const Model& model = plane.model();
     const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
     const double alone = model.interaction_report(rest.data()).force[1];
     EXPECT_NEAR(alone, 4.5 * plane.interactions()[0].law->traction(0.4)[0], 1e-12) << element;
-    const Simulation both(scene(from_file(), field + word("Factor", "2*x") + word("Contact Element", element)),
+    const Simulation both(scene(from_file(order), field + word("Factor", "2*x") + word("Contact Element", element)),
                           test::world());
     const double product = both.model().interaction_report(rest.data()).force[1];
     // int x dx = 4.5, int 2 x^2 dx = 18 over 0 to 3.
     EXPECT_NEAR(product, 4 * alone, 1e-12 * std::abs(product)) << element;
 
     write_block(3, [](const double* x) { return 1 + x[0] * x[1]; });  // bilinear on each face
-    const Simulation solid(scene(from_file(), field + word("Contact Element", element) + numbers("Normal", {0, 0, 1}) +
-                                                  numbers("Point", {0, 0, 0})),
+    const Simulation solid(scene(from_file(order), field + word("Contact Element", element) +
+                                                       numbers("Normal", {0, 0, 1}) + numbers("Point", {0, 0, 0})),
                            test::world());
-    const Simulation plain(scene(from_file(), word("Contact Element", element) + numbers("Normal", {0, 0, 1}) +
-                                                  numbers("Point", {0, 0, 0})),
+    const Simulation plain(scene(from_file(order), word("Contact Element", element) + numbers("Normal", {0, 0, 1}) +
+                                                       numbers("Point", {0, 0, 0})),
                            test::world());
     const std::vector<double> still(static_cast<std::size_t>(solid.model().space().local()), 0.0);
     const double scaled = solid.model().interaction_report(still.data()).force[2];

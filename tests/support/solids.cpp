@@ -4,6 +4,7 @@
 
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
+#include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos::test {
@@ -23,7 +24,7 @@ std::unique_ptr<Model> box_with_contact(int dimension, ContactElement element) {
   shape.divisions = {3, 2, 2};
   shape.lower = {-1, dimension == 2 ? 0.3 : -0.5, 0.3};
   Mesh mesh = box(shape);
-  enrich(mesh, "bottom", element);
+  give_contact_element(mesh, "bottom", element);
   return model_of(mesh, elastic(neo_hooke, 0.3), Inertia::None);
 }
 

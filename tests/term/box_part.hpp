@@ -3,6 +3,7 @@
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
+#include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos::test {
@@ -15,7 +16,7 @@ inline LocalMesh box_part(int dimension, ContactElement element) {
   shape.lengths = {2.0, 1.5, 1.0};
   shape.divisions = {3, 2, 2};
   Mesh whole = box(shape);
-  enrich(whole, "bottom", element);
+  give_contact_element(whole, "bottom", element);
   const Comm comm = world();
   return localize(whole, partition_nodes(whole, comm->getSize()), comm->getRank(), comm->getSize());
 }

@@ -65,9 +65,9 @@ std::vector<double> product(const Model& model, const Interactions& terms, const
   return y;
 }
 
-const std::vector<std::pair<int, ContactElement>> bodies = {{2, ContactElement::Q1C1}, {2, ContactElement::Q1C3},
-                                                            {2, ContactElement::Q1CH}, {3, ContactElement::Q1C1},
-                                                            {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH}};
+const std::vector<std::pair<int, ContactElement>> bodies = {
+    {2, ContactElement::Q1C1}, {2, ContactElement::Q1C3}, {2, ContactElement::Q1CH}, {2, ContactElement::Q2C2},
+    {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH}, {3, ContactElement::Q2C2}};
 
 /// A half-space is an obstacle like any other: both paths agree to rounding.
 TEST(CurvedSurfaceTermTest, BeforeAHalfSpaceItIsTheFlatTerm) {

@@ -6,6 +6,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "support/contact_element.hpp"
 #include "support/solids.hpp"
 #include "term/surface_terms.hpp"
 
@@ -20,7 +21,7 @@ std::unique_ptr<Model> box_model(int dimension, ContactElement element) {
   shape.divisions = {4, dimension == 2 ? 1 : 3, 1};
   shape.lower = {0, dimension == 2 ? 0.3 : 0, 0.3};
   Mesh mesh = box(shape);
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   return test::model_of(mesh, test::elastic(neo_hooke, 0.3), Inertia::None);
 }
 
@@ -46,7 +47,7 @@ LowestPoint lowest(const Model& model, const std::vector<double>& u, bool curved
 }
 
 const std::vector<ContactElement> elements = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                              ContactElement::Q1C4, ContactElement::Q1CH};
+                                              ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 
 /// A displacement along the wall's normal.
 template <class Function>

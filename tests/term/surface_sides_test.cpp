@@ -11,6 +11,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/selection.hpp"
+#include "support/contact_element.hpp"
 #include "support/scene_text.hpp"
 #include "term/surface_terms.hpp"
 
@@ -18,7 +19,7 @@ namespace ixos {
 namespace {
 
 const ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4, ContactElement::Q1CH};
+                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
 
 /// This rank's part of a mesh.
 struct Part {
@@ -112,7 +113,7 @@ Mesh slanted(int dimension, ContactElement element) {
       for (std::size_t e = 0; e < D; ++e) mesh.coordinates[first + d] += share[e] * edges[e][d];
     }
   }
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   return mesh;
 }
 
@@ -178,7 +179,7 @@ TEST(SurfaceSidesTest, EdgesAreTiedWhereTheSetEndsInsideTheSurface) {
     shape.divisions = {4, 3, 2};
     Mesh mesh = box(shape);
     add_side_set(mesh, "patch", "bottom", {{}, {2.5, 3, 2}});  // up to x = 2
-    enrich(mesh, "patch", element);
+    test::give_contact_element(mesh, "patch", element);
     const Part part(mesh);
     EXPECT_NEAR(area(part, "patch"), 2 * 3, 1e-12);
     const std::vector<double> sums = nodal_sums(part, "patch"), expected{6 * 1.0, 6 * 1.5, 0.0, 6.0};
@@ -197,7 +198,7 @@ TEST(SurfaceSidesTest, MeasureOfABentSurfaceIsThatOfTheParabola) {
       shape.lengths = {end, dimension == 2 ? 4.0 : breadth, 4.0};
       shape.divisions = {4, 2, 1};
       Mesh mesh = box(shape);
-      enrich(mesh, "bottom", element);
+      test::give_contact_element(mesh, "bottom", element);
       for (std::size_t first = 0; first < mesh.coordinates.size(); first += dimension)
         if (mesh.coordinates[first + dimension - 1] == 0)
           mesh.coordinates[first + dimension - 1] = k * mesh.coordinates[first] * mesh.coordinates[first];

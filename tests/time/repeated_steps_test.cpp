@@ -102,6 +102,9 @@ TEST(RepeatedStepsTest, LaggedPreconditionersComeBack) {
       SCOPED_TRACE(std::string(op) + ", " + preconditioner);
       expect_repeatable(lagged(preconditioner, "Newmark", 3, op));
     }
+  SCOPED_TRACE("Two-Level");
+  std::string quadratic = lagged("Two-Level", "Newmark", 3, "Matrix-Free");
+  expect_repeatable(quadratic.insert(quadratic.find(word("Type", "Box")), count("Cell Order", 2)));
   SCOPED_TRACE("never renewed");
   expect_repeatable(lagged("MueLu", "Newmark", 1e6));
   SCOPED_TRACE("two stages");

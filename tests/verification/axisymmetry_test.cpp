@@ -9,6 +9,7 @@
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/conditions.hpp"
+#include "support/contact_element.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -144,13 +145,15 @@ TEST(AxisymmetryVerification, BarWithFreeSidesIsStretched) {
   const double across = std::sqrt(b), j = along * b;
   const double density =
       lame.mu / 2 * (2 * b + along * along - 3) - lame.mu * std::log(j) + lame.lambda / 2 * std::log(j) * std::log(j);
-  for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH})
+  for (const ContactElement element :
+       {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH, ContactElement::Q2C2})
     for (const Formulation formulation : {Formulation::Standard, Formulation::MeanDilatation, Formulation::Enhanced}) {
       Mesh mesh = section(3, 4, [&](double s, double t) {
         const double bump = 0.3 * std::sin(M_PI * s) * std::sin(M_PI * t);
         return std::array{radius * s + bump, height * t + bump};
       });
-      if (element != ContactElement::Q1C1) enrich(mesh, "bottom", element, 0);
+      if (element == ContactElement::Q2C2 && formulation == Formulation::Enhanced) continue;  // refused
+      if (element != ContactElement::Q1C1) test::give_contact_element(mesh, "bottom", element, 0);
       Material material = test::elastic(neo_hooke, nu);
       material.formulation = formulation;
       const auto model = test::model_of(mesh, material, Inertia::None);

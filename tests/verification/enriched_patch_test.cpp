@@ -11,6 +11,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/selection.hpp"
 #include "support/comparison.hpp"
+#include "support/contact_element.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -43,7 +44,7 @@ void run(ContactElement element) {
   mesh.coordinates[2] += 0.3;  // uneven sides
   mesh.coordinates[2 * 6] += 0.2;
   mesh.coordinates[2 * 6 + 1] -= 0.15;
-  enrich(mesh, "bottom", element);
+  test::give_contact_element(mesh, "bottom", element);
   const Material rubber = test::elastic(linear_elastic, 0.3);
   const auto model = test::model_of(mesh, rubber, Inertia::None);
   const LocalMesh& local = model->mesh();
@@ -78,7 +79,7 @@ void run_hexahedra(ContactElement element, bool patch) {
     if (x > 0 && x < lengths[k % 3]) x += 0.15 * std::sin(7.0 * static_cast<double>(k));
   }
   if (patch) add_side_set(mesh, "patch", "bottom", {{}, {2.5, 1.5, 2}});
-  enrich(mesh, patch ? "patch" : "bottom", element);
+  test::give_contact_element(mesh, patch ? "patch" : "bottom", element);
   const Material rubber = test::elastic(linear_elastic, 0.3);
   const auto model = test::model_of(mesh, rubber, Inertia::None);
   const LocalMesh& local = model->mesh();
@@ -102,14 +103,14 @@ void run_hexahedra(ContactElement element, bool patch) {
 }
 
 TEST(EnrichedPatchTest, UniformTensionThroughFacesAndTiedEdges) {
-  for (ContactElement element :
-       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
+  for (ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4,
+                                 ContactElement::Q1CH, ContactElement::Q2C2})
     for (bool patch : {false, true}) run_hexahedra(element, patch);
 }
 
 TEST(EnrichedPatchTest, ConstantStressThroughAFreeContactSide) {
-  for (ContactElement element :
-       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH})
+  for (ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4,
+                                 ContactElement::Q1CH, ContactElement::Q2C2})
     run(element);
 }
 

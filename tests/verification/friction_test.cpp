@@ -64,10 +64,11 @@ double friction_force(const Simulation& s) {
 // it.
 TEST(FrictionTest, ABlockStopsWhereItsEnergyIsSpent) {
   const double mass = 10, speed = 0.02, stress = 0.02, stiffness = 50;
+  const std::string friction = constant(stress, number("Stiffness", stiffness));
   for (const std::string& scheme : test::moving_schemes()) {
     if (scheme == "Central Difference") continue;  // 1e5 needs short steps
     SCOPED_TRACE(scheme);
-    Simulation s(test::scene(guided_block(constant(stress)) + moving(speed) + test::time_integrator(scheme, 0.05, 15)),
+    Simulation s(test::scene(guided_block(friction) + moving(speed) + test::time_integrator(scheme, 0.05, 15)),
                  test::world());
     const double first = balance(s);
     double farthest = 0;

@@ -34,7 +34,7 @@ void check(const Mesh& mesh, const SideSet& set) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const std::string where =
         fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
-    if (block.type != plain_type(block.type))
+    if (is_enriched(block.type))
       throw InputError(where + ": the cell already has an enriched side; a cell can have only one");
     if (!cells.insert({side.block, side.cell}).second)
       throw InputError(where + ": two sides of the cell are in the set; an enriched cell can have only one");
@@ -83,7 +83,7 @@ class BlockSplit {
  public:
   BlockSplit(Mesh& mesh, const SideSet& set, const std::vector<ExtraNodes>& extra, CellType type, int points)
       : mesh_(mesh), extra_(extra), type_(type), points_(points), rich_(mesh.blocks.size()) {
-    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(plain_type(type), side));
+    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(corner_type(type), side));
     for (std::size_t k = 0; k < set.sides.size(); ++k)
       rich_[static_cast<std::size_t>(set.sides[k].block)][set.sides[k].cell] = {set.sides[k].side, k};
   }
@@ -175,9 +175,29 @@ std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement
 
 }  // namespace
 
+ContactElement fitting_element(const Mesh& mesh, const SideSet& set, ContactElement asked) {
+  const bool own = asked == ContactElement::Q1C1 || asked == ContactElement::Q2C2;
+  ContactElement fitting = asked;
+  for (const Side& side : set.sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const std::string where = fmt::format("side set \"{}\", block \"{}\"", set.name, block.name);
+    if (!is_quadratic(block.type) && asked == ContactElement::Q2C2)
+      throw InputError(where +
+                       ": Q2C2 is the side of quadratic cells, and these cells are linear; choose another "
+                       "contact element, or quadratic cells (Mesh/Cell Order 2)");
+    if (is_quadratic(block.type) && !own)
+      throw InputError(where +
+                       ": only linear cells have enriched sides, and these cells are quadratic; choose Q2C2, "
+                       "their own side, or linear cells");
+    if (is_quadratic(block.type)) fitting = ContactElement::Q2C2;
+  }
+  return fitting;
+}
+
 void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int points) {
   if (element == ContactElement::Q1C1) return;
   const SideSet set = side_set_named(mesh, side_set);  // a copy: the mesh's own changes on the way
+  if (fitting_element(mesh, set, element) == ContactElement::Q2C2) return;
   check(mesh, set);
   if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
   const CellType type = enriched_type(mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8, element);

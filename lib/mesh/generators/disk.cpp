@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/entry.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/normalize.hpp"
@@ -19,6 +21,8 @@ void check(const DiskShape& shape) {
   if (shape.rings < 1) throw InputError(fmt::format("rings {} must be at least 1", shape.rings));
   if (!(shape.core_half_side > 0 && shape.core_half_side < 0.7))
     throw InputError(fmt::format("core half side {} must lie between 0 and 0.7", shape.core_half_side));
+  if (shape.cell_order != 1 && shape.cell_order != 2)
+    throw InputError(fmt::format("cell order {} must be 1 or 2", shape.cell_order));
   const double nodes =
       (shape.core_divisions + 1.0) * (shape.core_divisions + 1.0) + 4.0 * shape.core_divisions * shape.rings;
   if (nodes > 5e7)
@@ -37,17 +41,41 @@ std::vector<std::array<int, 2>> core_boundary(int n) {
   return nodes;
 }
 
+double angle_at(double k, int around) { return M_PI * (-0.75 + 2.0 * k / around); }
+
+/// Turns the cells into quadratic ones. The middles between two nodes of a ring stand where a node of a mesh of twice
+/// as many cells would: a node is the mean, with the weights 1 - s and s, of one on the core's straight sides and one
+/// on the circle, and the circle's arc is higher than its chord.
+void curve_rings(const DiskShape& shape, Mesh& mesh) {
+  raise_order(mesh);
+  const int around = 4 * shape.core_divisions;
+  const double height = shape.diameter / 2 * (1 - std::cos(M_PI / around));
+  int cell = shape.core_divisions * shape.core_divisions;
+  for (int ring = 0; ring < shape.rings; ++ring)
+    for (int k = 0; k < around; ++k, ++cell) {
+      const double angle = angle_at(k + 0.5, around);
+      // A cell's second edge is on the ring's outer side; the inner side is the next ring's outer one, or straight.
+      for (const auto& [a, steps] : {std::pair{5, ring + 1.0}, std::pair{8, ring + 0.5}}) {
+        const double shift = steps / shape.rings * height;
+        double* x = &mesh.coordinates[2 * static_cast<std::size_t>(mesh.blocks[0].nodes[cell_entry(cell, 9, a)])];
+        x[0] += shift * std::cos(angle);
+        x[1] += shift * std::sin(angle);
+      }
+    }
+}
+
 /// Removes the cells to the left of the centre, and the nodes that no other cell has.
 void halve(double center, double radius, Mesh& mesh) {
   const auto x = [&](int node) -> double& { return mesh.coordinates[2 * static_cast<std::size_t>(node)]; };
   for (int node = 0; node < mesh.nodes(); ++node)
     if (std::abs(x(node) - center) < 1e-9 * radius) x(node) = center;  // sines and cosines are rounded
+  const int n = nodes_per_cell(mesh.blocks[0].type);
   std::vector<int> cell_number, nodes;
   for (int cell = 0; cell < mesh.blocks[0].cells(); ++cell) {
-    const int* old = &mesh.blocks[0].nodes[cell_entry(cell, 4)];
-    const bool kept = std::all_of(old, old + 4, [&](int node) { return x(node) >= center; });
-    cell_number.push_back(kept ? static_cast<int>(nodes.size()) / 4 : -1);
-    if (kept) nodes.insert(nodes.end(), old, old + 4);
+    const int* old = &mesh.blocks[0].nodes[cell_entry(cell, n)];
+    const bool kept = std::all_of(old, old + n, [&](int node) { return x(node) >= center; });
+    cell_number.push_back(kept ? static_cast<int>(nodes.size()) / n : -1);
+    if (kept) nodes.insert(nodes.end(), old, old + n);
   }
   mesh.blocks[0].nodes = std::move(nodes);
   std::vector<Side> sides;
@@ -91,7 +119,7 @@ Mesh disk(const DiskShape& shape) {
     const double s = static_cast<double>(ring) / shape.rings;
     for (int k = 0; k < around; ++k) {
       const auto [i, j] = boundary[static_cast<std::size_t>(k)];
-      const double angle = M_PI * (-0.75 + 2.0 * k / around);
+      const double angle = angle_at(k, around);
       add_node((1 - s) * half * (2.0 * i / n - 1) + s * radius * std::cos(angle),
                (1 - s) * half * (2.0 * j / n - 1) + s * radius * std::sin(angle));
     }
@@ -123,6 +151,7 @@ Mesh disk(const DiskShape& shape) {
   mesh.side_sets.push_back(std::move(surface));
   mesh.node_sets.push_back(std::move(rim));
   mesh.node_sets.push_back({"center", {core_node(n / 2, n / 2)}});
+  if (shape.cell_order == 2) curve_rings(shape, mesh);
   if (shape.half) halve(shape.center[0], radius, mesh);
   return mesh;
 }
@@ -138,16 +167,18 @@ MeshEntry disk_mesh() {
            "Half the side length of the core, divided by the radius of the disk [-].", greater_and_less_than(0, 0.7))
       .add("Half", &Parameters::half,
            "Keep only the half of the disk to the right of its centre: with the Geometry Axisymmetric, a ball.");
+  const auto make = [options](const SceneNode& node, int cell_order) {
+    Parameters shape = options.read(node);
+    copy_values(node, "Center", shape.place, 2, shape.center);
+    shape.cell_order = cell_order;
+    return disk(shape);
+  };
   return {{"Disk",
            "A disk of quadrilaterals, meshed as an O-grid. It has the block \"body\", the side and node set "
            "\"surface\", and the node set \"center\"; a half disk also has the node set \"axis\".",
-           "", options.list(),
-           [options](const SceneNode& node) {
-             Parameters shape = options.read(node);
-             copy_values(node, "Center", shape.place, 2, shape.center);
-             return disk(shape);
-           }},
-          2};
+           "", options.list(), [make](const SceneNode& node) { return make(node, 1); }},
+          2,
+          [make](const SceneNode& node) { return make(node, 2); }};
 }
 
 }  // namespace ixos

@@ -1,6 +1,7 @@
 /// Meshes that a scene may choose.
 #pragma once
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace ixos {
 /// An entry makes a mesh from its parameters. The list that chooses it is "Mesh".
 struct MeshEntry : CatalogueEntry<Mesh> {
   int dimension = 0;  ///< of all its meshes; 0 if its parameter "Dimension" gives it, or the file of the mesh
+  /// Makes the mesh of quadratic cells from the same list, if its shape is curved; null: raise_order() does.
+  std::function<Mesh(const SceneNode&)> make_quadratic{};
 };
 
 /// Copies `values` to the first `count` elements of `target`; an empty array leaves it unchanged. Throws InputError if

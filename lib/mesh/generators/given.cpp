@@ -35,9 +35,10 @@ void check_blocks(const Mesh& mesh) {
   std::vector<bool> used(static_cast<std::size_t>(mesh.nodes()), false);
   for (const ElementBlock& block : mesh.blocks) {
     const std::string place = "block \"" + block.name + "\"";
-    if (block.type != (mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8))
+    if (corner_type(block.type) != (mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8) || is_enriched(block.type))
       throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place,
-                                   nodes_per_cell(block.type), mesh.dimension, mesh.dimension == 2 ? 4 : 8));
+                                   nodes_per_cell(block.type), mesh.dimension,
+                                   mesh.dimension == 2 ? "4 or 9" : "8 or 27"));
     if (block.nodes.empty() || block.nodes.size() % static_cast<std::size_t>(nodes_per_cell(block.type)) != 0)
       throw InputError(fmt::format("{}: {} node numbers are not those of cells with {} nodes", place,
                                    block.nodes.size(), nodes_per_cell(block.type)));

@@ -6,7 +6,7 @@
 
 namespace ixos {
 
-/// A disk of four-noded quadrilaterals on an O-grid: a square core and rings around it.
+/// A disk of quadrilaterals on an O-grid: a square core and rings around it.
 struct DiskShape {
   double diameter = 10.0;          ///< [L0], > 0
   std::array<double, 2> center{};  ///< [L0]
@@ -14,6 +14,7 @@ struct DiskShape {
   int rings = 2;                   ///< layers of cells around the core, >= 1
   double core_half_side = 0.4;     ///< half side of the core over the radius, in (0, 0.7)
   bool half = false;               ///< only the half at x >= center[0]
+  int cell_order = 1;              ///< 1: four nodes a cell; 2: nine, those of the surface on the circle
 };
 
 /// Returns (core_divisions)^2 + 4 core_divisions rings cells, counter-clockwise. Block "body"; node and side set

@@ -8,7 +8,7 @@ from runs import R0, number, steps, table
 
 STEP, STEPS = 0.02, 10000
 RELAXATION = [float(f"1e{k}") for k in range(-6, 7)]
-FRICTION = [0.0, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0]
+FRICTION = [0.0, 1e-9, 1e-5, 0.01, 0.1, 0.3, 1.0, 3.0, 10.0]
 SCHEMES = ["Newmark", "Bathe Composite", "Average Vector Field"]
 CLOSED = {"Time Integrator/Average Vector Field/Interaction Points": 0}
 

@@ -170,6 +170,7 @@ class LinesTest(unittest.TestCase):
         self.assertLess(ratio("Standard"), 0.03)
         self.assertAlmostEqual(ratio("Mean Dilatation"), 1, delta=0.04)
         self.assertAlmostEqual(ratio("Enhanced"), 1, delta=0.03)
+        self.assertAlmostEqual(ratio("Quadratic"), 1, delta=0.03)
         rubber = {**gap.block(1.1 * EQUILIBRIUM), **steps("Average Vector Field", 1e-3, 50)}
         almost = self.run_scene({**rubber, "Materials/Body/Poisson's Ratio": 0.49999})
         self.assertLess(almost.energy_error(), 1e-12)
@@ -210,6 +211,7 @@ class LinesTest(unittest.TestCase):
             outcome = self.run_scene(locking.cantilever(2, 0.3, formulation, [8, 1], 8.0 * aspect), saying=saying)
             return locking.deflection(outcome, 2, locking.theory(2, 0.3, 8.0 * aspect))
         self.assertAlmostEqual(bent("Enhanced", 100), 1, delta=0.01)
+        self.assertAlmostEqual(bent("Quadratic", 100), 1, delta=0.02)
         self.assertLess(bent("Standard", 100), 0.001)
         bent("Enhanced", 300, "has an aspect ratio of 300")
 

@@ -1,8 +1,7 @@
 """Poisson's ratios from 0 to 0.4999, and elements of aspect 1 to 1000: locking, and its cures, in bending."""
-from runs import STEPS, box, held, number, ramp, table
+from runs import ELEMENTS, STEPS, box, element, held, number, ramp, table
 import style
 
-FORMULATIONS = ["Standard", "Mean Dilatation", "Enhanced"]
 RATIOS = [0.0, 0.3, 0.45, 0.49, 0.499, 0.4999]
 ASPECTS = [1, 3, 10, 30, 100, 300, 1000]
 LENGTH = 20.0
@@ -13,7 +12,7 @@ def cantilever(dimension, ratio, formulation, divisions, length=LENGTH):
     lengths = [length] + [1.0] * (dimension - 1)
     up = [0.0] * (dimension - 1) + [1e-3 / length ** 2]
     return {**box(lengths, divisions), "Materials/Body/Model": "Linear Elastic", "Materials/Body/Poisson's Ratio": ratio,
-            "Materials/Body/Element Formulation": formulation, "Time Integrator/Type": "Static",
+            **element(formulation), "Time Integrator/Type": "Static",
             STEPS + "Time Step": 1.0, STEPS + "Final Time": 1.0, **held("clamp", "left", "all"), **ramp("Load", 1.0),
             "Boundary Conditions/Pull/Type": "Traction", "Boundary Conditions/Pull/Side Set": "right",
             "Boundary Conditions/Pull/Vector": up, "Boundary Conditions/Pull/History": "Load",
@@ -36,7 +35,7 @@ def by_ratio(runner, dimension):
     divisions = [40, 4] if dimension == 2 else [40, 4, 4]
     return [[formulation, *(deflection(runner(f"locking/{dimension}/{formulation}/{ratio}",
                                               cantilever(dimension, ratio, formulation, divisions)), dimension,
-                                       theory(dimension, ratio)) for ratio in RATIOS)] for formulation in FORMULATIONS]
+                                       theory(dimension, ratio)) for ratio in RATIOS)] for formulation in ELEMENTS]
 
 
 def by_aspect(runner, dimension):
@@ -45,7 +44,7 @@ def by_aspect(runner, dimension):
     return [[formulation, *(deflection(runner(f"locking/aspect/{dimension}/{formulation}/{aspect}",
                                               cantilever(dimension, 0.3, formulation, divisions, 8.0 * aspect)),
                                        dimension, theory(dimension, 0.3, 8.0 * aspect)) for aspect in ASPECTS)]
-            for formulation in FORMULATIONS]
+            for formulation in ELEMENTS]
 
 
 def picture(panels, path):

@@ -37,6 +37,15 @@ def box(lengths, divisions, lower=None):
     return entries
 
 
+# Elements to compare: a formulation, or quadratic cells.
+ELEMENTS = ["Standard", "Mean Dilatation", "Enhanced", "Quadratic"]
+
+
+def element(name):
+    """The entries that choose one of ELEMENTS for the body."""
+    return {"Mesh/Cell Order": 2} if name == "Quadratic" else {"Materials/Body/Element Formulation": name}
+
+
 def steps(scheme, step, count, initial=0.0):
     """The entries of `count` steps."""
     return {"Time Integrator/Type": scheme, STEPS + "Time Step": step, STEPS + "Initial Time": initial,

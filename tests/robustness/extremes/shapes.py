@@ -1,13 +1,13 @@
 """Elements of aspect 1 to 1000 in motion, and surface sides as long: energy errors, and the patch under tension."""
 from maps import word
-from runs import EQUILIBRIUM, STEPS, box, held, number, ramp, steps, table, wall
+from runs import ELEMENTS, EQUILIBRIUM, STEPS, box, element, held, number, ramp, steps, table, wall
 from strain import stretch_stress
 
 ASPECTS = [1, 3, 10, 30, 100, 300, 1000]
-FORM = "Materials/Body/Element Formulation"
 CASES = {
     "Average Vector Field": {}, "Energy-Momentum": {}, "Bathe Composite": {}, "Central Difference": {},
-    "Average Vector Field, Mean Dilatation": {FORM: "Mean Dilatation"}, "Average Vector Field, Enhanced": {FORM: "Enhanced"},
+    "Average Vector Field, Mean Dilatation": element("Mean Dilatation"), "Average Vector Field, Enhanced": element("Enhanced"),
+    "Average Vector Field, Quadratic": element("Quadratic"),
     "Average Vector Field, Q1C4": {"Interactions/Wall/Contact Element": "Q1C4"}}
 
 
@@ -20,7 +20,7 @@ def moving(dimension, aspect, scheme, extra):
 def drawn(dimension, aspect, formulation):
     """A block on rollers, pulled along its long elements by a tenth."""
     rollers = ["left", "bottom"] if dimension == 2 else ["left", "front", "bottom"]
-    entries = {**box([3.0 * aspect] + [3.0] * (dimension - 1), [3] * dimension), FORM: formulation,
+    entries = {**box([3.0 * aspect] + [3.0] * (dimension - 1), [3] * dimension), **element(formulation),
                "Time Integrator/Type": "Static", STEPS + "Time Step": 0.5, STEPS + "Final Time": 1.0,
                **ramp("Stretch", 0.3 * aspect), "Output/Reactions": ["right"]}
     for axis, side in zip("xyz", rollers):
@@ -39,7 +39,7 @@ def study(runner, images):
                                                     for aspect in ASPECTS)])
     patches = []
     for dimension in (2, 3):
-        for formulation in ("Standard", "Mean Dilatation", "Enhanced"):
+        for formulation in ELEMENTS:
             exact = 3.0 ** (dimension - 1) * stretch_stress(1.1, 0.2, dimension)
             outcomes = [runner(f"shapes/patch/{dimension}/{formulation}/{aspect}", drawn(dimension, aspect, formulation))
                         for aspect in ASPECTS]

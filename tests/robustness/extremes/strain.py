@@ -1,9 +1,8 @@
 """One element stretched to 11 times its length, squeezed to a hundredth and sheared by 10, against closed forms."""
 import numpy as np
 
-from runs import STEPS, box, held, number, ramp, table
+from runs import ELEMENTS, STEPS, box, element, held, number, ramp, table
 
-FORMULATIONS = ["Standard", "Mean Dilatation", "Enhanced"]
 STRETCHES = [11.0, 3.0, 1 + 1e-3, 1 + 1e-6, 1 + 1e-9, 0.5, 0.2, 1 / 11, 0.01]
 RATIOS = [0.0, 0.2, 0.4999]
 
@@ -34,7 +33,7 @@ def stretched(dimension, ratio, formulation, stretch, count):
     """A unit element on rollers, its right side driven."""
     rollers = ["left", "bottom"] if dimension == 2 else ["left", "front", "bottom"]
     entries = {**box([1] * dimension, [1] * dimension), "Materials/Body/Poisson's Ratio": ratio,
-               "Materials/Body/Element Formulation": formulation, "Time Integrator/Type": "Static",
+               **element(formulation), "Time Integrator/Type": "Static",
                STEPS + "Time Step": 1 / count, STEPS + "Final Time": 1.0, **ramp("Stretch", stretch - 1),
                "Output/Reactions": ["right"]}
     for axis, side in zip("xyz", rollers):
@@ -47,7 +46,7 @@ def sheared(dimension, ratio, formulation, shear, count):
     top = {**held("base", "bottom", "all"), **held("top", "top", "x", "Shear"),
            **held("level", "top", "y" if dimension == 2 else "yz")}
     return {**box([1] * dimension, [1] * dimension), "Materials/Body/Poisson's Ratio": ratio,
-            "Materials/Body/Element Formulation": formulation, "Time Integrator/Type": "Static",
+            **element(formulation), "Time Integrator/Type": "Static",
             STEPS + "Time Step": 1 / count, STEPS + "Final Time": 1.0, **ramp("Shear", shear), **top,
             "Output/Reactions": ["top"]}
 
@@ -55,7 +54,7 @@ def sheared(dimension, ratio, formulation, shear, count):
 def squeezed(dimension, ratio, formulation):
     """4 x 4 (x 4) elements between held ends, squeezed to a hundredth of their height in 99 load steps."""
     return {**box([1] * dimension, [4] * dimension), "Materials/Body/Poisson's Ratio": ratio,
-            "Materials/Body/Element Formulation": formulation, "Time Integrator/Type": "Static",
+            **element(formulation), "Time Integrator/Type": "Static",
             STEPS + "Time Step": 0.01, STEPS + "Final Time": 0.99, **ramp("Squeeze", -1.0), **held("base", "bottom", "all"),
             **held("top", "top", "xy"[:dimension - 1]), **held("press", "top", "xyz"[dimension - 1], "Squeeze")}
 
@@ -77,7 +76,7 @@ def study(runner, images):
     rows = []
     for dimension in (2, 3):
         for ratio in RATIOS:
-            for formulation in FORMULATIONS:
+            for formulation in ELEMENTS:
                 row = [f"{dimension}D", f"{ratio:g}", formulation]
                 for stretch in STRETCHES:
                     best = None
@@ -94,6 +93,6 @@ def study(runner, images):
                 rows.append([*row, verdict(outcome, "reaction_top_x", lame(ratio)[0] * 10)])
     blocks = [[f"{dimension}D", f"{ratio:g}", formulation,
                least_height(runner(f"strain/squeezed/{dimension}/{ratio}/{formulation}", squeezed(dimension, ratio, formulation)))]
-              for dimension in (2, 3) for ratio in RATIOS for formulation in FORMULATIONS]
+              for dimension in (2, 3) for ratio in RATIOS for formulation in ELEMENTS]
     return [*table(["", "nu", "elements", *(f"{stretch:.10g}" for stretch in STRETCHES), "shear 10"], rows), "",
             *table(["", "nu", "4 elements an edge, squeezed between held ends", "height reached"], blocks)]

@@ -1,0 +1,68 @@
+/// The linear element on the corners of a quadratic one.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "fem/quadratic_elements.hpp"
+#include "fem/reference_elements.hpp"
+
+namespace ixos {
+
+/// The type of the linear element whose nodes are the corners of a quadratic element; void for other elements.
+template <class Element>
+struct CornerElement {
+  using type = void;
+};
+template <>
+struct CornerElement<LagrangeEdge<2>> {
+  using type = Line2;
+};
+template <>
+struct CornerElement<Quad9> {
+  using type = Quad4;
+};
+template <>
+struct CornerElement<Hex27> {
+  using type = Hex8;
+};
+
+/// Returns the linear element's shape functions at the nodes of the quadratic one, by node and corner: 1 for a corner
+/// itself; 1/2, 1/4 or 1/8 for the corners of the edge, face or cell in whose middle a node is; else 0. The linear
+/// function c is the sum of the quadratic ones times their entries of column c.
+template <class Element>
+std::array<std::array<double, CornerElement<Element>::type::nodes>, Element::nodes> corner_shares() {
+  using Corners = typename CornerElement<Element>::type;
+  constexpr std::size_t D = Element::dimension;
+  std::array<std::array<double, Corners::nodes>, Element::nodes> shares;
+  std::array<std::array<double, D>, Corners::nodes> gradient;
+  for (std::size_t a = 0; a < shares.size(); ++a) {
+    std::array<double, D> xi;
+    if constexpr (D == 1)
+      xi[0] = Element::node(a);
+    else
+      for (std::size_t d = 0; d < D; ++d) xi[d] = Element::Edge::node(Element::factors(a)[d]);
+    Corners::evaluate(xi, shares[a], gradient);
+  }
+  return shares;
+}
+
+/// Returns, by node of a quadratic element, the corners of the edge, face or cell in whose middle it is, in ascending
+/// order; a corner has itself.
+template <class Element>
+std::vector<std::vector<int>> corners_of_nodes() {
+  std::vector<std::vector<int>> result;
+  for (const auto& shares : corner_shares<Element>()) {
+    result.emplace_back();
+    for (std::size_t c = 0; c < shares.size(); ++c)
+      if (shares[c] != 0) result.back().push_back(static_cast<int>(c));
+  }
+  return result;
+}
+/// Returns those of Quad9 or of Hex27, whichever has that dimension.
+inline const std::vector<std::vector<int>>& corners_of_nodes(int dimension) {
+  static const auto quad = corners_of_nodes<Quad9>(), hex = corners_of_nodes<Hex27>();
+  return dimension == 2 ? quad : hex;
+}
+
+}  // namespace ixos

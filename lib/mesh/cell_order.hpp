@@ -1,0 +1,23 @@
+/// Meshes of quadratic cells from meshes of linear ones.
+#pragma once
+#include "mesh/mesh.hpp"
+
+namespace ixos {
+
+/// Turns the linear cells of a mesh into quadratic ones, Quad4 into Quad9 and Hex8 into Hex27: adds a node in the
+/// middle of each edge, face and cell, behind the mesh's own nodes. Cells share the nodes of the edges and faces that
+/// they share, also with cells that are quadratic already; those stay as they are. The new nodes stand at the mean of
+/// their corners, so the body keeps its shape. Side sets keep their sides. A node set that has the nodes of the side
+/// set of its name keeps having them; another one gets the middles of the edges and faces whose corners it all holds.
+/// Throws InputError if the mesh is enriched.
+void raise_order(Mesh& mesh);
+
+/// Throws InputError, with two blocks, if the mesh has linear and quadratic cells: they do not conform.
+void require_one_order(const Mesh& mesh);
+
+/// Throws InputError, with the elements counted from 1 over all blocks, if two quadratic cells share the corners of an
+/// edge or a face but not its middle node, or if a middle node is also a corner: the body would open there. Meshes that
+/// raise_order() made need no check.
+void require_shared_middles(const Mesh& mesh);
+
+}  // namespace ixos

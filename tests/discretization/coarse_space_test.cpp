@@ -1,0 +1,180 @@
+#include "discretization/coarse_space.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_Vector.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/cell_order.hpp"
+#include "mesh/generators/shapes.hpp"
+#include "mesh/partition.hpp"
+#include "support/scene_text.hpp"
+
+namespace ixos {
+namespace {
+
+LocalMesh part_of(const Mesh& mesh, const Comm& comm) {
+  return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
+}
+
+/// A box of quadratic cells, 3 x 2 (x 2), whose bottom is constrained along all axes, the middle of an edge of the top
+/// along the first one.
+struct Body {
+  explicit Body(int dimension) : comm(test::world()), mesh(part_of(whole(dimension), comm)), space(mesh, comm) {
+    for (const int node : mesh.node_sets[mesh.node_set("bottom")])
+      for (int i = 0; i < dimension; ++i) constrained.push_back(node * dimension + i);
+    for (int node = 0; node < mesh.nodes(); ++node)
+      if (place(node, 0) == 0.5 && place(node, 1) == 0 && place(node, dimension - 1) == height(dimension))
+        constrained.push_back(node * dimension);
+  }
+  static double height(int dimension) { return dimension == 2 ? 0 : 2; }
+  static Mesh whole(int dimension) {
+    BoxShape shape;
+    shape.dimension = dimension;
+    shape.lengths = {3, 2, 2};
+    shape.divisions = {3, 2, 2};
+    Mesh mesh = box(shape);
+    raise_order(mesh);
+    return mesh;
+  }
+  double place(int node, int i) const { return mesh.coordinates[static_cast<std::size_t>(node * mesh.dimension + i)]; }
+  /// A field of the place on a mesh's owned nodes.
+  template <class Field>
+  Vector field(const LocalMesh& on, const DofSpace& of, const Field& value) const {
+    Vector result(of.owned_map());
+    const auto view = result.getLocalViewHost(Tpetra::Access::OverwriteAll);
+    const auto d = static_cast<std::size_t>(mesh.dimension);
+    for (std::size_t i = 0; i < view.extent(0); ++i) {
+      std::array<double, 3> x{};
+      std::copy_n(&on.coordinates[i / d * d], d, x.begin());
+      view(i, 0) = value(x, i % d);
+    }
+    return result;
+  }
+
+  Comm comm;
+  LocalMesh mesh;
+  DofSpace space;
+  std::vector<int> constrained;
+};
+
+double wave(const std::array<double, 3>& x, std::size_t i) {
+  return std::sin(1 + 1.7 * x[0] + 2.9 * x[1] - 0.8 * x[2] + 2.0 * static_cast<double>(i));
+}
+double other_wave(const std::array<double, 3>& x, std::size_t i) {
+  return std::cos(2.3 * x[0] - x[1] + 3.1 * x[2] + static_cast<double>(i));
+}
+/// Linear along each axis.
+double multilinear(const std::array<double, 3>& x, std::size_t i) {
+  return (1 + 2 * x[0]) * (3 - x[1]) * (0.5 + x[2]) + static_cast<double>(i);
+}
+
+class CoarseSpaceTest : public testing::TestWithParam<int> {};
+
+TEST_P(CoarseSpaceTest, HasTheCornersOnceEach) {
+  const Body body(GetParam());
+  const CoarseSpace coarse(body.mesh, body.space, {});
+  EXPECT_EQ(coarse.mesh().global_nodes, GetParam() == 2 ? 4 * 3 : 4 * 3 * 3);
+  EXPECT_EQ(coarse.space().global(), coarse.mesh().global_nodes * GetParam());
+  double owned = coarse.mesh().owned_nodes;
+  coarse.space().sum(&owned, 1);
+  EXPECT_EQ(owned, static_cast<double>(coarse.mesh().global_nodes));
+  EXPECT_EQ(coarse.mesh().blocks[0].type, GetParam() == 2 ? CellType::Quad4 : CellType::Hex8);
+  for (int node = 0; node < body.mesh.nodes(); ++node)
+    if (const int number = coarse.number(node); number >= 0) {
+      EXPECT_EQ(number < coarse.mesh().owned_nodes, node < body.mesh.owned_nodes);
+      for (int i = 0; i < GetParam(); ++i)
+        EXPECT_EQ(coarse.mesh().coordinates[static_cast<std::size_t>(number * GetParam() + i)], body.place(node, i));
+    }
+  // Ghosts carry their owners' numbers: a field of the place comes back from an exchange.
+  std::vector<double> local(coarse.mesh().coordinates);
+  coarse.space().update_ghosts(local.data());
+  EXPECT_EQ(local, coarse.mesh().coordinates);
+}
+
+TEST_P(CoarseSpaceTest, ProlongatesMultilinearFieldsExactly) {
+  const Body body(GetParam());
+  const CoarseSpace coarse(body.mesh, body.space, {});
+  Vector fine(body.space.owned_map());
+  coarse.prolongate(body.field(coarse.mesh(), coarse.space(), multilinear), fine);
+  fine.update(-1.0, body.field(body.mesh, body.space, multilinear), 1.0);
+  EXPECT_LT(fine.normInf(), 1e-13);
+}
+
+TEST_P(CoarseSpaceTest, RestrictionIsTheTranspose) {
+  const Body body(GetParam());
+  const CoarseSpace coarse(body.mesh, body.space, body.constrained);
+  const Vector x = body.field(coarse.mesh(), coarse.space(), wave), y = body.field(body.mesh, body.space, other_wave);
+  Vector px(body.space.owned_map()), pty(coarse.space().owned_map());
+  coarse.prolongate(x, px);
+  coarse.restrict_to_coarse(y, pty);
+  EXPECT_NEAR(px.dot(y), x.dot(pty), 1e-13 * px.norm2() * y.norm2());
+  EXPECT_GT(px.norm2(), 1);
+}
+
+TEST_P(CoarseSpaceTest, MovesNoConstrainedDegreeOfFreedom) {
+  const Body body(GetParam());
+  const CoarseSpace coarse(body.mesh, body.space, body.constrained);
+  Vector fine(body.space.owned_map());
+  coarse.prolongate(body.field(coarse.mesh(), coarse.space(), wave), fine);
+  const auto view = fine.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (const int dof : body.constrained)
+    if (dof < body.space.owned()) {
+      EXPECT_EQ(view(static_cast<std::size_t>(dof), 0), 0);
+    }
+  // Those of the bottom's corners, and both ends of the edge whose middle is held; in the plane that edge is of the
+  // bottom.
+  double left_out = 0;
+  for (const int dof : coarse.left_out()) left_out += dof < coarse.space().owned() ? 1 : 0;
+  coarse.space().sum(&left_out, 1);
+  EXPECT_EQ(left_out, GetParam() == 2 ? 4 * 2 : 4 * 3 * 3 + 2);
+}
+
+/// A matrix of the coarse space with these values.
+Teuchos::RCP<CrsMatrix> matrix_of(const CoarseSpace& coarse, const std::vector<double>& values) {
+  const auto matrix = coarse.pattern().create_matrix(coarse.space());
+  std::copy(values.begin(), values.end(), matrix->getLocalMatrixHost().values.data());
+  return matrix;
+}
+
+TEST_P(CoarseSpaceTest, DiagonalsHaveAGalerkinProduct) {
+  const Body body(GetParam());
+  const CoarseSpace coarse(body.mesh, body.space, body.constrained);
+  const Vector diagonal = body.field(body.mesh, body.space, wave);
+  std::vector<double> local(coarse.fine_local()), values(coarse.values(), 0.0);
+  body.space.import(diagonal, local.data());
+  coarse.add_diagonal(local.data(), values.data());
+  coarse.leave_out(7, values.data());
+  const auto matrix = matrix_of(coarse, values);
+  Vector x = body.field(coarse.mesh(), coarse.space(), other_wave);
+  Vector product(coarse.space().owned_map()), fine(body.space.owned_map()), expected(coarse.space().owned_map());
+  matrix->apply(x, product);
+  coarse.prolongate(x, fine);
+  fine.elementWiseMultiply(1.0, diagonal, fine, 0.0);
+  coarse.restrict_to_coarse(fine, expected);
+  {
+    const auto from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    const auto to = expected.getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (const int dof : coarse.left_out())
+      if (dof < coarse.space().owned())
+        to(static_cast<std::size_t>(dof), 0) = 7 * from(static_cast<std::size_t>(dof), 0);
+  }
+  expected.update(-1.0, product, 1.0);
+  EXPECT_LT(expected.normInf(), 1e-14 * static_cast<double>(product.getGlobalLength()));
+}
+
+TEST_P(CoarseSpaceTest, LinearCellsHaveNone) {
+  BoxShape shape;
+  shape.dimension = GetParam();
+  const LocalMesh mesh = part_of(box(shape), test::world());
+  const DofSpace space(mesh, test::world());
+  EXPECT_THROW(CoarseSpace(mesh, space, {}), std::logic_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Dimensions, CoarseSpaceTest, testing::Values(2, 3));
+
+}  // namespace
+}  // namespace ixos

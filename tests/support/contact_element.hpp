@@ -1,0 +1,16 @@
+/// Contact elements of every kind for tests.
+#pragma once
+#include <string>
+
+#include "mesh/cell_order.hpp"
+#include "mesh/enrichment/enrich.hpp"
+
+namespace ixos::test {
+
+/// Gives the sides of the set that contact element. Q2C2 makes all cells of the mesh quadratic.
+inline void give_contact_element(Mesh& mesh, const std::string& side_set, ContactElement element, int points = 0) {
+  if (element == ContactElement::Q2C2) raise_order(mesh);
+  enrich(mesh, side_set, element, points);
+}
+
+}  // namespace ixos::test
