@@ -6,7 +6,7 @@ import units
 from scene_file import ResultsError, existing, find, is_axisymmetric, read_scene
 
 # Pieces of a plane cell's side by contact element: fields.e has a cell for each.
-PIECES = {"Q1C2": 2, "Q1C3": 3, "Q1C4": 4, "Q1CH": 4}
+PIECES = {"Q1C2": 2, "Q1C3": 3, "Q1C4": 4, "Q1CH": 4, "Q2C4": 2}
 
 
 class Fields:
@@ -87,7 +87,7 @@ class Fields:
         """The nodes around a whole cell. The first side of its pieces is the enriched one, the third its opposite."""
         cells = self.cells[whole]
         if cells.shape[1] == 9:  # with the middles of its sides
-            return cells[0, [0, 4, 1, 5, 2, 6, 3, 7]]
+            return np.concatenate([cells[:, [0, 4]].ravel(), cells[-1, [1, 5]], cells[::-1, [2, 6]].ravel(), cells[0, [3, 7]]])
         return cells[0] if len(cells) == 1 else np.concatenate([cells[:, 0], cells[-1, 1:3], cells[::-1, 3]])
 
     def nearest_frame(self, time):

@@ -191,8 +191,8 @@ def wall_height(folder):
     interactions = find(scene, "Interactions")
     for interaction in [] if interactions is None else interactions.findall("ParameterList"):
         value = {entry.get("name"): entry.get("value") for entry in interaction.findall("Parameter")}
-        if value.get("Obstacle", "Half-Space") != "Half-Space":
-            continue
+        if value.get("Obstacle", "Half-Space") != "Half-Space" or value.get("Primary Side Set"):
+            continue  # there is a curved obstacle, or another body
         motion = find(interaction, "Motion")
         moved = {entry.get("name"): entry.get("value") for entry in ([] if motion is None else motion)}
         if moved.get("Rotation") or moved.get("Translation", "").strip("{} "):

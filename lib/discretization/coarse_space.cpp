@@ -1,13 +1,17 @@
 #include "discretization/coarse_space.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Export.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 #include "fem/corner_element.hpp"
+#include "fem/with_element.hpp"
+#include "mesh/halving.hpp"
 
 namespace ixos {
 namespace {
@@ -18,16 +22,53 @@ void for_each_cell(const LocalBlock& block, const Visit& visit) {
   for (int cell = 0; cell < block.cells(); ++cell) visit(&block.nodes[cell_entry(cell, nodes_per_cell(block.type))]);
 }
 
+/// Returns, by node of an element, whether the node stands at its own place; no node does on a tied edge's inside.
+template <class Element>
+std::array<bool, Element::nodes> places_of(unsigned tied) {
+  std::array<bool, Element::nodes> result;
+  result.fill(true);
+  if constexpr (HasInnerNodes<Element>::value)
+    for (const InnerNode& inner : Element::inner_nodes())
+      if ((tied >> inner.edge & 1U) != 0) result[inner.node] = false;
+  return result;
+}
+
 }  // namespace
 
 CoarseSpace::CoarseSpace(const LocalMesh& fine, const DofSpace& fine_space, const std::vector<int>& constrained)
     : fine_space_(fine_space),
       dimension_(static_cast<std::size_t>(fine.dimension)),
-      coarse_(coarse_mesh(fine, fine_space, number_), fine_space.comm()),
+      coarse_(fine.halving ? parents(fine, number_) : coarse_mesh(fine, fine_space, number_), fine_space.comm()),
       on_coarse_(static_cast<std::size_t>(space().local())),
       on_fine_(fine_local()) {
-  find_shares(fine);
+  if (fine.halving) {
+    take_shares(fine);
+    if (fine_space.comm()->getSize() > 1) {
+      LocalMesh all = mesh();
+      all.owned_nodes = all.nodes();
+      local_rows_ = std::make_unique<const Pattern>(all);
+    }
+  } else {
+    find_shares(fine);
+  }
   find_left_out(constrained);
+}
+
+LocalMesh CoarseSpace::parents(const LocalMesh& fine, std::vector<int>& number) {
+  number = fine.halving->number;
+  return fine.halving->coarse;
+}
+
+void CoarseSpace::take_shares(const LocalMesh& fine) {
+  const LocalHalving& halving = *fine.halving;
+  first_share_ = halving.first_share;
+  for (std::size_t node = 0; node < number_.size(); ++node) {
+    const std::size_t begin = first_share_[node], end = first_share_[node + 1];
+    for (std::size_t k = begin; k < end; ++k)
+      shares_.push_back({halving.corner[k], 1 / static_cast<double>(end - begin)});
+    std::sort(shares_.begin() + static_cast<std::ptrdiff_t>(begin), shares_.end(),
+              [](const Share& a, const Share& b) { return a.corner < b.corner; });
+  }
 }
 
 /// Sets `number` and returns the mesh of the corners, in the order of the fine mesh's nodes.
@@ -40,7 +81,7 @@ LocalMesh CoarseSpace::coarse_mesh(const LocalMesh& fine, const DofSpace& fine_s
   coarse.global_cells = fine.global_cells;
   for (const LocalBlock& block : fine.blocks) {
     if (block.global_cells > 0 && !is_quadratic(block.type))
-      throw std::logic_error("linear cells have no coarse space");
+      throw std::logic_error("linear cells without parents have no coarse space");
     for_each_cell(block, [&](const int* nodes) {
       for (int a = 0; a < nodes_per_cell(corner_type(block.type)); ++a) number[static_cast<std::size_t>(nodes[a])] = 0;
     });
@@ -82,20 +123,27 @@ LocalMesh CoarseSpace::coarse_mesh(const LocalMesh& fine, const DofSpace& fine_s
 
 void CoarseSpace::find_shares(const LocalMesh& fine) {
   const std::size_t nodes = number_.size();
-  std::vector<std::vector<int>> corners(nodes);
+  std::vector<std::vector<Share>> shares(nodes);
   for (const LocalBlock& block : fine.blocks)
-    for_each_cell(block, [&](const int* cell) {
-      const auto& moving = corners_of_nodes(fine.dimension);
-      for (std::size_t a = 0; a < moving.size(); ++a) {
-        std::vector<int>& mine = corners[static_cast<std::size_t>(cell[a])];
-        if (!mine.empty()) continue;  // a neighbour names the same corners
-        for (const int corner : moving[a]) mine.push_back(number(cell[corner]));
-        std::sort(mine.begin(), mine.end());
+    with_element(block.type, [&](auto tag) {
+      using Element = typename decltype(tag)::type;
+      if constexpr (!std::is_void_v<typename CornerElement<Element>::type>) {
+        const auto in_cell = corner_shares<Element>();
+        const auto has_place = places_of<Element>(block.tied);
+        for_each_cell(block, [&](const int* cell) {
+          for (std::size_t a = 0; a < in_cell.size(); ++a) {
+            std::vector<Share>& mine = shares[static_cast<std::size_t>(cell[a])];
+            if (!mine.empty() || !has_place[a]) continue;  // a neighbour names the same corners
+            for (std::size_t c = 0; c < in_cell[a].size(); ++c)
+              if (in_cell[a][c] != 0) mine.push_back({number(cell[c]), in_cell[a][c]});
+            std::sort(mine.begin(), mine.end(), [](const Share& x, const Share& y) { return x.corner < y.corner; });
+          }
+        });
       }
     });
   first_share_.assign(1, 0);
-  for (const std::vector<int>& mine : corners) {
-    for (const int corner : mine) shares_.push_back({corner, 1 / static_cast<double>(mine.size())});
+  for (const std::vector<Share>& mine : shares) {
+    shares_.insert(shares_.end(), mine.begin(), mine.end());
     first_share_.push_back(shares_.size());
   }
 }
@@ -144,8 +192,25 @@ void CoarseSpace::restrict_to_coarse(const Vector& fine, Vector& coarse) const {
   std::copy_n(on_coarse_.data(), to.extent(0), to.data());
 }
 
+Teuchos::RCP<CrsMatrix> CoarseSpace::matrix(const std::function<void(double*)>& add, double diagonal) const {
+  const auto result = create_matrix();
+  if (local_rows_) {
+    const auto mine = local_rows_->create_local_matrix(space());
+    add(mine->getLocalMatrixHost().values.data());
+    const Tpetra::Export<> exporter(space().local_map(), space().owned_map());
+    result->resumeFill();
+    result->doExport(*mine, exporter, Tpetra::ADD);
+    result->fillComplete(space().owned_map(), space().owned_map());
+  } else {
+    add(result->getLocalMatrixHost().values.data());
+  }
+  leave_out(diagonal, result->getLocalMatrixHost().values.data());
+  return result;
+}
+
 void CoarseSpace::add_diagonal(const double* fine, double* values) const {
-  for (std::size_t node = 0; node < number_.size(); ++node) {
+  const std::size_t counted = local_rows_ ? static_cast<std::size_t>(fine_space_.owned()) / dimension_ : number_.size();
+  for (std::size_t node = 0; node < counted; ++node) {
     const double* const d = fine + node * dimension_;
     if (std::all_of(d, d + dimension_, [](double x) { return x == 0; })) continue;
     for (const Share* row = shares_begin(node); row != shares_end(node); ++row) {
@@ -161,7 +226,7 @@ void CoarseSpace::add_diagonal(const double* fine, double* values) const {
 
 void CoarseSpace::leave_out(double diagonal, double* values) const {
   if (left_out_.empty()) return;
-  pattern().for_each_row([&](int row, const auto& places) {
+  coarse_.pattern().for_each_row([&](int row, const auto& places) {
     const bool row_out = is_left_out_[static_cast<std::size_t>(row)] != 0;
     places([&](int column, std::size_t place) {
       if (row_out || is_left_out_[static_cast<std::size_t>(column)] != 0) values[place] = row == column ? diagonal : 0;

@@ -7,6 +7,7 @@
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
+#include <string>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -14,18 +15,26 @@
 namespace ixos {
 namespace {
 
-/// Throws InputError, on all ranks, if the map lacks one of the numbers.
-void refuse_missing(const Map& program, const std::vector<GlobalId>& numbers, const Comm& comm) {
+/// Throws InputError, on all ranks, if the map lacks one of the numbers, those of the displacements at `places`.
+void refuse_missing(const Map& program, const std::vector<GlobalId>& numbers, const std::vector<std::size_t>& places,
+                    const LocalMesh& mesh, const Comm& comm) {
   std::vector<int> owners(numbers.size(), -1);
   const Teuchos::ArrayView<const GlobalId> asked(numbers.data(), static_cast<int>(numbers.size()));
   program.getRemoteIndexList(asked, Teuchos::ArrayView<int>(owners.data(), static_cast<int>(owners.size())));
   together<InputError>(comm, [&] {
-    for (std::size_t i = 0; i < owners.size(); ++i)
-      if (owners[i] < 0)
-        throw InputError(
-            fmt::format("the program's map has no degree of freedom {}, the number of a displacement of "
-                        "the mesh",
-                        numbers[i]));
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+      if (owners[i] >= 0) continue;
+      const std::size_t node = places[i] / static_cast<std::size_t>(mesh.dimension);
+      std::string text = fmt::format(
+          "the program's map has no degree of freedom {}, the number of a displacement of the mesh", numbers[i]);
+      if (mesh.is_of_ixos(node))
+        text += fmt::format(
+            "; it belongs to node {}, which Mesh/Cell Order 2 (raise_order()) added to the {} nodes of the linear "
+            "mesh: "
+            "give the map the degrees of freedom of these nodes too, or use Cell Order 1",
+            mesh.program_id(node), mesh.linear_nodes);
+      throw InputError(text);
+    }
   });
 }
 
@@ -50,7 +59,7 @@ DofExchange::DofExchange(const LocalMesh& mesh, const DofSpace& space, const Teu
     if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
       throw InputError(fmt::format("two displacements have the number {} in the program's map", *twice));
   });
-  refuse_missing(*program, numbers, space.comm());
+  refuse_missing(*program, numbers, places_, mesh, space.comm());
   aligned_ = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
                                   Teuchos::ArrayView<const GlobalId>(numbers.data(), static_cast<int>(numbers.size())),
                                   0, space.comm()));

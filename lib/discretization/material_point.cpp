@@ -23,7 +23,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
   const int* nodes = &block.nodes[cell_entry(cell, N)];
-  const std::size_t places = is_enriched(block.type) ? std::size_t{1} << D : N;  // the others may be derivatives
+  const std::size_t places = is_hermite(block.type) ? std::size_t{1} << D : N;  // the others are derivatives
   std::array<double, D> low, high;
   low.fill(std::numeric_limits<double>::infinity());
   high.fill(-std::numeric_limits<double>::infinity());

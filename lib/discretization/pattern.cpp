@@ -46,6 +46,14 @@ int Pattern::offset(int row, int column) const {
 }
 
 Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {
+  return create_matrix(space.owned_map(), space);
+}
+
+Teuchos::RCP<CrsMatrix> Pattern::create_local_matrix(const DofSpace& space) const {
+  return create_matrix(space.local_map(), space);
+}
+
+Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const Teuchos::RCP<const Map>& row_map, const DofSpace& space) const {
   if (graph_.is_null()) {
     using RowStarts = CrsGraph::local_graph_device_type::row_map_type::non_const_type;
     using Columns = CrsGraph::local_graph_device_type::entries_type::non_const_type;
@@ -60,7 +68,7 @@ Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {
             columns(k++) = columns_[static_cast<std::size_t>(p)] * dimension_ + static_cast<int>(j);
         starts(static_cast<std::size_t>(row) * d + i + 1) = k;
       }
-    auto graph = Teuchos::rcp(new CrsGraph(space.owned_map(), space.local_map(), starts, columns));
+    auto graph = Teuchos::rcp(new CrsGraph(row_map, space.local_map(), starts, columns));
     graph->fillComplete(space.owned_map(), space.owned_map());
     graph_ = graph;
   }

@@ -59,8 +59,11 @@ class Pattern {
 
   /// Returns a matrix of this sparsity, fill-complete, values zero.
   Teuchos::RCP<CrsMatrix> create_matrix(const DofSpace& space) const;
+  /// Returns the same with the rows of all local nodes, for a pattern of a mesh whose local nodes count as owned.
+  Teuchos::RCP<CrsMatrix> create_local_matrix(const DofSpace& space) const;
 
  private:
+  Teuchos::RCP<CrsMatrix> create_matrix(const Teuchos::RCP<const Map>& row_map, const DofSpace& space) const;
   static std::size_t row_index(int row) { return static_cast<std::size_t>(row); }
   int dimension_;
   std::vector<int> row_start_;

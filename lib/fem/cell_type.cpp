@@ -37,6 +37,18 @@ Sides hex_sides(int inner) {
   return sides;
 }
 
+/// Returns the sides of a quadratic hexahedron whose bottom is of fourth order, from those without enrichment.
+Sides quartic_sides(Sides sides) {
+  sides[3] = {3, 0, 4, 7, 11, 12, 19, 15, 23};  // begins with the edge of the bottom
+  for (int side = 0; side < 4; ++side)
+    for (int k = 1; k >= 0; --k) sides[static_cast<std::size_t>(side)].push_back(27 + 2 * (3 - side) + k);
+  std::vector<int>& bottom = sides[4];
+  bottom = {0, 3, 2, 1};
+  for (int edge = 0; edge < 4; ++edge) bottom.insert(bottom.end(), {27 + 2 * edge, 11 - edge, 28 + 2 * edge});
+  bottom.insert(bottom.end(), {35, 36, 37, 38, 21, 39, 40, 41, 42});
+  return sides;
+}
+
 }  // namespace
 
 int nodes_per_cell(CellType type) {
@@ -64,6 +76,10 @@ int nodes_per_cell(CellType type) {
       return 9;
     case CellType::Hex27:
       return 27;
+    case CellType::Quad9C4:
+      return 11;
+    case CellType::Hex27C4:
+      return 43;
   }
   return 0;
 }
@@ -72,6 +88,7 @@ CellType corner_type(CellType type) {
   switch (type) {
     case CellType::Hex8:
     case CellType::Hex27:
+    case CellType::Hex27C4:
     case CellType::Hex8C2:
     case CellType::Hex8C3:
     case CellType::Hex8C4:
@@ -82,9 +99,15 @@ CellType corner_type(CellType type) {
   }
 }
 
-bool is_quadratic(CellType type) { return type == CellType::Quad9 || type == CellType::Hex27; }
+CellType plain_type(CellType type) {
+  if (type == CellType::Quad9 || type == CellType::Quad9C4) return CellType::Quad9;
+  if (type == CellType::Hex27 || type == CellType::Hex27C4) return CellType::Hex27;
+  return corner_type(type);
+}
 
-bool is_enriched(CellType type) { return type != corner_type(type) && !is_quadratic(type); }
+bool is_quadratic(CellType type) { return plain_type(type) != corner_type(type); }
+
+bool is_enriched(CellType type) { return type != plain_type(type); }
 
 int sides_per_cell(CellType type) { return corner_type(type) == CellType::Hex8 ? 6 : 4; }
 
@@ -103,6 +126,10 @@ const std::vector<int>& side_nodes(CellType type, int side) {
   static const Sides quadratic_hex = {{0, 1, 5, 4, 8, 13, 16, 12, 25},  {1, 2, 6, 5, 9, 14, 17, 13, 24},
                                       {2, 3, 7, 6, 10, 15, 18, 14, 26}, {0, 4, 7, 3, 12, 19, 15, 11, 23},
                                       {0, 3, 2, 1, 11, 10, 9, 8, 21},   {4, 5, 6, 7, 16, 17, 18, 19, 22}};
+  static const Sides quartic_quad = {{0, 1, 9, 4, 10}, {1, 2, 5}, {2, 3, 6}, {3, 0, 7}};
+  static const Sides quartic_hex = quartic_sides(quadratic_hex);
+  if (type == CellType::Quad9C4) return quartic_quad.at(static_cast<std::size_t>(side));
+  if (type == CellType::Hex27C4) return quartic_hex.at(static_cast<std::size_t>(side));
   if (type == CellType::Hex8CH) return hermite.at(static_cast<std::size_t>(side));
   if (type == CellType::Quad9) return quadratic_quad.at(static_cast<std::size_t>(side));
   if (type == CellType::Hex27) return quadratic_hex.at(static_cast<std::size_t>(side));

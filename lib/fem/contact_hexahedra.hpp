@@ -126,8 +126,14 @@ struct ContactHex {
   static constexpr auto inner_nodes() {
     auto inner = Face::inner_nodes();
     for (InnerNode& node : inner)
-      node = {node.edge,        face_node(node.node), face_node(node.first), face_node(node.second),
-              node.first_share, node.second_share};
+      node = {node.edge,
+              face_node(node.node),
+              face_node(node.first),
+              face_node(node.second),
+              node.first_share,
+              node.second_share,
+              0,
+              0};
     return inner;
   }
 };

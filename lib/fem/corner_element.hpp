@@ -2,8 +2,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
+#include "fem/quadratic_contact_elements.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 
@@ -26,10 +28,42 @@ template <>
 struct CornerElement<Hex27> {
   using type = Hex8;
 };
+template <>
+struct CornerElement<LagrangeEdge<4>> {
+  using type = Line2;
+};
+template <>
+struct CornerElement<QuarticFace> {
+  using type = Quad4;
+};
+template <>
+struct CornerElement<Quad9C4> {
+  using type = Quad4;
+};
+template <>
+struct CornerElement<Hex27C4> {
+  using type = Hex8;
+};
+
+/// Whether an element is linear, and so may have parents (see Halving).
+template <class Element>
+constexpr bool is_linear_element = Element::nodes == std::size_t{1} << Element::dimension;
+
+/// Whether coarser elements may stand for an element: the parents for a linear one, or those of CornerElement.
+template <class Element>
+constexpr bool has_coarser_element =
+    is_linear_element<Element> || !std::is_void_v<typename CornerElement<Element>::type>;
+
+/// Whether the element tells the place() of its nodes.
+template <class Element, class = void>
+struct HasPlace : std::false_type {};
+template <class Element>
+struct HasPlace<Element, std::void_t<decltype(Element::place(0))>> : std::true_type {};
 
 /// Returns the linear element's shape functions at the nodes of the quadratic one, by node and corner: 1 for a corner
-/// itself; 1/2, 1/4 or 1/8 for the corners of the edge, face or cell in whose middle a node is; else 0. The linear
-/// function c is the sum of the quadratic ones times their entries of column c.
+/// itself; 1/2, 1/4 or 1/8 for the corners of the edge, face or cell in whose middle a node is; else 0, but for the
+/// nodes that an enriched side adds. The linear function c is the sum of the quadratic ones times their entries of
+/// column c.
 template <class Element>
 std::array<std::array<double, CornerElement<Element>::type::nodes>, Element::nodes> corner_shares() {
   using Corners = typename CornerElement<Element>::type;
@@ -38,7 +72,9 @@ std::array<std::array<double, CornerElement<Element>::type::nodes>, Element::nod
   std::array<std::array<double, D>, Corners::nodes> gradient;
   for (std::size_t a = 0; a < shares.size(); ++a) {
     std::array<double, D> xi;
-    if constexpr (D == 1)
+    if constexpr (HasPlace<Element>::value)
+      xi = Element::place(a);
+    else if constexpr (D == 1)
       xi[0] = Element::node(a);
     else
       for (std::size_t d = 0; d < D; ++d) xi[d] = Element::Edge::node(Element::factors(a)[d]);

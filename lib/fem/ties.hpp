@@ -6,12 +6,14 @@
 
 namespace ixos {
 
-/// A node that only bends its enriched edge, and its value if the field is linear along the edge.
+/// A node that only bends its enriched edge, and its value if the field is linear along the edge, or quadratic.
 struct InnerNode {
   std::size_t edge;  ///< the element's edge, from 0
   std::size_t node;
   std::size_t first, second;         ///< the edge's ends
   double first_share, second_share;  ///< the node's value is the sum of the ends' times these
+  std::size_t middle = 0;            ///< the edge's middle, if it stays a node
+  double middle_share = 0;           ///< and its share; 0: the field is linear along the edge
 };
 
 /// Returns a node at a point of the edge, `place` from 0 at the first end to 1 at the second.
@@ -32,10 +34,10 @@ template <class Element>
 struct HasInnerNodes<Element, std::void_t<decltype(Element::inner_nodes())>> : std::true_type {};
 
 /// Evaluates the shape functions of an element with tied edges: bit k of `tied` stands for the k-th edge. The field is
-/// linear along a tied edge. The functions of the edge's inner nodes are added to those of its ends in proportion, then
-/// set to zero: whatever number stands for such a node in a cell, its field does not count, and it gets no force, mass
-/// or stiffness. This is T^T K T for the linear relation T between tied and free nodes, done once, in the shape
-/// functions.
+/// linear along a tied edge, in quadratic cells quadratic. The functions of the edge's inner nodes are added to those
+/// of its ends (and middle) in proportion, then set to zero: whatever number stands for such a node in a cell, its
+/// field does not count, and it gets no force, mass or stiffness. This is T^T K T for the relation T between tied and
+/// free nodes, done once, in the shape functions.
 template <class Element>
 void evaluate_tied(unsigned tied, const std::array<double, Element::dimension>& xi,
                    std::array<double, Element::nodes>& value,
@@ -51,6 +53,7 @@ void evaluate_tied(unsigned tied, const std::array<double, Element::dimension>& 
       };
       move(inner.first, inner.first_share);
       move(inner.second, inner.second_share);
+      if (inner.middle_share != 0) move(inner.middle, inner.middle_share);
       value[inner.node] = 0;
       gradient[inner.node] = {};
     }

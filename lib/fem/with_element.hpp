@@ -5,6 +5,7 @@
 #include "fem/cell_type.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
+#include "fem/quadratic_contact_elements.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 
@@ -32,6 +33,8 @@ decltype(auto) with_plane_element(CellType type, const Function& function) {
       return function(TypeTag<Quad4CH>{});
     case CellType::Quad9:
       return function(TypeTag<Quad9>{});
+    case CellType::Quad9C4:
+      return function(TypeTag<Quad9C4>{});
     default:
       throw std::logic_error("not a quadrilateral");
   }
@@ -53,6 +56,8 @@ decltype(auto) with_element(CellType type, const Function& function) {
       return function(TypeTag<Hex8CH>{});
     case CellType::Hex27:
       return function(TypeTag<Hex27>{});
+    case CellType::Hex27C4:
+      return function(TypeTag<Hex27C4>{});
     default:
       return with_plane_element(type, function);
   }
@@ -62,9 +67,12 @@ decltype(auto) with_element(CellType type, const Function& function) {
 /// beside the contact face are enriched along the edge that they share with it.
 template <class Function>
 decltype(auto) with_side_element(CellType type, int side, const Function& function) {
-  if (type == CellType::Hex27) return function(TypeTag<LagrangeFace<2>>{});
-  if (type == CellType::Quad9) return function(TypeTag<LagrangeEdge<2>>{});
   const bool contact = side == contact_side(type);
+  if (type == CellType::Hex27C4 && contact) return function(TypeTag<QuarticFace>{});
+  if (type == CellType::Hex27C4 && side < 4) return function(TypeTag<Quad9C4>{});
+  if (type == CellType::Quad9C4 && contact) return function(TypeTag<LagrangeEdge<4>>{});
+  if (plain_type(type) == CellType::Hex27) return function(TypeTag<LagrangeFace<2>>{});
+  if (plain_type(type) == CellType::Quad9) return function(TypeTag<LagrangeEdge<2>>{});
   if (corner_type(type) == CellType::Hex8) {
     if (contact) {
       if (type == CellType::Hex8C2) return function(TypeTag<LagrangeFace<2>>{});

@@ -14,6 +14,8 @@ int divisions(CellType type) {
   switch (type) {
     case CellType::Quad4C2:
     case CellType::Hex8C2:
+    case CellType::Quad9C4:
+    case CellType::Hex27C4:
       return 2;
     case CellType::Quad4C3:
     case CellType::Hex8C3:
@@ -40,6 +42,32 @@ bool has_part(CellType type, int k, int side) {
   if (corner_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
   if (side == contact_side(type) || side > 3) return true;
   return side % 2 == 0 ? j == (side == 2 ? n - 1 : 0) : i == (side == 1 ? n - 1 : 0);
+}
+
+/// Returns, by node of a piece, its place in steps from the first corner: across the contact side's first direction, in
+/// 3D its second, and away from it. A quadratic piece has two steps along each edge.
+std::vector<std::array<std::size_t, 3>> steps_of_nodes(CellType piece) {
+  const std::size_t end = is_quadratic(piece) ? 2 : 1;
+  const auto step = [end](std::size_t factor) { return factor == 0 ? 0 : factor == 1 ? end : 1; };
+  std::vector<std::array<std::size_t, 3>> steps;
+  for (std::size_t a = 0; a < static_cast<std::size_t>(nodes_per_cell(piece)); ++a) {
+    if (corner_type(piece) == CellType::Quad4) {
+      const auto [i, j] = Quad9::factors(a);
+      steps.push_back({step(i), 0, step(j)});
+    } else {
+      const auto [i, j, k] = Hex27::factors(a);
+      steps.push_back({step(i), step(j), step(k)});
+    }
+  }
+  return steps;
+}
+
+/// Returns the room for the numbers of the nodes that cutting cells adds, for each piece: more than a cell adds.
+int numbers_per_piece(const LocalMesh& local) {
+  return std::any_of(local.blocks.begin(), local.blocks.end(),
+                     [](const auto& block) { return is_quadratic(block.type); })
+             ? 10
+             : 3;
 }
 
 /// Returns the point of the cell at those reference coordinates, as nodes and weights.
@@ -71,7 +99,7 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
     const int parts = pieces(block.type);
     ElementBlock here;
     here.name = parts == 1 ? block.name : block.name + "_contact";
-    here.type = parts == 1 ? block.type : corner_type(block.type);
+    here.type = plain_type(block.type);
     cells.emplace_back();
     first_cell_.emplace_back(static_cast<std::size_t>(block.cells()), -1);
     for (int cell = 0; cell < block.cells(); ++cell) {
@@ -86,7 +114,8 @@ OutputMesh::OutputMesh(const LocalMesh& local, int ranks) : number_(static_cast<
   }
   description.global_cells = cell_offset;
   // Room for the numbers of the nodes that cutting cells adds: see add_cell.
-  if (local.plain_nodes >= 0) description.global_nodes += 3 * static_cast<long long>(cell_offset);
+  if (local.plain_nodes >= 0)
+    description.global_nodes += numbers_per_piece(local) * static_cast<long long>(cell_offset);
   add_sets(local);
   make_names_distinct(mesh);  // of blocks too: tied edges split blocks of one name
 }
@@ -121,30 +150,31 @@ void OutputMesh::add_cell(const LocalMesh& local, const LocalBlock& block, int c
     for (int a = 0; a < n; ++a) here.nodes.push_back(node(a));
     return;
   }
-  // Numbers beyond those of all nodes, three for each piece: more than a cell adds.
-  int id = static_cast<int>(local.global_nodes) + 3 * (first_id - 1);
+  // Numbers beyond those of all nodes.
+  int id = static_cast<int>(local.global_nodes) + numbers_per_piece(local) * (first_id - 1);
   const bool solid = local.dimension == 3;
-  const int divided = divisions(block.type), across = solid ? divided : 0;
-  std::array<std::vector<int>, 2> layers;  // on the contact side, and on the side opposite
-  for (std::size_t layer = 0; layer < 2; ++layer)
-    for (int j = 0; j <= across; ++j)
-      for (int i = 0; i <= divided; ++i) {
-        std::array<double, 3> xi{-1 + 2.0 * i / divided, -1 + 2.0 * j / divided, layer == 0 ? -1.0 : 1.0};
+  const auto divided = static_cast<std::size_t>(divisions(block.type));
+  const std::size_t order = is_quadratic(block.type) ? 2 : 1;
+  const std::size_t along = order * divided, across = solid ? along : 0, row = along + 1;
+  std::vector<std::vector<int>> layers(order + 1);  // from the contact side to the side opposite
+  for (std::size_t layer = 0; layer <= order; ++layer)
+    for (std::size_t j = 0; j <= across; ++j)
+      for (std::size_t i = 0; i <= along; ++i) {
+        const auto coordinate = [](std::size_t step, std::size_t steps) {
+          return -1 + 2.0 * static_cast<double>(step) / static_cast<double>(steps);
+        };
+        std::array<double, 3> xi{coordinate(i, along), coordinate(j, along), coordinate(layer, order)};
         if (!solid) xi[1] = xi[2];
         Combination point = point_of(block, cell, xi);
         const bool own = point.size() == 1 && point.front().second == 1;
         layers[layer].push_back(own ? own_node(local, point.front().first) : add_node(local, std::move(point), ++id));
       }
-  const auto [near, far] = layers;
-  const auto row = static_cast<std::size_t>(divided) + 1;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(parts); ++k) {
-    const std::size_t a = k % (row - 1) + k / (row - 1) * row, b = a + row;
-    if (solid)
-      here.nodes.insert(here.nodes.end(), {near[a], near[a + 1], near[b + 1], near[b],  //
-                                           far[a], far[a + 1], far[b + 1], far[b]});
-    else
-      here.nodes.insert(here.nodes.end(), {near[a], near[a + 1], far[a + 1], far[a]});
-  }
+  static const auto quad4 = steps_of_nodes(CellType::Quad4), hex8 = steps_of_nodes(CellType::Hex8),
+                    quad9 = steps_of_nodes(CellType::Quad9), hex27 = steps_of_nodes(CellType::Hex27);
+  const auto& steps = order == 2 ? (solid ? hex27 : quad9) : (solid ? hex8 : quad4);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(parts); ++k)
+    for (const auto& [i, j, layer] : steps)
+      here.nodes.push_back(layers[layer][order * (k % divided) + i + (order * (k / divided) + j) * row]);
 }
 
 void OutputMesh::add_sets(const LocalMesh& local) {

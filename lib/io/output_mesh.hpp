@@ -19,8 +19,9 @@ struct ExodusShare {
 
 /// The rank's own cells and their nodes as a separate mesh. An enriched cell becomes a row of bilinear quadrilaterals,
 /// or rows of trilinear hexahedra, one for each piece of its contact side (four along a Hermite side), so that the
-/// curved side shows; their nodes are fixed combinations of the mesh's. Their blocks get separate names:
-/// "body_contact", "body_contact_2". No two blocks or sets have one name, see make_names_distinct().
+/// curved side shows; an enriched quadratic cell becomes two quadratic ones, in 3D two by two. Their nodes are fixed
+/// combinations of the mesh's. Their blocks get separate names: "body_contact", "body_contact_2". No two blocks or sets
+/// have one name, see make_names_distinct().
 struct OutputMesh {
   OutputMesh(const LocalMesh& local, int ranks);
 

@@ -4,13 +4,16 @@
 /// its own nodes and cells with its own ids. local_part() checks either and makes the LocalMesh that a Model takes.
 ///
 /// Stable: Mesh, ElementBlock, Side, SideSet, NodeSet, CellType, DistributedMesh, DistributedBlock, DistributedNodeSet,
-/// LocalMesh, local_part, partition_nodes, raise_order, ContactElement, enrich, DiskShape, disk, BoxShape, box.
+/// LocalMesh, local_part, partition_nodes, raise_order, ContactElement, enrich, DiskShape, disk, BoxShape, box,
+/// MeshPart, joined_parts, Placement, move_nodes.
 #pragma once
 #include "fem/cell_type.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/distributed_mesh.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/joined_parts.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/placement.hpp"

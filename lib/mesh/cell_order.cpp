@@ -96,6 +96,50 @@ std::vector<std::pair<std::size_t, std::size_t>> sets_of_sides(const Mesh& mesh)
   return pairs;
 }
 
+/// Two cells that share an edge's or a face's corners, but not its middle, or a middle that is a corner elsewhere; -1
+/// where there is none.
+struct MiddleConflict {
+  int corner = -1;                   ///< a node that is both
+  std::array<int, 2> cells{-1, -1};  ///< counted from 0 over all blocks
+  std::array<int, 2> nodes{-1, -1};
+};
+
+/// `MeshType`: Mesh or LocalMesh.
+template <class MeshType>
+MiddleConflict conflict_of_middles(const MeshType& mesh) {
+  struct Middle {
+    std::array<int, 4> corners;  ///< ascending, after -1 for those that an edge has not
+    int node;
+    int cell;
+    bool operator<(const Middle& other) const { return std::tie(corners, node) < std::tie(other.corners, other.node); }
+  };
+  std::vector<Middle> middles;
+  std::vector<bool> is_corner(static_cast<std::size_t>(mesh.nodes()), false);
+  const auto& pattern = corners_of_nodes(mesh.dimension);
+  int cell = 0;
+  for (const auto& block : mesh.blocks)
+    for (int c = 0; c < block.cells(); ++c, ++cell) {
+      const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
+      for (std::size_t a = 0; a < (is_quadratic(block.type) ? pattern.size() : 0); ++a) {
+        if (pattern[a].size() == 1) is_corner[static_cast<std::size_t>(nodes[a])] = true;
+        if (pattern[a].size() == 1 || pattern[a].size() == corner_count(mesh.dimension)) continue;
+        Middle middle{{-1, -1, -1, -1}, nodes[a], cell};
+        for (std::size_t k = 0; k < pattern[a].size(); ++k)
+          middle.corners[k] = nodes[static_cast<std::size_t>(pattern[a][k])];
+        std::sort(middle.corners.begin(), middle.corners.end());
+        middles.push_back(middle);
+      }
+    }
+  std::sort(middles.begin(), middles.end());
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    const Middle& here = middles[k];
+    if (is_corner[static_cast<std::size_t>(here.node)]) return {here.node, {here.cell, -1}, {}};
+    if (k > 0 && middles[k - 1].corners == here.corners && middles[k - 1].node != here.node)
+      return {-1, {middles[k - 1].cell, here.cell}, {middles[k - 1].node, here.node}};
+  }
+  return {};
+}
+
 }  // namespace
 
 void raise_order(Mesh& mesh) {
@@ -138,41 +182,26 @@ void require_one_order(const Mesh& mesh) {
 
 void require_shared_middles(const Mesh& mesh) {
   if (mesh.linear_nodes >= 0) return;
-  struct Middle {
-    std::array<int, 4> corners;  ///< ascending, after -1 for those that an edge has not
-    int node;
-    int cell;
-    bool operator<(const Middle& other) const { return std::tie(corners, node) < std::tie(other.corners, other.node); }
-  };
-  std::vector<Middle> middles;
-  std::vector<bool> is_corner(static_cast<std::size_t>(mesh.nodes()), false);
-  const auto& pattern = corners_of_nodes(mesh.dimension);
-  int cell = 0;
-  for (const ElementBlock& block : mesh.blocks)
-    for (int c = 0; c < block.cells(); ++c, ++cell) {
-      const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
-      for (std::size_t a = 0; a < (is_quadratic(block.type) ? pattern.size() : 0); ++a) {
-        if (pattern[a].size() == 1) is_corner[static_cast<std::size_t>(nodes[a])] = true;
-        if (pattern[a].size() == 1 || pattern[a].size() == corner_count(mesh.dimension)) continue;
-        Middle middle{{-1, -1, -1, -1}, nodes[a], cell + 1};
-        for (std::size_t k = 0; k < pattern[a].size(); ++k)
-          middle.corners[k] = nodes[static_cast<std::size_t>(pattern[a][k])];
-        std::sort(middle.corners.begin(), middle.corners.end());
-        middles.push_back(middle);
-      }
-    }
-  std::sort(middles.begin(), middles.end());
-  for (std::size_t k = 0; k < middles.size(); ++k) {
-    const Middle& here = middles[k];
-    if (is_corner[static_cast<std::size_t>(here.node)])
-      throw InputError(
-          fmt::format("node {} is in the middle of an edge or a face of element {}, but a corner of another",
-                      here.node + 1, here.cell));
-    if (k > 0 && middles[k - 1].corners == here.corners && middles[k - 1].node != here.node)
-      throw InputError(fmt::format(
-          "elements {} and {} share the corners of an edge or a face, but have the nodes {} and {} in its middle",
-          middles[k - 1].cell, here.cell, middles[k - 1].node + 1, here.node + 1));
-  }
+  const MiddleConflict found = conflict_of_middles(mesh);
+  if (found.corner >= 0)
+    throw InputError(fmt::format("node {} is in the middle of an edge or a face of element {}, but a corner of another",
+                                 found.corner + 1, found.cells[0] + 1));
+  if (found.cells[1] >= 0)
+    throw InputError(fmt::format(
+        "elements {} and {} share the corners of an edge or a face, but have the nodes {} and {} in its middle",
+        found.cells[0] + 1, found.cells[1] + 1, found.nodes[0] + 1, found.nodes[1] + 1));
+}
+
+void require_shared_middles(const LocalMesh& mesh) {
+  const MiddleConflict found = conflict_of_middles(mesh);
+  const auto id = [&mesh](int node) { return mesh.program_id(static_cast<std::size_t>(node)); };
+  if (found.corner >= 0)
+    throw InputError(fmt::format("node {} is in the middle of an edge or a face of one cell, but a corner of another",
+                                 id(found.corner)));
+  if (found.cells[1] >= 0)
+    throw InputError(
+        fmt::format("two cells share the corners of an edge or a face, but have the nodes {} and {} in its middle",
+                    id(found.nodes[0]), id(found.nodes[1])));
 }
 
 }  // namespace ixos

@@ -1,5 +1,6 @@
 /// Meshes of quadratic cells from meshes of linear ones.
 #pragma once
+#include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
@@ -19,5 +20,7 @@ void require_one_order(const Mesh& mesh);
 /// edge or a face but not its middle node, or if a middle node is also a corner: the body would open there. Meshes that
 /// raise_order() made need no check.
 void require_shared_middles(const Mesh& mesh);
+/// Does the same for the cells that a rank has, with the program's ids of nodes.
+void require_shared_middles(const LocalMesh& mesh);
 
 }  // namespace ixos

@@ -17,7 +17,9 @@
 namespace ixos {
 namespace {
 
-std::size_t nodes_of_cells(const DistributedMesh& mesh) { return mesh.dimension == 2 ? 4 : 8; }
+std::size_t nodes_of_cells(const DistributedMesh& mesh) {
+  return static_cast<std::size_t>(nodes_per_cell(cell_type(mesh)));
+}
 
 /// The owners of nodes by their ids.
 using Owners = std::map<long long, int>;
@@ -65,15 +67,13 @@ std::vector<T> joined(const std::vector<std::vector<T>>& parts) {
   return all;
 }
 
-/// Throws InputError for two cells with the same nodes: each rank that owns one of these nodes has received both.
-void refuse_repeated_cells(const std::vector<SentCell>& cells) {
-  std::set<std::array<long long, 8>> seen;
-  for (const SentCell& cell : cells) {
-    std::array<long long, 8> sorted = cell.nodes;
-    std::sort(sorted.begin(), sorted.end());
-    if (seen.insert(sorted).second) continue;
-    std::vector<long long> nodes(sorted.begin(), sorted.end());
-    nodes.erase(std::remove(nodes.begin(), nodes.end(), -1), nodes.end());
+/// Throws InputError for two cells with the same corners: each rank that owns one of these has received both.
+void refuse_repeated_cells(const TouchingCells& touching, int corners) {
+  std::set<std::vector<long long>> seen;
+  for (const SentCell& cell : touching.cells) {
+    std::vector<long long> nodes(touching.nodes_of(cell), touching.nodes_of(cell) + corners);
+    std::sort(nodes.begin(), nodes.end());
+    if (seen.insert(nodes).second) continue;
     throw InputError(
         fmt::format("two cells have the nodes {}; one rank must have the cell, once", fmt::join(nodes, ", ")));
   }
@@ -89,17 +89,20 @@ TouchingCells touching_cells(const DistributedMesh& mesh, const NodeDirectory& d
   const auto ranks = static_cast<std::size_t>(comm->getSize());
   const std::size_t n = nodes_of_cells(mesh);
   std::vector<std::vector<SentCell>> cells(ranks);
+  std::vector<std::vector<long long>> ids(ranks);
   std::vector<std::vector<SentSide>> sides(ranks);
   std::vector<std::vector<std::set<int>>> destinations;  // by block and cell
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     const std::vector<long long>& nodes = mesh.blocks[b].nodes;
     destinations.emplace_back(nodes.size() / n);
     for (std::size_t cell = 0; cell < nodes.size() / n; ++cell) {
-      SentCell sent{static_cast<int>(b), static_cast<int>(first[b] + static_cast<long long>(cell)), {}};
-      sent.nodes.fill(-1);
-      std::copy_n(nodes.begin() + static_cast<std::ptrdiff_t>(cell * n), n, sent.nodes.begin());
-      for (std::size_t a = 0; a < n; ++a) destinations[b][cell].insert(owners.at(sent.nodes[a]));
-      for (const int rank : destinations[b][cell]) cells[static_cast<std::size_t>(rank)].push_back(sent);
+      const auto own = nodes.begin() + static_cast<std::ptrdiff_t>(cell * n);
+      for (std::size_t a = 0; a < n; ++a) destinations[b][cell].insert(owners.at(nodes[cell * n + a]));
+      for (const int rank : destinations[b][cell]) {
+        const auto to = static_cast<std::size_t>(rank);
+        cells[to].push_back({static_cast<int>(b), static_cast<int>(first[b] + static_cast<long long>(cell)), 0});
+        ids[to].insert(ids[to].end(), own, own + static_cast<std::ptrdiff_t>(n));
+      }
     }
   }
   for (std::size_t set = 0; set < mesh.side_sets.size(); ++set)
@@ -111,6 +114,8 @@ TouchingCells touching_cells(const DistributedMesh& mesh, const NodeDirectory& d
     }
 
   result.cells = joined(all_to_all(cells, comm));
+  result.nodes = joined(all_to_all(ids, comm));
+  for (std::size_t k = 0; k < result.cells.size(); ++k) result.cells[k].first = k * n;
   result.sides = joined(all_to_all(sides, comm));
   std::sort(result.cells.begin(), result.cells.end(), [](const SentCell& a, const SentCell& b) {
     return std::pair(a.block, a.number) < std::pair(b.block, b.number);
@@ -118,7 +123,7 @@ TouchingCells touching_cells(const DistributedMesh& mesh, const NodeDirectory& d
   std::sort(result.sides.begin(), result.sides.end(), [](const SentSide& a, const SentSide& b) {
     return std::tie(a.set, a.block, a.cell, a.side) < std::tie(b.set, b.block, b.cell, b.side);
   });
-  together<InputError>(comm, [&] { refuse_repeated_cells(result.cells); });
+  together<InputError>(comm, [&] { refuse_repeated_cells(result, nodes_per_cell(corner_type(cell_type(mesh)))); });
   return result;
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/distributed_cells.hpp"
 #include "mesh/given_sets.hpp"
 #include "mesh/meridian.hpp"
@@ -20,11 +21,11 @@
 namespace ixos {
 namespace {
 
-CellType cell_type(const DistributedMesh& mesh) { return mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8; }
-
 void check_nodes(const DistributedMesh& mesh) {
   if (mesh.dimension != 2 && mesh.dimension != 3)
     throw InputError(fmt::format("the mesh has {} dimensions; 2 or 3 are allowed", mesh.dimension));
+  if (mesh.order != 1 && mesh.order != 2)
+    throw InputError(fmt::format("the mesh's cells have order {}; 1 or 2 are allowed", mesh.order));
   const auto d = static_cast<std::size_t>(mesh.dimension);
   if (mesh.coordinates.size() != mesh.nodes.size() * d)
     throw InputError(fmt::format("{} coordinates are not those of {} nodes in {} dimensions", mesh.coordinates.size(),
@@ -58,7 +59,8 @@ void check_share(const DistributedMesh& mesh) {
 
 /// The ranks must agree on the lists that they go through together.
 void check_agreement(const DistributedMesh& mesh, const Comm& comm) {
-  std::string names = fmt::format("{} dimensions{}", mesh.dimension, mesh.axisymmetric ? ", axisymmetric" : "");
+  std::string names = fmt::format("{} dimensions{}{}", mesh.dimension, mesh.axisymmetric ? ", axisymmetric" : "",
+                                  mesh.order == 2 ? ", cells of order 2" : "");
   for (const DistributedBlock& block : mesh.blocks) names += ", block \"" + block.name + "\"";
   for (const SideSet& set : mesh.side_sets) names += ", side set \"" + set.name + "\"";
   for (const DistributedNodeSet& set : mesh.node_sets) names += ", node set \"" + set.name + "\"";
@@ -76,8 +78,7 @@ void check_agreement(const DistributedMesh& mesh, const Comm& comm) {
 void add_nodes(const DistributedMesh& mesh, const TouchingCells& touching, const NodeDirectory& directory,
                const Comm& comm, LocalMesh& local) {
   std::set<long long> ghosts;
-  for (const SentCell& cell : touching.cells) ghosts.insert(cell.nodes.begin(), cell.nodes.end());
-  ghosts.erase(-1);
+  ghosts.insert(touching.nodes.begin(), touching.nodes.end());
   std::vector<NodeEntry> entries = directory.find(mesh.nodes);
   together<InputError>(comm, [&] {
     for (const long long id : mesh.nodes)
@@ -120,9 +121,9 @@ CellPlaces add_cells(const DistributedMesh& mesh, const TouchingCells& touching,
   for (const SentCell& sent : touching.cells) {
     LocalBlock& block = local.blocks[static_cast<std::size_t>(sent.block)];
     cells[{sent.block, sent.number}] = block.cells();
-    for (int a = 0; a < nodes_per_cell(block.type); ++a)
-      block.nodes.push_back(places.at(sent.nodes[static_cast<std::size_t>(a)]));
-    block.owned.push_back(places.at(sent.nodes[0]) < local.owned_nodes ? 1 : 0);
+    const long long* nodes = touching.nodes_of(sent);
+    for (int a = 0; a < nodes_per_cell(block.type); ++a) block.nodes.push_back(places.at(nodes[a]));
+    block.owned.push_back(places.at(nodes[0]) < local.owned_nodes ? 1 : 0);
     block.original_cells.push_back(sent.number);
   }
   return cells;
@@ -163,6 +164,11 @@ void add_node_sets(const DistributedMesh& mesh, const NodeDirectory& directory, 
 
 }  // namespace
 
+CellType cell_type(const DistributedMesh& mesh) {
+  if (mesh.order == 2) return mesh.dimension == 2 ? CellType::Quad9 : CellType::Hex27;
+  return mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8;
+}
+
 LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm) {
   together<InputError>(comm, [&] { check_share(mesh); });
   check_agreement(mesh, comm);
@@ -180,7 +186,10 @@ LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm) {
   add_nodes(mesh, touching, directory, comm, local);
   add_sides(mesh, touching, add_cells(mesh, touching, local), local);
   add_node_sets(mesh, directory, comm, local);
-  together<InputError>(comm, [&] { check_cells(local); });
+  together<InputError>(comm, [&] {
+    require_shared_middles(local);
+    check_cells(local);
+  });
   return local;
 }
 

@@ -8,10 +8,10 @@
 
 namespace ixos {
 
-/// This rank's cells of one material: linear quadrilaterals in two dimensions, linear hexahedra in three.
+/// This rank's cells of one material: quadrilaterals in two dimensions, hexahedra in three.
 struct DistributedBlock {
   std::string name;
-  std::vector<long long> nodes;  ///< cells x 4 (or 8) ids of nodes of any rank, row by row, in Exodus order
+  std::vector<long long> nodes;  ///< cells x nodes per cell, ids of nodes of any rank, row by row, in Exodus order
 };
 
 struct DistributedNodeSet {
@@ -25,6 +25,9 @@ struct DistributedNodeSet {
 /// have none. With a Tpetra map of the nodes, `nodes` is a copy of its getNodeElementList().
 struct DistributedMesh {
   int dimension = 2;
+  /// Order of all cells, equal on all ranks. 1: linear ones, of 4 nodes, in three dimensions 8; 2: quadratic ones, of 9
+  /// or 27. The ranks own and number the nodes in the middle of edges, faces and cells as any others.
+  int order = 1;
   bool axisymmetric = false;        ///< see Mesh; equal on all ranks
   std::vector<long long> nodes;     ///< ids of the nodes that this rank owns
   std::vector<double> coordinates;  ///< of these nodes, nodes x dimension, row by row [L0]
@@ -39,7 +42,11 @@ struct DistributedMesh {
 /// original_ids follow the order of the ids, so that they do not depend on the distribution; original_cells follow the
 /// order of ranks. Throws InputError, on all ranks, with the block, set or node and what is allowed: unless the arrays
 /// fit each other as check_arrays() demands, every id belongs to a node of some rank, no two nodes have one id, no two
-/// cells have the same nodes, and no cell is inverted. Collective.
+/// cells have the same corners, quadratic cells share the middles of the edges and faces that they share, and no cell
+/// is inverted. Collective.
 LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm);
+
+/// Returns the type of the mesh's cells.
+CellType cell_type(const DistributedMesh& mesh);
 
 }  // namespace ixos

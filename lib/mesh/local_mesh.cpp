@@ -41,6 +41,15 @@ std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector
   return result;
 }
 
+/// Returns the nodes of a side, by their numbers in the Mesh.
+std::vector<int> nodes_of(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  std::vector<int> nodes;
+  for (int a : side_nodes(block.type, side.side))
+    nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+  return nodes;
+}
+
 }  // namespace
 
 std::size_t LocalMesh::side_set(const std::string& name) const { return index_of(name, side_set_names, "side set"); }
@@ -58,7 +67,8 @@ std::vector<std::size_t> LocalMesh::blocks_named(const std::string& name) const 
   return found;
 }
 
-LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks) {
+LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks,
+                   const std::vector<std::string>& whole) {
   const auto number = number_by_rank(node_owner, ranks);
   const auto cells = touching_cells(mesh, node_owner, rank);
 
@@ -66,6 +76,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   local.dimension = mesh.dimension;
   local.axisymmetric = mesh.axisymmetric;
   local.largest_radius = largest_radius(mesh);
+  local.linear_nodes = mesh.linear_nodes;
   local.plain_nodes = mesh.plain_nodes;
   local.global_nodes = mesh.nodes();
   local.global_cells = mesh.cells();
@@ -81,6 +92,10 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
         if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
       }
   }
+  for (const std::string& name : whole)
+    for (const Side& side : side_set_named(mesh, name).sides)
+      for (const int node : nodes_of(mesh, side))
+        if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
   std::sort(ghosts.begin(), ghosts.end(),
             [&](int a, int b) { return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)]; });
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
@@ -132,6 +147,23 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
       for (int a : side_nodes(block.type, side.side))
         here.nodes.push_back(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
       local.side_sets.back().push_back(std::move(here));
+    }
+  }
+  for (const std::string& name : whole) {
+    std::vector<LocalSide>& sides = local.whole_side_sets[name];
+    if (!sides.empty()) continue;
+    for (const Side& side : side_set_named(mesh, name).sides) {
+      const auto b = static_cast<std::size_t>(side.block);
+      const ElementBlock& block = mesh.blocks[b];
+      const int cell = local_cell[b][static_cast<std::size_t>(side.cell)];
+      const int first = block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
+      LocalSide here{side.block,
+                     cell < 0 ? -1 - side.cell : cell,
+                     side.side,
+                     {},
+                     node_owner[static_cast<std::size_t>(first)] == rank};
+      for (const int node : nodes_of(mesh, side)) here.nodes.push_back(to_local[static_cast<std::size_t>(node)]);
+      sides.push_back(std::move(here));
     }
   }
   for (const NodeSet& set : mesh.node_sets) {

@@ -1,5 +1,7 @@
 /// A rank's part of a mesh.
 #pragma once
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,10 +10,12 @@
 
 namespace ixos {
 
+struct LocalHalving;
+
 struct LocalSide {
   int block;
-  int cell;
-  int side;                ///< of the cell, from 0
+  int cell;  ///< local; of a whole side set and a cell that is not here: -1 - its number in the Mesh's block
+  int side;  ///< of the cell, from 0
   std::vector<int> nodes;  ///< local node numbers, in the order of side_nodes
   bool owned;              ///< its cell is owned by this rank: energies and forces count it here
 };
@@ -44,13 +48,18 @@ struct LocalMesh {
   std::vector<LocalBlock> blocks;   ///< all blocks of the mesh, possibly empty here
   std::vector<std::string> side_set_names;
   std::vector<std::vector<LocalSide>> side_sets;  ///< parallel to side_set_names
+  /// Side sets by name of which this rank has all sides, in the order of the Mesh, and all nodes: those of which others
+  /// were asked for in localize().
+  std::map<std::string, std::vector<LocalSide>> whole_side_sets;
   std::vector<std::string> node_set_names;
   std::vector<std::vector<int>> node_sets;  ///< local node numbers, ghosts included
+  int linear_nodes = -1;                    ///< see Mesh
   int plain_nodes = -1;                     ///< see Mesh
   bool axisymmetric = false;                ///< see Mesh
   double largest_radius = 0;                ///< of the nodes of all ranks, if the mesh is axisymmetric [L0]
   long long global_nodes = 0;
   long long global_cells = 0;
+  std::shared_ptr<const LocalHalving> halving;  ///< null, or the parents of the cells for methods of several levels
 
   int nodes() const { return static_cast<int>(global_ids.size()); }
   /// Returns the dimension of the body: 3 if it is one of revolution.
@@ -65,6 +74,10 @@ struct LocalMesh {
   }
   /// Returns whether enrich() added the node.
   bool is_added(std::size_t node) const { return plain_nodes >= 0 && original_ids[node] >= plain_nodes; }
+  /// Returns whether raise_order() or enrich() added the node.
+  bool is_of_ixos(std::size_t node) const {
+    return is_added(node) || (linear_nodes >= 0 && original_ids[node] >= linear_nodes);
+  }
   /// Returns the index of the set of that name. Throws InputError that names the nearest name if no set has it.
   std::size_t side_set(const std::string& name) const;
   std::size_t node_set(const std::string& name) const;
@@ -75,11 +88,15 @@ struct LocalMesh {
 /// Returns this rank's part of a whole mesh that is the same on all ranks. Ixos partitions the nodes, or `node_owner`
 /// has each node's rank. Throws InputError, on all ranks, if they pass different meshes or owners, if the mesh does not
 /// pass check_arrays(), refuse_repeated_cells(), require_one_order(), require_shared_middles() and check_cells(), or if
-/// an owner is no rank. A mesh that enrich() has changed must have passed the first two before. Collective.
-LocalMesh local_part(const Mesh& mesh, const Comm& comm);
-LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm);
+/// an owner is no rank. A mesh that enrich() has changed must have passed the first two before. `whole`: as localize().
+/// Collective.
+LocalMesh local_part(const Mesh& mesh, const Comm& comm, const std::vector<std::string>& whole = {});
+LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm,
+                     const std::vector<std::string>& whole = {});
 
-/// Extracts rank `rank`'s part of the mesh.
-LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks);
+/// Extracts rank `rank`'s part of the mesh. `whole`: side sets of which every rank gets all sides, with their nodes as
+/// ghosts: the surfaces of pairs, see SurfacePair. Throws InputError if one does not exist.
+LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks,
+                   const std::vector<std::string>& whole = {});
 
 }  // namespace ixos

@@ -6,6 +6,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/fingerprint.hpp"
 #include "mesh/generators/given.hpp"
+#include "mesh/halving.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/quality.hpp"
@@ -65,21 +66,32 @@ void refuse_different(const Mesh& mesh, const std::vector<int>& owner, const Com
   });
 }
 
-}  // namespace
-
-LocalMesh local_part(const Mesh& mesh, const Comm& comm) {
-  refuse_different(mesh, {}, comm);
-  together<InputError>(comm, [&] { check_whole(mesh); });
-  return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
+LocalMesh part_with_parents(const Mesh& mesh, const std::vector<int>& owner, const Comm& comm,
+                            const std::vector<std::string>& whole) {
+  LocalMesh local = localize(mesh, owner, comm->getRank(), comm->getSize(), whole);
+  if (mesh.dimension == 3)
+    if (const auto halving = halve(mesh))
+      local.halving =
+          std::make_shared<const LocalHalving>(localize(*halving, owner, comm->getRank(), comm->getSize(), local));
+  return local;
 }
 
-LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm) {
+}  // namespace
+
+LocalMesh local_part(const Mesh& mesh, const Comm& comm, const std::vector<std::string>& whole) {
+  refuse_different(mesh, {}, comm);
+  together<InputError>(comm, [&] { check_whole(mesh); });
+  return part_with_parents(mesh, partition_nodes(mesh, comm->getSize()), comm, whole);
+}
+
+LocalMesh local_part(const Mesh& mesh, const std::vector<int>& node_owner, const Comm& comm,
+                     const std::vector<std::string>& whole) {
   refuse_different(mesh, node_owner, comm);
   together<InputError>(comm, [&] {
     check_whole(mesh);
     check_owners(mesh, node_owner, comm->getSize());
   });
-  return localize(mesh, node_owner, comm->getRank(), comm->getSize());
+  return part_with_parents(mesh, node_owner, comm, whole);
 }
 
 }  // namespace ixos

@@ -20,7 +20,7 @@ struct ElementBlock {
   /// opposite; for the mixed derivative it is a product.
   std::vector<double> derivative_scale{};
   int points = 0;  ///< Gauss points along an enriched side; 0: the element's own
-  /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept straight: evaluate_tied().
+  /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept as it is: evaluate_tied().
   /// Its inner nodes do not exist; one of its ends stands in their places among the cells' nodes.
   unsigned tied = 0;
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }

@@ -76,10 +76,10 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
   return cell;
 }
 
-/// Returns the quality of a cell; that of an enriched one is the quality of its corners.
+/// Returns the quality of a cell; that of an enriched one is the quality of its plain_type().
 CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, const int* nodes) {
-  if (type == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes);
-  if (type == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes);
+  if (plain_type(type) == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes);
+  if (plain_type(type) == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes);
   return corner_type(type) == CellType::Hex8 ? cell_quality<Hex8, Hex8>(coordinates, nodes)
                                              : cell_quality<Quad4, Quad4>(coordinates, nodes);
 }

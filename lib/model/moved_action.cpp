@@ -47,6 +47,8 @@ class MovedInteraction::Action final : public TangentAction {
     }
   }
 
+  bool has_coarse() const override { return term_.fixed_->create_action()->has_coarse(); }
+
   void add_coarse(const CoarseSpace& coarse, double* values) const override {
     for (const Part& part : parts_) {
       if (!term_.frame_.turns()) {

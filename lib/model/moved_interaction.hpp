@@ -49,6 +49,7 @@ class MovedInteraction final : public Interaction {
   bool add_row_sums(const Segment& segment, double* sums) const override;
   double energy(const double* u) const override;
 
+  bool follows(Mean mean) const override { return fixed_->follows(mean); }
   bool needs_positive_gaps() const override { return fixed_->needs_positive_gaps(); }
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override;
   double mean_potential(const Segment& segment) const override;

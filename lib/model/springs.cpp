@@ -39,6 +39,7 @@ class SpringAction final : public TangentAction {
   void add_diagonal(double* d) const override {
     for (std::size_t k = 0; k < ends_.dofs.size(); ++k) d[ends_.dofs[k]] += factor_ * ends_.coefficients[k];
   }
+  bool has_coarse() const override { return true; }
   void add_coarse(const CoarseSpace& coarse, double* values) const override {
     std::vector<double> diagonal(coarse.fine_local(), 0.0);
     add_diagonal(diagonal.data());

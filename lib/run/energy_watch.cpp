@@ -6,6 +6,18 @@
 #include <cmath>
 
 namespace ixos {
+namespace {
+
+/// Returns whether some interaction is that of two bodies.
+bool has_pairs(const Model& model) {
+  return std::any_of(model.force_terms().begin(), model.force_terms().end(), [](const NamedForceTerm& named) {
+    const auto* own = dynamic_cast<const Interaction*>(named.term);
+    return own != nullptr && !own->follows(Mean::Exact);
+  });
+}
+
+}  // namespace
+
 EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time_integrator().scheme) {
   const WatchOptions& options = simulation.output().watch;
   if (options.action == WatchAction::Off || !simulation.output().energies) return;
@@ -15,9 +27,9 @@ EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time
   const Model& model = simulation.model();
   if (allowed_ > 0 || promise == 0 || !model.dissipation_names().empty()) return;
   // Points in time integrate neither the work of a moved obstacle exactly, nor the kinks of a law of every gap, whose
-  // gap ratio bounds nothing.
+  // gap ratio bounds nothing, nor the way of a foot over the sides of another body.
   const bool points = simulation.integrator().table().interaction_points > 0;
-  if (points && (model.has_moved_obstacles() || model.has_laws_of_every_gap())) return;
+  if (points && (model.has_moved_obstacles() || model.has_laws_of_every_gap() || has_pairs(model))) return;
   by_scheme_ = true;
   // Each step of Newton's method leaves a residual that does work.
   allowed_ = promise + 10 * simulation.newton().tolerance;

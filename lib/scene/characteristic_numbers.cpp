@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
+#include "scene/mesh_parts.hpp"
 
 namespace ixos {
 namespace {
@@ -22,15 +23,14 @@ Point point_of(const Mesh& mesh, int node) {
   return x;
 }
 
-/// Calls visit(node) for the nodes of all cells of the block, of enriched ones for their corners; returns whether there
-/// is one.
+/// Calls visit(node) for the nodes of all cells of the block, of enriched ones for those of their plain_type(); returns
+/// whether there is one.
 template <class Visit>
 bool for_each_place(const Mesh& mesh, const std::string& name, const Visit& visit) {
   bool found = false;
   for (const ElementBlock& block : mesh.blocks) {
     if (block.name != name) continue;
-    const int all = nodes_per_cell(block.type),
-              places = is_enriched(block.type) ? nodes_per_cell(corner_type(block.type)) : all;
+    const int all = nodes_per_cell(block.type), places = nodes_per_cell(plain_type(block.type));
     for (int cell = 0; cell < block.cells(); ++cell)
       for (int a = 0; a < places; ++a) visit(block.nodes[cell_entry(cell, all, a)]);
     found = found || block.cells() > 0;
@@ -155,10 +155,10 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
       body_of[i] = all.bodies.size();
       all.bodies.push_back(*body);
     }
-  const SceneNode shape = scene.sublist("Mesh");
-  const bool disk = shape.text("Type") == "Disk";
+  const std::vector<SceneNode> shapes = part_lists(scene.sublist("Mesh"));
   for (std::size_t i = 0; i < interactions.size(); ++i) {
     const SceneInteraction& interaction = interactions[i];
+    if (interaction.is_pair()) continue;  // no obstacle
     const auto set = std::find_if(mesh.side_sets.begin(), mesh.side_sets.end(),
                                   [&](const SideSet& own) { return own.name == interaction.side_set; });
     if (set == mesh.side_sets.end() || set->sides.empty()) continue;
@@ -183,6 +183,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = sight.normal[axis][0];
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
+    const SceneNode& shape = list_of(block, shapes);
+    const bool disk = shape.text("Type") == "Disk";
     const double curvature = curvature_below(*obstacle, nearest, mesh.dimension) +
                              (disk ? 2 / shape.sublist("Disk").number("Diameter") : 0.0);
     if (curvature > 0) {

@@ -84,6 +84,12 @@ void check_friction(const std::vector<SceneInteraction>& interactions, const Tab
   }
 }
 
+void check_pairs(const std::vector<SceneInteraction>& interactions, const Table& table) {
+  const std::string why = why_no_pairs(table);
+  for (const SceneInteraction& interaction : interactions)
+    if (interaction.is_pair() && !why.empty()) interaction.node.refuse("Primary Side Set", why);
+}
+
 }  // namespace
 
 void check_compatibility(const SceneNode& scene, const std::vector<Material>& materials,
@@ -92,6 +98,7 @@ void check_compatibility(const SceneNode& scene, const std::vector<Material>& ma
   check_adaptive(interactions, adaptive, table);
   check_materials(scene.sublist("Materials"), materials, table);
   check_friction(interactions, table);
+  check_pairs(interactions, table);
 }
 
 }  // namespace ixos

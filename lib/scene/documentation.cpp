@@ -4,6 +4,7 @@
 
 #include <Teuchos_StandardParameterEntryValidators.hpp>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -27,24 +28,61 @@ std::string default_text(const Teuchos::ParameterEntry& entry) {
   return short_text(entry);
 }
 
-void document(const List& valid, const std::string& path, std::string& text) {
+/// Returns the rows of the table of a list's parameters.
+std::string table_rows(const List& valid) {
   std::string rows;
   for (const auto& [name, entry] : entries(valid))
     if (!entry.isList() && !is_free_form(valid))
       rows += fmt::format("| {} | {} | {} | {} | {} |\n", name, type_name(entry), default_text(entry), allowed(entry),
                           entry.docString());
-  if (!rows.empty())
-    text += "| parameter | type | default | allowed | meaning |\n|---|---|---|---|---|\n" + rows + "\n";
-  if (is_free_form(valid))
-    text += "Free form: Ixos does not check the names in this list; what reads the list checks them.\n\n";
+  return rows;
+}
+
+std::string table(const std::string& rows) {
+  if (rows.empty()) return "";
+  return "| parameter | type | default | allowed | meaning |\n|---|---|---|---|---|\n" + rows + "\n";
+}
+
+/// A sublist of a valid list.
+struct DocumentedList {
+  const List& list;
+  std::string name, sentence, heading;
+  int depth;
+};
+
+/// Calls visit(DocumentedList) for the sublists of a list, at all depths.
+void for_each_list(const List& valid, const std::string& heading, int depth,
+                   const std::function<void(const DocumentedList&)>& visit) {
   for (const auto& [name, entry] : entries(valid)) {
     if (!entry.isList()) continue;
     const std::string word = name == any_name ? fmt::format("`{}`", name) : name;  // HTML, if it is not marked as code
-    const std::string here = path.empty() ? word : fmt::format("{} / {}", path, word);
-    text += fmt::format("## {}\n\n", here);
-    if (!entry.docString().empty()) text += entry.docString() + "\n\n";
-    document(valid.sublist(name), here, text);
+    const std::string here = heading.empty() ? word : fmt::format("{} / {}", heading, word);
+    visit({valid.sublist(name), name, entry.docString(), here, depth});
+    for_each_list(valid.sublist(name), here, depth + 1, visit);
   }
+}
+
+/// Returns the documentation of a list and its sublists. Where several lists have one name and one table,
+/// the one least deep has it, and the others refer to that one.
+std::string documented(const List& valid) {
+  std::map<std::string, std::pair<int, std::string>> homes;  // by name and table: the depth and the heading
+  for_each_list(valid, "", 0, [&](const DocumentedList& own) {
+    const auto [before, fresh] = homes.insert({own.name + table_rows(own.list), {own.depth, own.heading}});
+    if (!fresh && own.depth < before->second.first) before->second = {own.depth, own.heading};
+  });
+  std::string text = table(table_rows(valid));
+  for_each_list(valid, "", 0, [&](const DocumentedList& own) {
+    text += fmt::format("## {}\n\n", own.heading);
+    const std::string rows = table_rows(own.list), &home = homes.at(own.name + rows).second;
+    if (!own.sentence.empty()) text += own.sentence + "\n\n";
+    if (!rows.empty() && home != own.heading)
+      text += "The parameters are those of " + home + ".\n\n";
+    else
+      text += table(rows);
+    if (is_free_form(own.list))
+      text += "Free form: Ixos does not check the names in this list; what reads the list checks them.\n\n";
+  });
+  return text;
 }
 
 std::string xml_escaped(const std::string& text) {
@@ -128,7 +166,7 @@ std::string parameter_documentation(const List& valid, const std::string& title,
       "# {}\n\n`{}` generates this page; do not edit it. Lengths are in L0, stresses in E0, times in T0. `<any name>` "
       "stands for a name that the file chooses.\n\n",
       title, command);
-  document(valid, "", text);
+  text += documented(valid);
   return text.substr(0, text.size() - 1);
 }
 

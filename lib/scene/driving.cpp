@@ -5,6 +5,7 @@
 
 #include "base/vector3.hpp"
 #include "scene/grips.hpp"
+#include "scene/initial_conditions.hpp"
 
 namespace ixos {
 namespace {
@@ -68,8 +69,15 @@ Driving::Driving(const SceneNode& scene, const Histories& histories, const StepC
                  const Mesh& mesh, const std::vector<int>& parts)
     : times_(times_of(control)), fixed_(!control.adaptive.on), dimension_(mesh.dimension), part_of_node_(parts) {
   const SceneNode initial = scene.sublist("Initial Conditions");
-  velocity_ = point(initial.numbers("Velocity"));
-  for (double value : initial.numbers("Velocity Gradient")) moves_ = moves_ || value != 0;
+  for (const InitialMotion& motion : initial_motions(initial, mesh.dimension, mesh.axisymmetric)) {
+    moves_ = moves_ || motion.has_gradient();
+    for (const ElementBlock& block : mesh.blocks) {
+      const bool named = std::count(motion.blocks.begin(), motion.blocks.end(), block.name) > 0;
+      for (int cell = 0; cell < block.cells() && (named || motion.blocks.empty()); ++cell)
+        velocities_[parts[static_cast<std::size_t>(block.nodes[cell_entry(cell, nodes_per_cell(block.type))])]] =
+            motion.velocity;
+    }
+  }
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     if (node.text("Type") == "Displacement")
       add_motion(node, node.text("Components"), node.text("History"), histories, parts_of(node, mesh));
@@ -141,10 +149,11 @@ void Driving::add_motion(const SceneNode& node, const std::string& along, const 
   motion.start = first.value;
   for (char component : components) {
     const auto i = static_cast<std::size_t>(component - 'x');
-    if (const double jump = std::abs(first.rate - velocity_[i]); jump >= motion.velocity_jump) {
-      motion.velocity_jump = jump;
-      motion.jump_time = times_.front();
-    }
+    for (const int part : parts)
+      if (const double jump = std::abs(first.rate - velocity_of(part)[i]); jump >= motion.velocity_jump) {
+        motion.velocity_jump = jump;
+        motion.jump_time = times_.front();
+      }
     for (std::size_t k = 0; k < times_.size(); ++k) way.values[k][i] += samples[k].value - first.value;
   }
   if (motion.range == 0) mark(held_);
@@ -203,6 +212,11 @@ void Driving::add_load(const SceneNode& node, const Histories& histories, const 
   loads_.push_back(std::move(load));
 }
 
+Driving::Point Driving::velocity_of(int part) const {
+  const auto found = velocities_.find(part);
+  return found == velocities_.end() ? Point{} : found->second;
+}
+
 Drive Driving::of_part(int part, const Point& normal) const {
   const Axes held = axes_of(held_, part);
   const auto pull = [&](const Action& action) {
@@ -216,7 +230,7 @@ Drive Driving::of_part(int part, const Point& normal) const {
   };
   Drive drive;
   drive.held = spans(axes_of(prescribed_, part), normal);
-  drive.approach = std::max(0.0, -dot(velocity_, normal) * (times_.back() - times_.front()));
+  drive.approach = std::max(0.0, -dot(velocity_of(part), normal) * (times_.back() - times_.front()));
   for (const auto& [set, way] : ways_) {
     if (way.parts.count(part) == 0) continue;
     drive.pulls.push_back(pull(way));

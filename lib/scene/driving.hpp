@@ -77,12 +77,13 @@ class Driving {
   void add_grip(const SceneNode& node, const Histories& histories, const Mesh& mesh);
   void add_load(const SceneNode& node, const Histories& histories, const Mesh& mesh);
   std::set<int> parts_of(const SceneNode& node, const Mesh& mesh) const;
+  Point velocity_of(int part) const;
 
   std::vector<double> times_;
   bool fixed_;  ///< the times are the ends of steps
   int dimension_;
   std::vector<int> part_of_node_;
-  Point velocity_{};
+  std::map<int, Point> velocities_;  ///< at the initial time, by part; of several in one part, the last one
   bool moves_ = false;
   std::vector<Motion> motions_;
   std::map<std::string, Action> ways_;  ///< by node set

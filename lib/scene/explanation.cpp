@@ -12,6 +12,7 @@
 #include "scene/friction.hpp"
 #include "scene/grips.hpp"
 #include "scene/left_out.hpp"
+#include "scene/mesh_parts.hpp"
 #include "scene/output_fields.hpp"
 #include "scene/si_explanation.hpp"
 #include "solve/linear_solver_defaults.hpp"
@@ -50,6 +51,10 @@ std::string bodies(const Simulation& simulation) {
                                         : "",
                   mesh.global_nodes, mesh.global_cells, simulation.model().space().global(),
                   simulation.model().space().comm()->getSize());
+  const std::vector<SceneNode> parts = part_lists(SceneNode(simulation.parameters().sublist("Mesh"), "Mesh"));
+  for (std::size_t k = 0; k < parts.size() && parts[k].path() != "Mesh"; ++k)
+    text += fmt::format("{}{} ({}){}", k == 0 ? "Parts: " : "", parts[k].name(), parts[k].text("Type"),
+                        k + 1 == parts.size() ? "\n" : ", ");
   const List& materials = simulation.parameters().sublist("Materials");
   std::size_t number = 0;
   for (const SceneNode& node : SceneNode(materials, "Materials").sublists()) {
@@ -79,9 +84,12 @@ std::string surroundings(const Simulation& simulation) {
   std::string text;
   for (const SceneInteraction& interaction : simulation.interactions()) {
     const SceneNode& node = interaction.node;
+    const std::string other = interaction.is_pair() ? "the side set \"" + interaction.primary +
+                                                          "\" of another body, smoothing " + node.text("Smoothing")
+                                                    : "a " + node.text("Obstacle");
     text += fmt::format(
-        "Interaction {}: {} between side set \"{}\" and a {}, {} contact elements, {} Gauss points per direction\n",
-        node.name(), node.text("Law"), interaction.side_set, node.text("Obstacle"), name_of(interaction.element),
+        "Interaction {}: {} between side set \"{}\" and {}, {} contact elements, {} Gauss points per direction\n",
+        node.name(), node.text("Law"), interaction.side_set, other, name_of(interaction.element),
         interaction.surface_points > 0 ? std::to_string(interaction.surface_points)
                                        : "the element's default number of");
     if (!interaction.factor_field.empty())
@@ -147,7 +155,7 @@ std::string memory(const Simulation& simulation) {
   const double matrices = needs_matrix ? static_cast<double>(simulation.integrator().tangents()) : 0;
   double bytes = 0;  // quadratic cells, too, have as many points as nodes
   for (const LocalBlock& block : model.mesh().blocks) {
-    const double nodes = nodes_per_cell(is_enriched(block.type) ? corner_type(block.type) : block.type);
+    const double nodes = nodes_per_cell(plain_type(block.type));
     bytes += block.cells() * (8 * nodes * (d * d + 1) + 4 * nodes * (nodes + 2));
   }
   return fmt::format(

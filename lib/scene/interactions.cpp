@@ -27,7 +27,8 @@ constexpr const char* exodus_format = "Exodus";
 const std::vector<std::pair<std::string, ContactElement>>& contact_elements() {
   static const std::vector<std::pair<std::string, ContactElement>> all{
       {"Q1C1", ContactElement::Q1C1}, {"Q1C2", ContactElement::Q1C2}, {"Q1C3", ContactElement::Q1C3},
-      {"Q1C4", ContactElement::Q1C4}, {"Q1CH", ContactElement::Q1CH}, {"Q2C2", ContactElement::Q2C2}};
+      {"Q1C4", ContactElement::Q1C4}, {"Q1CH", ContactElement::Q1CH}, {"Q2C2", ContactElement::Q2C2},
+      {"Q2C4", ContactElement::Q2C4}};
   return all;
 }
 
@@ -39,6 +40,8 @@ struct Parameters {
   std::string factor, factor_field;
   MotionOptions motion;
   Friction friction;
+  std::string primary;
+  Smoothing smoothing = Smoothing::CatmullRom;
 };
 
 const Options<MotionOptions>& motion_options() {
@@ -54,19 +57,28 @@ const Options<Parameters>& options() {
   static const Options<Parameters> all =
       Options<Parameters>()
           .add("Side Set", &Parameters::side_set, "Side set of the surface that interacts.")
-          .choose(
-              "Contact Element", &Parameters::element, contact_elements(),
-              "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
-              "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
-              "slope. In 3D, Q1CH needs faces in a regular grid. Q2C2 is the side of quadratic cells, which have no "
-              "other contact element; Q1C1 means the same there.")
+          .add("Primary Side Set", &Parameters::primary,
+               "Side set of the surface of another body, the primary (master) surface, from which the gaps of the Side "
+               "Set, the secondary (slave) surface, are measured; then there is no obstacle. Choose the finer surface "
+               "as the secondary one. In two dimensions only. Empty: the interaction is that with the Obstacle.")
+          .choose("Smoothing", &Parameters::smoothing,
+                  std::vector<std::pair<std::string, Smoothing>>{{"Catmull-Rom", Smoothing::CatmullRom},
+                                                                 {"None", Smoothing::None}},
+                  "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
+                  "nodes, with corners where two sides meet at more than 30 degrees; None has straight sides, whose "
+                  "normals jump at the nodes. Of no effect without a Primary Side Set.")
+          .choose("Contact Element", &Parameters::element, contact_elements(),
+                  "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
+                  "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
+                  "slope. In 3D, Q1CH needs faces in a regular grid. Quadratic cells have Q2C2, their own side, of "
+                  "order 2, which Q1C1 means too there, and Q2C4, of order 4.")
           .add("Bulk Points", &Parameters::bulk_points,
                "Number of Gauss points along the contact side in the enriched elements, in 3D in both directions of "
                "the face. With 0 it is the order + 1, or 5 for Q1CH in 3D.",
                between(0, 64))
           .add("Surface Points", &Parameters::surface_points,
-               "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4 "
-               "and Q1CH.",
+               "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4, "
+               "Q1CH and Q2C4.",
                between(0, 64))
           .add("Cutoff", &Parameters::cutoff,
                "Gap beyond which the interaction is neglected [L0]. The error of the traction is at most the traction "
@@ -113,8 +125,31 @@ std::vector<double> local_values(const std::vector<double>& values, const LocalM
   return local;
 }
 
+void add_pair(const SceneInteraction& interaction, Model& model) {
+  const SceneNode& node = interaction.node;
+  at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
+  at(node.path(), [&] {
+    ixos::add_pair(model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
+                           interaction.surface_points, interaction.margin, node.name(), interaction.smoothing,
+                           interaction.factor, local_values(interaction.nodal_factor, model.mesh())});
+  });
+}
+
+/// Refuses what pairs do not have.
+void check_pair(const SceneInteraction& own) {
+  if (!own.is_pair()) return;
+  if (own.law->has_history())
+    own.node.refuse("Law", "\"" + own.node.text("Law") +
+                               "\" has a history, which surfaces of two bodies cannot have yet; use a law without one");
+  if (own.friction.type != FrictionType::None)
+    own.node.refuse("Friction/Type", "there is no friction between two bodies yet; use \"None\"");
+  if (!own.motion.histories().empty())
+    own.node.refuse("Motion", "moves an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
+}
+
 void add_interaction(const SceneInteraction& interaction, const Histories& histories, double initial_time,
                      Model& model) {
+  if (interaction.is_pair()) return add_pair(interaction, model);
   const SceneNode& node = interaction.node;
   at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
   const auto obstacle = obstacles().make(node, static_cast<std::size_t>(model.mesh().dimension));
@@ -161,7 +196,10 @@ std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
                       p.factor_field,
                       {},
                       p.motion,
-                      p.friction});
+                      p.friction,
+                      p.primary,
+                      p.smoothing});
+    check_pair(result.back());
   }
   return result;
 }
@@ -196,6 +234,13 @@ std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interacti
   return all;
 }
 
+std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& interactions) {
+  std::vector<std::string> names;
+  for (const SceneInteraction& own : interactions)
+    if (own.is_pair()) names.insert(names.end(), {own.side_set, own.primary});
+  return names;
+}
+
 const std::string& name_of(ContactElement element) {
   for (const auto& [name, value] : contact_elements())
     if (value == element) return name;
@@ -208,9 +253,16 @@ void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
     const SideSet& set =
         at(own.node.path_of("Side Set"), [&]() -> const SideSet& { return side_set_named(mesh, own.side_set); });
     own.element = at(own.node.path_of("Contact Element"), [&] { return fitting_element(mesh, set, own.element); });
+    if (own.is_pair()) {
+      at(own.node.path_of("Primary Side Set"), [&] { return &side_set_named(mesh, own.primary); });
+      if (own.element != ContactElement::Q1C1)
+        own.node.refuse(
+            "Contact Element",
+            name_of(own.element) + " is not there for surfaces of two bodies yet; use Q1C1 and linear cells");
+    }
     if (own.element == ContactElement::Q2C2 && own.bulk_points > 0)
-      own.node.refuse("Bulk Points", fmt::format("{} has no effect on quadratic cells, which have no enriched sides; "
-                                                 "use 0, and the material's Quadrature Points",
+      own.node.refuse("Bulk Points", fmt::format("{} has no effect on Q2C2, the side of quadratic cells as it is; "
+                                                 "use 0 and the material's Quadrature Points, or Q2C4",
                                                  own.bulk_points));
     const auto [before, added] = known.insert({own.side_set, &own});
     if (!added) {

@@ -11,6 +11,7 @@
 #include "interaction/gap_law.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "model/model.hpp"
+#include "model/surface_pair.hpp"
 #include "parameters/scene_node.hpp"
 #include "scene/motions.hpp"
 
@@ -31,6 +32,10 @@ struct SceneInteraction {
   std::vector<double> nodal_factor{};  ///< its values by node of the Mesh before enrich_surfaces(); empty: 1
   MotionOptions motion{};              ///< of the obstacle
   Friction friction{};
+  std::string primary{};  ///< side set of the other body's surface; empty: the interaction is that with an obstacle
+  Smoothing smoothing = Smoothing::CatmullRom;  ///< of both bodies' surfaces
+
+  bool is_pair() const { return !primary.empty(); }
 };
 
 /// Adds the parameters of an interaction to a valid list.
@@ -47,6 +52,9 @@ void read_factor_fields(std::vector<SceneInteraction>& interactions, const Teuch
 
 /// Returns the factors that were read, one after the other.
 std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interactions);
+
+/// Returns the side sets of which each rank needs all sides: those of two bodies' interactions.
+std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& interactions);
 
 /// Returns the name of a contact element in scenes.
 const std::string& name_of(ContactElement element);

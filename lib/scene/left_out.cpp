@@ -32,6 +32,11 @@ bool has_friction(const Simulation& simulation) {
                      [](const SceneInteraction& own) { return own.friction.type != FrictionType::None; });
 }
 
+bool has_pair(const Simulation& simulation) {
+  const std::vector<SceneInteraction>& all = simulation.interactions();
+  return std::any_of(all.begin(), all.end(), [](const SceneInteraction& own) { return own.is_pair(); });
+}
+
 std::vector<Absence> physics(const Simulation& simulation) {
   const Model& model = simulation.model();
   const bool wall = model.has_interactions(), moves = model.mass() != nullptr;
@@ -45,8 +50,8 @@ std::vector<Absence> physics(const Simulation& simulation) {
            "the material is elastic and dissipates nothing"},
           {!prescribes_displacements(simulation), "prescribed motion", "nothing holds or drives the body"},
           {model.loads().empty(), "loads", "no tractions, no point forces, no weight"},
-          {true, "a second body",
-           "Ixos has no contact between bodies, nor of a body with itself: they pass through each other"}};
+          {!has_pair(simulation), "a second body",
+           "no interaction has a Primary Side Set: bodies, and parts of one body, pass through each other"}};
 }
 
 std::vector<Absence> files(const OutputOptions& output) {

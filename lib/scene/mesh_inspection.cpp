@@ -1,8 +1,12 @@
 #include "scene/mesh_inspection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "mesh/joined_parts.hpp"
 #include "mesh/soundness.hpp"
+#include "scene/mesh_parts.hpp"
 #include "scene/scene_mesh.hpp"
 
 namespace ixos {
@@ -17,16 +21,16 @@ const Set* find(const std::vector<Set>& sets, const std::string& name) {
 /// Sets that a scene uses, checked, and the nodes that they hold.
 class Inspection {
  public:
-  /// `read`: the mesh comes from a file or a program; a generator's sides are outside.
-  Inspection(const Mesh& mesh, bool read)
-      : mesh_(mesh), read_(read), held_(static_cast<std::size_t>(mesh.nodes()), false) {}
+  /// `lists`: see part_lists().
+  Inspection(const Mesh& mesh, const std::vector<SceneNode>& lists)
+      : mesh_(mesh), lists_(lists), held_(static_cast<std::size_t>(mesh.nodes()), false) {}
 
   void sides(const SceneNode& node, bool holds) {
     const SideSet* set = find(mesh_.side_sets, node.text("Side Set"));
     if (set == nullptr) return;
     at(node.path_of("Side Set"), [&] {
       require_sides(*set);
-      if (read_) require_outer_sides(mesh_, *set);
+      if (is_read(*set)) require_outer_sides(mesh_, *set);
     });
     for (const Side& side : set->sides) {
       const ElementBlock& block = mesh_.blocks[static_cast<std::size_t>(side.block)];
@@ -43,20 +47,33 @@ class Inspection {
   const std::vector<bool>& held() const { return held_; }
 
  private:
+  /// Returns whether a side comes from a file or a program. A generator's sides are outside.
+  bool is_read(const SideSet& set) const {
+    return std::any_of(set.sides.begin(), set.sides.end(), [this](const Side& side) {
+      return is_from_outside(list_of(mesh_.blocks[static_cast<std::size_t>(side.block)], lists_));
+    });
+  }
   void hold(int node, bool holds) {
     if (holds) held_[static_cast<std::size_t>(node)] = true;
   }
 
   const Mesh& mesh_;
-  bool read_;
+  const std::vector<SceneNode>& lists_;
   std::vector<bool> held_;
 };
+
+/// Returns the warnings about a mesh of one body that was read from a file or given.
+std::vector<std::string> faults(const Mesh& mesh, const std::vector<bool>& held) {
+  std::vector<std::string> warnings = loose_parts(mesh, held);
+  if (std::string nodes = coincident_nodes(mesh); !nodes.empty()) warnings.insert(warnings.begin(), std::move(nodes));
+  return warnings;
+}
 
 }  // namespace
 
 std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
-  const bool read = is_from_outside(meshes().chosen(scene.sublist("Mesh")));
-  Inspection inspection(mesh, read);
+  const std::vector<SceneNode> lists = part_lists(scene.sublist("Mesh"));
+  Inspection inspection(mesh, lists);
   for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     const std::string& type = node.text("Type");
@@ -64,9 +81,19 @@ std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) 
     if (type == "Displacement" || type == "Point Force") inspection.nodes(node, type == "Displacement");
   }
   for (const SceneNode& node : scene.sublist("Grips").sublists()) inspection.nodes(node, true);
-  if (!read) return {};
-  std::vector<std::string> warnings = loose_parts(mesh, inspection.held());
-  if (std::string nodes = coincident_nodes(mesh); !nodes.empty()) warnings.insert(warnings.begin(), std::move(nodes));
+  if (lists.size() == 1 && lists.front().path() == "Mesh")
+    return is_from_outside(lists.front()) ? faults(mesh, inspection.held()) : std::vector<std::string>();
+  std::vector<std::string> warnings;
+  for (const SceneNode& part : lists) {
+    if (!is_from_outside(part)) continue;
+    std::vector<int> old;
+    const Mesh own = blocks_of_part(mesh, part.name(), old);
+    std::vector<bool> held;
+    held.reserve(old.size());
+    for (const int node : old) held.push_back(inspection.held()[static_cast<std::size_t>(node)]);
+    for (const std::string& fault : faults(own, held))
+      warnings.push_back(fmt::format("part \"{}\": {}", part.name(), fault));
+  }
   return warnings;
 }
 

@@ -7,6 +7,7 @@
 #include "parameters/range_validator.hpp"
 #include "parameters/validation.hpp"
 #include "scene/grips.hpp"
+#include "scene/initial_conditions.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
 #include "scene/mesh_map.hpp"
@@ -70,17 +71,6 @@ void add_condition(List& list) {
            "load is constant.");
 }
 
-void add_initial_conditions(List& list) {
-  list.set("Velocity", Numbers(), "Uniform velocity [L0/T0]. If empty, it is zero.", any_number());
-  list.set("Velocity Gradient", Numbers(),
-           "Velocity gradient L, row by row [1/T0]: v = Velocity + L (X - Origin). A skew-symmetric L is a rotation. "
-           "If empty, it is zero.",
-           any_number());
-  list.set("Origin", Numbers(),
-           "Point at which Velocity Gradient contributes nothing [L0]. If empty, it is the origin of coordinates.",
-           any_number());
-}
-
 void add_time_integrator(List& list) {
   declare_time_integrator(list);
   declare_stop(list.sublist("Stop", false, "Criteria that end the run before Final Time; the first one met ends it.")
@@ -113,7 +103,7 @@ List make_scene_parameters() {
                             "One list for each grip: a node set that moves as a rigid body, or that springs and "
                             "dashpots hold to one. Its name heads the columns of its force and moment.")
                    .sublist(any_name));
-  add_initial_conditions(scene.sublist("Initial Conditions", false, "Velocities at the initial time."));
+  declare_initial_conditions(scene.sublist("Initial Conditions", false, "Velocities at the initial time."));
   add_time_integrator(scene.sublist("Time Integrator", false, "Time integration scheme and its steps."));
   declare_newton(scene.sublist("Nonlinear Solver", false, "Newton's method (NOX)."));
   mark_free_form(scene.sublist(

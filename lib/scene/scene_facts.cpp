@@ -10,7 +10,7 @@ namespace {
 
 int order_of(ContactElement element) {
   if (element == ContactElement::Q1C2 || element == ContactElement::Q2C2) return 2;
-  if (element == ContactElement::Q1C4) return 4;
+  if (element == ContactElement::Q1C4 || element == ContactElement::Q2C4) return 4;
   return element == ContactElement::Q1C1 ? 1 : 3;
 }
 
@@ -74,7 +74,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
         if (other.interaction != surface.interaction && are_before_one_obstacle(surface, other, interactions))
           own.uncounted = other.name;
     // Enriched cells stay Standard; quadratic ones do not lock.
-    if (interaction.element != ContactElement::Q2C2 &&
+    if (interaction.element != ContactElement::Q2C2 && interaction.element != ContactElement::Q2C4 &&
         (material.formulation != Formulation::Enhanced || own.order > 1)) {
       const SingleLayer layer = single_layer(mesh, mesh.side_sets[surface.side_set]);
       own.single_layer = layer.share;

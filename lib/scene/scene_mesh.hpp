@@ -33,11 +33,12 @@ Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given);
 Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension, bool axisymmetric);
 
 /// Returns "the mesh spans 30 x 40 L0 = 30 nm x 40 nm" for a mesh from outside, in which a wrong unit of length
-/// shows; an empty text for others.
+/// shows; the same for each part from outside; an empty text for others.
 std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units);
 
-/// Returns whether the mesh comes from a file or a program, not from a generator.
-bool is_from_outside(const MeshEntry& entry);
+/// Returns whether the mesh that a list chooses, "Mesh" or that of a part, comes from a file or a program, not from a
+/// generator.
+bool is_from_outside(const SceneNode& list);
 
 /// Returns the catalogue of meshes; its choice is "Type".
 const Catalogue<MeshEntry>& meshes();

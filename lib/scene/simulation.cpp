@@ -12,6 +12,7 @@
 #include "base/phase_timer.hpp"
 #include "mesh/connected_parts.hpp"
 #include "mesh/fingerprint.hpp"
+#include "mesh/halving.hpp"
 #include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
 #include "scene/compatibility.hpp"
@@ -19,6 +20,7 @@
 #include "scene/grips.hpp"
 #include "scene/histories.hpp"
 #include "scene/history_columns.hpp"
+#include "scene/initial_conditions.hpp"
 #include "scene/interactions.hpp"
 #include "scene/materials.hpp"
 #include "scene/maxwell_branches.hpp"
@@ -124,6 +126,16 @@ std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia iner
   return partition_nodes(mesh, ranks, node_work(mesh, contact, inertia == Inertia::Lumped ? 0 : 500));
 }
 
+LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks,
+                                 Inertia inertia) const {
+  LocalMesh local = localize(mesh, owner, rank, ranks, whole_side_sets(interactions_));
+  const long long dofs = static_cast<long long>(mesh.nodes()) * mesh.dimension;
+  if (inertia != Inertia::Lumped && may_use_parents(parameters_.sublist("Linear Solver"), mesh.dimension, dofs, ranks))
+    if (const auto halving = halve(mesh))
+      local.halving = std::make_shared<const LocalHalving>(localize(*halving, owner, rank, ranks, local));
+  return local;
+}
+
 void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const GivenHistories& given,
                              Inertia inertia) {
   const NamedScope scope("mesh and model");
@@ -151,8 +163,8 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   model_ = at("Materials", [&] {
-    return std::make_unique<Model>(localize(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks), comm,
-                                   materials_, inertia);
+    return std::make_unique<Model>(local_mesh(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks, inertia),
+                                   comm, materials_, inertia);
   });
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
@@ -194,7 +206,8 @@ void Simulation::build_integrator(Table table) {
                          matrix_only(scene, materials_, model_->mesh()),
                          level_width_,
                          tangent_stiffness(*model_, table, longest),
-                         has_quadratic_cells(model_->mesh())};
+                         has_quadratic_cells(model_->mesh()),
+                         model_->mesh().halving != nullptr};
   const bool restartable = output_.checkpoint.keep > 0;
   List& linear = parameters_.sublist("Linear Solver");
   linear = completed_linear_solver(linear, size);
@@ -206,26 +219,10 @@ void Simulation::build_integrator(Table table) {
 
 void Simulation::set_initial_state() {
   const LocalMesh& mesh = model_->mesh();
-  const auto d = static_cast<std::size_t>(mesh.dimension);
   const SceneNode initial = SceneNode(parameters_, "").sublist("Initial Conditions");
-  const std::vector<double> zero(d, 0.0);
-  const auto uniform = initial.numbers("Velocity", d, zero);
-  const auto gradient = initial.numbers("Velocity Gradient", d * d, std::vector<double>(d * d, 0.0));
-  const auto origin = initial.numbers("Origin", d, zero);
-  if (mesh.axisymmetric && uniform[0] != 0)
-    initial.refuse("Velocity",
-                   fmt::format("the radial component {} moves an axisymmetric body off its axis; use 0", uniform[0]));
-  std::vector<double> u(static_cast<std::size_t>(model_->space().local()), 0.0);
-  std::vector<double> v(u.size());
-  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
-    for (std::size_t i = 0; i < d; ++i) {
-      // A derivative node has no place: the field's derivative along the boundary is L dX/ds.
-      const double place = mesh.is_derivative(node) ? 0.0 : 1.0;
-      double sum = place * uniform[i];
-      for (std::size_t j = 0; j < d; ++j)
-        sum += gradient[i * d + j] * (mesh.coordinates[node * d + j] - place * origin[j]);
-      v[node * d + i] = sum;
-    }
+  const auto motions = initial_motions(initial, mesh.dimension, mesh.axisymmetric);
+  std::vector<double> v = initial_velocities(motions, *model_, materials_);
+  std::vector<double> u(v.size(), 0.0);
   const double time = step_control().initial_time;
   at(initial.path(), [&] { integrator_->initialize(std::move(u), std::move(v), time); });
 }

@@ -75,14 +75,20 @@ const Options<Parameters>& options() {
         .choose_list("Type", &Parameters::scheme, names,
                      "Name of the time integration scheme. The option list-schemes of ixos prints the properties of "
                      "each.")
-        .choose("Predictor", &Parameters::predictor,
-                {{"Automatic", std::nullopt},
-                 {"Last Displacement", Predictor::LastDisplacement},
-                 {"Constant Velocity", Predictor::ConstantVelocity},
-                 {"Constant Acceleration", Predictor::ConstantAcceleration},
-                 {"Newmark", Predictor::Newmark},
-                 {"Extrapolation", Predictor::Extrapolation}},
-                "Initial guess of Newton's method. Automatic is the guess that suits the scheme.")
+        .choose(
+            "Predictor", &Parameters::predictor,
+            {{"Automatic", std::nullopt},
+             {"Last Displacement", Predictor::LastDisplacement},
+             {"Constant Velocity", Predictor::ConstantVelocity},
+             {"Constant Acceleration", Predictor::ConstantAcceleration},
+             {"Newmark", Predictor::Newmark},
+             {"Extrapolation", Predictor::Extrapolation},
+             {"Quadratic", Predictor::Quadratic},
+             {"Nearest", Predictor::Nearest}},
+            "Initial guess of Newton's method. Extrapolation is the straight line through the last two displacements, "
+            "Quadratic the parabola through the last three. Nearest takes, step by step, the one of Last "
+            "Displacement, Constant Velocity, Extrapolation and Quadratic that would have been nearest to the end of "
+            "the last step. Automatic is the guess that suits the scheme: Nearest if the scheme has one stage.")
         .sublist("Time Step Control", &Parameters::control, control_options(),
                  "Times of the run, and size of its steps.");
   }();

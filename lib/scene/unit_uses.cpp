@@ -24,19 +24,25 @@ std::vector<std::string> texts(const List& list, const std::string& name) {
 /// Returns the sublist of that name; an empty list if there is none.
 List sublist(const List& list, const std::string& name) { return list.isSublist(name) ? list.sublist(name) : List(); }
 
-/// Returns the dimension of the bodies of the mesh that the scene chooses; 0 if it is not known.
-int mesh_dimension(const List& scene, const List& valid) {
-  const List mesh = sublist(scene, "Mesh");
-  const List& known = valid.sublist("Mesh");
+/// Returns the dimension of the mesh that a list chooses; 0 if it is not known. That of parts is the first one's.
+int chosen_dimension(const List& mesh, const List& known) {
   const std::string type = text(mesh, meshes().choice(), known);
-  if (is_axisymmetric(mesh)) return 3;  // the units of the whole body
   for (const MeshEntry& entry : meshes().entries()) {
     if (entry.name != type) continue;
     if (entry.dimension != 0) return entry.dimension;
-    for (const List& own : {sublist(mesh, type), sublist(known, type)})
-      if (own.isType<int>("Dimension")) return own.get<int>("Dimension");
+    const List own = sublist(mesh, type), valid = sublist(known, type);
+    for (const List& list : {own, valid})
+      if (list.isType<int>("Dimension")) return list.get<int>("Dimension");
+    for (const auto& [name, part] : entries(own))
+      if (valid.isSublist(any_name)) return chosen_dimension(sublist(own, name), valid.sublist(any_name));
   }
   return 0;
+}
+
+/// Returns the dimension of the bodies of the mesh that the scene chooses; 0 if it is not known.
+int mesh_dimension(const List& scene, const List& valid) {
+  const List mesh = sublist(scene, "Mesh");
+  return is_axisymmetric(mesh) ? 3 : chosen_dimension(mesh, valid.sublist("Mesh"));  // 3: units of the whole body
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-/// Operators that can make their Galerkin product on linear cells when a preconditioner asks for it.
+/// Operators that can make their Galerkin product on coarse cells when a preconditioner asks for it.
 #pragma once
 #include "base/tpetra.hpp"
 #include "discretization/coarse_space.hpp"
@@ -8,8 +8,8 @@ namespace ixos {
 class CoarsenableOperator {
  public:
   virtual ~CoarsenableOperator() = default;
-  /// Returns the linear displacements of the operator's mesh. Made at the first call, which is collective. Throws
-  /// std::logic_error if the mesh has linear cells.
+  /// Returns the coarse displacements of the operator's mesh. Made at the first call, which is collective. Throws
+  /// InputError if the mesh has linear cells without parents, or a term of the program offers no Galerkin product.
   virtual const CoarseSpace& coarse_space() const = 0;
   /// Returns P^T W P of the operator's present state, a new matrix in the layout of the coarse space's Pattern, with
   /// the operator's diagonal entries of constrained degrees of freedom for those that the space leaves out. Collective.

@@ -32,6 +32,13 @@ int iterations(const Status& status) {
   return status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
 }
 
+/// Returns the largest 2-norm of the columns.
+double largest_norm(const Thyra::MultiVectorBase<double>& vectors) {
+  std::vector<double> norms(static_cast<std::size_t>(vectors.domain()->dim()));
+  Thyra::norms_2(vectors, Teuchos::arrayViewFromVector(norms));
+  return *std::max_element(norms.begin(), norms.end());
+}
+
 class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
  public:
   LaggedSolve(Teuchos::RCP<const KrylovFactory> krylov,
@@ -135,7 +142,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
         stale_ = false;
         throw std::runtime_error("the matrix of the linear system is not positive definite");
       }
-      if (!old) throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
+      if (!old) return refined_or_broken(error, b, x, criteria);
     }
     if (options_.from_scratch) preconditioner_.start_over();
     renew();
@@ -144,7 +151,45 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
+      return refined_or_broken(error, b, x, criteria);
+    }
+  }
+
+  /// After CG failed with a preconditioner of this matrix: solves by refinement if the preconditioner is a
+  /// factorisation and the matrix is indefinite. Throws std::runtime_error if that is not so, or if it fails too.
+  Status refined_or_broken(const std::exception& error, const Thyra::MultiVectorBase<double>& b,
+                           const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                           const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
+    Status status;
+    if (options_.factorizes && shows_negative_curvature(error)) status = refined(b, x, criteria);
+    if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED)
       throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
+    return status;
+  }
+
+  /// Solves by iterative refinement with the preconditioner. Gives up if a round does not halve the residual.
+  Status refined(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
+                 const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
+    const TimedScope timed(Phase::LinearSolve);
+    const bool told =
+        nonnull(criteria) && criteria->requestedTol != Thyra::SolveCriteria<double>::unspecifiedTolerance();
+    const double tolerance = told ? criteria->requestedTol : 1e-6;
+    const auto inverse = preconditioner_.get()->getUnspecifiedPrecOp();
+    const auto residual = b.clone_mv(), step = b.clone_mv();
+    const double scale = largest_norm(b);
+    Status status;
+    Thyra::assign(x, 0.0);
+    for (double last = std::numeric_limits<double>::infinity();;) {
+      Thyra::apply(*inverse, Thyra::NOTRANS, *residual, step.ptr());
+      Thyra::update(1.0, *step, x);
+      Thyra::assign(residual.ptr(), b);
+      Thyra::apply(*krylov_, Thyra::NOTRANS, *x, residual.ptr(), -1.0, 1.0);
+      ++statistics_->iterations;
+      const double norm = largest_norm(*residual);
+      if (norm <= tolerance * scale) status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
+      status.achievedTol = norm / scale;
+      if (norm <= tolerance * scale || !(norm < 0.5 * last)) return status;
+      last = norm;
     }
   }
 

@@ -96,6 +96,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   const auto preconditioner = list.get("Preconditioner Type", std::string("None"));
   self.preconditioned = preconditioner != "None";
   self.lagged.from_scratch = preconditioner == "MueLu";
+  self.lagged.factorizes = preconditioner == "Direct";
   self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
   if (model != nullptr && preconditioner == "MueLu") {

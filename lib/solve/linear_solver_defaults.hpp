@@ -15,6 +15,8 @@ struct ProblemSize {
   double width = 1e300;       ///< mean_level_width() of the mesh; asked for in three dimensions only
   double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
   bool quadratic = false;     ///< all cells are
+  bool halved = false;        ///< linear cells have parents, see Halving
+  std::string fine_only{};    ///< what has no Galerkin product on coarse cells, in words; empty if all have one
 };
 
 /// Fills in a scene's "Linear Solver" list if its "Linear Solver Type" is "Automatic" or missing. Same on all ranks.
@@ -24,8 +26,8 @@ struct ProblemSize {
 ///   nodes, to 2,000,000), else MueLu.
 /// - In 3D, from 2,000 on, if steps are short (a stiffness of at most 250), chooses CG with Chebyshev's polynomial,
 ///   without a matrix.
-/// - Large meshes of quadratic cells in 3D get the two-level cycle in place of MueLu, without a fine matrix. Its coarse
-///   matrix is factorised if that is cheap, else it gets MueLu.
+/// - Large meshes in 3D of quadratic cells, or of linear ones that have parents, get the two-level cycle in place of
+///   MueLu, without a fine matrix. Its coarse matrix is factorised if that is cheap, else it gets MueLu.
 /// - Large tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in
 ///   single precision.
 /// - If the list asks for Belos or MueLu, fills in its missing entries with settings that suit elasticity.
@@ -34,6 +36,10 @@ struct ProblemSize {
 /// tangent is not symmetric (as a preconditioner CHOLMOD is accepted), or for "Matrix-Free" or "Two-Level" that is not
 /// possible.
 Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& user, const ProblemSize& size);
+
+/// Returns whether completed_linear_solver() may use the parents of linear cells: a scene's list asks for them, or
+/// leaves the choice.
+bool may_use_parents(const Teuchos::ParameterList& user, int dimension, long long dofs, int ranks);
 
 /// Returns whether a "Preconditioner Type" never asks a matrix-free tangent for its matrix.
 bool preconditions_without_matrix(const std::string& type);

@@ -9,12 +9,23 @@ bool has_quadratic_cells(const LocalMesh& mesh) {
                      [](const auto& block) { return block.global_cells == 0 || is_quadratic(block.type); });
 }
 
+std::string term_without_coarse(const Model& model) {
+  std::string name;
+  for (const NamedForceTerm& named : model.force_terms()) {
+    const auto action = named.term->create_action();
+    if (action != nullptr && !action->has_coarse()) name = "\"" + named.name + "\"";
+  }
+  return name;
+}
+
 ProblemSize problem_size(const Model& model) {
   ProblemSize size;
   size.dimension = model.mesh().dimension;
   size.dofs = model.space().global();
   size.ranks = model.space().comm()->getSize();
   size.quadratic = has_quadratic_cells(model.mesh());
+  size.halved = model.mesh().halving != nullptr;
+  if (size.quadratic || size.halved) size.fine_only = term_without_coarse(model);
   if (model.has_viscosity()) size.asymmetry = size.matrix_only = "the viscosity";
   for (const NamedForceTerm& named : model.force_terms()) {
     const std::string name = "\"" + named.name + "\"";

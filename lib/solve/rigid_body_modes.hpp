@@ -8,7 +8,8 @@ namespace ixos {
 
 /// Returns rigid translations and rotations of the reference configuration as columns (3 in 2D, 6 in 3D) on the owned
 /// map, zero on constrained degrees of freedom. Rotations are about the centre of the nodes: about a distant origin
-/// they would be nearly translations.
+/// they would be nearly translations. Bodies that are not connected need no modes of their own: aggregates do not join
+/// them, and restricted to an aggregate these modes span the motions of its body.
 Teuchos::RCP<MultiVector> rigid_body_modes(const Model& model);
 /// Does the same for any mesh and its degrees of freedom, of which some, by local number, are constrained.
 Teuchos::RCP<MultiVector> rigid_body_modes(const LocalMesh& mesh, const DofSpace& space,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "solve/problem_size.hpp"
 
 namespace ixos {
 
@@ -131,17 +132,22 @@ Teuchos::RCP<CrsMatrix> TangentOperator::matrix() const {
 }
 
 const CoarseSpace& TangentOperator::coarse_space() const {
-  if (!coarse_space_)
-    coarse_space_ = std::make_unique<CoarseSpace>(model_.mesh(), model_.space(), model_.constraints().dofs());
+  if (coarse_space_) return *coarse_space_;
+  if (!has_quadratic_cells(model_.mesh()) && model_.mesh().halving == nullptr)
+    throw InputError(
+        "Linear Solver/Preconditioner Type: \"Two-Level\" needs a mesh of quadratic cells, or of linear ones that "
+        "halve "
+        "larger cells, and this one has linear cells that do not; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
+  if (const std::string term = term_without_coarse(model_); !term.empty())
+    throw InputError("Linear Solver/Preconditioner Type: \"Two-Level\" needs a Galerkin product on linear cells " +
+                     ("(TangentAction::add_coarse) of each term, which " + term) +
+                     " does not offer; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
+  coarse_space_ = std::make_unique<CoarseSpace>(model_.mesh(), model_.space(), model_.constraints().dofs());
   return *coarse_space_;
 }
 
 Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
   const CoarseSpace& coarse = coarse_space();
-  const auto matrix = coarse.pattern().create_matrix(coarse.space());
-  double* values = matrix->getLocalMatrixHost().values.data();
-  for (const auto* actions : {&elastic_, &interactions_})
-    for (const auto& action : *actions) action->add_coarse(coarse, values);
   std::fill(result_.begin(), result_.end(), 0.0);
   if (!mass_in_elastic_) {
     std::fill(x_.begin(), x_.end(), 1.0);
@@ -150,9 +156,12 @@ Teuchos::RCP<CrsMatrix> TangentOperator::coarse_matrix() const {
   for (std::size_t i = 0; i < dashpots_.size(); ++i) result_[i] += dashpots_[i];
   for (double& entry : result_) entry += shift_;
   model_.space().update_ghosts(result_.data());
-  coarse.add_diagonal(result_.data(), values);
-  coarse.leave_out(constrained_diagonal_, values);
-  return matrix;
+  const auto add = [&](double* values) {
+    for (const auto* actions : {&elastic_, &interactions_})
+      for (const auto& action : *actions) action->add_coarse(coarse, values);
+    coarse.add_diagonal(result_.data(), values);
+  };
+  return coarse.matrix(add, constrained_diagonal_);
 }
 
 }  // namespace ixos

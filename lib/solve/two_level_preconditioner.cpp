@@ -70,7 +70,7 @@ class TwoLevel final : public TpetraPreconditioner {
 
  private:
   void restore_matrix() {
-    matrix_ = coarse_->pattern().create_matrix(coarse_->space());
+    matrix_ = coarse_->create_matrix();
     const auto values = matrix_->getLocalMatrixHost().values;
     together<InputError>(matrix_->getComm(), [&] {
       if (loaded_.size() != values.extent(0)) throw InputError("a matrix of the checkpoint has a different size");
@@ -124,10 +124,9 @@ class TwoLevel final : public TpetraPreconditioner {
 
 Teuchos::RCP<const Teuchos::ParameterList> TwoLevelPreconditionerFactory::getValidParameters() const {
   const auto list = Teuchos::rcp(new Teuchos::ParameterList("Two-Level"));
-  list->set("Degree", 3, "Degree of the smoother's polynomial: one product with the tangent less, twice a cycle.",
+  list->set("Degree", 2, "Degree of the smoother's polynomial: one product with the tangent less, twice a cycle.",
             Teuchos::rcp(new Teuchos::EnhancedNumberValidator<int>(1, 100)));
-  list->set("Eigenvalue Ratio", 10.0,
-            "Largest ratio of the eigenvalues at the two ends of the smoother's interval [-].",
+  list->set("Eigenvalue Ratio", 7.0, "Largest ratio of the eigenvalues at the two ends of the smoother's interval [-].",
             Teuchos::rcp(new Teuchos::EnhancedNumberValidator<double>(1.1, 1e6)));
   Teuchos::ParameterList& coarse = list->sublist("Coarse");
   coarse.set("Type", "Direct", "Preconditioner of the linear cells' matrix.",

@@ -1,4 +1,4 @@
-/// A cycle between quadratic and linear displacements as a preconditioner.
+/// A cycle between fine and coarse displacements as a preconditioner.
 #pragma once
 #include <Thyra_PreconditionerFactoryBase.hpp>
 
@@ -6,8 +6,9 @@
 
 namespace ixos {
 
-/// One cycle between the quadratic cells of an operator W and the linear cells on their corners (see CoarseSpace), for
-/// a CoarsenableOperator: no fine matrix is made. With Chebyshev's polynomial S of W as the smoother,
+/// One cycle between the cells of an operator W and coarser linear cells, those on the corners of quadratic cells or
+/// the parents of linear ones (see CoarseSpace), for a CoarsenableOperator: no fine matrix is made. With Chebyshev's
+/// polynomial S of W as the smoother,
 ///
 ///   I - B W = (I - S W) (I - P A^-1 P^T W) (I - S W),
 ///

@@ -5,6 +5,7 @@
 #include "interaction/damage_law.hpp"
 #include "interaction/surface_kernel.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
 #include "term/flat_sides.hpp"
 #include "term/point_laws.hpp"
@@ -233,10 +234,19 @@ class FlatSurfaceTerm final : public InteractionOverSteps<FlatSurfaceTerm<SideEl
       }
     }
 
+    bool has_coarse() const override { return term_.sides_.may_be_coarsened(); }
+
     void add_coarse(const CoarseSpace& coarse, double* values) const override {
       using Corners = typename CornerElement<SideElement>::type;
-      if constexpr (std::is_void_v<Corners>) {
-        TangentAction::add_coarse(coarse, values);
+      if constexpr (is_linear_element<SideElement>) {
+        add_child_matrices(
+            term_.sides_.batches(), coarse, [this](std::size_t b) { return term_.sides_.owned(b); },
+            [&](std::size_t b, const ChildShares<N>& shares, auto& k) {
+              term_.sides_.spread(on_parents<N, 1>(shares, along_[b]), k);
+            },
+            values);
+      } else if constexpr (std::is_void_v<Corners>) {
+        if (!has_coarse()) TangentAction::add_coarse(coarse, values);
       } else {
         const auto set = [&](std::size_t b, auto& k) { term_.sides_.spread(on_corners<SideElement>(along_[b]), k); };
         add_corner_matrices<Corners::nodes>(term_.sides_.batches(), coarse, set, values);

@@ -50,8 +50,10 @@ class TangentAction {
   virtual void add_product(const double* x, double* y) const = 0;
   /// Adds the diagonal of K to d, without that of a mass.
   virtual void add_diagonal(double* d) const = 0;
+  /// Returns whether the action offers add_coarse(). Same on all ranks, whatever cells and sides they have.
+  virtual bool has_coarse() const { return false; }
   /// Adds P^T K P, that of a mass included, to matrix values of the coarse space's Pattern: the Galerkin product on the
-  /// linear cells of a mesh of quadratic ones. Throws std::logic_error if the action offers none.
+  /// coarse cells. Throws std::logic_error unless has_coarse().
   virtual void add_coarse(const CoarseSpace& /*coarse*/, double* /*values*/) const {
     throw std::logic_error("a term has no Galerkin product on linear cells");
   }

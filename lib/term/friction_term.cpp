@@ -263,6 +263,7 @@ class FrictionTerm final : public Interaction {
     }
     void add_product(const double* x, double* y) const override { stiffness_.add_product(x, y); }
     void add_diagonal(double* d) const override { stiffness_.add_diagonal(d); }
+    bool has_coarse() const override { return term_.sides_.may_be_coarsened(); }
     void add_coarse(const CoarseSpace& coarse, double* values) const override { stiffness_.add_coarse(coarse, values); }
 
    private:

@@ -65,6 +65,9 @@ class Interaction : public ForceTerm {
   /// Returns the rule that the term follows in place of that one.
   virtual const Rule& followed(const Rule& rule) const { return rule; }
 
+  /// Returns whether the term has forces for rules with that mean. Equal on all ranks.
+  virtual bool follows(Mean) const { return true; }
+
   /// Returns whether a gap r <= 0 is inadmissible.
   virtual bool needs_positive_gaps() const = 0;
 

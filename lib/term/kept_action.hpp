@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "term/block_cells.hpp"
+#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
 #include "term/force_term.hpp"
 
@@ -38,11 +39,15 @@ class KeptAction : public TangentAction {
     }
   }
 
+  bool has_coarse() const override { return has_coarser_element<typename Kernel::Shape>; }
+
   /// The kept data are in reference coordinates, so they serve linear cells with the same points. The matrix of a cell
   /// is found column by column.
   void add_coarse(const CoarseSpace& coarse, double* values) const override {
     using Corners = typename CornerElement<typename Kernel::Shape>::type;
-    if constexpr (std::is_void_v<Corners>) {
+    if constexpr (is_linear_element<typename Kernel::Shape>) {
+      add_to_parents(coarse, values);
+    } else if constexpr (std::is_void_v<Corners>) {
       if (cells_.size() > 0) TangentAction::add_coarse(coarse, values);
     } else {
       using Linear = typename Kept::template On<Corners>;
@@ -74,6 +79,27 @@ class KeptAction : public TangentAction {
   }
 
  private:
+  /// Adds S^T k S of each cell, column by column.
+  void add_to_parents(const CoarseSpace& coarse, double* values) const {
+    constexpr std::size_t N = Kernel::N, D = Kernel::D;
+    typename Kept::template Scratch<Pack> scratch(cells_.table.size());
+    const auto set_matrix = [&](std::size_t b, const ChildShares<N>& shares, Small<Pack, N * D>& k) {
+      for (std::size_t column = 0; column < N * D; ++column) {
+        Nodal u{}, f{};
+        for (std::size_t a = 0; a < N; ++a) u[a][column % D] = shares[a][column / D];
+        Kept::add_product(cells_.table, layout_, &data_[b * size_], u, scratch, f);
+        for (std::size_t p = 0; p < N; ++p)
+          for (std::size_t i = 0; i < D; ++i) {
+            Pack sum = 0.0;
+            for (std::size_t a = 0; a < N; ++a) sum += shares[a][p] * f[a][i];
+            k[p * D + i][column] = sum;
+          }
+      }
+    };
+    add_child_matrices(
+        cells_.batches, coarse, [this](std::size_t b) { return cells_.owned[b]; }, set_matrix, values);
+  }
+
   const Cells& cells_;
   Layout layout_;
   std::size_t size_ = 0;  ///< of a batch's data

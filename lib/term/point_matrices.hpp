@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "term/child_matrices.hpp"
 #include "term/corner_matrices.hpp"
 #include "term/curved_sides.hpp"
 
@@ -56,11 +57,20 @@ class PointMatrices {
     }
   }
 
-  /// Adds P^T K P, see TangentAction::add_coarse(). Throws std::logic_error if the sides are not quadratic.
+  /// Adds P^T K P, see TangentAction::add_coarse(). Throws std::logic_error unless the sides' may_be_coarsened().
   void add_coarse(const CoarseSpace& coarse, double* values) const {
     using Corners = typename CornerElement<SideElement>::type;
-    if constexpr (std::is_void_v<Corners>) {
-      throw std::logic_error("sides that are not quadratic have no coarse space");
+    if constexpr (is_linear_element<SideElement>) {
+      add_child_matrices(
+          sides_.batches(), coarse, [this](std::size_t b) { return sides_.owned(b); },
+          [&](std::size_t b, const ChildShares<N>& shares, Small<Pack, N * D>& k) {
+            Small<Pack, N * D> own;
+            Sides::sum_over_points(sides_.quadrature(), &k_[b * points_], own);
+            k = on_parents<N, D>(shares, own);
+          },
+          values);
+    } else if constexpr (std::is_void_v<Corners>) {
+      if (!sides_.may_be_coarsened()) throw std::logic_error("enriched sides have no coarse space");
     } else {
       const ShapeTable<Corners> table(sides_.quadrature());
       add_corner_matrices<Corners::nodes>(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "discretization/element_batches.hpp"
+#include "fem/corner_element.hpp"
 #include "fem/reference_elements.hpp"
 #include "fem/revolved.hpp"
 #include "fem/shape_grid.hpp"
@@ -96,6 +97,8 @@ class SurfaceSides {
   }
   /// Returns nodal reference coordinates [L0]; those of a Hermite side's derivative nodes are derivatives.
   const Vectors& reference(std::size_t b) const { return reference_[b]; }
+  /// Returns whether coarser sides may stand for these, see has_coarser_element; true without sides.
+  bool may_be_coarsened() const { return has_coarser_element<SideElement> || size() == 0; }
   /// Returns the weights w_a of quadrature point q in nodal means, int w_a T dA over int w_a dA: the shape functions
   /// N_a. At a node on the axis of an axisymmetric mesh, int N_a dA vanishes on sides of even order, because R is 0
   /// there. Then the weight is N_a/(2 pi R), which gives the mean over the section.

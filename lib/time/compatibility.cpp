@@ -46,7 +46,25 @@ std::string why_no_branches(const Material& material, const Table& table) {
   return fmt::format("the scheme \"{}\" {}; use another scheme, such as \"Average Vector Field\"", table.name, why);
 }
 
+std::string why_no_pairs(const Table& table) {
+  for (const Stage& stage : table.stages)
+    if (stage.interaction.mean != Mean::Points)
+      return fmt::format(
+          "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not "
+          "have{}",
+          table.name,
+          needs_discrete_gradient(table)
+              ? "; use another scheme, such as \"Average Vector Field\" with Interaction Points"
+              : "; set its Interaction Points, such as 5");
+  return "";
+}
+
 void check_compatible(const Model& model, const Table& table) {
+  for (const NamedForceTerm& named : model.force_terms())
+    if (const auto* own = dynamic_cast<const Interaction*>(named.term))
+      for (const Stage& stage : table.stages)
+        if (!own->follows(stage.interaction.mean))
+          throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table)));
   for (const Material& material : model.materials()) {
     const std::string block = " of block \"" + material.block + "\"";
     if (const std::string why = why_no_branches(material, table); !material.branches.empty() && !why.empty())

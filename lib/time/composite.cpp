@@ -13,11 +13,8 @@ Table gautam_sauer_composite(double beta, double gamma, int interaction_points, 
   stage.elastic = point_rule({0.0, 1.0}, {0.5, 0.5});
   stage.interaction = mean_rule(interaction_points, path);
   stage.load = gauss_times(interaction_points);
-  Table table{"Gautam-Sauer Composite",
-              {stage},
-              Closing::Collocate,
-              {WorkSum::Form::Increment, {}},
-              Predictor::LastDisplacement};
+  Table table{
+      "Gautam-Sauer Composite", {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::Nearest};
   table.error_constant = beta / (2 * gamma) - 1.0 / 6;
   table.interaction_points = path == Path::Linear ? interaction_points : 0;
   return table;

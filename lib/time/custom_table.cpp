@@ -158,6 +158,7 @@ Table custom_table(const List& list) {
   for (const auto& [name, entry] : entries(stages))
     table.stages.push_back(StageReader(stages.sublist(name), table.stages.size() + 1).read());
   if (table.stages.empty()) throw std::invalid_argument("Stages is empty; a scheme needs at least one stage");
+  if (table.stages.size() == 1) table.predictor = Predictor::Nearest;
   table.closing = list.get<std::string>("Closing") == "Kinematic" ? Closing::Kinematic : Closing::Collocate;
   table.driven_rates = list.get<std::string>("Driven Rates") == "Exact" ? DrivenRates::Exact : DrivenRates::Own;
   table.error_constant = list.get<double>("Error Constant");

@@ -13,8 +13,7 @@ Table weighted(const char* name, double a_m, double a_f, double beta, double gam
   stage.elastic = point_rule({0.0, 1.0}, {a_f, 1 - a_f});
   stage.interaction = stage.elastic;
   stage.load = {{0.0, a_f}, {1.0, 1 - a_f}};
-  Table table{
-      name, {stage}, Closing::Kinematic, {WorkSum::Form::Increment, {}}, Predictor::LastDisplacement, DrivenRates::Own};
+  Table table{name, {stage}, Closing::Kinematic, {WorkSum::Form::Increment, {}}, Predictor::Nearest, DrivenRates::Own};
   table.error_constant = beta - 1.0 / 6 + (a_m - a_f) / 2;  // a_n stands for the acceleration at t_n + (a_m - a_f) dt
   return table;
 }

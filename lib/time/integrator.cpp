@@ -12,6 +12,7 @@
 #include "fem/row_on_states.hpp"
 #include "model/crossing.hpp"
 #include "time/compatibility.hpp"
+#include "time/displacement_error.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -88,6 +89,8 @@ void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double t
   dissipated_ = 0;
   external_work_ = 0;
   previous_ = {};
+  earlier_dt_ = 0;
+  nearest_ = Predictor::LastDisplacement;
   attempted_dt_ = 0;
   acceleration_known_ = false;
   dissipated_before_ = 0;
@@ -236,7 +239,7 @@ void Integrator::accept() {
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
   if (model_.has_springs()) external_work_ += model_.grip_work();
   external_work_ += moved;
-  if (table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
+  look_back(dt);
   if (judged_) {
     previous_.v = states_.front().v;
     previous_.known = true;
@@ -256,6 +259,9 @@ double Integrator::error() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
   judged_ = true;
   if (!previous_.known && states_.size() == 2 && !know_acceleration()) return std::numeric_limits<double>::infinity();
+  if (table_.closing == Closing::Collocate && states_.size() == 2 && earlier_dt_ > 0)
+    return displacement_error(model_, table_, states_, attempted_dt_,
+                              {previous_u_, earlier_u_, previous_.dt, earlier_dt_});
   return local_error(model_, table_, states_, attempted_dt_, previous_);
 }
 

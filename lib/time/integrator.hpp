@@ -96,7 +96,10 @@ class Integrator {
   void begin_at(std::vector<double> u, std::vector<double> v, double time);
   void find_forces();
   bool know_acceleration();
+  Predictor usable(Predictor predictor) const;
+  void look_ahead(Predictor predictor, std::size_t stage, double h, std::vector<double>& guess) const;
   void predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const;
+  void look_back(double dt);
   NewtonResult solve_stage(std::size_t stage, double dt, std::vector<double>& u);
   NewtonResult solve_from_nearby(std::size_t stage, double dt, std::vector<double>& u);
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
@@ -126,8 +129,12 @@ class Integrator {
   std::vector<double> dissipations_;  ///< by source
   double dissipated_before_ = 0;
   double external_work_ = 0;
-  std::vector<double> previous_u_;  ///< at the start of the step before, for Predictor::Extrapolation
-  PreviousVelocity previous_;       ///< v only if steps are judged
+  // Displacements at the start of the step before, and of the step before that, and the length of the latter (0: there
+  // was none), for predictors that look back; and the predictor that was nearest to the end of the last step.
+  std::vector<double> previous_u_, earlier_u_;
+  double earlier_dt_ = 0;
+  Predictor nearest_ = Predictor::LastDisplacement;
+  PreviousVelocity previous_;  ///< v only if steps are judged
   bool judged_ = false;
   double attempted_dt_ = 0;  ///< 0 if no attempt waits to be accepted
   bool acceleration_known_ = false;

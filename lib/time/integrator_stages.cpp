@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fem/row_on_states.hpp"
+#include "time/guess_error.hpp"
 #include "time/integrator.hpp"
 
 namespace ixos {
@@ -16,25 +17,67 @@ void copy_owned(const std::vector<double>& local, Vector& owned) {
 
 }  // namespace
 
-void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
+/// Returns the predictor itself, or the one to use in its place.
+Predictor Integrator::usable(Predictor predictor) const {
+  if (predictor == Predictor::Nearest) return nearest_;
+  if (predictor == Predictor::Quadratic && earlier_dt_ == 0) predictor = Predictor::Extrapolation;
+  return predictor == Predictor::Extrapolation && previous_.dt == 0 ? Predictor::LastDisplacement : predictor;
+}
+
+/// Sets `guess` to the usable predictor's displacement at the time h after the latest state before the stage's end.
+void Integrator::look_ahead(Predictor predictor, std::size_t stage, double h, std::vector<double>& guess) const {
   const State& last = states_[stage];
-  const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
-  const double h = (table_.stages[stage].end - start) * dt;
   guess = last.u;
   if (predictor == Predictor::LastDisplacement) return;
-  if (predictor == Predictor::Extrapolation) {
-    if (previous_.dt == 0) return;
+  if (predictor == Predictor::Extrapolation || predictor == Predictor::Quadratic) {
+    // Newton's divided differences.
     const State& first = states_.front();
-    const double ratio = h / previous_.dt;
-    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * (first.u[i] - previous_u_[i]);
-  } else {
-    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
+    const double rate = h / previous_.dt;
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += rate * (first.u[i] - previous_u_[i]);
+    if (predictor == Predictor::Extrapolation) return;
+    const double bend = h * (h + previous_.dt) / (previous_.dt + earlier_dt_);
+    for (std::size_t i = 0; i < guess.size(); ++i)
+      guess[i] +=
+          bend * ((first.u[i] - previous_u_[i]) / previous_.dt - (previous_u_[i] - earlier_u_[i]) / earlier_dt_);
+    return;
   }
-  if (predictor == Predictor::ConstantAcceleration || predictor == Predictor::Newmark) {
-    const double factor = predictor == Predictor::Newmark ? h * h / 4 : h * h / 2;
-    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * last.a[i];
+  for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += h * last.v[i];
+  if (predictor == Predictor::ConstantVelocity) return;
+  const double factor = predictor == Predictor::Newmark ? h * h / 4 : h * h / 2;
+  for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += factor * last.a[i];
+}
+
+void Integrator::predict(Predictor predictor, std::size_t stage, double dt, std::vector<double>& guess) const {
+  const double start = stage == 0 ? 0.0 : table_.stages[stage - 1].end;
+  predictor = usable(predictor);
+  look_ahead(predictor, stage, (table_.stages[stage].end - start) * dt, guess);
+  if (predictor != Predictor::LastDisplacement) solver(stage).problem.clip(states_[stage].u, guess);
+}
+
+/// Keeps what the next steps' predictors need of the step of length dt that is to be accepted.
+void Integrator::look_back(double dt) {
+  const bool nearest = table_.predictor == Predictor::Nearest;
+  if (nearest) {
+    // Where the last displacement is about as near as another guess, Newton's first iteration makes more of it.
+    double least = 0;
+    nearest_ = Predictor::LastDisplacement;
+    for (Predictor candidate :
+         {Predictor::LastDisplacement, Predictor::ConstantVelocity, Predictor::Extrapolation, Predictor::Quadratic}) {
+      if (usable(candidate) != candidate) continue;
+      look_ahead(candidate, 0, dt, known_);
+      const double error = model_.space().maximum(guess_error(model_, known_, states_.back().u));
+      if (candidate != Predictor::LastDisplacement && !(error < least)) continue;
+      least = candidate == Predictor::LastDisplacement ? 0.7 * error : error;
+      nearest_ = candidate;
+    }
   }
-  solver(stage).problem.clip(last.u, guess);
+  const bool both = nearest || table_.predictor == Predictor::Quadratic || judged_;
+  if (both) {
+    std::swap(earlier_u_, previous_u_);
+    // A rank without nodes has empty arrays, too.
+    earlier_dt_ = model_.space().maximum(earlier_u_.empty() ? 0.0 : 1.0) > 0 ? previous_.dt : 0;
+  }
+  if (both || table_.predictor == Predictor::Extrapolation) previous_u_ = states_.front().u;
 }
 
 NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<double>& u) {
@@ -44,9 +87,7 @@ NewtonResult Integrator::solve_stage(std::size_t stage, double dt, std::vector<d
     return solver(stage).newton.solve(*unknown_);
   };
   NewtonResult result = solve_from(table_.predictor);
-  const bool same_guess = table_.predictor == Predictor::LastDisplacement ||
-                          (table_.predictor == Predictor::Extrapolation && previous_.dt == 0);
-  if (!result.converged && !same_guess) {
+  if (!result.converged && usable(table_.predictor) != Predictor::LastDisplacement) {
     const int spent = result.iterations;
     result = solve_from(Predictor::LastDisplacement);
     result.iterations += spent;

@@ -72,6 +72,13 @@ void Integrator::transfer_derived(Record& record) {
     record.number(("dissipated: " + model_.dissipation_names()[i]).c_str(), dissipations_[i]);
   model_.transfer(record);
   record.field("previous displacement", previous_u_, Extent::Local);
+  record.field("earlier displacement", earlier_u_, Extent::Local);
+  record.number("earlier step", earlier_dt_);
+  auto nearest = static_cast<int>(nearest_);
+  record.number("nearest predictor", nearest);
+  if (nearest < 0 || nearest >= static_cast<int>(Predictor::Nearest))
+    throw InputError(fmt::format("there is no predictor {}", nearest));
+  nearest_ = static_cast<Predictor>(nearest);
   record.field("previous velocity", previous_.v, Extent::Local);
   record.number("previous step", previous_.dt);
   record.number("previous known", previous_.known);
@@ -81,8 +88,14 @@ void Integrator::transfer_derived(Record& record) {
   if (!model_.loads().empty()) check_whole("load", state.load, Extent::Owned);
   if (!model_.constraints().empty()) check_whole("reaction", state.reaction, Extent::Owned);
   if (previous_.known) check_whole("previous velocity", previous_.v, Extent::Local);
-  if (previous_.dt != 0 && table_.predictor == Predictor::Extrapolation)
+  const bool looks_back = table_.predictor == Predictor::Extrapolation || table_.predictor == Predictor::Quadratic ||
+                          table_.predictor == Predictor::Nearest;
+  if (previous_.dt != 0 && looks_back) check_whole("previous displacement", previous_u_, Extent::Local);
+  if (earlier_dt_ != 0) {
     check_whole("previous displacement", previous_u_, Extent::Local);
+    check_whole("earlier displacement", earlier_u_, Extent::Local);
+  }
+  if (usable(nearest_) != nearest_) throw InputError("the nearest predictor needs earlier displacements");
   int points = table_.interaction_points;
   record.number("interaction points", points);
   set_interaction_points(points);

@@ -14,7 +14,7 @@ Stage momentum_form_stage() {
 }
 
 Table momentum_form_table(const char* name, const Stage& stage) {
-  return {name, {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::LastDisplacement};
+  return {name, {stage}, Closing::Collocate, {WorkSum::Form::Increment, {}}, Predictor::Nearest};
 }
 
 }  // namespace ixos

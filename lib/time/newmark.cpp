@@ -12,7 +12,7 @@ Table newmark(double beta, double gamma) {
   stage.elastic = end_rule();
   stage.interaction = end_rule();
   stage.load = {{1.0, 1.0}};
-  Table table{"Newmark", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::LastDisplacement};
+  Table table{"Newmark", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::Nearest};
   table.error_constant = beta - 1.0 / 6;
   return table;
 }

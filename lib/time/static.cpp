@@ -8,7 +8,7 @@ Table static_equilibrium() {
   stage.elastic = end_rule();
   stage.interaction = end_rule();
   stage.load = {{1.0, 1.0}};
-  Table table{"Static", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::LastDisplacement};
+  Table table{"Static", {stage}, Closing::Kinematic, {WorkSum::Form::EndMean, {}}, Predictor::Nearest};
   table.mass = Inertia::None;
   table.error_constant = 0;
   return table;

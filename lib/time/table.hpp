@@ -46,8 +46,18 @@ enum class Closing {
 
 /// The start of Newton's iteration: u_k + h v_k + h^2/2 a_k, cut after the first, second or third part, from the latest
 /// known state k, h to the stage's end; Newmark's predictor for beta = 1/4, with h^2/4 a_k; or the straight line
-/// through the starts of this step and the one before. Always clipped to admissible gaps.
-enum class Predictor { LastDisplacement, ConstantVelocity, ConstantAcceleration, Newmark, Extrapolation };
+/// through the starts of this step and the one before (Extrapolation); the parabola through these and the start of the
+/// step before that (Quadratic); or, of the first two, the line and the parabola, the one that was nearest to the end
+/// of the last step (Nearest, see guess_error()). Always clipped to admissible gaps.
+enum class Predictor {
+  LastDisplacement,
+  ConstantVelocity,
+  ConstantAcceleration,
+  Newmark,
+  Extrapolation,
+  Quadratic,
+  Nearest
+};
 
 /// Velocity and acceleration of driven degrees of freedom: those of their motion, or those of the scheme. Schemes in
 /// momentum form take the scheme's in any case.

@@ -10,6 +10,7 @@
 #include "io/exodus_mesh.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/given.hpp"
+#include "mesh/joined_parts.hpp"
 #include "mesh/quality.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
@@ -153,6 +154,17 @@ that do not fit each other and for inverted cells.)")
       .def_static(
           "read", [](const std::filesystem::path& path) { return read_exodus_mesh(path.string()); }, py::arg("path"),
           "Reads an Exodus file.")
+      .def_static(
+          "joined",
+          [](const py::dict& parts) {
+            std::vector<MeshPart> all;
+            for (const auto& [name, mesh] : parts) all.push_back({py::str(name), mesh.cast<const Mesh&>()});
+            return joined_parts(all);
+          },
+          py::arg("parts"),
+          "Joins meshes, by name, into one without merging nodes. The names of blocks and sets begin with that of "
+          "their "
+          "part: \"left_surface\". Raises InputError if the meshes do not fit each other.")
       .def_static("of",
                   [](const SceneList& scene) {
                     return at_scene(scene.file, {}, [&] {

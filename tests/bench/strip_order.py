@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The order at which the static peak force of the strip converges with the mesh, for four elements.
+"""The order at which the static peak force of the strip converges with the mesh, for five elements.
 
     tests/bench/strip_order.py [--driver build/release/drivers/ixos] [--cells 40 80 160 320] [--along 1] [--limit F]
 
@@ -26,7 +26,8 @@ CONTACT = "Interactions/Wall/Contact Element="
 QUADRATIC = "quadratic, Q2C2"
 ELEMENTS = {"Q1C1": [CONTACT + "Q1C1"], "Q1C4": [CONTACT + "Q1C4"],
             "Enhanced, Q1C4": [CONTACT + "Q1C4", "Materials/Strip/Element Formulation=Enhanced"],
-            QUADRATIC: [CONTACT + "Q2C2", "Mesh/Cell Order=2"]}
+            QUADRATIC: [CONTACT + "Q2C2", "Mesh/Cell Order=2"],
+            "quadratic, Q2C4": [CONTACT + "Q2C4", "Mesh/Cell Order=2"]}
 END = 14.0  # T0; the peak lies at a displacement of 11 L0
 
 

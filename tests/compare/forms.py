@@ -27,6 +27,7 @@ FILM_FRICTION = ["Interactions/Wall/Friction/" + setting
                  for setting in ("Type=Constant Stress", "Stress=0.003", "Stiffness=1.5")]
 BALL_ON_WALL = ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
 BALL_BRANCH = ["Materials/Ball/Maxwell Branches/" + setting for setting in ("Relaxation Times={3}", "Moduli={0.3}")]
+TWO_BALLS = [FINAL + "0.3"]
 ROUGH = ["Mesh/Box/Divisions={6, 6, 2}", FINAL + "1"]
 SCANNED = ["Interactions/Sample/Obstacle=Height Field", "Interactions/Sample/Height Field/File=afm-rough.gsf",
            "Interactions/Sample/Height Field/Periodic=true"]
@@ -58,6 +59,9 @@ STUDIES = {
     "ball-adaptive-study": ShortStudy({TIME: "0.4"}, {"Level": ["1", "2"]}, {STEP: "0.0005"}),
     "rate-peel-study": ShortStudy({TIME: "25"}, {"History": ["Static", "Second Order"], "Time Step": ["5"]},
                                   {STEP: "2.5"}, {"Interval": "{0, 25}"}),
+    "spatula-elements-study": ShortStudy({TIME: "2", RAMP[:-1]: "2"},
+                                         {"Elements": ["Q1C1 1500", "Q2 600"], "Time Step": ["0.5"]},
+                                         {"Mesh/Spatula/Target Cells": "600", STEP: "0.25"}, TO_2),
     "spatula-study": ShortStudy({TIME: "2", RAMP[:-1]: "2"}, {"Time Step": ["0.5"], "Tolerance": ["1e-4", "1e-9"]},
                                 {STEP: "0.25"}, TO_2),
     "strip-elements-study": ShortStudy({RAMP[:-1]: "1.5", TIME: "2", "Output/History Time Interval": "0.5"},
@@ -109,6 +113,8 @@ def scene_forms(schemes):
     yield "film-peel", "film-peel", [FINAL + "2"]
     yield "film-peel, friction", "film-peel", [FINAL + "12", *FILM_FRICTION]
     yield "rate-peel", "rate-peel", RATE_PEEL
+    yield "two-balls", "two-balls", TWO_BALLS
+    yield "two-balls, two ranks", "two-balls", TWO_BALLS, 2
     yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
     yield "spring-block", "spring-block", [FINAL + "0.5"]
     yield "restitution", "restitution", BALL_ON_WALL

@@ -9,21 +9,35 @@
 #include <cmath>
 
 #include "mesh/cell_order.hpp"
+#include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "mesh/halving.hpp"
 #include "mesh/partition.hpp"
+#include "mesh/selection.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
 namespace {
 
 LocalMesh part_of(const Mesh& mesh, const Comm& comm) {
-  return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize());
+  const int rank = comm->getRank(), ranks = comm->getSize();
+  const std::vector<int> owner = partition_nodes(mesh, ranks);
+  LocalMesh part = localize(mesh, owner, rank, ranks);
+  if (const auto halving = halve(mesh))
+    part.halving = std::make_shared<const LocalHalving>(localize(*halving, owner, rank, ranks, part));
+  return part;
 }
 
-/// A box of quadratic cells, 3 x 2 (x 2), whose bottom is constrained along all axes, the middle of an edge of the top
-/// along the first one.
+struct Kind {
+  int dimension;
+  bool quadratic;
+};
+
+/// A box of quadratic cells, 3 x 2 (x 2), or of linear ones with the same nodes, whose bottom is constrained along all
+/// axes, the middle of an edge of the top along the first one.
 struct Body {
-  explicit Body(int dimension) : comm(test::world()), mesh(part_of(whole(dimension), comm)), space(mesh, comm) {
+  explicit Body(const Kind& kind) : comm(test::world()), mesh(part_of(whole(kind), comm)), space(mesh, comm) {
+    const int dimension = kind.dimension;
     for (const int node : mesh.node_sets[mesh.node_set("bottom")])
       for (int i = 0; i < dimension; ++i) constrained.push_back(node * dimension + i);
     for (int node = 0; node < mesh.nodes(); ++node)
@@ -31,13 +45,14 @@ struct Body {
         constrained.push_back(node * dimension);
   }
   static double height(int dimension) { return dimension == 2 ? 0 : 2; }
-  static Mesh whole(int dimension) {
+  static Mesh whole(const Kind& kind) {
     BoxShape shape;
-    shape.dimension = dimension;
+    shape.dimension = kind.dimension;
     shape.lengths = {3, 2, 2};
-    shape.divisions = {3, 2, 2};
+    shape.divisions = {6, 4, 4};
+    if (kind.quadratic) shape.divisions = {3, 2, 2};
     Mesh mesh = box(shape);
-    raise_order(mesh);
+    if (kind.quadratic) raise_order(mesh);
     return mesh;
   }
   double place(int node, int i) const { return mesh.coordinates[static_cast<std::size_t>(node * mesh.dimension + i)]; }
@@ -72,22 +87,23 @@ double multilinear(const std::array<double, 3>& x, std::size_t i) {
   return (1 + 2 * x[0]) * (3 - x[1]) * (0.5 + x[2]) + static_cast<double>(i);
 }
 
-class CoarseSpaceTest : public testing::TestWithParam<int> {};
+class CoarseSpaceTest : public testing::TestWithParam<Kind> {};
 
 TEST_P(CoarseSpaceTest, HasTheCornersOnceEach) {
   const Body body(GetParam());
   const CoarseSpace coarse(body.mesh, body.space, {});
-  EXPECT_EQ(coarse.mesh().global_nodes, GetParam() == 2 ? 4 * 3 : 4 * 3 * 3);
-  EXPECT_EQ(coarse.space().global(), coarse.mesh().global_nodes * GetParam());
+  EXPECT_EQ(coarse.mesh().global_nodes, GetParam().dimension == 2 ? 4 * 3 : 4 * 3 * 3);
+  EXPECT_EQ(coarse.space().global(), coarse.mesh().global_nodes * GetParam().dimension);
   double owned = coarse.mesh().owned_nodes;
   coarse.space().sum(&owned, 1);
   EXPECT_EQ(owned, static_cast<double>(coarse.mesh().global_nodes));
-  EXPECT_EQ(coarse.mesh().blocks[0].type, GetParam() == 2 ? CellType::Quad4 : CellType::Hex8);
+  EXPECT_EQ(coarse.mesh().blocks[0].type, GetParam().dimension == 2 ? CellType::Quad4 : CellType::Hex8);
   for (int node = 0; node < body.mesh.nodes(); ++node)
     if (const int number = coarse.number(node); number >= 0) {
       EXPECT_EQ(number < coarse.mesh().owned_nodes, node < body.mesh.owned_nodes);
-      for (int i = 0; i < GetParam(); ++i)
-        EXPECT_EQ(coarse.mesh().coordinates[static_cast<std::size_t>(number * GetParam() + i)], body.place(node, i));
+      for (int i = 0; i < GetParam().dimension; ++i)
+        EXPECT_EQ(coarse.mesh().coordinates[static_cast<std::size_t>(number * GetParam().dimension + i)],
+                  body.place(node, i));
     }
   // Ghosts carry their owners' numbers: a field of the place comes back from an exchange.
   std::vector<double> local(coarse.mesh().coordinates);
@@ -102,6 +118,30 @@ TEST_P(CoarseSpaceTest, ProlongatesMultilinearFieldsExactly) {
   coarse.prolongate(body.field(coarse.mesh(), coarse.space(), multilinear), fine);
   fine.update(-1.0, body.field(body.mesh, body.space, multilinear), 1.0);
   EXPECT_LT(fine.normInf(), 1e-13);
+}
+
+// Nodes at the quarters of contact sides follow the linear cells too; a tied edge has none.
+TEST(ContactCoarseSpaceTest, ProlongatesToContactSidesOfFourthOrder) {
+  for (const int dimension : {2, 3}) {
+    const Kind kind{dimension, true};
+    Mesh whole = Body::whole(kind);
+    add_side_set(whole, "patch", "bottom",
+                 {{}, dimension == 2 ? std::vector<double>{2, 2} : std::vector<double>{2, 1.5, 2}});
+    enrich(whole, "patch", ContactElement::Q2C4);
+    bool is_tied = false;
+    for (const ElementBlock& block : whole.blocks) is_tied = is_tied || block.tied != 0;
+    EXPECT_EQ(is_tied, dimension == 3);
+    const Comm comm = test::world();
+    const LocalMesh mesh = part_of(whole, comm);
+    const DofSpace space(mesh, comm);
+    const CoarseSpace coarse(mesh, space, {});
+    EXPECT_EQ(coarse.mesh().global_nodes, dimension == 2 ? 4 * 3 : 4 * 3 * 3);
+    const Body body(kind);
+    Vector fine(space.owned_map());
+    coarse.prolongate(body.field(coarse.mesh(), coarse.space(), multilinear), fine);
+    fine.update(-1.0, body.field(mesh, space, multilinear), 1.0);
+    EXPECT_LT(fine.normInf(), 1e-13);
+  }
 }
 
 TEST_P(CoarseSpaceTest, RestrictionIsTheTranspose) {
@@ -130,25 +170,16 @@ TEST_P(CoarseSpaceTest, MovesNoConstrainedDegreeOfFreedom) {
   double left_out = 0;
   for (const int dof : coarse.left_out()) left_out += dof < coarse.space().owned() ? 1 : 0;
   coarse.space().sum(&left_out, 1);
-  EXPECT_EQ(left_out, GetParam() == 2 ? 4 * 2 : 4 * 3 * 3 + 2);
-}
-
-/// A matrix of the coarse space with these values.
-Teuchos::RCP<CrsMatrix> matrix_of(const CoarseSpace& coarse, const std::vector<double>& values) {
-  const auto matrix = coarse.pattern().create_matrix(coarse.space());
-  std::copy(values.begin(), values.end(), matrix->getLocalMatrixHost().values.data());
-  return matrix;
+  EXPECT_EQ(left_out, GetParam().dimension == 2 ? 4 * 2 : 4 * 3 * 3 + 2);
 }
 
 TEST_P(CoarseSpaceTest, DiagonalsHaveAGalerkinProduct) {
   const Body body(GetParam());
   const CoarseSpace coarse(body.mesh, body.space, body.constrained);
   const Vector diagonal = body.field(body.mesh, body.space, wave);
-  std::vector<double> local(coarse.fine_local()), values(coarse.values(), 0.0);
+  std::vector<double> local(coarse.fine_local());
   body.space.import(diagonal, local.data());
-  coarse.add_diagonal(local.data(), values.data());
-  coarse.leave_out(7, values.data());
-  const auto matrix = matrix_of(coarse, values);
+  const auto matrix = coarse.matrix([&](double* values) { coarse.add_diagonal(local.data(), values); }, 7);
   Vector x = body.field(coarse.mesh(), coarse.space(), other_wave);
   Vector product(coarse.space().owned_map()), fine(body.space.owned_map()), expected(coarse.space().owned_map());
   matrix->apply(x, product);
@@ -166,15 +197,16 @@ TEST_P(CoarseSpaceTest, DiagonalsHaveAGalerkinProduct) {
   EXPECT_LT(expected.normInf(), 1e-14 * static_cast<double>(product.getGlobalLength()));
 }
 
-TEST_P(CoarseSpaceTest, LinearCellsHaveNone) {
+TEST(CoarseSpaceSerialTest, LinearCellsWithoutParentsHaveNone) {
   BoxShape shape;
-  shape.dimension = GetParam();
+  shape.divisions = {3, 2, 1};
   const LocalMesh mesh = part_of(box(shape), test::world());
   const DofSpace space(mesh, test::world());
   EXPECT_THROW(CoarseSpace(mesh, space, {}), std::logic_error);
 }
 
-INSTANTIATE_TEST_SUITE_P(Dimensions, CoarseSpaceTest, testing::Values(2, 3));
+INSTANTIATE_TEST_SUITE_P(Kinds, CoarseSpaceTest,
+                         testing::Values(Kind{2, true}, Kind{3, true}, Kind{2, false}, Kind{3, false}));
 
 }  // namespace
 }  // namespace ixos

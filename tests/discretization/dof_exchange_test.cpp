@@ -6,6 +6,7 @@
 #include <Tpetra_Vector.hpp>
 #include <stdexcept>
 
+#include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "support/refusal.hpp"
@@ -110,6 +111,19 @@ TEST(DofExchangeTest, WrongNumbersAreRefused) {
   test::expect_contains(message([](GlobalId node, int) { return 10 + node; }), "two displacements have the number");
   // The usual numbers, 0 to 39, are not in that map either.
   test::expect_contains(test::refusal([&] { DofExchange(part.mesh, part.space, part.map()); }), "no degree of freedom");
+}
+
+// The map of a program that knows linear cells lacks the middles; the message names what added them.
+TEST(DofExchangeTest, TheMiddlesOfARaisedMeshAreNamed) {
+  Mesh raised = Exchanged::grid();
+  raise_order(raised);
+  const Exchanged part(raised);
+  const std::string message = test::refusal([&] { part.exchange(); });
+  test::expect_contains(message, "no degree of freedom");
+  test::expect_contains(message, "which Mesh/Cell Order 2 (raise_order()) added to the 20 nodes of the linear mesh");
+  // With numbers for all nodes it is an exchange as any other.
+  const auto all = Teuchos::rcp(new Map(2 * part.mesh.global_nodes, 0, part.comm));
+  EXPECT_EQ(test::refusal([&] { DofExchange(part.mesh, part.space, all); }), "");
 }
 
 TEST(DofExchangeTest, NumbersThatCollideAcrossRanksOnlyAreRefused) {

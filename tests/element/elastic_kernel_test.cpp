@@ -94,7 +94,7 @@ using Bodies =
     testing::Types<Body<Quad4, NeoHooke>, Body<Hex8, NeoHooke>, Body<Quad4, LinearElastic>, Body<Hex8, LinearElastic>,
                    Body<Hex8C2, NeoHooke>, Body<Hex8CH, NeoHooke>, Body<Quad4C2, NeoHooke>, Body<Quad4C3, NeoHooke>,
                    Body<Quad4C4, NeoHooke>, Body<Quad4CH, NeoHooke>, Body<Quad9, NeoHooke>, Body<Hex27, NeoHooke>,
-                   Body<Quad9, LinearElastic>>;
+                   Body<Quad9, LinearElastic>, Body<Quad9C4, NeoHooke>>;
 TYPED_TEST_SUITE(ElasticKernelTest, Bodies);
 
 TYPED_TEST(ElasticKernelTest, WeightsSumToTheVolume) {

@@ -8,6 +8,7 @@
 #include "base/small_matrix.hpp"
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"
+#include "fem/quadratic_contact_elements.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 #include "support/automatic_differentiation.hpp"
@@ -20,7 +21,8 @@ struct ElementNodes {
   static constexpr std::size_t N = Element::nodes;
   static constexpr std::size_t D = Element::dimension;
   static constexpr int dofs = static_cast<int>(N * D);
-  static constexpr bool quadratic = std::is_same_v<Element, Quad9> || std::is_same_v<Element, Hex27>;
+  static constexpr bool enriched = std::is_same_v<Element, Quad9C4>;  // and quadratic
+  static constexpr bool quadratic = enriched || std::is_same_v<Element, Quad9> || std::is_same_v<Element, Hex27>;
   using Variable = Dual<dofs>;
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -34,6 +36,8 @@ struct ElementNodes {
       for (std::size_t d = 0; d < D; ++d) {
         if (a < corner.size())
           x[a][d] = 0.5 * corner[a][d] * edges[d];
+        else if constexpr (enriched)
+          x[a][d] = 0.5 * Element::place(a)[d] * edges[d];
         else if constexpr (quadratic)
           x[a][d] = 0.5 * LagrangeEdge<2>::node(Element::factors(a)[d]) * edges[d];
         else if (std::is_same_v<Element, Quad4CH>)
@@ -51,7 +55,7 @@ struct ElementNodes {
   /// Numbers without order; smaller ones in quadratic elements, whose gradients they make steeper.
   static Nodal<double> wave(double amplitude, double phase) {
     Nodal<double> values{};
-    if (quadratic) amplitude *= 0.25;
+    if (quadratic) amplitude *= enriched ? 0.1 : 0.25;
     for (auto& node : values)
       for (double& value : node) value = amplitude * std::sin(phase += 1.7);
     return values;

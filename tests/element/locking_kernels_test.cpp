@@ -23,8 +23,8 @@ class LockingKernelsTest : public testing::Test {};
 using Bodies =
     testing::Types<Mean<Quad4, NeoHooke>, Mean<Hex8, NeoHooke>, Mean<Quad4, LinearElastic>, Mean<Hex8, LinearElastic>,
                    Mean<Quad4C2, NeoHooke>, Mean<Quad4C3, NeoHooke>, Mean<Quad4CH, NeoHooke>, Mean<Quad9, NeoHooke>,
-                   Mean<Hex27, NeoHooke>, Modes<Quad4, NeoHooke>, Modes<Hex8, NeoHooke>, Modes<Quad4, LinearElastic>,
-                   Modes<Hex8, LinearElastic>>;
+                   Mean<Hex27, NeoHooke>, Mean<Quad9C4, NeoHooke>, Modes<Quad4, NeoHooke>, Modes<Hex8, NeoHooke>,
+                   Modes<Quad4, LinearElastic>, Modes<Hex8, LinearElastic>>;
 TYPED_TEST_SUITE(LockingKernelsTest, Bodies);
 
 TYPED_TEST(LockingKernelsTest, ForceIsTheGradientOfTheEnergy) {

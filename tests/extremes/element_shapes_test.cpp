@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "mesh/quality.hpp"
@@ -19,7 +20,7 @@ using test::world;
 
 /// A box of 3 x 3 (x 3) cells, inner nodes moved off the grid, its last axis shortened by `aspect`; then each layer is
 /// pushed along by `skew` times its height (parallelograms with an angle of 1/skew).
-Mesh drawn_out(int dimension, double aspect, double skew) {
+Mesh drawn_out(int dimension, double aspect, double skew, int order = 1) {
   BoxShape shape;
   shape.dimension = dimension;
   shape.lengths = {3, 3, 3};
@@ -35,6 +36,7 @@ Mesh drawn_out(int dimension, double aspect, double skew) {
     x[d - 1] /= aspect;
     x[0] += skew * x[d - 1];
   }
+  if (order == 2) raise_order(mesh);
   return mesh;
 }
 
@@ -86,6 +88,15 @@ TEST(ElementShapesTest, AffineMotionIsExactForAnyAspectAndSkew) {
           // What rounding costs grows with the elements' condition.
           EXPECT_LT(error, 1e-13 * (1 + aspect + skew * skew)) << dimension << "D " << aspect << ' ' << skew;
         }
+}
+
+TEST(ElementShapesTest, AffineMotionOfQuadraticCellsIsExactForAnyAspectAndSkew) {
+  for (int dimension : {2, 3})
+    for (double aspect : {1.0, 30.0, 1000.0})
+      for (double skew : {0.0, 10.0, 1000.0}) {
+        const double error = patch_error(drawn_out(dimension, aspect, skew, 2), Formulation::Standard);
+        EXPECT_LT(error, 1e-13 * (1 + aspect + skew * skew)) << dimension << "D " << aspect << ' ' << skew;
+      }
 }
 
 /// A quadrilateral whose third corner is at (t, t), of the square with corners 0 and 1.

@@ -10,8 +10,10 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
 #include "fem/shape_table.hpp"
+#include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
@@ -174,6 +176,76 @@ TEST(OutputMeshTest, TheCurvedSideIsTheElementsOwn) {
       const double x = output.mesh.coordinates[2 * n], y = output.mesh.coordinates[2 * n + 1];
       EXPECT_NEAR(shown[n], y == 0 ? (x - 1) * (x - 1) - 1 : 0.0, 1e-14);
     }
+  }
+}
+
+/// The integral of a field over quadratic cells, by the program's own elements.
+template <class Element>
+double integral(const Mesh& mesh, const std::vector<double>& field) {
+  const ShapeTable<Element> table;
+  double sum = 0;
+  for (const ElementBlock& block : mesh.blocks)
+    for (int cell = 0; cell < block.cells(); ++cell) {
+      const int* nodes = &block.nodes[cell_entry(cell, Element::nodes)];
+      for (std::size_t q = 0; q < table.size(); ++q) {
+        double value = 0;
+        for (std::size_t a = 0; a < Element::nodes; ++a)
+          value += table.value[q][a] * field[static_cast<std::size_t>(nodes[a])];
+        sum += value * table.weight[q] *
+               determinant(jacobian<Element::dimension>(mesh.coordinates, nodes, cell_scales<Element>(block, cell),
+                                                        table.gradient[q]));
+      }
+    }
+  return sum;
+}
+
+// Enriched quadratic cells are cut into quadratic ones, which fill the same space and show squares exactly.
+TEST(OutputMeshTest, EnrichedQuadraticCellsBecomeQuadraticOnes) {
+  for (const int dimension : {2, 3}) {
+    BoxShape shape;
+    shape.dimension = dimension;
+    shape.lengths = {3, 2, 2};
+    shape.divisions = {3, 2, 2};
+    Mesh mesh = box(shape);
+    raise_order(mesh);
+    add_side_set(mesh, "patch", "bottom",
+                 {{}, dimension == 2 ? std::vector<double>{2, 2} : std::vector<double>{2, 2, 2}});
+    enrich(mesh, "patch", ContactElement::Q2C4);
+    const LocalMesh local = localize(mesh, partition_nodes(mesh, 1), 0, 1);
+    const OutputMesh output(local, 1);
+    const int rich = dimension == 2 ? 2 : 4, parts = dimension == 2 ? 2 : 4;
+    EXPECT_EQ(output.mesh.cells(), (dimension == 2 ? 6 : 12) + rich * (parts - 1));
+    for (const ElementBlock& block : output.mesh.blocks)
+      EXPECT_EQ(block.type, dimension == 2 ? CellType::Quad9 : CellType::Hex27);
+    std::vector<double> field;
+    const auto d = static_cast<std::size_t>(dimension);
+    for (std::size_t k = 0; k < local.coordinates.size(); k += d)
+      field.push_back(local.coordinates[k] * local.coordinates[k] -
+                      2 * local.coordinates[k] * local.coordinates[k + 1]);
+    const std::vector<double> shown = output.nodal(field);
+    for (std::size_t n = 0; n < shown.size(); ++n) {
+      const double x = output.mesh.coordinates[d * n], y = output.mesh.coordinates[d * n + 1];
+      EXPECT_NEAR(shown[n], x * x - 2 * x * y, 1e-13);
+    }
+    const double expected = (9 * 2 - 2 * 9.0 / 2 * 4.0 / 2) * (dimension == 3 ? 2 : 1);
+    EXPECT_NEAR(dimension == 2 ? integral<Quad9>(output.mesh, shown) : integral<Hex27>(output.mesh, shown), expected,
+                1e-12);
+    const std::set<int> ids(output.description.node_ids.begin(), output.description.node_ids.end());
+    EXPECT_EQ(ids.size(), output.description.node_ids.size());
+    EXPECT_LE(*ids.rbegin(), output.description.global_nodes);
+    for (const SideSet& set : output.mesh.side_sets)
+      if (set.name == "patch") {
+        EXPECT_EQ(set.sides.size(), static_cast<std::size_t>(rich * parts));
+        for (const Side& side : set.sides) {
+          const ElementBlock& block = output.mesh.blocks[static_cast<std::size_t>(side.block)];
+          for (int a : side_nodes(block.type, side.side))
+            EXPECT_EQ(
+                output.mesh.coordinates[d * static_cast<std::size_t>(
+                                                block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]) +
+                                        d - 1],
+                0);
+        }
+      }
   }
 }
 

@@ -199,5 +199,34 @@ TEST(UnsoundMeshesTest, AMeshWithoutSideSetsHasNoNearestName) {
   expect_contains(message, "side set \"bottom\" does not exist. The mesh has none; Mesh/Sets can select one");
 }
 
+// Nodes of two parts may stand at one place, nodes of one part may not.
+TEST(UnsoundMeshesTest, PartsFromFilesAreJudgedEachAlone) {
+  Mesh broken = strip();
+  cut(broken, 2);
+  const auto scene = [](const Mesh& mesh) {
+    const std::string path = testing::TempDir() + "unsound_part.e";
+    write_exodus_mesh(mesh, path, "unsound");
+    const std::string file = word("Type", "Exodus") + list("Exodus", word("File", path));
+    return test::scene(
+        list("Mesh", word("Type", "Parts") +
+                         list("Parts", list("lower", file) + list("upper", file + numbers("Translation", {0, 2})))) +
+        list("Materials", list("A", word("Block", "lower_body")) + list("B", word("Block", "upper_body"))) +
+        list("Interactions", list("Wall", word("Side Set", "lower_bottom") + numbers("Point", {0, -0.5}))) +
+        test::time_integrator("Midpoint", 0.002, 0.02));
+  };
+  const auto named = [](const std::vector<std::string>& messages, const std::string& words) {
+    return std::count_if(messages.begin(), messages.end(),
+                         [&](const std::string& message) { return message.find(words) != std::string::npos; });
+  };
+  const std::vector<std::string> sound = warnings(scene(strip())), faulty = warnings(scene(broken));
+  EXPECT_EQ(named(sound, "part \""), 0);
+  for (const char* part : {"lower", "upper"})
+    EXPECT_EQ(named(faulty, "part \"" + std::string(part) + "\": 3 node(s) of the mesh stand where"), 1) << part;
+  EXPECT_EQ(named(faulty, "part \"lower\": 4 of the mesh's 8 elements"), 0);  // the wall holds both halves
+  EXPECT_EQ(named(faulty, "part \"upper\": 4 of the mesh's 8 elements"), 1);
+  const Simulation simulation(scene(strip()), test::self());
+  EXPECT_EQ(named(simulation.notes(), "the part \"lower\" spans 4 x 2 L0 = 4 nm x 2 nm; the part \"upper\" spans"), 1);
+}
+
 }  // namespace
 }  // namespace ixos

@@ -10,6 +10,7 @@
 #include <set>
 #include <tuple>
 
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "support/refusal.hpp"
@@ -31,6 +32,7 @@ DistributedMesh share_of(const Mesh& mesh, const std::vector<int>& owner) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
   DistributedMesh share;
   share.dimension = mesh.dimension;
+  share.order = is_quadratic(mesh.blocks[0].type) ? 2 : 1;
   for (int node = 0; node < mesh.nodes(); ++node) {
     if (owner[static_cast<std::size_t>(node)] != rank) continue;
     share.nodes.push_back(id_of(node));
@@ -90,7 +92,7 @@ std::vector<std::vector<int>> sorted(std::vector<std::vector<int>> sets) {
   return sets;
 }
 
-/// Two blocks in the plane, and a brick.
+/// Two blocks in the plane, and a brick, of linear and of quadratic cells.
 std::vector<Mesh> meshes() {
   BoxShape plane, brick;
   plane.divisions = {4, 4, 1};
@@ -103,7 +105,10 @@ std::vector<Mesh> meshes() {
   for (SideSet& set : two.side_sets)
     for (Side& side : set.sides)
       if (side.cell >= 8) side = {1, side.cell - 8, side.side};
-  return {two, box(brick)};
+  std::vector<Mesh> all{two, box(brick), two, box(brick)};
+  raise_order(all[2]);
+  raise_order(all[3]);
+  return all;
 }
 
 TEST(DistributedMeshTest, ItsPartsAreThoseOfTheWholeMesh) {
@@ -247,6 +252,44 @@ TEST(DistributedMeshTest, UnsoundMeshesAreRefusedOnAllRanks) {
                       if (!first) m.blocks[1].name = "other";
                     }),
                     "all ranks must list the same blocks and sets in the same order");
+}
+
+TEST(DistributedMeshTest, UnsoundQuadraticCellsAreRefusedOnAllRanks) {
+  const Comm comm = test::world();
+  const Mesh mesh = meshes()[2];
+  const DistributedMesh sound = share_of(mesh, partition_nodes(mesh, comm->getSize()));
+  const bool first = comm->getRank() == 0;
+  const auto message = [&](const std::function<void(DistributedMesh&)>& spoil) {
+    DistributedMesh share = sound;
+    spoil(share);
+    return refusal([&] { local_part(share, comm); });
+  };
+  EXPECT_EQ(message([](DistributedMesh&) {}), "");
+  expect_contains(message([](DistributedMesh& m) { m.order = 3; }), "cells have order 3; 1 or 2 are allowed");
+  expect_contains(message([&](DistributedMesh& m) {
+                    if (first) m.blocks[0].nodes.pop_back();
+                  }),
+                  "are not those of cells with 9 nodes");
+  // A second node in the middle of the right side of a cell: the body opens there.
+  expect_contains(message([&](DistributedMesh& m) {
+                    if (!first) return;
+                    const int block = m.blocks[0].nodes.empty() ? 1 : 0;
+                    long long& middle = m.blocks[static_cast<std::size_t>(block)].nodes[5];
+                    const auto x = mesh.coordinates.begin() + 2 * (middle - 100) / 3;
+                    const long long fresh = 90000;
+                    m.nodes.push_back(fresh);
+                    m.coordinates.insert(m.coordinates.end(), {*x, *(x + 1)});
+                    middle = fresh;
+                  }),
+                  "in its middle");
+  if (comm->getSize() > 1)
+    expect_contains(message([&](DistributedMesh& m) {
+                      if (first) return;
+                      m.order = 1;
+                      for (DistributedBlock& block : m.blocks) block.nodes.clear();
+                      for (SideSet& set : m.side_sets) set.sides.clear();
+                    }),
+                    "cells of order 2");
 }
 
 TEST(LocalPartTest, OfAWholeMeshIsThatOfItsPartition) {

@@ -40,7 +40,8 @@ std::unique_ptr<Model> revolved(ContactElement element, int across, bool sphere)
 }
 
 const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                           ContactElement::Q2C4};
 
 /// Returns pressure and traction at the node on the axis from the rank that owns it, on all ranks.
 std::array<double, 3> on_axis(const Model& model) {

@@ -95,7 +95,7 @@ TEST(AxisTest, LoadsAreThoseOfTheWholeBody) {
 
 TEST(AxisTest, AWallActsOnTheWholeDisk) {
   for (const ContactElement element :
-       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2}) {
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2, ContactElement::Q2C4}) {
     Mesh mesh = cylinder();
     if (element != ContactElement::Q1C1) test::give_contact_element(mesh, "bottom", element, 0);
     const auto model = body(mesh);

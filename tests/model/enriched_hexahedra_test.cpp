@@ -24,7 +24,8 @@ namespace ixos {
 namespace {
 
 const ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                   ContactElement::Q2C4};
 const VanDerWaals law(2.5, 25);
 
 /// A box of 4 by 3 by 2, the bottom enriched up to x = 2: its rim is tied there and free elsewhere.

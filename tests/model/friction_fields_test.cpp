@@ -19,7 +19,8 @@ namespace {
 constexpr double stress = 0.03, stiffness = 5, way = 0.4, radius = 50, lowest = 0.15;
 
 const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                           ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                           ContactElement::Q2C4};
 
 enum class Shape { Plane, Sphere, Ring };
 

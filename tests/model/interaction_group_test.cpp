@@ -145,7 +145,7 @@ std::unique_ptr<Model> on_sphere(int dimension, ContactElement element) {
 // Forces of a sphere point to its centre c, so their moment about the origin is c x F, whatever the displacement.
 TEST(InteractionGroupTest, TheMomentAboutASpheresCentreIsZero) {
   for (const ContactElement element :
-       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2})
+       {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1CH, ContactElement::Q2C2, ContactElement::Q2C4})
     for (const int dimension : {2, 3}) {
       const std::vector<double> c = center(dimension);
       const auto model = on_sphere(dimension, element);

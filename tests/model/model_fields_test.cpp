@@ -96,7 +96,8 @@ TEST(ModelFieldsTest, TheTraceOfTheStressIsTheFirstInvariant) {
 }
 
 constexpr ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                       ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                       ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                       ContactElement::Q2C4};
 const HalfSpace tilted{{0.3, -0.9, -0.6}, {0.48, 0.6, 0.64}}, tilted_2d{{0.3, -1.2, 0}, {-0.28, 0.96, 0}};
 const VanDerWaals law(2.5, 25);
 

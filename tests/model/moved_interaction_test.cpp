@@ -17,7 +17,8 @@ using Triple = std::array<double, 3>;
 
 const std::vector<std::pair<int, ContactElement>> bodies = {
     {2, ContactElement::Q1C1}, {2, ContactElement::Q1C3}, {2, ContactElement::Q1CH}, {2, ContactElement::Q2C2},
-    {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH}, {3, ContactElement::Q2C2}};
+    {2, ContactElement::Q2C4}, {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH},
+    {3, ContactElement::Q2C2}, {3, ContactElement::Q2C4}};
 
 std::shared_ptr<const TimeFunction> polynomial(double rate, double acceleration) {
   return function_of_time([=](double t) {

@@ -105,8 +105,8 @@ TEST(SurfaceInteractionTest, FactorsThatAreNoneAreRefused) {
 TEST(SurfaceInteractionTest, ANodalFactorIsLinearBetweenCorners) {
   const VanDerWaals law(2.5, 25);
   for (const bool curved : {false, true})
-    for (const ContactElement element :
-         {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH, ContactElement::Q2C2}) {
+    for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C3, ContactElement::Q1CH,
+                                         ContactElement::Q2C2, ContactElement::Q2C4}) {
       Mesh mesh = plate_mesh();
       test::give_contact_element(mesh, "bottom", element);
       auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::Consistent);

@@ -64,6 +64,13 @@ class UnitsTest(ScriptTest):
         self.assertIsNone(height("pressed", still.replace("{}", "{-, Press}")))
         self.assertIsNone(height("turned", still.replace('"Rotation" value=""', '"Rotation" value="Turn"')))
 
+    def test_a_pair_of_bodies_has_no_wall(self):
+        folder = peel(self.folder / "pair")
+        (folder / "effective.xml").write_text(
+            '<ParameterList><ParameterList name="Interactions"><ParameterList name="Contact">'
+            '<Parameter name="Primary Side Set" value="left_surface"/></ParameterList></ParameterList></ParameterList>')
+        self.assertIsNone(wall_height(folder))
+
     def test_prefixes_keep_numbers_readable(self):
         folder = self.measured("nano", 1e-9, 2e9, 1e-9)
         units.use_si(folder)

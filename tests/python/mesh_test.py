@@ -118,6 +118,16 @@ class MeshTest(FolderTest):
             twice = ixos.Mesh(POINTS[[0, 1, 4, 3]], {"a": [[0, 1, 2, 3]], "b": [[1, 2, 3, 0]]})
             pulled_block().simulation(mesh=twice)
 
+    def test_meshes_are_joined_under_their_names(self):
+        one = block()
+        joined = ixos.Mesh.joined({"left": one, "right": ixos.Mesh(POINTS + [9, 0], {"body": CELLS})})
+        self.assertEqual(list(joined.blocks), ["left_body", "right_body"])
+        np.testing.assert_array_equal(joined.points, np.vstack([POINTS, POINTS + [9, 0]]))
+        np.testing.assert_array_equal(joined.blocks["right_body"], CELLS + len(POINTS))
+        np.testing.assert_array_equal(joined.node_sets["left_left"], one.node_sets["left"])
+        with self.assertRaisesRegex(ixos.InputError, "a part has an empty name"):
+            ixos.Mesh.joined({"": one})
+
     def test_the_command_has_no_given_mesh(self):
         scene = pulled_block()
         scene.mesh.type = "Given"

@@ -44,6 +44,33 @@ TEST(CharacteristicNumbersTest, TheBallsAreClosedForms) {
   EXPECT_NEAR(surface.least_gap, gap + 2, 1e-6);  // a node stands at the lowest point
 }
 
+TEST(CharacteristicNumbersTest, EachPartHasItsOwnCurvature) {
+  const auto disk = [](double diameter, double x) {
+    return test::list("Disk", test::number("Diameter", diameter)) + test::numbers("Translation", {x, 10});
+  };
+  const auto block = [](const std::string& name) { return test::list(name, test::word("Block", name + "_body")); };
+  const auto wall = [](const std::string& name, const std::string& set) {
+    return test::list(name, test::word("Side Set", set));
+  };
+  const Simulation simulation(
+      test::scene(
+          test::list("Mesh", test::word("Type", "Parts") +
+                                 test::list("Parts", test::list("small", disk(4, 0)) +
+                                                         test::list("box", test::word("Type", "Box") +
+                                                                               test::numbers("Translation", {50, 1})) +
+                                                         test::list("large", disk(10, 20)))) +
+          test::list("Materials", block("small") + block("box") + block("large")) +
+          test::list("Interactions",
+                     wall("A", "large_surface") + wall("B", "box_bottom") + wall("C", "small_surface")) +
+          test::time_integrator("Newmark", 0.01, 1)),
+      test::self());
+  const std::vector<SurfaceNumbers>& surfaces = simulation.characteristic_numbers().surfaces;
+  ASSERT_EQ(surfaces.size(), 3U);
+  EXPECT_NEAR(surfaces[0].radius, 5, 1e-12);
+  EXPECT_EQ(surfaces[1].radius, SurfaceNumbers().radius);
+  EXPECT_NEAR(surfaces[2].radius, 2, 1e-12);
+}
+
 TEST(CharacteristicNumbersTest, TheTaborNumberOfASphereBeforeAFlatBody) {
   // 1.8848 at R = 500 and 0.8748 at R = 50 for nu = 0.2.
   for (const auto& [radius, tabor] : {std::pair{50.0, 0.8748}, std::pair{500.0, 1.8848}}) {

@@ -31,11 +31,12 @@ Mesh squares() {
 }
 
 Driving driving(const std::string& conditions, const std::string& histories = "", const GivenHistories& given = {},
-                bool axisymmetric = false) {
-  const Teuchos::ParameterList scene = validated(
-      test::scene(list("Materials", list("Rubber", number("Density", 1))) + list("Boundary Conditions", conditions) +
-                  list("Histories", histories) + test::time_integrator("Newmark", 0.1, 10)),
-      scene_parameters());
+                bool axisymmetric = false, const std::string& initial = "") {
+  const Teuchos::ParameterList scene =
+      validated(test::scene(list("Materials", list("Rubber", number("Density", 1))) +
+                            list("Boundary Conditions", conditions) + list("Histories", histories) +
+                            list("Initial Conditions", initial) + test::time_integrator("Newmark", 0.1, 10)),
+                scene_parameters());
   const SceneNode node(scene, "");
   StepControlOptions control;
   control.final_time = 10;
@@ -66,6 +67,17 @@ TEST(DrivingTest, AMotionConcernsItsOwnBodyOnly) {
   EXPECT_EQ(second.pulls[0].along, 0);
   EXPECT_EQ(second.approach, 0);
   EXPECT_NEAR(both.of_part(4, {0, -1, 0}).approach, 27, 1e-12);
+}
+
+TEST(DrivingTest, EachBodyStartsWithTheVelocityOfItsBlocks) {
+  const auto down = list("Down", test::texts("Blocks", "{second}") + numbers("Velocity", {0, -2}));
+  const Driving both = driving("", "", {}, false, numbers("Velocity", {0, -0.5}) + down);
+  EXPECT_NEAR(both.of_part(0, up).approach, 5, 1e-12);
+  EXPECT_NEAR(both.of_part(4, up).approach, 20, 1e-12);
+  EXPECT_FALSE(both.moves());
+  EXPECT_TRUE(
+      driving("", "", {}, false, list("Spin", test::texts("Blocks", "{second}") + numbers("Angular Velocity", {1})))
+          .moves());
 }
 
 TEST(DrivingTest, LoadsActOnTheBodiesOfTheirSets) {

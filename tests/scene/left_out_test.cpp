@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "support/bodies.hpp"
@@ -36,7 +37,7 @@ TEST(LeftOutTest, AFreeBodyLacksAlmostEverything) {
                                       "a second body", "fields.e"}));
 }
 
-TEST(LeftOutTest, NoSceneHasASecondBody) {
+TEST(LeftOutTest, ASceneOfOneBodyHasNoSecondOne) {
   const auto all = [](const std::string& friction) {
     return list("Mesh", word("Type", "Box")) +
            list("Materials", list("Rubber", test::number("Mass Damping", 0.1) + test::number("Viscosity", 0.1))) +
@@ -49,6 +50,18 @@ TEST(LeftOutTest, NoSceneHasASecondBody) {
   EXPECT_EQ(absent(all("")), (std::vector<std::string>{"friction", "a second body"}));
   const std::string rough = list("Friction", word("Type", "Constant Stress") + test::number("Stress", 0.1));
   EXPECT_EQ(absent(all(rough)), (std::vector<std::string>{"a second body"}));
+}
+
+TEST(LeftOutTest, TwoBodiesThatInteractLackNoSecondBody) {
+  const std::string parts = list("left", "") + list("right", list("Disk", numbers("Center", {11, 0})));
+  const auto names =
+      absent(list("Mesh", word("Type", "Parts") + list("Parts", parts)) +
+             list("Materials", list("Left", word("Block", "left_body")) + list("Right", word("Block", "right_body"))) +
+             list("Interactions",
+                  list("Contact", word("Side Set", "left_surface") + word("Primary Side Set", "right_surface"))) +
+             test::time_integrator("Newmark", 0.1, 1));
+  EXPECT_EQ(std::count(names.begin(), names.end(), "a second body"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "friction"), 1);
 }
 
 TEST(LeftOutTest, StaticsHasNoInertiaAndNothingThatDependsOnRates) {

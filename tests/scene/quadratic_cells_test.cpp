@@ -53,6 +53,10 @@ TEST(QuadraticSceneTest, TheSidesOfQuadraticCellsAreContactElements) {
     const std::vector<double> rest(static_cast<std::size_t>(s.model().space().local()), 0.0);
     EXPECT_NEAR(s.model().interaction_report(rest.data()).measure, 4, 1e-13);
   }
+  const Simulation rich(scene(box_of(2), word("Contact Element", "Q2C4") + count("Bulk Points", 6)), test::world());
+  EXPECT_EQ(rich.interactions()[0].element, ContactElement::Q2C4);
+  EXPECT_EQ(rich.model().mesh().global_nodes, 9 * 5 + 4 * 2);
+  expect_contains(explain(rich), "Q2C4 contact elements");
   const Simulation linear(scene(box_of(1)), test::world());
   EXPECT_EQ(linear.interactions()[0].element, ContactElement::Q1C1);
   expect_contains(explain(linear), "Q1C1 contact elements");
@@ -61,14 +65,14 @@ TEST(QuadraticSceneTest, TheSidesOfQuadraticCellsAreContactElements) {
 TEST(QuadraticSceneTest, WhatDoesNotFitIsRefusedWithTheReason) {
   for (const std::string element : {"Q1C2", "Q1C4", "Q1CH"})
     expect_contains(refusal(scene(box_of(2), word("Contact Element", element))),
-                    "Interactions/Wall/Contact Element: side set \"bottom\", block \"body\": only linear cells have "
-                    "enriched sides, and these cells are quadratic; choose Q2C2");
-  expect_contains(
-      refusal(scene(box_of(1), word("Contact Element", "Q2C2"))),
-      "Interactions/Wall/Contact Element: side set \"bottom\", block \"body\": Q2C2 is the side of quadratic "
-      "cells, and these cells are linear");
+                    "Interactions/Wall/Contact Element: side set \"bottom\", block \"body\": Q1C2, Q1C3, Q1C4 and "
+                    "Q1CH are contact elements of linear cells, and these cells are quadratic; choose Q2C2");
+  for (const std::string element : {"Q2C2", "Q2C4"})
+    expect_contains(refusal(scene(box_of(1), word("Contact Element", element))),
+                    "Interactions/Wall/Contact Element: side set \"bottom\", block \"body\": Q2C2 and Q2C4 are contact "
+                    "elements of quadratic cells, and these cells are linear; choose Q1C1");
   expect_contains(refusal(scene(box_of(2), count("Bulk Points", 4))),
-                  "Interactions/Wall/Bulk Points: 4 has no effect on quadratic cells");
+                  "Interactions/Wall/Bulk Points: 4 has no effect on Q2C2");
   expect_contains(refusal(scene(box_of(2), "", word("Element Formulation", "Enhanced"))),
                   "Materials: block \"body\": quadratic cells do not lock in bending and have no Enhanced formulation");
   EXPECT_EQ(refusal(scene(box_of(2), "", word("Element Formulation", "Mean Dilatation"))), "");

@@ -274,6 +274,11 @@ TEST(WarningsTest, OneLayerOfCells) {
   EXPECT_EQ(all_of("strip.xml", {"Mesh/Box/Divisions={320, 1}", "Materials/Strip/Element Formulation=Enhanced",
                                  "Interactions/Wall/Contact Element=Q1C1"}),
             "");
+  for (const char* element : {"Q2C2", "Q2C4"})  // quadratic cells bend
+    EXPECT_EQ(all_of("strip.xml", {"Mesh/Box/Divisions={320, 1}", "Mesh/Cell Order=2",
+                                   std::string("Interactions/Wall/Contact Element=") + element}),
+              "")
+        << element;
 }
 
 /// A traction on the block's upper side.

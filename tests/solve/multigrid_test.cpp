@@ -80,6 +80,32 @@ TEST(MultigridTest, IterationsOnTwoRanksAreThoseOfOneAndDoNotFollowTheMesh) {
   }
 }
 
+// Aggregates do not join bodies that are not connected. On each aggregate, the motions of the whole mesh span those of
+// its body, wherever the centre of the rotations is.
+TEST(MultigridTest, BodiesApartTakeTheIterationsOfOne) {
+  const auto scene = [](const std::vector<double>& places) {
+    std::string parts, materials;
+    for (const double x : places) {
+      const std::string name = "p" + std::to_string(materials.size());
+      parts +=
+          test::list(name, test::word("Type", "Box") +
+                               test::list("Box", test::count("Dimension", 3) + test::numbers("Lengths", {2, 1, 1}) +
+                                                     test::counts("Divisions", {12, 6, 6})) +
+                               test::numbers("Translation", {x, 0, 0}));
+      materials += test::list(name, test::word("Block", name + "_body") + test::number("Density", 1));
+    }
+    return test::scene(test::list("Mesh", test::word("Type", "Parts") + test::list("Parts", parts)) +
+                       test::list("Materials", materials) + test::time_integrator("Newmark", 1, 1));
+  };
+  Simulation one(scene({0}), world()), near(scene({0, 3}), world()), far(scene({0, 1000}), world());
+  for (const double dt : {0.1, 10.0}) {  // inertia rules; elasticity does
+    const long alone = iterations(one.model(), 4 / (dt * dt));
+    EXPECT_GT(alone, 3);
+    EXPECT_LE(iterations(near.model(), 4 / (dt * dt)), alone + 2);
+    EXPECT_LE(iterations(far.model(), 4 / (dt * dt)), alone + 2);
+  }
+}
+
 TEST(MultigridTest, RigidBodyModesCarryNoElasticForce) {
   for (const std::string& body : {test::block_2d(0), test::block_3d(0)}) {
     Simulation s(test::scene(body + test::time_integrator("Newmark", 0.1, 1)), world());
@@ -240,6 +266,47 @@ TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
   EXPECT_LT(r.norm2(), 1e-11 * b.norm2());
   EXPECT_GT(factory.statistics().iterations, 2);
   EXPECT_EQ(factory.statistics().setups, 1);
+}
+
+// CG refuses indefinite matrices. Their factorisation serves them nevertheless: so a static body that buckles goes on
+// as with a direct solver.
+TEST(LaggedSolverTest, AFactorizationSolvesAnIndefiniteMatrix) {
+  Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
+  for (const char* type : {"MUMPS Single", "KLU"}) {
+    Teuchos::ParameterList list;
+    list.set("Linear Solver Type", "Belos").set("Preconditioner Type", "Direct");
+    list.sublist("Preconditioner Types").sublist("Direct").set("Solver Type", type);
+    const LinearSolverFactory factory(completed_linear_solver(list, {2, 100, 1}), &s.model());
+    const auto w = tangent(s.model(), 10);
+    LinearSystem system(factory, w);
+    Vector b(w->getRowMap()), x(w->getRowMap()), r(w->getRowMap()), least(w->getRowMap());
+    least.randomize();
+    EXPECT_TRUE(system.solve(least, x));
+    copy_values(*tangent(s.model(), -0.05), *w);  // K - 0.05 M
+    w->apply(x, r);
+    // Its quadratic form has both signs.
+    Vector rough(w->getRowMap());
+    rough.randomize();
+    w->apply(rough, r);
+    EXPECT_GT(rough.dot(r), 0) << type;
+    Vector uniform(w->getRowMap());
+    uniform.putScalar(1.0);
+    w->apply(uniform, r);
+    EXPECT_LT(uniform.dot(r), 0) << type;
+    b.putScalar(1.0);
+    bool solved = false;
+    for (int attempt = 0; attempt < 2 && !solved; ++attempt) {  // the first may only find that it is indefinite
+      system.refresh();
+      try {
+        solved = system.solve(b, x);
+      } catch (const std::runtime_error&) {
+      }
+    }
+    EXPECT_TRUE(solved) << type;
+    w->apply(x, r);
+    r.update(1.0, b, -1.0);
+    EXPECT_LT(r.norm2(), 1e-11 * b.norm2()) << type;
+  }
 }
 
 }  // namespace

@@ -134,6 +134,22 @@ TEST(NewtonTest, NoxOwnLineSearchesDescendTheResidualWithoutAPotential) {
   }
 }
 
+// The list of the user guide. Full steps for arctan x = 0 are x - (1 + x^2) arctan x: they converge from 1.3, and from
+// 1.5 each is longer than the one before.
+TEST(NewtonTest, AListGivesNewtonsMethodAlone) {
+  NewtonOptions options{1e-12, 8, {}};
+  options.nox.sublist("Direction").set("Method", "Newton");
+  options.nox.sublist("Line Search").set("Method", "Full Step");
+  const auto arctan = [](double, double x) { return std::pair{std::atan(x), 1 / (1 + x * x)}; };
+  const Ending ending = solve(arctan, 1.3, options);
+  EXPECT_TRUE(ending.result.converged) << ending.result.reason;
+  double x = 1.3;
+  int iterations = 0;
+  for (; std::sqrt(double{unknowns}) * std::abs(std::atan(x)) > 1e-12; ++iterations) x -= (1 + x * x) * std::atan(x);
+  EXPECT_EQ(ending.result.iterations, iterations);
+  EXPECT_FALSE(solve(arctan, 1.5, options).result.converged);
+}
+
 TEST(NewtonTest, ListsThatNoxDoesNotKnowAreRefused) {
   const auto refusal = [](const std::function<void(Teuchos::ParameterList&)>& change) {
     NewtonOptions options;

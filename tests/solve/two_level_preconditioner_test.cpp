@@ -1,5 +1,6 @@
-// The cycle between quadratic and linear cells: its coarse matrix is P^T W P, the cycle is symmetric and positive
-// definite, iterations do not follow the mesh, and runs repeat and resume with it.
+// The cycle between quadratic and linear cells, or between linear cells and their parents: its coarse matrix is P^T W
+// P, the cycle is symmetric and positive definite, iterations do not follow the mesh, and runs repeat and resume with
+// it.
 #include "solve/two_level_preconditioner.hpp"
 
 #include <gtest/gtest.h>
@@ -16,6 +17,7 @@
 #include "solve/linear_solver.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "solve/operator_preconditioner.hpp"
+#include "solve/problem_size.hpp"
 #include "solve/semi_discrete_tangent.hpp"
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
@@ -37,6 +39,11 @@ std::string box(int dimension, int cells, int order = 2) {
                           list("Box", count("Dimension", dimension) +
                                           numbers("Lengths", std::vector<double>(divisions.size(), 2.0)) +
                                           test::counts("Divisions", divisions)));
+}
+
+std::string solver(const std::string& preconditioner, const std::string& op = "Automatic") {
+  return list("Linear Solver",
+              word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) + word("Operator", op));
 }
 
 /// A damped block above a wall, held at its left side.
@@ -88,7 +95,7 @@ Vector owned_wave(const LocalMesh& mesh, const DofSpace& space, double phase) {
 }
 
 /// Compares the coarse matrix with P^T W P, both applied to fields without left-out degrees of freedom.
-void expect_galerkin_product(const Block& block, double tolerance = 1e-12) {
+void expect_galerkin_product_of(const Block& block, double tolerance = 1e-12) {
   const auto s = block.simulation();
   const Model& model = s->model();
   SemiDiscreteOperator w(model);
@@ -122,11 +129,29 @@ void expect_galerkin_product(const Block& block, double tolerance = 1e-12) {
     }
 }
 
+/// Does so for quadratic cells and for linear ones.
+void expect_galerkin_product(Block block) {
+  block.more += solver("Two-Level");
+  expect_galerkin_product_of(block);
+  block.order = 1;
+  block.cells *= 2;
+  expect_galerkin_product_of(block);
+}
+
 TEST(CoarseMatrixTest, IsTheGalerkinProductOfElasticityMassAndWall) {
   for (const int dimension : {2, 3}) {
     expect_galerkin_product({dimension});
     expect_galerkin_product({dimension, 2, word("Model", "Linear Elastic")});
     expect_galerkin_product({dimension, 2, word("Model", "Mooney-Rivlin")});
+  }
+}
+
+TEST(CoarseMatrixTest, IsTheGalerkinProductWithContactSidesOfFourthOrder) {
+  for (const int dimension : {2, 3}) {
+    std::vector<double> below(static_cast<std::size_t>(dimension), 0.0);
+    below.back() = -0.3;
+    const std::string wall = word("Contact Element", "Q2C4") + numbers("Point", below);
+    expect_galerkin_product_of({dimension, 2, "", wall, solver("Two-Level")});
   }
 }
 
@@ -204,8 +229,11 @@ TEST(TwoLevelTest, IsSymmetricAndPositiveDefiniteAndAtMostTheInverse) {
 }
 
 /// Returns the iterations of CG from the elastic tangent at rest, held at one side.
-long iterations(int dimension, int cells, const std::string& coarse, const Comm& comm = world()) {
-  const auto s = Block{dimension, cells}.simulation(comm);
+long iterations(int dimension, int cells, const std::string& coarse, const Comm& comm = world(), int order = 2) {
+  Block block{dimension, cells};
+  block.order = order;
+  block.more = solver("Two-Level");
+  const auto s = block.simulation(comm);
   const Model& model = s->model();
   const auto w = Teuchos::rcp(new SemiDiscreteOperator(model));
   w->linearize({0, 0, 1}, std::vector<double>(static_cast<std::size_t>(model.space().local()), 0.0), 0);
@@ -227,20 +255,95 @@ TEST(TwoLevelTest, IterationsDoNotFollowTheMesh) {
   }
 }
 
+TEST(TwoLevelTest, IterationsDoNotFollowTheMeshOfLinearCells) {
+  for (const char* coarse : {"Direct", "MueLu"}) {
+    for (const int cells : {8, 32}) EXPECT_LE(iterations(2, cells, coarse, world(), 1), 18) << cells << coarse;
+    for (const int cells : {8, 12}) EXPECT_LE(iterations(3, cells, coarse, world(), 1), 18) << cells << coarse;
+  }
+}
+
 TEST(TwoLevelTest, IterationsOnTwoRanksAreThoseOfOne) {
-  EXPECT_NEAR(static_cast<double>(iterations(3, 4, "Direct")),
-              static_cast<double>(iterations(3, 4, "Direct", test::self())), 1);
+  for (const int order : {1, 2})
+    EXPECT_NEAR(static_cast<double>(iterations(3, 8 / order, "Direct", world(), order)),
+                static_cast<double>(iterations(3, 8 / order, "Direct", test::self(), order)), 1);
 }
 
-std::string solver(const std::string& preconditioner, const std::string& op = "Automatic") {
-  return list("Linear Solver",
-              word("Linear Solver Type", "Belos") + word("Preconditioner Type", preconditioner) + word("Operator", op));
+/// Springs of a program that hold the body everywhere, f = u; their action has no Galerkin product.
+class Bed final : public Interaction {
+ public:
+  class Action final : public TangentAction {
+   public:
+    explicit Action(std::size_t dofs) : dofs_(dofs) {}
+    void linearize(const Segment&, const Rule&, Tangent, const LinearPart&) override {}
+    void add_product(const double* x, double* y) const override {
+      for (std::size_t i = 0; i < dofs_; ++i) y[i] += x[i];
+    }
+    void add_diagonal(double* d) const override {
+      for (std::size_t i = 0; i < dofs_; ++i) d[i] += 1;
+    }
+
+   private:
+    std::size_t dofs_;
+  };
+  explicit Bed(const Model& model)
+      : pattern_(model.pattern()), dofs_(static_cast<std::size_t>(model.space().owned())) {}
+  bool add_force(const Segment& segment, const Rule&, double* f) const override {
+    for (std::size_t i = 0; i < dofs_; ++i) f[i] += segment.to[i];
+    return true;
+  }
+  void add_tangent(const Segment&, const Rule&, Tangent, double* values) const override {
+    pattern_.for_each_row([&](int row, const auto& places) {
+      places([&](int column, std::size_t place) { values[place] += row == column ? 1 : 0; });
+    });
+  }
+  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(dofs_); }
+  bool add_row_sums(const Segment&, double*) const override { return true; }
+  double energy(const double*) const override { return 0; }
+  double gap_ratio(const double*, const double*) const override { return 1; }
+  void report(const double*, InteractionReport&) const override {}
+  bool needs_positive_gaps() const override { return false; }
+  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
+  double mean_potential(const Segment&) const override { return 0; }
+  double rounding(const double*) const override { return 0; }
+  LowestPoint lowest_point(const double*) const override { return {}; }
+  void add_nodal_measure(CountedSides&, double*) const override {}
+  void add_nodal_pressure(const double*, double*) const override {}
+  void lower_nodal_gap(const double*, double*) const override {}
+  void set_nodal_normal(const double*, double*) const override {}
+
+ private:
+  const Pattern& pattern_;
+  std::size_t dofs_;
+};
+
+// A program's term may offer an action without a Galerkin product: Automatic leaves the cycle then, and who asks for it
+// learns the reason.
+TEST(TwoLevelTest, ATermOfAProgramWithoutGalerkinProductIsNamed) {
+  const auto s = Block{3, 2}.simulation();
+  Model& model = s->model();
+  const auto chosen = [&](ProblemSize size, const std::string& type) {
+    size.dofs = 1000000;
+    Teuchos::ParameterList asked = type.empty() ? Teuchos::ParameterList() : two_level();
+    return completed_linear_solver(asked, size).get<std::string>("Preconditioner Type");
+  };
+  EXPECT_EQ(problem_size(model).fine_only, "");
+  EXPECT_EQ(chosen(problem_size(model), ""), "Two-Level");
+  model.add_interaction(std::make_unique<Bed>(model), "Bed");
+  EXPECT_EQ(problem_size(model).fine_only, "\"Bed\"");
+  EXPECT_EQ(chosen(problem_size(model), ""), "MueLu");
+  const std::string words =
+      "\"Two-Level\" needs a Galerkin product on linear cells (TangentAction::add_coarse) of each term, which \"Bed\" "
+      "does not offer; use \"MueLu\", \"Ifpack2\" or \"Direct\"";
+  test::expect_contains(test::refusal([&] { chosen(problem_size(model), "Two-Level"); }), words);
+  const SemiDiscreteOperator w(model);  // where no list was completed
+  test::expect_contains(test::refusal([&] { w.coarse_space(); }), words);
 }
 
-TEST(TwoLevelTest, ARunEndsWhereAnotherSolverLeadsIt) {
+void expect_same_end(int order) {
   std::vector<double> reference;
   for (const char* preconditioner : {"Direct", "Two-Level"}) {
-    Block block{3, 3};
+    Block block{3, order == 1 ? 6 : 3};
+    block.order = order;
     block.more = solver(preconditioner) +
                  list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 0, 0, 0, 0.3, 0, -0.2}));
     const auto s = block.simulation();
@@ -255,12 +358,21 @@ TEST(TwoLevelTest, ARunEndsWhereAnotherSolverLeadsIt) {
   }
 }
 
+TEST(TwoLevelTest, ARunEndsWhereAnotherSolverLeadsIt) { expect_same_end(2); }
+TEST(TwoLevelTest, ARunOfLinearCellsEndsWhereAnotherSolverLeadsIt) { expect_same_end(1); }
+
 TEST(TwoLevelTest, ScenesThatItDoesNotSuitAreRefused) {
   const auto refusal = [](const Block& block) { return test::refusal([&] { block.simulation(); }); };
-  Block linear{3, 2};
+  Block linear{3, 3};
   linear.order = 1;
   linear.more = solver("Two-Level");
-  test::expect_contains(refusal(linear), "\"Two-Level\" needs a mesh of quadratic cells");
+  test::expect_contains(refusal(linear), "\"Two-Level\" needs a mesh of quadratic cells, or of linear ones that halve");
+  Block enriched{2, 4};
+  enriched.order = 1;
+  enriched.wall = word("Contact Element", "Q1C2") + numbers("Point", {0.0, -0.3});
+  enriched.more = solver("Two-Level");
+  test::expect_contains(refusal(enriched),
+                        "\"Two-Level\" needs a mesh of quadratic cells, or of linear ones that halve");
   Block assembled{3, 2};
   assembled.more = solver("Two-Level", "Assembled");
   test::expect_contains(refusal(assembled), "\"Two-Level\" needs matrix-free tangents, and Operator is \"Assembled\"");

@@ -32,6 +32,8 @@ elsewhere = {
     "term/rate_term.hpp": ("term/viscous_term_test.cpp", "an interface; viscosity behind it"),
     "term/branch_points.hpp": ("term/maxwell_term_test.cpp", "branches of blocks of all dimensions"),
     "term/kept_action.hpp": ("term/maxwell_term_test.cpp", "products and diagonals against the matrix"),
+    "term/pair_action.hpp": ("term/pair_term_test.cpp", "products and diagonals against the matrix"),
+    "term/pair_points.hpp": ("term/pair_term_test.cpp", "points of both surfaces in forces and tangents"),
     "term/curved_points.hpp": ("term/curved_surface_term_test.cpp", "forces and tangents before obstacles"),
     "model/moving_frame.hpp": ("model/moved_interaction_test.cpp", "forces, tangents and work in the frame"),
     "term/block_cells.hpp": ("term/elastic_term_impl_test.cpp", "terms of both kinds hold them"),

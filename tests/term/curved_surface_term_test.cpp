@@ -67,7 +67,8 @@ std::vector<double> product(const Model& model, const Interactions& terms, const
 
 const std::vector<std::pair<int, ContactElement>> bodies = {
     {2, ContactElement::Q1C1}, {2, ContactElement::Q1C3}, {2, ContactElement::Q1CH}, {2, ContactElement::Q2C2},
-    {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH}, {3, ContactElement::Q2C2}};
+    {2, ContactElement::Q2C4}, {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH},
+    {3, ContactElement::Q2C2}, {3, ContactElement::Q2C4}};
 
 /// A half-space is an obstacle like any other: both paths agree to rounding.
 TEST(CurvedSurfaceTermTest, BeforeAHalfSpaceItIsTheFlatTerm) {

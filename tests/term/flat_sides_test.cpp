@@ -45,8 +45,9 @@ struct Body {
 template <class Check>
 void for_bodies(const Check& check) {
   for (int dimension : {2, 3})
-    for (ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2})
+    for (ContactElement element :
+         {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH,
+          ContactElement::Q2C2, ContactElement::Q2C4})
       check(Body(dimension, element));
 }
 

@@ -58,11 +58,9 @@ inline const Friction all_frictions[] = {
     friction(FrictionType::ExtendedAmontons, false), friction(FrictionType::ExtendedAmontons, true),
     friction(FrictionType::Smoothed, false),         friction(FrictionType::Smoothed, true)};
 
-inline const std::pair<int, ContactElement> bodies[] = {{2, ContactElement::Q1C1},
-                                                        {2, ContactElement::Q1CH},
-                                                        {3, ContactElement::Q1C1},
-                                                        {3, ContactElement::Q1C2},
-                                                        {3, ContactElement::Q2C2}};
+inline const std::pair<int, ContactElement> bodies[] = {{2, ContactElement::Q1C1}, {2, ContactElement::Q1CH},
+                                                        {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2},
+                                                        {3, ContactElement::Q2C2}, {3, ContactElement::Q2C4}};
 
 /// The terms of a surface and a sequence of displacements that slides them, by a tenth of L0 a step if `size` is 1.
 class Sliding {

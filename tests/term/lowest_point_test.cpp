@@ -47,7 +47,8 @@ LowestPoint lowest(const Model& model, const std::vector<double>& u, bool curved
 }
 
 const std::vector<ContactElement> elements = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                              ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                              ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                              ContactElement::Q2C4};
 
 /// A displacement along the wall's normal.
 template <class Function>

@@ -19,7 +19,8 @@ namespace ixos {
 namespace {
 
 const ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
-                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2};
+                                   ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
+                                   ContactElement::Q2C4};
 
 /// This rank's part of a mesh.
 struct Part {

@@ -189,8 +189,8 @@ TEST(IntegratorTest, AFailedStepChangesNoForceAndNoWorkEither) {
 TEST(IntegratorTest, AllPredictorsLeadToOneMotion) {
   for (const char* scheme : all_schemes) {
     std::vector<double> first;
-    for (const char* predictor :
-         {"Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark", "Extrapolation"}) {
+    for (const char* predictor : {"Last Displacement", "Constant Velocity", "Constant Acceleration", "Newmark",
+                                  "Extrapolation", "Quadratic", "Nearest"}) {
       const std::string integrator = time_integrator(scheme, 0.05, 10);
       const std::string name = "<ParameterList name=\"Time Integrator\">";
       Simulation s(

@@ -91,13 +91,13 @@ TEST(PatchTest, AffineMotionIsReproduced) {
 }
 
 TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
-  for (ContactElement element :
-       {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2})
+  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH,
+                                 ContactElement::Q2C2, ContactElement::Q2C4})
     for (const Table& table : {newmark(0.25, 0.5), bathe_composite(0.0, 0.5),
                                gautam_sauer_composite(0.25, 0.5, 5, Path::Linear), average_vector_field(4, 8)})
       run_patch(2, neo_hooke, table, element);
-  for (ContactElement element :
-       {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2})
+  for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH,
+                                 ContactElement::Q2C2, ContactElement::Q2C4})
     run_patch(3, neo_hooke, average_vector_field(4, 8), element);
 }
 

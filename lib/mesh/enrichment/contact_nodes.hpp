@@ -15,13 +15,13 @@ struct ExtraNodes {
   unsigned tied = 0;                     ///< see ElementBlock
 };
 
-/// Returns the corners of a side of a plain cell, counter-clockwise seen from outside.
+/// Returns the nodes of a side of a cell: the corners, counter-clockwise seen from outside, then the others.
 std::vector<int> side_corners(const Mesh& mesh, const Side& side);
 
 /// Adds a node at the mesh's end and returns its number; `derivative_of` as in Mesh.
 int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of);
 
-/// The nodes that lie between given corners.
+/// The nodes that lie between given corners, in quadratic cells also between given middles.
 struct Between {
   std::vector<int> corners;
   std::vector<int> nodes;
@@ -44,6 +44,11 @@ std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set);
 /// Adds the nodes of Lagrange sides of that order (2 to 4), equally spaced on edges and faces, and returns them side by
 /// side of the set. Edges of tied_edges() get no nodes, but their bit in `tied`.
 std::vector<ExtraNodes> add_lagrange_nodes(Mesh& mesh, const SideSet& set, int order);
+
+/// Adds the nodes at the quarters of quadratic sides, which Q2C4 needs, on the sides' quadratic curves and faces, and
+/// returns them side by side of the set: those of the edges, in 3D then those inside the face, row by row. Edges of
+/// tied_edges() get no nodes, but their bit in `tied`.
+std::vector<ExtraNodes> add_quarter_nodes(Mesh& mesh, const SideSet& set);
 
 /// Adds the derivative nodes of Hermite sides of quadrilaterals, one for each node of the set, and returns them side by
 /// side of the set.

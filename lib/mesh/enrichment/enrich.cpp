@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "fem/corner_element.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 #include "mesh/selection.hpp"
 
@@ -23,6 +24,8 @@ CellType enriched_type(CellType plain, ContactElement element) {
       return quad ? CellType::Quad4C3 : CellType::Hex8C3;
     case ContactElement::Q1C4:
       return quad ? CellType::Quad4C4 : CellType::Hex8C4;
+    case ContactElement::Q2C4:
+      return quad ? CellType::Quad9C4 : CellType::Hex27C4;
     default:
       return quad ? CellType::Quad4CH : CellType::Hex8CH;
   }
@@ -43,8 +46,8 @@ void check(const Mesh& mesh, const SideSet& set) {
 
 /// A cell turned so that one of its sides becomes the contact side.
 struct Turn {
-  std::vector<int> corner;  ///< by new corner: the old one
-  std::vector<int> side;    ///< by old side: the new one
+  std::vector<int> node;  ///< by new node: the old one, corners first
+  std::vector<int> side;  ///< by old side: the new one
 };
 
 /// Returns the corner joined to `corner` by the edge that leaves the side `corners` of a hexahedron.
@@ -57,24 +60,37 @@ int opposite(int corner, const std::vector<int>& corners) {
   return above;
 }
 
-Turn turn_of(CellType plain, int side) {
-  Turn turn;
-  if (plain == CellType::Quad4) {
-    for (int a = 0; a < 4; ++a) turn.corner.push_back((a + side) % 4);
-  } else {
-    const std::vector<int>& corners = side_nodes(plain, side);
-    turn.corner = {corners[0], corners[3], corners[2], corners[1]};  // the bottom is seen from inside
-    for (int a = 0; a < 4; ++a) turn.corner.push_back(opposite(turn.corner[static_cast<std::size_t>(a)], corners));
+/// Adds the middles of edges, faces and the cell to a turn of the corners.
+void turn_middles(int dimension, Turn& turn) {
+  const auto& pattern = corners_of_nodes(dimension);
+  for (std::size_t a = turn.node.size(); a < pattern.size(); ++a) {
+    std::vector<int> old;
+    for (int corner : pattern[a]) old.push_back(turn.node[static_cast<std::size_t>(corner)]);
+    std::sort(old.begin(), old.end());
+    turn.node.push_back(static_cast<int>(std::find(pattern.begin(), pattern.end(), old) - pattern.begin()));
   }
-  const int sides = sides_per_cell(plain);
+}
+
+Turn turn_of(CellType plain, int side) {
+  const CellType linear = corner_type(plain);
+  Turn turn;
+  if (linear == CellType::Quad4) {
+    for (int a = 0; a < 4; ++a) turn.node.push_back((a + side) % 4);
+  } else {
+    const std::vector<int>& corners = side_nodes(linear, side);
+    turn.node = {corners[0], corners[3], corners[2], corners[1]};  // the bottom is seen from inside
+    for (int a = 0; a < 4; ++a) turn.node.push_back(opposite(turn.node[static_cast<std::size_t>(a)], corners));
+  }
+  const int sides = sides_per_cell(linear);
   turn.side.resize(static_cast<std::size_t>(sides));
   for (int now = 0; now < sides; ++now) {
     std::set<int> corners;
-    for (int a : side_nodes(plain, now)) corners.insert(turn.corner[static_cast<std::size_t>(a)]);
+    for (int a : side_nodes(linear, now)) corners.insert(turn.node[static_cast<std::size_t>(a)]);
     for (int old = 0; old < sides; ++old)
-      if (corners == std::set<int>(side_nodes(plain, old).begin(), side_nodes(plain, old).end()))
+      if (corners == std::set<int>(side_nodes(linear, old).begin(), side_nodes(linear, old).end()))
         turn.side[static_cast<std::size_t>(old)] = now;
   }
+  if (is_quadratic(plain)) turn_middles(linear == CellType::Quad4 ? 2 : 3, turn);
   return turn;
 }
 
@@ -83,7 +99,7 @@ class BlockSplit {
  public:
   BlockSplit(Mesh& mesh, const SideSet& set, const std::vector<ExtraNodes>& extra, CellType type, int points)
       : mesh_(mesh), extra_(extra), type_(type), points_(points), rich_(mesh.blocks.size()) {
-    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(corner_type(type), side));
+    for (int side = 0; side < sides_per_cell(type); ++side) turns_.push_back(turn_of(plain_type(type), side));
     for (std::size_t k = 0; k < set.sides.size(); ++k)
       rich_[static_cast<std::size_t>(set.sides[k].block)][set.sides[k].cell] = {set.sides[k].side, k};
   }
@@ -141,7 +157,7 @@ class BlockSplit {
       const int block = number.at(extra.tied);
       ElementBlock& target = blocks[static_cast<std::size_t>(block)];
       places_.back().push_back({block, target.cells(), found->second.side});
-      for (int a : turn(found->second.side).corner) target.nodes.push_back(nodes[a]);
+      for (int a : turn(found->second.side).node) target.nodes.push_back(nodes[a]);
       target.nodes.insert(target.nodes.end(), extra.nodes.begin(), extra.nodes.end());
       target.derivative_scale.insert(target.derivative_scale.end(), extra.derivative_scale.begin(),
                                      extra.derivative_scale.end());
@@ -168,6 +184,8 @@ std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement
       return add_lagrange_nodes(mesh, set, 3);
     case ContactElement::Q1C4:
       return add_lagrange_nodes(mesh, set, 4);
+    case ContactElement::Q2C4:
+      return add_quarter_nodes(mesh, set);
     default:
       return mesh.dimension == 2 ? add_hermite_nodes(mesh, set) : add_hermite_face_nodes(mesh, set);
   }
@@ -176,20 +194,20 @@ std::vector<ExtraNodes> add_nodes(Mesh& mesh, const SideSet& set, ContactElement
 }  // namespace
 
 ContactElement fitting_element(const Mesh& mesh, const SideSet& set, ContactElement asked) {
-  const bool own = asked == ContactElement::Q1C1 || asked == ContactElement::Q2C2;
+  const bool of_quadratic = asked == ContactElement::Q2C2 || asked == ContactElement::Q2C4;
   ContactElement fitting = asked;
   for (const Side& side : set.sides) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const std::string where = fmt::format("side set \"{}\", block \"{}\"", set.name, block.name);
-    if (!is_quadratic(block.type) && asked == ContactElement::Q2C2)
+    if (!is_quadratic(block.type) && of_quadratic)
       throw InputError(where +
-                       ": Q2C2 is the side of quadratic cells, and these cells are linear; choose another "
-                       "contact element, or quadratic cells (Mesh/Cell Order 2)");
-    if (is_quadratic(block.type) && !own)
+                       ": Q2C2 and Q2C4 are contact elements of quadratic cells, and these cells are linear; choose "
+                       "Q1C1, Q1C2, Q1C3, Q1C4 or Q1CH, or quadratic cells (Mesh/Cell Order 2)");
+    if (is_quadratic(block.type) && !of_quadratic && asked != ContactElement::Q1C1)
       throw InputError(where +
-                       ": only linear cells have enriched sides, and these cells are quadratic; choose Q2C2, "
-                       "their own side, or linear cells");
-    if (is_quadratic(block.type)) fitting = ContactElement::Q2C2;
+                       ": Q1C2, Q1C3, Q1C4 and Q1CH are contact elements of linear cells, and these cells are "
+                       "quadratic; choose Q2C2, their own side, Q2C4, or linear cells");
+    if (is_quadratic(block.type) && asked == ContactElement::Q1C1) fitting = ContactElement::Q2C2;
   }
   return fitting;
 }

@@ -1,9 +1,11 @@
-"""Elements of aspect 1 to 1000 in motion, and surface sides as long: energy errors, and the patch under tension."""
+"""Elements of aspect 1 to 1000 in motion, and surface sides as long: energy errors, the patch under tension; skew."""
+from locking import LENGTH, cantilever, deflection, theory
 from maps import word
 from runs import ELEMENTS, EQUILIBRIUM, STEPS, box, element, held, number, ramp, steps, table, wall
 from strain import stretch_stress
 
 ASPECTS = [1, 3, 10, 30, 100, 300, 1000]
+SKEWS = [0, 1, 2, 4, 8]
 CASES = {
     "Average Vector Field": {}, "Energy-Momentum": {}, "Bathe Composite": {}, "Central Difference": {},
     "Average Vector Field, Mean Dilatation": element("Mean Dilatation"), "Average Vector Field, Enhanced": element("Enhanced"),
@@ -28,6 +30,13 @@ def drawn(dimension, aspect, formulation):
     return {**entries, **held("right", "right", "x", "Stretch")}
 
 
+def skewed(dimension, formulation, skew):
+    """The beam of 40 by 4 (by 4) elements, sheared along its length by `skew` in the middle, not at its upright ends."""
+    divisions, across = [40] + [4] * (dimension - 1), "xyz"[dimension - 1]
+    return {**cantilever(dimension, 0.3, formulation, divisions),
+            "Mesh/Map/X": f"x + {skew}*({across} - 0.5)*4*x*({LENGTH} - x)/{LENGTH}^2"}
+
+
 def study(runner, images):
     del images
     rows = []
@@ -45,5 +54,10 @@ def study(runner, images):
                         for aspect in ASPECTS]
             patches.append([f"{dimension}D, {formulation}",
                             *(number(abs(outcome.run["reaction_right_x"][-1] / exact - 1), 1) for outcome in outcomes)])
+    beams = [[f"{dimension}D, {formulation}",
+              *(number(deflection(runner(f"shapes/skew/{dimension}/{formulation}/{skew}",
+                                         skewed(dimension, formulation, skew)), dimension, theory(dimension, 0.3)), 4)
+                for skew in SKEWS)] for dimension in (2, 3) for formulation in ELEMENTS]
     return ["Energy errors after 100 steps", "", *table(["", *map(str, ASPECTS)], rows), "",
-            "Force of a homogeneous tension, to the closed form", "", *table(["", *map(str, ASPECTS)], patches)]
+            "Force of a homogeneous tension, to the closed form", "", *table(["", *map(str, ASPECTS)], patches), "",
+            "Deflection of a beam whose elements are skewed, to beam theory", "", *table(["skew", *map(str, SKEWS)], beams)]

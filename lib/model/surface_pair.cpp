@@ -1,0 +1,128 @@
+#include "model/surface_pair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/agreement.hpp"
+#include "base/error.hpp"
+#include "model/crossing.hpp"
+#include "model/surface_interaction.hpp"
+#include "term/pair_term.hpp"
+
+namespace ixos {
+namespace {
+
+[[noreturn]] void refuse(const SurfacePair& pair, const std::string& why) {
+  throw InputError(
+      fmt::format("the interaction of the surfaces \"{}\" and \"{}\" {}", pair.secondary, pair.primary, why));
+}
+
+void check(const SurfacePair& pair, const LocalMesh& mesh) {
+  if (!pair.law) refuse(pair, "has no law");
+  if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
+  if (mesh.dimension != 2 || mesh.axisymmetric)
+    refuse(pair, "is that of two bodies, which needs a mesh of two dimensions in plane strain so far");
+  if (pair.points < 0 || pair.points > 64)
+    refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
+  if (!(pair.margin > 0 && pair.margin < 1))
+    refuse(pair, fmt::format("has the step margin {}; it must be greater than 0 and less than 1", pair.margin));
+  try {
+    check_cutoff(*pair.law, pair.cutoff);
+  } catch (const InputError& error) {
+    refuse(pair, std::string("has a cutoff that is not allowed: ") + error.what());
+  }
+}
+
+/// Returns all sides of the set, on every rank.
+const std::vector<LocalSide>& all_sides(const LocalMesh& mesh, const Comm& comm, const std::string& name) {
+  const std::size_t set = mesh.side_set(name);
+  if (const auto whole = mesh.whole_side_sets.find(name); whole != mesh.whole_side_sets.end()) return whole->second;
+  if (comm->getSize() == 1) return mesh.side_sets[set];
+  throw InputError(fmt::format(
+      "on several ranks, each needs all sides of the surface \"{}\", which interacts with another body: name it in "
+      "local_part(), or use one rank",
+      name));
+}
+
+/// Returns the mean of the nodal factor and the factor of the place on each side's corners, in words if one is not
+/// allowed.
+std::string bad_factor(const SurfacePair& pair, const LocalMesh& mesh, const SideCurves& curves) {
+  if (!pair.nodal_factor.empty() && pair.nodal_factor.size() != static_cast<std::size_t>(mesh.nodes()))
+    return fmt::format("has {} numbers as nodal factor, but this rank has {} nodes", pair.nodal_factor.size(),
+                       mesh.nodes());
+  for (const int local : curves.nodes) {
+    const auto node = static_cast<std::size_t>(local);
+    double value = pair.nodal_factor.empty() ? 1 : pair.nodal_factor[node];
+    if (pair.factor && value >= 0)
+      value *= pair.factor({mesh.coordinates[2 * node], mesh.coordinates[2 * node + 1], 0});
+    if (!std::isfinite(value) || value < 0)
+      return fmt::format("has the factor {} at node {} of the mesh; it must be finite and at least 0", value,
+                         mesh.message_number(node));
+  }
+  return "";
+}
+
+void refuse_common_nodes(const SurfacePair& pair, const LocalMesh& mesh, const SideCurves& a, const SideCurves& b) {
+  for (const int node : a.nodes)
+    if (std::find(b.nodes.begin(), b.nodes.end(), node) != b.nodes.end())
+      refuse(pair, fmt::format("is that of surfaces with common nodes, such as node {} of the mesh; a surface cannot "
+                               "interact with itself yet: choose side sets without common nodes",
+                               mesh.message_number(static_cast<std::size_t>(node))));
+}
+
+/// Couples all nodes of the two surfaces.
+void couple(const SurfacePair& pair, Model& model, const SideCurves& a, const SideCurves& b) {
+  constexpr std::size_t most = 10000;
+  std::vector<int> nodes(a.nodes);
+  nodes.insert(nodes.end(), b.nodes.begin(), b.nodes.end());
+  if (nodes.size() > most)
+    refuse(pair, fmt::format("has {} nodes on both surfaces, all of which the matrix couples; at most {} are allowed: "
+                             "choose side sets of the parts that come near each other",
+                             nodes.size(), most));
+  model.couple({nodes});
+}
+
+void refuse_overlap(const SurfacePair& pair, const Model& model, const Interaction& term) {
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  const LowestPoint lowest = term.lowest_point(rest.data());
+  InteractionReport report;
+  term.report(rest.data(), report);
+  const double points = model.space().minimum(report.least_gap);
+  if (lowest.gap <= 0)  // equal on all ranks
+    refuse(pair, fmt::format("starts where they overlap or touch, least gap {:.6g} at {}; all gaps must be positive: "
+                             "move one of the bodies",
+                             lowest.gap, in_words(model.mesh(), rest.data(), lowest)));
+  if (points <= 0)
+    refuse(pair,
+           fmt::format("starts where they overlap or touch, least gap {:.6g} at a quadrature point; all gaps must "
+                       "be positive: move one of the bodies",
+                       points));
+}
+
+}  // namespace
+
+void add_pair(Model& model, const SurfacePair& pair) {
+  model.check_open();
+  const LocalMesh& mesh = model.mesh();
+  const Comm& comm = model.space().comm();
+  check(pair, mesh);
+  SideCurves secondary, primary;
+  std::string problem;
+  together<InputError>(comm, [&] {
+    secondary = side_curves(mesh, all_sides(mesh, comm, pair.secondary), pair.smoothing, pair.secondary);
+    primary = side_curves(mesh, all_sides(mesh, comm, pair.primary), pair.smoothing, pair.primary);
+    refuse_common_nodes(pair, mesh, secondary, primary);
+    problem = bad_factor(pair, mesh, secondary);
+  });
+  if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
+  couple(pair, model, secondary, primary);
+  const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
+  auto term = make_pair_term(mesh, std::move(secondary), std::move(primary), model.pattern(), law,
+                             {pair.points, pair.margin, {pair.factor, pair.nodal_factor}});
+  if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
+  model.add_interaction(std::move(term), pair.name);
+}
+
+}  // namespace ixos

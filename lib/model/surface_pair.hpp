@@ -1,0 +1,40 @@
+/// The interaction of the surfaces of two bodies.
+#pragma once
+#include <array>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "interaction/gap_law.hpp"
+#include "model/model.hpp"
+#include "term/side_curves.hpp"
+
+namespace ixos {
+
+/// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
+/// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the
+/// reaction. Choose the finer surface as the secondary one.
+struct SurfacePair {
+  std::string secondary;              ///< side set
+  std::string primary;                ///< side set
+  std::shared_ptr<const GapLaw> law;  ///< see make_gap_law()
+  double cutoff = 0;                  ///< gap beyond which nothing acts [L0]; 0: none
+  int points = 0;                     ///< Gauss points on each side of the secondary surface; 0: 5
+  double margin = 0.8;                ///< in (0, 1), see PairOptions
+  std::string name = "interaction";
+  Smoothing smoothing = Smoothing::CatmullRom;  ///< of both surfaces
+  /// Factors of the law's energy on the secondary surface, see SurfaceInteraction.
+  std::function<double(const std::array<double, 3>&)> factor{};
+  std::vector<double> nodal_factor{};
+};
+
+/// Adds the pair to the model, and couples all nodes of both surfaces in its matrices. On several ranks the model's
+/// mesh must have both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist
+/// or is not whole, the mesh has three dimensions or is axisymmetric, sides are not those of linear cells, the two sets
+/// share a node, the law is missing or has a history, a number is out of range, a factor is negative or not finite
+/// somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after Model::close().
+/// Collective.
+void add_pair(Model& model, const SurfacePair& pair);
+
+}  // namespace ixos

@@ -1,0 +1,81 @@
+/// Two bodies in one mesh.
+#pragma once
+#include <string>
+
+#include "mesh/generators/shapes.hpp"
+#include "mesh/mesh.hpp"
+#include "mesh/partition.hpp"
+#include "model/surface_pair.hpp"
+#include "support/scene_text.hpp"
+#include "support/solids.hpp"
+
+namespace ixos::test {
+
+/// Appends another mesh; its blocks and sets get the prefix. All blocks of a model_of() must be "body".
+inline void append(Mesh& mesh, const Mesh& other, const std::string& prefix) {
+  const int first_node = mesh.nodes(), first_block = static_cast<int>(mesh.blocks.size());
+  mesh.dimension = other.dimension;
+  mesh.coordinates.insert(mesh.coordinates.end(), other.coordinates.begin(), other.coordinates.end());
+  for (ElementBlock block : other.blocks) {
+    for (int& node : block.nodes) node += first_node;
+    block.name = prefix + block.name;
+    mesh.blocks.push_back(block);
+  }
+  for (SideSet set : other.side_sets) {
+    for (Side& side : set.sides) side.block += first_block;
+    set.name = prefix + set.name;
+    mesh.side_sets.push_back(set);
+  }
+  for (NodeSet set : other.node_sets) {
+    for (int& node : set.nodes) node += first_node;
+    set.name = prefix + set.name;
+    mesh.node_sets.push_back(set);
+  }
+}
+
+/// Two disks of this radius, the first at the origin, the second at `center`.
+inline Mesh two_disks(double radius, std::array<double, 2> center, int core = 4, int rings = 2) {
+  Mesh mesh;
+  DiskShape shape;
+  shape.diameter = 2 * radius;
+  shape.core_divisions = core;
+  shape.rings = rings;
+  append(mesh, disk(shape), "a_");
+  shape.center = center;
+  append(mesh, disk(shape), "b_");
+  return mesh;
+}
+
+/// A block of 2 by 1 (side sets "upper_...") above one of 2.3 by 1 whose top is y = 0 ("lower_..."). The sides that
+/// face each other have different lengths.
+inline Mesh two_blocks(double gap, int upper_cells = 5, int lower_cells = 4) {
+  Mesh mesh;
+  BoxShape shape;
+  shape.dimension = 2;
+  shape.lengths = {2.3, 1, 0};
+  shape.divisions = {lower_cells, 2, 1};
+  shape.lower = {-0.2, -1, 0};
+  append(mesh, box(shape), "lower_");
+  shape.lengths = {2, 1, 0};
+  shape.divisions = {upper_cells, 2, 1};
+  shape.lower = {0, gap, 0};
+  append(mesh, box(shape), "upper_");
+  return mesh;
+}
+
+/// Returns a model of all blocks, neo-Hookean with E = 1, nu = 0.3 and density 1, whose ranks have these side sets
+/// whole.
+inline std::unique_ptr<Model> model_of_bodies(const Mesh& mesh, const std::vector<std::string>& whole,
+                                              Inertia inertia = Inertia::None) {
+  std::vector<Material> materials;
+  for (const ElementBlock& block : mesh.blocks) {
+    materials.push_back(elastic(neo_hooke, 0.3));
+    materials.back().block = block.name;
+  }
+  const Comm comm = world();
+  const int ranks = comm->getSize();
+  return std::make_unique<Model>(localize(mesh, partition_nodes(mesh, ranks), comm->getRank(), ranks, whole), comm,
+                                 materials, inertia);
+}
+
+}  // namespace ixos::test

@@ -1,0 +1,301 @@
+// Two surfaces that interact.
+#include "term/pair_term.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interaction/catalogue.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "support/comparison.hpp"
+#include "support/two_bodies.hpp"
+#include "term/surface_terms.hpp"
+
+namespace ixos {
+namespace {
+
+const std::shared_ptr<const GapLaw>& law() {
+  static const std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25));
+  return law;
+}
+
+/// A model with one pair.
+struct Bodies {
+  std::unique_ptr<Model> model;
+  const Interaction* term;
+
+  Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
+         const std::shared_ptr<const GapLaw>& own = law())
+      : model(test::model_of_bodies(mesh, {secondary, primary})) {
+    SurfacePair pair;
+    pair.secondary = secondary;
+    pair.primary = primary;
+    pair.law = own;
+    pair.smoothing = smoothing;
+    add_pair(*model, pair);
+    term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
+  }
+  std::vector<double> force(const Segment& segment, const Rule& rule, bool allowed = true) const {
+    std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
+    EXPECT_EQ(term->add_force(segment, rule, f.data()), allowed);
+    return f;
+  }
+  std::vector<double> product(const Segment& segment, const Rule& rule, const std::vector<double>& x) const {
+    std::vector<double> values(static_cast<std::size_t>(model->pattern().pairs()) * 4, 0.0);
+    term->add_tangent(segment, rule, Tangent::Exact, values.data());
+    std::vector<double> y(static_cast<std::size_t>(model->space().owned()), 0.0);
+    model->pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
+      entries([&](int column, double value) {
+        y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
+      });
+    });
+    return y;
+  }
+  double energy(const std::vector<double>& u) const {
+    double sum = term->energy(u.data());
+    model->space().sum(&sum, 1);
+    return sum;
+  }
+};
+
+/// Disks and blocks, a little deformed, smooth and with straight sides.
+std::vector<Bodies> cases() {
+  std::vector<Bodies> all;
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+    all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
+    all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
+    all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
+  }
+  return all;
+}
+
+TEST(PairTermTest, ForceAndTangentAreDerivatives) {
+  for (const Bodies& bodies : cases()) {
+    const std::vector<double> from = test::smooth_field(*bodies.model, 0.02),
+                              to = test::smooth_field(*bodies.model, -0.02), way = test::noise(*bodies.model, 1);
+    const auto owned = static_cast<std::size_t>(bodies.model->space().owned());
+    const auto moved = [&](double s) {
+      std::vector<double> u = to;
+      for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
+      return u;
+    };
+    const double h = 1e-6;
+    const std::vector<double> ahead = moved(h), behind = moved(-h);
+    const auto f = bodies.force({nullptr, nullptr, to.data()}, end_rule());
+    double work = 0;
+    for (std::size_t k = 0; k < owned; ++k) work += f[k] * way[k];
+    bodies.model->space().sum(&work, 1);
+    EXPECT_NEAR((bodies.energy(ahead) - bodies.energy(behind)) / (2 * h), work, 1e-8 * (1 + std::abs(work)));
+    for (const Rule& rule : {end_rule(), gauss_rule(4)}) {
+      const auto f1 = bodies.force({from.data(), nullptr, ahead.data()}, rule);
+      const auto f0 = bodies.force({from.data(), nullptr, behind.data()}, rule);
+      const Segment segment{from.data(), nullptr, to.data()};
+      const auto k_way = bodies.product(segment, rule, way);
+      double largest = 0;
+      for (std::size_t k = 0; k < owned; ++k) largest = std::max(largest, std::abs(k_way[k]));
+      largest = bodies.model->space().maximum(largest);
+      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR((f1[k] - f0[k]) / (2 * h), k_way[k], 1e-8 * largest + 1e-8);
+      EXPECT_GT(largest, 0.01);
+      const auto action = bodies.term->create_action();
+      action->linearize(segment, rule, Tangent::Exact, {});
+      std::vector<double> y(to.size(), 0.0), diagonal(to.size(), 0.0), sums(to.size(), 0.0);
+      action->add_product(way.data(), y.data());
+      action->add_diagonal(diagonal.data());
+      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR(y[k], k_way[k], 1e-14 * largest);
+      if (!rule.has_end()) continue;
+      EXPECT_TRUE(bodies.term->add_row_sums({nullptr, nullptr, to.data()}, sums.data()));
+      for (std::size_t k = 0; k < owned; ++k) EXPECT_GE(sums[k], std::abs(diagonal[k]) - 1e-14);
+    }
+  }
+}
+
+TEST(PairTermTest, NetForceAndNetMomentVanish) {
+  for (const Bodies& bodies : cases()) {
+    const LocalMesh& mesh = bodies.model->mesh();
+    const std::vector<double> u = test::smooth_field(*bodies.model, 0.02);
+    const auto f = bodies.force({nullptr, nullptr, u.data()}, end_rule());
+    double sums[4] = {0, 0, 0, 0};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += 2) {
+      sums[0] += f[k];
+      sums[1] += f[k + 1];
+      sums[2] += (mesh.coordinates[k] + u[k]) * f[k + 1] - (mesh.coordinates[k + 1] + u[k + 1]) * f[k];
+      sums[3] += std::abs(f[k]) + std::abs(f[k + 1]);
+    }
+    bodies.model->space().sum(sums, 4);
+    EXPECT_NEAR(sums[0], 0, 1e-14 * sums[3]);
+    EXPECT_NEAR(sums[1], 0, 1e-14 * sums[3]);
+    EXPECT_NEAR(sums[2], 0, 1e-13 * sums[3]);
+    EXPECT_GT(sums[3], 0.01);
+  }
+}
+
+/// A flat primary surface at rest is the rigid wall: the forces on the secondary one are those of the flat term. Smooth
+/// surfaces distribute the same sums over more nodes.
+TEST(PairTermTest, BeforeAFlatSurfaceItIsTheWall) {
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+    const Bodies bodies(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
+    const LocalMesh& mesh = bodies.model->mesh();
+    HalfSpace wall;
+    wall.normal = {0, 1, 0};
+    const auto& sides = mesh.side_sets[mesh.side_set("upper_bottom")];
+    const Interactions flat = make_surface_terms(mesh, sides, bodies.model->pattern(), law(), flat_wall(wall), {});
+    // A rotation and a stretch of the upper body: straight sides stay straight.
+    std::vector<double> u = test::at_rest(*bodies.model);
+    for (std::size_t k = 0; k < u.size(); k += 2)
+      if (mesh.coordinates[k + 1] > 0.1) {
+        u[k] = 0.02 * mesh.coordinates[k] - 0.01 * mesh.coordinates[k + 1];
+        u[k + 1] = 0.03 * mesh.coordinates[k];
+      }
+    const auto f = bodies.force({nullptr, nullptr, u.data()}, end_rule());
+    std::vector<double> g(u.size(), 0.0);
+    for (const auto& term : flat) EXPECT_TRUE(term->add_force({nullptr, nullptr, u.data()}, end_rule(), g.data()));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); ++k)
+      if (smoothing == Smoothing::None && mesh.coordinates[k / 2 * 2 + 1] > 0.1) {
+        EXPECT_NEAR(f[k], g[k], 1e-14);
+      }
+    InteractionReport a, b;
+    bodies.term->report(u.data(), a);
+    for (const auto& term : flat) term->report(u.data(), b);
+    EXPECT_NEAR(a.measure, b.measure, 1e-14);
+    EXPECT_NEAR(a.force[1], b.force.empty() ? 0 : b.force[1], 1e-14);
+  }
+}
+
+/// The force at each owned node is that of one rank that owns all, bit for bit: every rank finds the same feet.
+TEST(PairTermTest, RanksDoNotMatter) {
+  const Mesh mesh = test::two_disks(3, {5, 3.6});
+  const Bodies bodies(mesh, "a_surface", "b_surface", Smoothing::CatmullRom);
+  const std::vector<double> u = test::noise(*bodies.model, 0.01);
+  std::vector<double> own = test::gathered(*bodies.model, bodies.force({nullptr, nullptr, u.data()}, gauss_rule(2)));
+  const std::vector<double> whole_u = test::gathered(*bodies.model, u);
+  const LocalMesh whole = localize(mesh, partition_nodes(mesh, 1), 0, 1, {"a_surface", "b_surface"});
+  const auto curves = [&](const char* set) {
+    return side_curves(whole, whole.whole_side_sets.at(set), Smoothing::CatmullRom, set);
+  };
+  const Pattern pattern(whole);
+  const auto term = make_pair_term(whole, curves("a_surface"), curves("b_surface"), pattern, law(), {});
+  std::vector<double> f(whole_u.size(), 0.0);
+  EXPECT_TRUE(term->add_force({nullptr, nullptr, whole_u.data()}, gauss_rule(2), f.data()));
+  ASSERT_EQ(own.size(), f.size());
+  EXPECT_LT(test::distance(own, f), 1e-15);
+  EXPECT_NEAR(bodies.energy(u), term->energy(whole_u.data()), 1e-15);
+  EXPECT_EQ(bodies.model->space().minimum(bodies.term->lowest_point(u.data()).gap),
+            term->lowest_point(whole_u.data()).gap);
+}
+
+/// Along the largest admissible step all gaps keep their margin, and a step that changes no gap is not limited.
+TEST(PairTermTest, AdmissibleStepsKeepTheMargin) {
+  const Bodies bodies(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::CatmullRom);
+  const LocalMesh& mesh = bodies.model->mesh();
+  std::vector<double> u = test::at_rest(*bodies.model), way(u.size());
+  const auto set_way = [&](double own, double other, double turn) {
+    for (std::size_t k = 0; k < u.size(); k += 2) {
+      const bool second = 5 * mesh.coordinates[k] + 3.6 * mesh.coordinates[k + 1] > (25 + 3.6 * 3.6) / 2;
+      way[k] = (second ? other : own) * 0.8 - turn * mesh.coordinates[k + 1];
+      way[k + 1] = (second ? other : own) * 0.6 + turn * mesh.coordinates[k];
+    }
+  };
+  set_way(3, -2, 0);  // towards each other
+  const double step =
+      bodies.model->space().minimum(bodies.term->admissible_step({nullptr, nullptr, u.data()}, end_rule(), way.data()));
+  InteractionReport before, after;
+  bodies.term->report(u.data(), before);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] += step * way[k];
+  bodies.term->report(u.data(), after);
+  const double g0 = bodies.model->space().minimum(before.least_gap),
+               g1 = bodies.model->space().minimum(after.least_gap);
+  const double least = 0.8 * std::min(g0, law()->equilibrium_gap());
+  EXPECT_GE(g1, least - 1e-12);
+  EXPECT_LT(g1, least + 0.02);  // not shorter than need be
+  u = test::at_rest(*bodies.model);
+  set_way(30, 30, 0);
+  EXPECT_EQ(bodies.term->admissible_step({nullptr, nullptr, u.data()}, end_rule(), way.data()), 1);
+  set_way(-30, 30, 0);
+  EXPECT_EQ(bodies.term->admissible_step({nullptr, nullptr, u.data()}, end_rule(), way.data()), 1);
+  set_way(1, -1, 0);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] += way[k];
+  bodies.force({nullptr, nullptr, u.data()}, end_rule(), false);
+  EXPECT_LT(bodies.term->lowest_point(u.data()).gap, 0);
+}
+
+TEST(PairTermTest, GapsPressuresAndRatios) {
+  const Bodies bodies(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::CatmullRom);
+  const LocalMesh& mesh = bodies.model->mesh();
+  const std::vector<double> u = test::at_rest(*bodies.model);
+  std::vector<double> gap = bodies.model->nodal_gap(u.data()), pressure = bodies.model->contact_pressure(u.data());
+  const std::vector<double> traction = bodies.model->interaction_traction(u.data());
+  const double expected = law()->traction(0.3)[0];
+  for (std::size_t n = 0; n < static_cast<std::size_t>(mesh.owned_nodes); ++n) {
+    const double y = mesh.coordinates[2 * n + 1];
+    if (std::abs(y - 0.3) < 1e-12) {
+      EXPECT_NEAR(gap[n], 0.3, 1e-15);
+      EXPECT_NEAR(pressure[n], expected, 1e-14);
+      EXPECT_NEAR(traction[2 * n + 1], expected, 1e-14);
+      EXPECT_NEAR(traction[2 * n], 0, 1e-15);
+    } else {
+      EXPECT_TRUE(std::isnan(gap[n]));
+      EXPECT_EQ(pressure[n], 0);
+      EXPECT_EQ(traction[2 * n + 1], 0);
+    }
+  }
+  const InteractionReport report = bodies.model->interaction_report(u.data());
+  EXPECT_NEAR(report.force[1], 2 * expected, 1e-14);
+  EXPECT_NEAR(report.measure, 2, 1e-14);
+  EXPECT_NEAR(report.least_gap, 0.3, 1e-15);
+  std::vector<double> higher = u;
+  for (std::size_t k = 1; k < u.size(); k += 2)
+    if (mesh.coordinates[k] > 0.2) higher[k] = 0.3;
+  EXPECT_NEAR(bodies.model->gap_ratio(u.data(), higher.data()), 2, 1e-12);
+  EXPECT_EQ(bodies.model->gap_ratio(u.data(), u.data()), 1);
+  EXPECT_GT(bodies.term->rounding(u.data()), bodies.model->space().comm()->getSize() == 1 ? 0 : -1);
+}
+
+/// Turns two equal disks by 180 degrees into each other. Two passes with half the weight treat them alike, one pass
+/// does not.
+TEST(PairTermTest, TwoHalfWeightedPassesHaveNoBias) {
+  const Mesh mesh = test::two_disks(3, {5, 3.6});
+  const auto bias = [&](bool both) {
+    const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
+    SurfacePair pair;
+    pair.law = law();
+    pair.factor = [both](const std::array<double, 3>&) { return both ? 0.5 : 1.0; };
+    pair.secondary = "a_surface";
+    pair.primary = "b_surface";
+    add_pair(*model, pair);
+    std::swap(pair.secondary, pair.primary);
+    if (both) add_pair(*model, pair);
+    const auto& x = model->mesh().coordinates;
+    std::vector<double> u = test::at_rest(*model), f(u.size());
+    for (std::size_t k = 0; k < u.size(); k += 2) {
+      const bool second = 5 * x[k] + 3.6 * x[k + 1] > (25 + 3.6 * 3.6) / 2;
+      const double sign = second ? -1 : 1, a = second ? 5 - x[k] : x[k], b = second ? 3.6 - x[k + 1] : x[k + 1];
+      u[k] = sign * 0.05 * std::sin(a + 0.5 * b);
+      u[k + 1] = sign * 0.05 * std::cos(1.3 * a - b);
+    }
+    EXPECT_TRUE(model->force(Part::Interaction, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
+    const std::vector<double> whole = test::gathered(*model, f), &places = mesh.coordinates;
+    double largest = 0;
+    for (std::size_t k = 0; k < whole.size(); k += 2)
+      for (std::size_t j = 0; j < whole.size(); j += 2)
+        if (std::hypot(places[k] + places[j] - 5, places[k + 1] + places[j + 1] - 3.6) < 1e-9)
+          largest = std::max({largest, std::abs(whole[k] + whole[j]), std::abs(whole[k + 1] + whole[j + 1])});
+    return largest;
+  };
+  EXPECT_LT(bias(true), 1e-13);
+  EXPECT_GT(bias(false), 1e-4);
+}
+
+TEST(PairTermTest, NotANumberShowsInTheForceAndMeansInClosedFormAreRefused) {
+  const Bodies bodies(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::CatmullRom);
+  std::vector<double> u(static_cast<std::size_t>(bodies.model->space().local()), std::nan(""));
+  std::vector<double> f(u.size(), 0.0);
+  bodies.term->add_force({nullptr, nullptr, u.data()}, end_rule(), f.data());
+  double sum = 0;
+  for (double value : f) sum += value;
+  EXPECT_TRUE(std::isnan(sum));
+  EXPECT_FALSE(bodies.term->follows(Mean::Exact));
+  EXPECT_THROW(bodies.term->add_force({u.data(), nullptr, u.data()}, exact_rule(), f.data()), std::logic_error);
+}
+
+}  // namespace
+}  // namespace ixos

@@ -1,0 +1,181 @@
+// Two bodies that stick to each other: conservation laws, closed forms, and the rigid wall.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "interaction/van_der_waals.hpp"
+#include "scene/simulation.hpp"
+#include "support/comparison.hpp"
+#include "support/two_bodies.hpp"
+
+namespace ixos {
+namespace {
+
+using test::count;
+using test::list;
+using test::number;
+using test::texts;
+using test::word;
+
+constexpr double work_of_adhesion_of_the_law = 0.01549567;
+
+std::string material(const std::string& block) {
+  return list(block, word("Block", block) + number("Young's Modulus", 1) + number("Poisson's Ratio", 0.2) +
+                         number("Density", 5e-7));
+}
+
+/// The scene of two bodies of the blocks first and second; `pair`: more entries of the interaction.
+Teuchos::ParameterList scene_of(const std::string& first, const std::string& second, const std::string& secondary,
+                                const std::string& primary, const std::string& time, const std::string& pair = "",
+                                const std::string& more = "") {
+  return test::scene(list("Materials", material(first) + material(second)) +
+                     list("Interactions", list("Pair", word("Side Set", secondary) + word("Primary Side Set", primary) +
+                                                           number("Gamma L", 2.5) + number("Gamma W", 25) + pair)) +
+                     time + list("Nonlinear Solver", number("Tolerance", 1e-12)) + more);
+}
+
+/// Two disks of radius 3 that approach each other off centre.
+class Collision {
+ public:
+  Collision(const std::string& scheme, double step, const std::string& options = "", const std::string& pair = "")
+      : simulation_(scene_of("a_body", "b_body", "a_surface", "b_surface",
+                             test::time_integrator(scheme, step, 1, options), pair),
+                    test::two_disks(3, {6.1, 2.4}), test::world()) {
+    const LocalMesh& mesh = simulation_.model().mesh();
+    std::vector<double> u = test::at_rest(simulation_.model()), v = u;
+    for (std::size_t k = 0; k < v.size(); k += 2) v[k] = mesh.coordinates[k] > 3.05 ? -speed : speed;
+    simulation_.integrator().initialize(u, v, 0);
+  }
+  Simulation& simulation() { return simulation_; }
+  Momenta momenta() {
+    return simulation_.model().momenta(simulation_.integrator().state().u.data(),
+                                       simulation_.integrator().state().v.data());
+  }
+  double least_gap() {
+    return simulation_.model().interaction_report(simulation_.integrator().state().u.data()).least_gap;
+  }
+  static constexpr double speed = 15;
+
+ private:
+  Simulation simulation_;
+};
+
+/// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme.
+TEST(TwoBodiesTest, LinearMomentumIsKept) {
+  for (const char* scheme : {"Newmark", "Generalized-Alpha", "Midpoint", "Bathe Composite", "Gautam-Sauer Composite",
+                             "Average Vector Field", "Central Difference"}) {
+    const bool averages = std::string(scheme) == "Average Vector Field" || scheme[1] == 'a';
+    const double dt = std::string(scheme) == "Central Difference" ? 1e-4 : 0.001;
+    Collision collision(scheme, dt, averages && scheme[0] != 'B' ? count("Interaction Points", 5) : "");
+    const double mass_times_speed = 2 * M_PI * 9 * 5e-7 * Collision::speed;
+    double least = 1;
+    for (int step = 0; step < std::lround(0.04 / dt); ++step) {
+      ASSERT_TRUE(collision.simulation().integrator().step(dt).converged) << scheme << " " << step;
+      least = std::min(least, collision.least_gap());
+    }
+    for (double momentum : collision.momenta().linear) EXPECT_NEAR(momentum, 0, 1e-12 * mass_times_speed) << scheme;
+    EXPECT_LT(least, 0.25) << scheme;
+  }
+}
+
+/// The energy error of the average vector field is that of the quadrature in time.
+TEST(TwoBodiesTest, TheAverageVectorFieldKeepsTheEnergy) {
+  Collision collision("Average Vector Field", 0.001, count("Interaction Points", 8) + count("Elastic Points", 4));
+  const double before = test::total_energy(collision.simulation());
+  double largest = 0, least = 1;
+  for (int step = 0; step < 100; ++step) {
+    ASSERT_TRUE(collision.simulation().integrator().step(0.001).converged);
+    largest = std::max(largest, std::abs(test::total_energy(collision.simulation()) - before));
+    least = std::min(least, collision.least_gap());
+  }
+  EXPECT_LT(largest, 1e-7 * work_of_adhesion_of_the_law);
+  EXPECT_LT(least, 0.25);
+}
+
+/// Returns the largest attraction between two rigid cylinders of radius 10, per length.
+double pull_off(int core, int rings) {
+  const Mesh mesh = test::two_disks(10, {0, 20.2}, core, rings);
+  const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
+  SurfacePair pair;
+  pair.secondary = "a_surface";
+  pair.primary = "b_surface";
+  pair.law = gap_law(VanDerWaals(2.5, 25));
+  add_pair(*model, pair);
+  std::vector<double> u = test::at_rest(*model);
+  double largest = 0;
+  for (double shift = 0; shift < 0.2; shift += 0.0025) {
+    for (std::size_t k = 0; k < u.size(); k += 2)
+      if (model->mesh().coordinates[k + 1] > 10.1) u[k + 1] = shift;
+    largest = std::max(largest, model->interaction_report(u.data()).force[1]);
+  }
+  return largest;
+}
+
+/// The exact value is that of all pairs of the two bodies' molecules (Argento, Jagota and Carter 1997), 0.165710. The
+/// law of the least distance is 3.4 % above it.
+TEST(TwoBodiesTest, CylindersPullOffNearTheExactForce) { EXPECT_NEAR(pull_off(24, 2) / 0.165710, 1.034, 0.001); }
+
+/// A flat primary surface whose body is held is the rigid wall.
+TEST(TwoBodiesTest, AHeldBodyWithAFlatFaceIsTheWall) {
+  const std::string time = test::time_integrator("Average Vector Field", 2e-4, 1, count("Interaction Points", 5));
+  const std::string held =
+      list("Boundary Conditions", list("Held", word("Node Set", "lower_inside") + word("Components", "xy")));
+  Mesh mesh = test::two_blocks(0.4);
+  NodeSet inside{"lower_inside", {}};
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (mesh.coordinates[2 * static_cast<std::size_t>(node) + 1] < 0.1) inside.nodes.push_back(node);
+  mesh.node_sets.push_back(inside);
+  Simulation pair(
+      scene_of("lower_body", "upper_body", "upper_bottom", "lower_top", time, word("Smoothing", "None"), held), mesh,
+      test::world());
+  Teuchos::ParameterList scene =
+      scene_of("lower_body", "upper_body", "upper_bottom", "lower_top", time, word("Smoothing", "None"), held);
+  scene.sublist("Interactions").sublist("Pair").remove("Primary Side Set");
+  Simulation wall(scene, mesh, test::world());
+  double least = 1;
+  for (int step = 0; step < 60; ++step) {
+    for (Simulation* simulation : {&pair, &wall}) ASSERT_TRUE(simulation->integrator().step(2e-4).converged);
+    least = std::min(least, pair.model().interaction_report(pair.integrator().state().u.data()).least_gap);
+  }
+  const auto a = test::gathered(pair.model(), pair.integrator().state().u);
+  const auto b = test::gathered(wall.model(), wall.integrator().state().u);
+  EXPECT_LT(test::distance(a, b), 1e-9);
+  EXPECT_LT(least, 0.25);
+}
+
+TEST(TwoBodiesTest, ScenesThatPairsDoNotTakeAreRefusedAtTheirPlace) {
+  const std::string time = test::time_integrator("Newmark", 0.001, 1);
+  const auto expect_refusal = [&](const std::string& pair, const std::string& text) {
+    try {
+      Simulation(scene_of("a_body", "b_body", "a_surface", "b_surface", time, pair), test::two_disks(3, {6.1, 2.4}),
+                 test::world());
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).find("Interactions/Pair" + text), 0U) << error.what();
+    }
+  };
+  expect_refusal(list("Friction", word("Type", "Constant Stress") + number("Stress", 0.01)), "/Friction/Type");
+  expect_refusal(word("Contact Element", "Q1C2"), "/Contact Element");
+  expect_refusal(list("Motion", texts("Translation", "{Up, Up}")), "/Motion");
+  expect_refusal(number("Cutoff", 0.1), "/Cutoff");
+  Teuchos::ParameterList scene = scene_of("a_body", "b_body", "a_surface", "c_surface", time);
+  EXPECT_THROW(Simulation(scene, test::two_disks(3, {6.1, 2.4}), test::world()), InputError);
+  scene = scene_of("a_body", "b_body", "a_surface", "b_surface", time);
+  EXPECT_THROW(Simulation(scene, test::two_disks(3, {5, 2.4}), test::world()), InputError);  // they overlap
+}
+
+TEST(TwoBodiesTest, SchemesWithMeansInClosedFormAreRefused) {
+  for (const char* scheme : {"Energy-Momentum", "Average Vector Field"}) {
+    const std::string points = std::string(scheme) == "Energy-Momentum" ? "" : count("Interaction Points", 0);
+    try {
+      Collision collision(scheme, 0.001, points);
+      ADD_FAILURE() << scheme;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("Interactions/Pair/Primary Side Set"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ixos
