@@ -25,7 +25,7 @@ struct CurveSegment {
   std::array<int, most> nodes{};  ///< the first `count` count
   std::size_t count = 2;
   std::array<std::array<double, 4>, most> coefficients{};  ///< by node and power of t
-  /// At t = 0 and at t = 1: true if the curve goes on in the same direction, false at a corner or a free end.
+  /// At t = 0 and at t = 1: true if the next segment has the same direction, false at a corner or a free end.
   std::array<bool, 2> smooth{false, false};
   /// The segments that begin or end at t = 0 and at t = 1; -1 at a free end.
   std::array<int, 2> neighbours{-1, -1};
@@ -58,8 +58,8 @@ CurveSegment smooth_segment(const std::array<int, 4>& nodes, const std::array<do
 struct CurveFoot {
   double t = 0;
   double distance = 0;  ///< [L0], not negative
-  /// The end that is the nearest point, 0 or 1; -1 if the point is inside, or at an end where the curve goes on
-  /// smoothly.
+  /// The end that is the nearest point, 0 or 1; -1 if the point is inside, or at an end with a smooth
+  /// continuation.
   int end = -1;
 };
 

@@ -38,4 +38,8 @@ struct LocalHalving {
 LocalHalving localize(const Halving& halving, const std::vector<int>& node_owner, int rank, int ranks,
                       const LocalMesh& fine);
 
+/// Sets `fine.halving` to rank `rank`'s part of the parents of a mesh's cells; leaves it null if there are none.
+/// `fine`: as above.
+void add_parents(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks, LocalMesh& fine);
+
 }  // namespace ixos

@@ -1,5 +1,6 @@
 // A rank's part of the parents of halved cells.
 #include <algorithm>
+#include <memory>
 
 #include "mesh/halving.hpp"
 
@@ -77,6 +78,11 @@ LocalHalving localize(const Halving& halving, const std::vector<int>& node_owner
     result.first_share.push_back(result.corner.size());
   }
   return result;
+}
+
+void add_parents(const Mesh& mesh, const std::vector<int>& node_owner, int rank, int ranks, LocalMesh& fine) {
+  if (const auto halving = halve(mesh))
+    fine.halving = std::make_shared<const LocalHalving>(localize(*halving, node_owner, rank, ranks, fine));
 }
 
 }  // namespace ixos

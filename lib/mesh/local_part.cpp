@@ -69,10 +69,7 @@ void refuse_different(const Mesh& mesh, const std::vector<int>& owner, const Com
 LocalMesh part_with_parents(const Mesh& mesh, const std::vector<int>& owner, const Comm& comm,
                             const std::vector<std::string>& whole) {
   LocalMesh local = localize(mesh, owner, comm->getRank(), comm->getSize(), whole);
-  if (mesh.dimension == 3)
-    if (const auto halving = halve(mesh))
-      local.halving =
-          std::make_shared<const LocalHalving>(localize(*halving, owner, comm->getRank(), comm->getSize(), local));
+  if (mesh.dimension == 3) add_parents(mesh, owner, comm->getRank(), comm->getSize(), local);
   return local;
 }
 

@@ -66,7 +66,7 @@ const Options<Parameters>& options() {
                                                                  {"None", Smoothing::None}},
                   "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
                   "nodes, with corners where two sides meet at more than 30 degrees; None has straight sides, whose "
-                  "normals jump at the nodes. Of no effect without a Primary Side Set.")
+                  "normals jump at the nodes. It has no effect without a Primary Side Set.")
           .choose("Contact Element", &Parameters::element, contact_elements(),
                   "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
                   "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "

@@ -131,8 +131,7 @@ LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner
   LocalMesh local = localize(mesh, owner, rank, ranks, whole_side_sets(interactions_));
   const long long dofs = static_cast<long long>(mesh.nodes()) * mesh.dimension;
   if (inertia != Inertia::Lumped && may_use_parents(parameters_.sublist("Linear Solver"), mesh.dimension, dofs, ranks))
-    if (const auto halving = halve(mesh))
-      local.halving = std::make_shared<const LocalHalving>(localize(*halving, owner, rank, ranks, local));
+    add_parents(mesh, owner, rank, ranks, local);
   return local;
 }
 

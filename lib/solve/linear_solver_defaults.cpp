@@ -105,10 +105,10 @@ std::string choice(ParameterList& list, const char* name, const std::string& fal
   return value;
 }
 
-/// Chooses the coarse solver, unless the list does: a factorisation of the coarse cells' matrix where that is cheap,
-/// else MueLu. Blocks of 10,000 coarse degrees of freedom take MueLu 0.8 of the factorisation's time. MueLu smooths
-/// them more than a fine matrix, so that iterations stay those of an exact coarse solve: 7 or 8 from 14^3 to 56^3
-/// linear cells in place of 7 to 10, in the same time.
+/// Chooses the coarse solver, unless the list does. It takes a factorisation of the coarse cells' matrix if that is
+/// cheap, else MueLu. On blocks of 10,000 coarse degrees of freedom MueLu takes 0.8 of the factorisation's time. It
+/// smooths them more than a fine matrix, so that iterations stay those of an exact coarse solve: 7 or 8 from 14^3 to
+/// 56^3 linear cells in place of 7 to 10, in the same time.
 void complete_two_level(ParameterList& list, const ProblemSize& size) {
   ParameterList& coarse = list.sublist("Preconditioner Types").sublist("Two-Level").sublist("Coarse");
   ProblemSize corners = size;
@@ -156,23 +156,20 @@ void refuse_symmetric_solvers(ParameterList& list, const std::string& asymmetry)
     refuse("Preconditioner Type", "Chebyshev", "\"MueLu\", \"Ifpack2\" or \"Direct\"");
 }
 
+[[noreturn]] void refuse_two_level(const std::string& need) {
+  throw InputError("Linear Solver/Preconditioner Type: \"Two-Level\" needs " + need +
+                   "; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
+}
+
 /// Throws InputError if the two-level cycle is not possible.
-void refuse_two_level(const ProblemSize& size, const std::string& op) {
-  const auto refuse = [](const std::string& why) {
-    throw InputError("Linear Solver/Preconditioner Type: \"Two-Level\" needs " + why +
-                     "; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
-  };
-  if (!size.quadratic && !size.halved)
-    refuse(
-        "a mesh of quadratic cells, or of linear ones that halve larger cells in each direction without enriched "
-        "sides, and this one has linear cells that do not");
+void check_two_level(const ProblemSize& size, const std::string& op) {
+  require_coarse_cells(size);
   if (!size.asymmetry.empty())
-    refuse("a symmetric matrix; because of " + size.asymmetry + ", the tangent is not symmetric");
-  if (!size.matrix_only.empty()) refuse("matrix-free tangents, which are not offered for " + size.matrix_only);
-  if (!size.fine_only.empty())
-    refuse("a Galerkin product on linear cells (TangentAction::add_coarse) of each term, which " + size.fine_only +
-           " does not offer");
-  if (op == "Assembled") refuse("matrix-free tangents, and Operator is \"Assembled\"");
+    refuse_two_level("a symmetric matrix; because of " + size.asymmetry + ", the tangent is not symmetric");
+  if (!size.matrix_only.empty())
+    refuse_two_level("matrix-free tangents, which are not offered for " + size.matrix_only);
+  require_coarse_terms(size);
+  if (op == "Assembled") refuse_two_level("matrix-free tangents, and Operator is \"Assembled\"");
 }
 
 void refuse_matrix_free(const ProblemSize& size) {
@@ -192,7 +189,7 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
       choice(list, "Preconditioner Type", "None", {"None", "MueLu", "Ifpack2", "Direct", "Chebyshev", "Two-Level"});
   const std::string op = choice(list, "Operator", "Automatic", {"Automatic", "Assembled", "Matrix-Free"});
   if (op == "Matrix-Free") refuse_matrix_free(size);
-  if (preconditioner == "Two-Level") refuse_two_level(size, op);
+  if (preconditioner == "Two-Level") check_two_level(size, op);
   refuse_symmetric_solvers(list, size.asymmetry);
   if (type == "Automatic") {
     const bool direct = factorize(size) && !asks;
@@ -227,6 +224,19 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
 }
 
 }  // namespace
+
+void require_coarse_cells(const ProblemSize& size) {
+  if (!size.quadratic && !size.halved)
+    refuse_two_level(
+        "a mesh of quadratic cells, or of linear ones that halve larger cells in each direction without enriched "
+        "sides, and this one has linear cells that do not");
+}
+
+void require_coarse_terms(const ProblemSize& size) {
+  if (!size.fine_only.empty())
+    refuse_two_level("a Galerkin product on linear cells (TangentAction::add_coarse) of each term, which " +
+                     size.fine_only + " does not offer");
+}
 
 bool may_use_parents(const ParameterList& user, int dimension, long long dofs, int ranks) {
   if (!user.isType<std::string>("Preconditioner Type")) {

@@ -41,6 +41,11 @@ Teuchos::ParameterList completed_linear_solver(const Teuchos::ParameterList& use
 /// leaves the choice.
 bool may_use_parents(const Teuchos::ParameterList& user, int dimension, long long dofs, int ranks);
 
+/// Throw InputError, for "Two-Level", if the mesh has neither quadratic cells nor parents, or if a term has no Galerkin
+/// product on coarse cells.
+void require_coarse_cells(const ProblemSize& size);
+void require_coarse_terms(const ProblemSize& size);
+
 /// Returns whether a "Preconditioner Type" never asks a matrix-free tangent for its matrix.
 bool preconditions_without_matrix(const std::string& type);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "solve/linear_solver_defaults.hpp"
 #include "solve/problem_size.hpp"
 
 namespace ixos {
@@ -133,15 +134,9 @@ Teuchos::RCP<CrsMatrix> TangentOperator::matrix() const {
 
 const CoarseSpace& TangentOperator::coarse_space() const {
   if (coarse_space_) return *coarse_space_;
-  if (!has_quadratic_cells(model_.mesh()) && model_.mesh().halving == nullptr)
-    throw InputError(
-        "Linear Solver/Preconditioner Type: \"Two-Level\" needs a mesh of quadratic cells, or of linear ones that "
-        "halve "
-        "larger cells, and this one has linear cells that do not; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
-  if (const std::string term = term_without_coarse(model_); !term.empty())
-    throw InputError("Linear Solver/Preconditioner Type: \"Two-Level\" needs a Galerkin product on linear cells " +
-                     ("(TangentAction::add_coarse) of each term, which " + term) +
-                     " does not offer; use \"MueLu\", \"Ifpack2\" or \"Direct\"");
+  const ProblemSize size = problem_size(model_);
+  require_coarse_cells(size);
+  require_coarse_terms(size);
   coarse_space_ = std::make_unique<CoarseSpace>(model_.mesh(), model_.space(), model_.constraints().dofs());
   return *coarse_space_;
 }

@@ -23,8 +23,7 @@ LocalMesh part_of(const Mesh& mesh, const Comm& comm) {
   const int rank = comm->getRank(), ranks = comm->getSize();
   const std::vector<int> owner = partition_nodes(mesh, ranks);
   LocalMesh part = localize(mesh, owner, rank, ranks);
-  if (const auto halving = halve(mesh))
-    part.halving = std::make_shared<const LocalHalving>(localize(*halving, owner, rank, ranks, part));
+  add_parents(mesh, owner, rank, ranks, part);
   return part;
 }
 

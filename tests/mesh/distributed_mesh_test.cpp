@@ -182,16 +182,20 @@ TEST(DistributedMeshTest, ItsNodesMayHaveAnyOrder) {
                 mesh.coordinates[static_cast<std::size_t>((part.program_ids[node] - 100) / 3) * 2 + i]);
 }
 
+using Spoil = std::function<void(DistributedMesh&)>;
+
+/// Returns why a mesh is refused after `spoil` has changed it; empty if it is not.
+std::string refusal_of(DistributedMesh share, const Spoil& spoil, const Comm& comm) {
+  spoil(share);
+  return refusal([&] { local_part(share, comm); });
+}
+
 TEST(DistributedMeshTest, UnsoundMeshesAreRefusedOnAllRanks) {
   const Comm comm = test::world();
   const Mesh mesh = meshes()[0];
   const DistributedMesh sound = share_of(mesh, partition_nodes(mesh, comm->getSize()));
   const bool first = comm->getRank() == 0;
-  const auto message = [&](const std::function<void(DistributedMesh&)>& spoil) {
-    DistributedMesh share = sound;
-    spoil(share);
-    return refusal([&] { local_part(share, comm); });
-  };
+  const auto message = [&](const Spoil& spoil) { return refusal_of(sound, spoil, comm); };
   EXPECT_EQ(message([](DistributedMesh&) {}), "");
   expect_contains(message([&](DistributedMesh& m) { m.dimension = 4; }), "the mesh has 4 dimensions");
   expect_contains(message([&](DistributedMesh& m) {
@@ -259,11 +263,7 @@ TEST(DistributedMeshTest, UnsoundQuadraticCellsAreRefusedOnAllRanks) {
   const Mesh mesh = meshes()[2];
   const DistributedMesh sound = share_of(mesh, partition_nodes(mesh, comm->getSize()));
   const bool first = comm->getRank() == 0;
-  const auto message = [&](const std::function<void(DistributedMesh&)>& spoil) {
-    DistributedMesh share = sound;
-    spoil(share);
-    return refusal([&] { local_part(share, comm); });
-  };
+  const auto message = [&](const Spoil& spoil) { return refusal_of(sound, spoil, comm); };
   EXPECT_EQ(message([](DistributedMesh&) {}), "");
   expect_contains(message([](DistributedMesh& m) { m.order = 3; }), "cells have order 3; 1 or 2 are allowed");
   expect_contains(message([&](DistributedMesh& m) {

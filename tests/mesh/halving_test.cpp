@@ -23,7 +23,7 @@ Mesh block(int dimension, std::array<int, 3> divisions) {
   return box(shape);
 }
 
-/// Renumbers nodes and cells, and turns each cell about an axis of its own.
+/// Returns the mesh with its nodes and cells in another order, and each cell turned about some axis.
 Mesh shuffled(const Mesh& mesh, unsigned seed) {
   std::mt19937 random(seed);
   std::vector<int> number(static_cast<std::size_t>(mesh.nodes()));

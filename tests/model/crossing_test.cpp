@@ -5,6 +5,7 @@
 #include "mesh/enrichment/enrich.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "support/refusal.hpp"
+#include "support/silent_interaction.hpp"
 #include "support/solids.hpp"
 #include "time/catalogue.hpp"
 
@@ -12,23 +13,12 @@ namespace ixos {
 namespace {
 
 /// A surface without forces: its lowest point is the lowest node of this rank above y = 0.
-class Silent final : public Interaction {
+class Silent final : public test::SilentInteraction {
  public:
   Silent(const LocalMesh& mesh, bool positive) : mesh_(mesh), positive_(positive) {}
   bool add_force(const Segment&, const Rule&, double*) const override { return true; }
   void add_tangent(const Segment&, const Rule&, Tangent, double*) const override {}
-  bool add_row_sums(const Segment&, double*) const override { return true; }
-  double energy(const double*) const override { return 0; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  void report(const double*, InteractionReport&) const override {}
   bool needs_positive_gaps() const override { return positive_; }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double mean_potential(const Segment&) const override { return 0; }
-  double rounding(const double*) const override { return 0; }
-  void add_nodal_measure(CountedSides&, double*) const override {}
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
   LowestPoint lowest_point(const double* u) const override {
     LowestPoint lowest;
     for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {

@@ -6,6 +6,7 @@
 #include "interaction/catalogue.hpp"
 #include "run/restart_fixture.hpp"
 #include "study/history_table.hpp"
+#include "support/silent_interaction.hpp"
 #include "term/friction_term.hpp"
 
 namespace ixos::test {
@@ -86,7 +87,7 @@ TEST_F(RestartTest, FrictionHasColumns) {
 
 /// Friction whose work nobody books: with a share of the true threshold and stiffness it stands for a force that is
 /// wrong by that share.
-class StrayFriction final : public Interaction {
+class StrayFriction final : public test::SilentInteraction {
  public:
   explicit StrayFriction(std::unique_ptr<Interaction> term) : term_(std::move(term)) {}
   void place(const Pattern& pattern) override { term_->place(pattern); }
@@ -101,19 +102,7 @@ class StrayFriction final : public Interaction {
     term_->add_tangent(segment, rule, kind, values);
   }
   const Rule& followed(const Rule& rule) const override { return term_->followed(rule); }
-  bool add_row_sums(const Segment&, double*) const override { return true; }
-  double energy(const double*) const override { return 0; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  void report(const double*, InteractionReport&) const override {}
   bool needs_positive_gaps() const override { return true; }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double mean_potential(const Segment&) const override { return 0; }
-  double rounding(const double*) const override { return 0; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_measure(CountedSides&, double*) const override {}
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
 
  private:
   std::unique_ptr<Interaction> term_;

@@ -89,7 +89,7 @@ void add_motion(const Simulation& s, Motion& motion) {
     EXPECT_TRUE(motion.insert({{from, from + d}, {value, value + d}}).second);
 }
 
-/// What the bodies have together: kinetic energy, energy of the interactions, linear and angular momenta.
+/// Sums over the bodies: kinetic energy, energy of the interactions, linear and angular momenta.
 struct Sums {
   double kinetic = 0, interaction = 0;
   std::vector<double> linear = std::vector<double>(3), angular = std::vector<double>(3);

@@ -268,8 +268,7 @@ TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
   EXPECT_EQ(factory.statistics().setups, 1);
 }
 
-// CG refuses indefinite matrices. Their factorisation serves them nevertheless: so a static body that buckles goes on
-// as with a direct solver.
+// CG refuses indefinite matrices. The solver then uses the factorisation itself.
 TEST(LaggedSolverTest, AFactorizationSolvesAnIndefiniteMatrix) {
   Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
   for (const char* type : {"MUMPS Single", "KLU"}) {

@@ -22,6 +22,7 @@
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "support/silent_interaction.hpp"
 
 namespace ixos {
 namespace {
@@ -269,7 +270,7 @@ TEST(TwoLevelTest, IterationsOnTwoRanksAreThoseOfOne) {
 }
 
 /// Springs of a program that hold the body everywhere, f = u; their action has no Galerkin product.
-class Bed final : public Interaction {
+class Bed final : public test::SilentInteraction {
  public:
   class Action final : public TangentAction {
    public:
@@ -297,19 +298,6 @@ class Bed final : public Interaction {
     });
   }
   std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<Action>(dofs_); }
-  bool add_row_sums(const Segment&, double*) const override { return true; }
-  double energy(const double*) const override { return 0; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  void report(const double*, InteractionReport&) const override {}
-  bool needs_positive_gaps() const override { return false; }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double mean_potential(const Segment&) const override { return 0; }
-  double rounding(const double*) const override { return 0; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_measure(CountedSides&, double*) const override {}
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
 
  private:
   const Pattern& pattern_;

@@ -5,7 +5,6 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
-#include <memory>
 
 #include "fem/corner_element.hpp"
 #include "fem/reference_elements.hpp"
@@ -47,8 +46,7 @@ void expect_lumped_mass() {
   const Mesh mesh = box(shape);
   const std::vector<int> owner = partition_nodes(mesh, comm->getSize());
   LocalMesh part = localize(mesh, owner, comm->getRank(), comm->getSize());
-  part.halving =
-      std::make_shared<const LocalHalving>(localize(*halve(mesh), owner, comm->getRank(), comm->getSize(), part));
+  add_parents(mesh, owner, comm->getRank(), comm->getSize(), part);
   const DofSpace space(part, comm);
   const CoarseSpace coarse(part, space, {});
   const LocalBlock& block = part.blocks.front();

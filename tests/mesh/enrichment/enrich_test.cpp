@@ -8,12 +8,15 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "mesh/enrichment/side_places.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
+
+using test::places;
 
 Mesh rectangle() {
   BoxShape shape;
@@ -28,17 +31,6 @@ const ElementBlock& block_of(const Mesh& mesh, CellType type) {
 
 const SideSet& side_set(const Mesh& mesh, const std::string& name) {
   return *std::find_if(mesh.side_sets.begin(), mesh.side_sets.end(), [&](const SideSet& s) { return s.name == name; });
-}
-
-/// The reference coordinates of a side's nodes.
-std::vector<std::array<double, 2>> places(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  std::vector<std::array<double, 2>> result;
-  for (int a : side_nodes(block.type, side.side)) {
-    const auto n = static_cast<std::size_t>(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-    result.push_back({mesh.coordinates[2 * n], mesh.coordinates[2 * n + 1]});
-  }
-  return result;
 }
 
 TEST(EnrichTest, ASideGetsEquallySpacedNodesAndItsCellsABlock) {

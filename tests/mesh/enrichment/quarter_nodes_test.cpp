@@ -8,6 +8,7 @@
 #include "mesh/enrichment/bricks.hpp"
 #include "mesh/enrichment/conformity.hpp"
 #include "mesh/enrichment/enrich.hpp"
+#include "mesh/enrichment/side_places.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
@@ -16,6 +17,8 @@
 namespace ixos {
 namespace {
 
+using test::places;
+
 Mesh rectangle() {
   BoxShape shape;
   shape.lengths = {4, 2, 1};
@@ -23,16 +26,6 @@ Mesh rectangle() {
   Mesh mesh = box(shape);
   raise_order(mesh);
   return mesh;
-}
-
-std::vector<std::array<double, 2>> places(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  std::vector<std::array<double, 2>> result;
-  for (int a : side_nodes(block.type, side.side)) {
-    const auto n = static_cast<std::size_t>(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-    result.push_back({mesh.coordinates[2 * n], mesh.coordinates[2 * n + 1]});
-  }
-  return result;
 }
 
 TEST(QuarterNodesTest, SidesInThePlaneGetTheirQuarters) {
