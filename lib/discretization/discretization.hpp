@@ -27,11 +27,16 @@ class Discretization {
   /// rank that owns a node must name all stencils of the node. Throws std::out_of_range if a node is not local.
   /// Collective: all ranks call it.
   void couple(const std::vector<std::vector<int>>& stencils);
+  /// Couples all nodes of each stencil likewise, in place of those of the last call of this function.
+  void couple_for_now(std::vector<std::vector<int>> stencils);
 
  private:
+  void check_local(const std::vector<std::vector<int>>& stencils) const;
+  void renew_pattern();
+
   LocalMesh mesh_;
   DofSpace space_;
-  std::vector<std::vector<int>> stencils_;
+  std::vector<std::vector<int>> stencils_, stencils_for_now_;
   Pattern pattern_;
   long version_ = 0;
 };

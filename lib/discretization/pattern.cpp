@@ -30,19 +30,32 @@ Pattern::Pattern(const LocalMesh& mesh, const std::vector<std::vector<int>>& ste
   }
 }
 
-int Pattern::pair(int row, int column) const {
-  if (row >= rows()) return -1;
+/// Returns the index of the pair of an owned row, -1 if the nodes are not coupled.
+int Pattern::find(int row, int column) const {
   const auto begin = columns_.begin() + row_start_[row_index(row)];
   const auto end = columns_.begin() + row_start_[row_index(row) + 1];
   const auto found = std::lower_bound(begin, end, column);
-  if (found == end || *found != column) throw std::logic_error("the nodes of a pair are not coupled");
-  return static_cast<int>(found - columns_.begin());
+  return found == end || *found != column ? -1 : static_cast<int>(found - columns_.begin());
 }
 
-int Pattern::offset(int row, int column) const {
+int Pattern::pair(int row, int column) const {
   if (row >= rows()) return -1;
+  const int found = find(row, column);
+  if (found < 0) throw std::logic_error("the nodes of a pair are not coupled");
+  return found;
+}
+
+int Pattern::offset_of(int row, int pair) const {
   const int first = row_start_[row_index(row)];
-  return dimension_ * dimension_ * first + dimension_ * (pair(row, column) - first);
+  return dimension_ * dimension_ * first + dimension_ * (pair - first);
+}
+
+int Pattern::offset(int row, int column) const { return row >= rows() ? -1 : offset_of(row, pair(row, column)); }
+
+int Pattern::coupled_offset(int row, int column) const {
+  if (row >= rows()) return -1;
+  const int found = find(row, column);
+  return found < 0 ? -1 : offset_of(row, found);
 }
 
 Teuchos::RCP<CrsMatrix> Pattern::create_matrix(const DofSpace& space) const {

@@ -28,6 +28,8 @@ class Pattern {
   int pair(int row, int column) const;
   /// Returns the index of the first matrix value of the node pair's block, or -1 if `row` is not owned.
   int offset(int row, int column) const;
+  /// Returns the same, but -1 if the nodes are not coupled.
+  int coupled_offset(int row, int column) const;
   /// Returns the distance between the rows of the blocks of that owned node.
   int stride(int row) const { return dimension_ * (row_start_[row_index(row) + 1] - row_start_[row_index(row)]); }
 
@@ -63,6 +65,8 @@ class Pattern {
   Teuchos::RCP<CrsMatrix> create_local_matrix(const DofSpace& space) const;
 
  private:
+  int find(int row, int column) const;
+  int offset_of(int row, int pair) const;
   Teuchos::RCP<CrsMatrix> create_matrix(const Teuchos::RCP<const Map>& row_map, const DofSpace& space) const;
   static std::size_t row_index(int row) { return static_cast<std::size_t>(row); }
   int dimension_;

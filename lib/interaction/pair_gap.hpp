@@ -3,42 +3,50 @@
 #include <array>
 #include <cstddef>
 
-#include "interaction/placed_curves.hpp"
+#include "interaction/placed_surface.hpp"
 
 namespace ixos {
 
 /// Derivatives of a signed least distance g (Laursen and Simo 1993; Wriggers 2006) in the places of the nodes of the
-/// point's segment, which come first, and of the foot's. With the weights S = (N of the point, -N of the foot) of their
-/// relative position and those of the foot's tangent, D = (0, dN/dt), the gradient is S n. With the tangent x_t, M =
-/// x_t . x_t, b = x_tt . n, A = M - g b, p = S x_t + g D n and c = D n + b p/A the second derivatives are
-/// -(c p^T + p c^T)/A + b p p^T/A^2 + g c c^T/M. At a corner or a free end they are S S^T (I - n n^T)/g.
+/// point's patch, which come first, and of the foot's. With the weights S = (N of the point, -N of the foot) of their
+/// relative position and those of the foot's tangents, D_k = (0, dN/dxi_k), the gradient is S n. Over the parameters
+/// that are free, with the tangents x_k, M = x_k . x_l, b = x_kl . n, A = M - g b, p = A^-1 (S x_k + g D_k n) and
+/// c = D_k n + b p, the second derivatives are -(c p^T + p c^T) + p b p^T + g c M^-1 c^T. A foot at a kink or a rim
+/// moves along it only: each unit vector m across it and across n adds S S^T m m^T/g.
+template <std::size_t D>
 class PairGap {
  public:
-  static constexpr std::size_t most = 2 * CurveSegment::most;  ///< nodes
-  /// By node and direction: 2 I + i.
-  using Vector = std::array<double, 2 * most>;
-  using Matrix = std::array<Vector, 2 * most>;
+  static constexpr std::size_t most = 2 * SurfacePatch<D>::most;  ///< nodes
+  /// By node and direction: D I + i.
+  using Vector = std::array<double, D * most>;
 
-  /// `weights`: those of the point, of its segment's `count` nodes; `x`: the places of the foot's nodes.
-  PairGap(const CurveSegment::Weights& weights, std::size_t count, const CurveSegment& segment,
-          const CurveSegment::Points& x, const SurfaceFoot& foot);
+  /// `weights`: those of the point, of its patch's `count` nodes; `placed`: the foot's patch where it is.
+  PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
+          const PlacedPatch<D>& placed, const SurfaceFoot<D>& foot);
 
   std::size_t nodes() const { return nodes_; }
   /// Returns dg/dx, S n.
   Vector gradient() const;
-  /// Adds along * grad g grad g^T + across * d2g to a matrix.
-  void add(double along, double across, Matrix& matrix) const;
-  /// Returns whether d2g is positive or negative semidefinite, with the sign of g: at a corner or a free end.
-  bool is_round() const { return round_; }
+  /// Adds along * grad g grad g^T + across * d2g to a matrix of D nodes() rows, row by row.
+  void add(double along, double across, double* matrix) const;
+  /// Returns whether d2g is positive or negative semidefinite, with the sign of g: where no parameter is free.
+  bool is_round() const { return free_ == 0; }
 
  private:
+  static constexpr std::size_t parameters = D - 1;
   std::size_t nodes_;
-  std::array<double, most> s_{}, d_{};
-  Planar normal_;
+  std::array<double, most> s_{};
+  std::array<std::array<double, most>, parameters> d_{};
+  Vec<D> normal_;
   double gap_;
-  bool round_;
-  double metric_ = 1, divisor_ = 1, bend_ = 0;
-  Planar tangent_{};
+  /// Number of parameters that are free; the first `free_` entries of what follows are theirs.
+  std::size_t free_ = 0;
+  std::array<Vec<D>, parameters> tangents_{};
+  std::array<std::array<double, parameters>, parameters> bend_{}, inverse_metric_{}, inverse_{};
+  std::array<Vec<D>, parameters> across_{};  ///< the unit vectors m, D - 1 - free_ of them
 };
+
+extern template class PairGap<2>;
+extern template class PairGap<3>;
 
 }  // namespace ixos

@@ -105,9 +105,26 @@ void Model::add_term(std::unique_ptr<Term> term, const std::string& name) {
 
 void Model::couple(const std::vector<std::vector<int>>& stencils) {
   discretization_.couple(stencils);
+  place_terms();
+}
+
+void Model::place_terms() {
   if (mass_) mass_->place();
   for (const NamedTerm& named : terms_) named.term->place(pattern_);
   constrained_entries_.reset();
+}
+
+void Model::update_couplings(const double* u) {
+  if (moving_.empty()) return;
+  double changed = 0;
+  for (Interaction* term : moving_)
+    if (term->update_stencils(u)) changed = 1;
+  if (space_.maximum(changed) == 0) return;
+  std::vector<std::vector<int>> stencils;
+  for (const Interaction* term : moving_)
+    for (std::vector<int>& stencil : term->stencils()) stencils.push_back(std::move(stencil));
+  discretization_.couple_for_now(std::move(stencils));
+  place_terms();
 }
 
 template <class Visit>

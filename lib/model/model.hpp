@@ -94,6 +94,11 @@ class Model {
   const Discretization& discretization() const { return discretization_; }
   /// Couples further nodes, see Discretization::couple. Integrators renew their solvers at the next step. Collective.
   void couple(const std::vector<std::vector<int>>& stencils);
+  /// Couples the nodes that interactions of bodies couple near the displacement u, a local array, if they have changed
+  /// (see Interaction::update_stencils). Collective if couples_anew().
+  void update_couplings(const double* u);
+  /// Returns whether some interaction couples other nodes as bodies move. Equal on all ranks.
+  bool couples_anew() const { return !moving_.empty(); }
   const Mass* mass() const { return mass_.get(); }     ///< null if static
   const Damping* damping() const { return damping_; }  ///< null without Rayleigh damping
   /// Returns the materials that the model was made with.
@@ -247,6 +252,7 @@ class Model {
   void add_block(std::size_t number, const Material& material);
   void add_damping(const LocalBlock& block, const Material& material, const Elasticity& term);
   void add_branches();
+  void place_terms();
   void add_rate_term(std::unique_ptr<RateTerm> term, const std::string& name);
   void add_term(std::unique_ptr<Term> term, const std::string& name);
   void transfer(std::size_t term, Record& record);
@@ -274,6 +280,7 @@ class Model {
   std::vector<Body> bodies_;                      ///< blocks and their terms
   std::vector<NamedForceTerm> force_terms_;       ///< the force terms among them
   std::vector<const Interaction*> interactions_;  ///< the interactions among the terms
+  std::vector<Interaction*> moving_;              ///< those that couple other nodes as bodies move
   std::vector<const RateTerm*> rates_;            ///< the rate terms among them
   Damping* damping_ = nullptr;                    ///< one of the rate terms
   std::vector<std::string> dissipation_names_;

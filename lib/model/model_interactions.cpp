@@ -10,6 +10,7 @@ namespace ixos {
 
 void Model::add_interaction(std::unique_ptr<Interaction> term, const std::string& name) {
   interactions_.push_back(term.get());
+  if (term->couples_anew()) moving_.push_back(term.get());
   interaction_of_.push_back(name);
   all_interactions_.reset();
   single_interactions_.clear();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -22,8 +23,7 @@ namespace {
 void check(const SurfacePair& pair, const LocalMesh& mesh) {
   if (!pair.law) refuse(pair, "has no law");
   if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
-  if (mesh.dimension != 2 || mesh.axisymmetric)
-    refuse(pair, "is that of two bodies, which needs a mesh of two dimensions in plane strain so far");
+  if (mesh.axisymmetric) refuse(pair, "is that of two bodies, which an axisymmetric mesh cannot have yet");
   if (pair.points < 0 || pair.points > 64)
     refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
   if (!(pair.margin > 0 && pair.margin < 1))
@@ -46,17 +46,19 @@ const std::vector<LocalSide>& all_sides(const LocalMesh& mesh, const Comm& comm,
       name));
 }
 
-/// Returns the mean of the nodal factor and the factor of the place on each side's corners, in words if one is not
-/// allowed.
-std::string bad_factor(const SurfacePair& pair, const LocalMesh& mesh, const SideCurves& curves) {
+/// Returns what is wrong with the nodal factor, or with its product with the factor of the place, at the nodes; empty
+/// if nothing is.
+std::string bad_factor(const SurfacePair& pair, const LocalMesh& mesh, const std::vector<int>& nodes) {
   if (!pair.nodal_factor.empty() && pair.nodal_factor.size() != static_cast<std::size_t>(mesh.nodes()))
     return fmt::format("has {} numbers as nodal factor, but this rank has {} nodes", pair.nodal_factor.size(),
                        mesh.nodes());
-  for (const int local : curves.nodes) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  for (const int local : nodes) {
     const auto node = static_cast<std::size_t>(local);
+    std::array<double, 3> place{};
+    std::copy_n(mesh.coordinates.begin() + static_cast<std::ptrdiff_t>(d * node), d, place.begin());
     double value = pair.nodal_factor.empty() ? 1 : pair.nodal_factor[node];
-    if (pair.factor && value >= 0)
-      value *= pair.factor({mesh.coordinates[2 * node], mesh.coordinates[2 * node + 1], 0});
+    if (pair.factor && value >= 0) value *= pair.factor(place);
     if (!std::isfinite(value) || value < 0)
       return fmt::format("has the factor {} at node {} of the mesh; it must be finite and at least 0", value,
                          mesh.message_number(node));
@@ -64,24 +66,14 @@ std::string bad_factor(const SurfacePair& pair, const LocalMesh& mesh, const Sid
   return "";
 }
 
-void refuse_common_nodes(const SurfacePair& pair, const LocalMesh& mesh, const SideCurves& a, const SideCurves& b) {
-  for (const int node : a.nodes)
-    if (std::find(b.nodes.begin(), b.nodes.end(), node) != b.nodes.end())
+void refuse_common_nodes(const SurfacePair& pair, const LocalMesh& mesh, const std::vector<int>& a,
+                         const std::vector<int>& b) {
+  const std::set<int> own(a.begin(), a.end());
+  for (const int node : b)
+    if (own.count(node) > 0)
       refuse(pair, fmt::format("is that of surfaces with common nodes, such as node {} of the mesh; a surface cannot "
                                "interact with itself yet: choose side sets without common nodes",
                                mesh.message_number(static_cast<std::size_t>(node))));
-}
-
-/// Couples all nodes of the two surfaces.
-void couple(const SurfacePair& pair, Model& model, const SideCurves& a, const SideCurves& b) {
-  constexpr std::size_t most = 10000;
-  std::vector<int> nodes(a.nodes);
-  nodes.insert(nodes.end(), b.nodes.begin(), b.nodes.end());
-  if (nodes.size() > most)
-    refuse(pair, fmt::format("has {} nodes on both surfaces, all of which the matrix couples; at most {} are allowed: "
-                             "choose side sets of the parts that come near each other",
-                             nodes.size(), most));
-  model.couple({nodes});
 }
 
 void refuse_overlap(const SurfacePair& pair, const Model& model, const Interaction& term) {
@@ -101,28 +93,39 @@ void refuse_overlap(const SurfacePair& pair, const Model& model, const Interacti
                        points));
 }
 
+template <std::size_t D>
+void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
+  const LocalMesh& mesh = model.mesh();
+  const Comm& comm = model.space().comm();
+  PairSurfaces<D> surfaces;
+  std::string problem;
+  together<InputError>(comm, [&] {
+    const auto surface = [&](const std::string& name) {
+      return surface_patches<D>(mesh, all_sides(mesh, comm, name), pair.smoothing, name);
+    };
+    surfaces = {surface(pair.secondary), surface(pair.primary)};
+    refuse_common_nodes(pair, mesh, surfaces.secondary.nodes, surfaces.primary.nodes);
+    problem = bad_factor(pair, mesh, surfaces.secondary.nodes);
+  });
+  if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
+  const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
+  auto term = make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law,
+                                {pair.points, pair.margin, {pair.factor, pair.nodal_factor}});
+  if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
+  model.add_interaction(std::move(term), pair.name);
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  model.update_couplings(rest.data());
+}
+
 }  // namespace
 
 void add_pair(Model& model, const SurfacePair& pair) {
   model.check_open();
-  const LocalMesh& mesh = model.mesh();
-  const Comm& comm = model.space().comm();
-  check(pair, mesh);
-  SideCurves secondary, primary;
-  std::string problem;
-  together<InputError>(comm, [&] {
-    secondary = side_curves(mesh, all_sides(mesh, comm, pair.secondary), pair.smoothing, pair.secondary);
-    primary = side_curves(mesh, all_sides(mesh, comm, pair.primary), pair.smoothing, pair.primary);
-    refuse_common_nodes(pair, mesh, secondary, primary);
-    problem = bad_factor(pair, mesh, secondary);
-  });
-  if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
-  couple(pair, model, secondary, primary);
-  const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
-  auto term = make_pair_term(mesh, std::move(secondary), std::move(primary), model.pattern(), law,
-                             {pair.points, pair.margin, {pair.factor, pair.nodal_factor}});
-  if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
-  model.add_interaction(std::move(term), pair.name);
+  check(pair, model.mesh());
+  if (model.mesh().dimension == 2)
+    add_pair_of_dimension<2>(model, pair);
+  else
+    add_pair_of_dimension<3>(model, pair);
 }
 
 }  // namespace ixos

@@ -8,7 +8,7 @@
 
 #include "interaction/gap_law.hpp"
 #include "model/model.hpp"
-#include "term/side_curves.hpp"
+#include "term/surface_patches.hpp"
 
 namespace ixos {
 
@@ -20,7 +20,7 @@ struct SurfacePair {
   std::string primary;                ///< side set
   std::shared_ptr<const GapLaw> law;  ///< see make_gap_law()
   double cutoff = 0;                  ///< gap beyond which nothing acts [L0]; 0: none
-  int points = 0;                     ///< Gauss points on each side of the secondary surface; 0: 5
+  int points = 0;                     ///< Gauss points per direction on each side of the secondary surface; 0: 5
   double margin = 0.8;                ///< in (0, 1), see PairOptions
   std::string name = "interaction";
   Smoothing smoothing = Smoothing::CatmullRom;  ///< of both surfaces
@@ -29,12 +29,13 @@ struct SurfacePair {
   std::vector<double> nodal_factor{};
 };
 
-/// Adds the pair to the model, and couples all nodes of both surfaces in its matrices. On several ranks the model's
-/// mesh must have both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist
-/// or is not whole, the mesh has three dimensions or is axisymmetric, sides are not those of linear cells, the two sets
-/// share a node, the law is missing or has a history, a number is out of range, a factor is negative or not finite
-/// somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after Model::close().
-/// Collective.
+/// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
+/// integrators renew that as the bodies move (Model::update_couplings). On several ranks the model's mesh must have both
+/// side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole, the
+/// mesh is axisymmetric, sides are not those of linear cells, more than two of them meet in a node (in space, in an
+/// edge), the two sets share a node, the law is missing or has a history, a number is out of range, a factor is negative
+/// or not finite somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after
+/// Model::close(). Collective.
 void add_pair(Model& model, const SurfacePair& pair);
 
 }  // namespace ixos

@@ -60,7 +60,7 @@ const Options<Parameters>& options() {
           .add("Primary Side Set", &Parameters::primary,
                "Side set of the surface of another body, the primary (master) surface, from which the gaps of the Side "
                "Set, the secondary (slave) surface, are measured; then there is no obstacle. Choose the finer surface "
-               "as the secondary one. In two dimensions only. Empty: the interaction is that with the Obstacle.")
+               "as the secondary one. Empty: the interaction is that with the Obstacle.")
           .choose("Smoothing", &Parameters::smoothing,
                   std::vector<std::pair<std::string, Smoothing>>{{"Catmull-Rom", Smoothing::CatmullRom},
                                                                  {"None", Smoothing::None}},

@@ -33,6 +33,8 @@ std::string asymmetry(const SceneNode& scene, const std::vector<Material>& mater
       if (const auto* own = dynamic_cast<const Interaction*>(named.term); own != nullptr && own->has_friction())
         return own->is_gradient(end_rule()) ? "the mean friction along the turning obstacle of " + interaction
                                             : interaction + "/Friction/Threshold \"Current\"";
+      if (const auto* own = dynamic_cast<const Interaction*>(named.term); own != nullptr && own->couples_anew())
+        return "the discrete gradient of " + interaction;
       if (rule.mean == Mean::Points || !named.term->is_gradient(end_rule())) return interaction;
       const SceneNode motion = scene.sublist("Interactions").sublist(named.name).sublist("Motion");
       const char* kind = motion.text("Rotation").empty() ? "curved" : "moved";

@@ -71,6 +71,14 @@ class Interaction : public ForceTerm {
   /// Returns whether a gap r <= 0 is inadmissible.
   virtual bool needs_positive_gaps() const = 0;
 
+  /// Returns whether the nodes that the tangent couples change as bodies move. Equal on all ranks.
+  virtual bool couples_anew() const { return false; }
+  /// Finds the nodes that the tangent couples near the displacement u. Returns whether they have changed on this rank.
+  virtual bool update_stencils(const double* /*u*/) { return false; }
+  /// Returns the nodes that it found last: stencils as of Discretization::couple(). Entries of nodes that the pattern
+  /// does not couple are left out of matrices.
+  virtual std::vector<std::vector<int>> stencils() const { return {}; }
+
   /// Returns the largest step s <= 1 for which segment.to + s direction stays admissible with a margin.
   virtual double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const = 0;
 

@@ -6,42 +6,57 @@
 #include <utility>
 
 #include "term/pair_action.hpp"
+#include "term/pair_coupling.hpp"
+#include "term/pair_gradient.hpp"
 
 namespace ixos {
 namespace {
 
-using Share = PairPoints::Share;
-using Contact = PairPoints::Contact;
-using Contacts = PairPoints::Contacts;
-using Block = PairPoints::Block;
-
 double at(const Pack& value) { return value[0]; }
 
+template <std::size_t D>
 class PairTerm final : public Interaction {
  public:
-  PairTerm(const LocalMesh& mesh, SideCurves secondary, SideCurves primary, const Pattern& pattern,
-           std::shared_ptr<const GapLaw> law, const PairOptions& options)
+  using Share = typename PairPoints<D>::Share;
+  using Places = typename PairPoints<D>::Places;
+  using Contact = typename PairPoints<D>::Contact;
+  using Contacts = typename PairPoints<D>::Contacts;
+
+  PairTerm(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern, std::shared_ptr<const GapLaw> law,
+           const PairOptions& options)
       : pattern_(pattern),
-        points_(mesh, std::move(secondary), std::move(primary), std::move(law), options),
+        points_(mesh, std::move(surfaces), std::move(law), options),
+        coupling_(points_),
         margin_(options.margin) {}
 
   bool needs_positive_gaps() const override { return points_.is_positive(); }
-  bool follows(Mean mean) const override { return mean == Mean::Points; }
+  bool follows(Mean mean) const override { return mean != Mean::Exact; }
+
+  bool couples_anew() const override { return true; }
+  bool update_stencils(const double* u) override { return coupling_.update(points_.places(u)); }
+  std::vector<std::vector<int>> stencils() const override { return coupling_.stencils(); }
+  void initialize(const KnownState&) override { coupling_.begin_anew(); }
+  bool has_state() const override { return true; }
+  void transfer(Record& record) override { coupling_.transfer(record); }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     check(rule);
+    if (rule.mean == Mean::DiscreteGradient) {
+      const double least = PairGradient<D>(points_).add_force(segment, f);
+      return !needs_positive_gaps() || least > 0;
+    }
     double least = std::numeric_limits<double>::infinity();
     for (const RulePoint& point : rule.points) {
       const Contacts contacts = points_.contacts(points_.places(segment, point), Share::Forces);
       least = std::min(least, contacts.least_gap);
       for (const Contact& contact : contacts.all) {
-        if (contact.foot.segment < 0) continue;
-        const PairGap gap = points_.gap_of(contacts, contact);
-        const PairGap::Vector gradient = gap.gradient();
-        const auto nodes = points_.nodes_of(contact);
+        if (contact.foot.patch < 0) continue;
+        const PairGap<D> gap = points_.gap_of(contacts, contact);
+        const typename PairGap<D>::Vector gradient = gap.gradient();
+        const std::vector<int> nodes = points_.nodes_of(contact);
         const double factor = -point.weight * points_.measure(contact) * contact.traction;
-        for (std::size_t r = 0; r < 2 * gap.nodes(); ++r)
-          f[2 * static_cast<std::size_t>(nodes[r / 2]) + r % 2] += factor * gradient[r];
+        for (std::size_t r = 0; r < D * nodes.size(); ++r)
+          f[D * static_cast<std::size_t>(nodes[r / D]) + r % D] += factor * gradient[r];
       }
     }
     if (!needs_positive_gaps()) return true;
@@ -49,30 +64,37 @@ class PairTerm final : public Interaction {
     return least > 0;
   }
 
+  /// Leaves out nodes that are not coupled, see PairCoupling.
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     check(rule);
-    points_.for_each_block(segment, rule, kind, [&](const Block& block) {
-      for (std::size_t a = 0; a < block.count; ++a)
-        for (std::size_t b = 0; b < block.count; ++b) {
-          const int offset = pattern_.offset(block.nodes[a], block.nodes[b]);
+    const auto add = [&](const PairBlock& block) {
+      const std::size_t size = D * block.nodes.size();
+      for (std::size_t a = 0; a < block.nodes.size(); ++a)
+        for (std::size_t b = 0; b < block.nodes.size(); ++b) {
+          const int offset = pattern_.coupled_offset(block.nodes[a], block.nodes[b]);
           if (offset < 0) continue;
           const int stride = pattern_.stride(block.nodes[a]);
-          for (int i = 0; i < 2; ++i)
-            for (int j = 0; j < 2; ++j)
-              values[offset + i * stride + j] +=
-                  block.k[2 * a + static_cast<std::size_t>(i)][2 * b + static_cast<std::size_t>(j)];
+          for (std::size_t i = 0; i < D; ++i)
+            for (std::size_t j = 0; j < D; ++j)
+              values[offset + static_cast<int>(i) * stride + static_cast<int>(j)] +=
+                  block.k[(D * a + i) * size + D * b + j];
         }
-    });
+    };
+    if (rule.mean == Mean::DiscreteGradient)
+      PairGradient<D>(points_).for_each_block(segment, kind, add);
+    else
+      points_.for_each_block(segment, rule, kind, add);
   }
 
-  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction>(points_); }
+  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction<D>>(points_); }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
     const Contacts contacts = points_.contacts(points_.places(segment.to), Share::Forces);
-    points_.for_each_block({nullptr, nullptr, segment.to}, end_rule(), Tangent::Exact, [&](const Block& block) {
-      for (std::size_t r = 0; r < 2 * block.count; ++r)
-        for (std::size_t c = 0; c < 2 * block.count; ++c)
-          sums[2 * static_cast<std::size_t>(block.nodes[r / 2]) + r % 2] += std::abs(block.k[r][c]);
+    points_.for_each_block({nullptr, nullptr, segment.to}, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
+      const std::size_t size = D * block.nodes.size();
+      for (std::size_t r = 0; r < size; ++r)
+        for (std::size_t c = 0; c < size; ++c)
+          sums[D * static_cast<std::size_t>(block.nodes[r / D]) + r % D] += std::abs(block.k[r * size + c]);
     });
     return !needs_positive_gaps() || contacts.least_gap > 0;
   }
@@ -85,7 +107,7 @@ class PairTerm final : public Interaction {
   /// bound of a part does not know the direction of the motion.
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!needs_positive_gaps()) return 1;
-    const PairPoints::Places ways = points_.ways(direction);
+    const Places ways = points_.ways(direction);
     double step = free_step(points_.places(segment.to), ways, 1);
     if (segment.from != nullptr || segment.velocity != nullptr)
       for (const RulePoint& point : rule.points)
@@ -112,7 +134,7 @@ class PairTerm final : public Interaction {
     for (std::size_t p = 0; p < at_times[0].all.size(); ++p) {
       double least = std::numeric_limits<double>::infinity(), most = 0;
       for (const Contacts& contacts : at_times) {
-        const SurfaceFoot& foot = contacts.all[p].foot;
+        const SurfaceFoot<D>& foot = contacts.all[p].foot;
         const double gap = std::min(foot.gap, points_.law().range());
         least = std::min(least, gap);
         most = std::max(most, gap);
@@ -133,22 +155,23 @@ class PairTerm final : public Interaction {
   }
 
   LowestPoint lowest_point(const double* u) const override {
-    const PairPoints::Places x = points_.places(u);
+    const Places x = points_.places(u);
+    const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary),
+        primary(points_.primary().patches, x.primary);
     LowestPoint lowest;
-    lower(points_.secondary(), x.secondary, PlacedCurves(points_.primary().segments, x.primary), lowest);
-    lower(points_.primary(), x.primary, PlacedCurves(points_.secondary().segments, x.secondary), lowest);
+    lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
+    lower(points_.primary().patches, x.primary, primary, secondary, lowest);
     return lowest;
   }
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
-    std::vector<char> counts(points_.secondary().segments.size());
-    for (std::size_t s = 0; s < counts.size(); ++s)
-      counts[s] = counted.insert(points_.secondary().sides[s]).second ? 1 : 0;
-    for (std::size_t s = 0; s < counts.size(); ++s)
-      for (std::size_t q = 0; counts[s] != 0 && q < points_.points_of_a_segment(); ++q) {
-        const Contact contact{s, q, {}, {}};
+    for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
+      if (!counted.insert(points_.secondary().sides[s]).second) continue;
+      for (std::size_t q = 0; q < points_.points_of_a_patch(); ++q) {
+        const Contact contact{s, q};
         add_weighted(contact, points_.area(contact), measure);
       }
+    }
   }
 
   void add_nodal_pressure(const double* u, double* force) const override {
@@ -158,29 +181,29 @@ class PairTerm final : public Interaction {
   }
 
   void lower_nodal_gap(const double* u, double* gap) const override {
-    for_each_node(u, [&](std::size_t node, const SurfaceFoot& foot) {
+    for_each_node(u, [&](std::size_t node, const SurfaceFoot<D>& foot) {
       if (!(gap[node] <= foot.gap)) gap[node] = foot.gap;
     });
   }
 
   void set_nodal_normal(const double* u, double* normal) const override {
-    for_each_node(u, [&](std::size_t node, const SurfaceFoot& foot) {
-      for (std::size_t i = 0; i < 2; ++i) normal[2 * node + i] = foot.normal[i];
+    for_each_node(u, [&](std::size_t node, const SurfaceFoot<D>& foot) {
+      for (std::size_t i = 0; i < D; ++i) normal[D * node + i] = foot.normal[i];
     });
   }
 
   void report(const double* u, InteractionReport& report) const override {
-    report.force.resize(2, 0.0);
+    report.force.resize(D, 0.0);
     report.measure += sum(u, [&](const Contact& c) {
       report.least_gap = std::min(report.least_gap, c.foot.gap);
-      for (std::size_t i = 0; i < 2; ++i) report.force[i] += points_.measure(c) * c.traction * c.foot.normal[i];
+      for (std::size_t i = 0; i < D; ++i) report.force[i] += points_.measure(c) * c.traction * c.foot.normal[i];
       return c.foot.gap < points_.law().adhesion_gap() ? points_.area(c) : 0.0;
     });
   }
 
  private:
   static void check(const Rule& rule) {
-    if (rule.mean != Mean::Points) throw std::logic_error("a pair of surfaces follows rules with points only");
+    if (rule.mean == Mean::Exact) throw std::logic_error("a pair of surfaces has no mean in closed form");
   }
 
   /// Returns the sum of visit(contact) over the points with feet that count on this rank.
@@ -189,45 +212,62 @@ class PairTerm final : public Interaction {
     const Contacts contacts = points_.contacts(points_.places(u), Share::Energies);
     double result = 0;
     for (const Contact& contact : contacts.all)
-      if (contact.foot.segment >= 0) result += visit(contact);
+      if (contact.foot.patch >= 0) result += visit(contact);
     return result;
   }
 
   /// Calls visit(local node, foot) for the nodes of the secondary surface.
   template <class Visit>
   void for_each_node(const double* u, const Visit& visit) const {
-    const PairPoints::Places x = points_.places(u);
-    const PlacedCurves curves(points_.primary().segments, x.primary);
+    const Places x = points_.places(u);
+    const PlacedSurface<D> primary(points_.primary().patches, x.primary);
     for (std::size_t i = 0; i < x.secondary.size(); ++i)
-      visit(static_cast<std::size_t>(points_.secondary().nodes[i]), curves.nearest(x.secondary[i]));
+      visit(static_cast<std::size_t>(points_.secondary().nodes[i]), primary.nearest(x.secondary[i]));
+  }
+
+  /// Returns the point's place along its own patch at the given values of the surface's nodes.
+  Vec<D> interpolate(const Contact& contact, const std::vector<Vec<D>>& values) const {
+    const SurfacePatch<D>& patch = points_.secondary().patches[contact.patch];
+    Vec<D> result{};
+    for (std::size_t a = 0; a < patch.count; ++a)
+      result = result + points_.weights(contact)[a] * values[static_cast<std::size_t>(patch.nodes[a])];
+    return result;
   }
 
   void add_weighted(const Contact& contact, double value, double* by_node) const {
-    const CurveSegment& segment = points_.secondary().segments[contact.segment];
-    for (std::size_t a = 0; a < segment.count; ++a)
-      by_node[points_.secondary().nodes[static_cast<std::size_t>(segment.nodes[a])]] +=
+    const SurfacePatch<D>& patch = points_.secondary().patches[contact.patch];
+    for (std::size_t a = 0; a < patch.count; ++a)
+      by_node[points_.secondary().nodes[static_cast<std::size_t>(patch.nodes[a])]] +=
           points_.weights(contact)[a] * value;
   }
 
-  /// Lowers the lowest point to the nodes and the middles of the sides of one surface before the other.
-  static void lower(const SideCurves& curves, const std::vector<Planar>& x, const PlacedCurves& other,
-                    LowestPoint& lowest) {
-    const auto look = [&](const Planar& place) {
-      const SurfaceFoot foot = other.nearest(place);
+  /// Lowers the lowest point to the nodes and the middles of the sides of one surface before the other. A surface that
+  /// crosses the other has a node no deeper than its longest side, or a middle.
+  static void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x,
+                    const PlacedSurface<D>& own, const PlacedSurface<D>& other, LowestPoint& lowest) {
+    double longest = 0;
+    for (const SurfacePatch<D>& patch : patches)
+      for (std::size_t a = 0; a < patch.count; ++a)
+        longest = std::max(longest, length(x[static_cast<std::size_t>(patch.nodes[a])] -
+                                           x[static_cast<std::size_t>(patch.nodes[0])]));
+    int guess = -1;
+    const auto look = [&](const Vec<D>& place) {
+      const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
+      guess = foot.patch;
       if (!(foot.gap < lowest.gap)) return;
       lowest.gap = foot.gap;
-      lowest.place = {place[0], place[1], 0};
+      std::copy(place.begin(), place.end(), lowest.place.begin());
     };
-    const PlacedCurves own(curves.segments, x);
-    for (const Planar& place : x) look(place);
-    for (std::size_t s = 0; s < curves.segments.size(); ++s)
-      look(curves.segments[s].sum(curves.segments[s].weights(0.5), own.points(static_cast<int>(s))));
+    for (const Vec<D>& place : x) look(place);
+    PatchParameters<D> middle;
+    middle.fill(0.5);
+    for (std::size_t s = 0; s < patches.size(); ++s) look(own.patch(static_cast<int>(s)).at(middle));
   }
 
   /// Returns the largest s in [0, most] for which the gaps at places + s share ways surely have the margin.
-  double free_step(PairPoints::Places x, PairPoints::Places ways, double share, double most = 1) const {
+  double free_step(Places x, Places ways, double share, double most = 1) const {
     for (auto* way : {&ways.secondary, &ways.primary})
-      for (Planar& w : *way) w = (most * share) * w;
+      for (Vec<D>& w : *way) w = (most * share) * w;
     std::vector<double> least;
     double done = 0;
     for (int part = 0; part < 8 && done < 1; ++part) {
@@ -235,22 +275,21 @@ class PairTerm final : public Interaction {
       if (least.empty())
         for (const Contact& c : contacts.all)
           least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
-      const PlacedCurves curves(points_.primary().segments, x.primary);
+      if (!contacts.primary) return most;  // places are no numbers, which shows in the force
+      const double fastest = contacts.primary->fastest(ways.primary);
       double own = 1 - done;
-      PairPoints::Places rest = ways;
       for (std::size_t p = 0; p < contacts.all.size(); ++p) {
         const Contact& c = contacts.all[p];
-        const CurveSegment& segment = points_.secondary().segments[c.segment];
-        Planar way{};
-        for (std::size_t a = 0; a < segment.count; ++a)
-          way = way + points_.weights(c)[a] * ways.secondary[static_cast<std::size_t>(segment.nodes[a])];
-        own = std::min(own, curves.free_share(c.place, way, ways.primary, least[p]));
+        const Vec<D> way = interpolate(c, ways.secondary);
+        const double gap = c.foot.patch < 0 ? points_.law().range() : c.foot.gap;
+        if (gap - least[p] >= own * (length(way) + fastest)) continue;
+        own = std::min(own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p]));
       }
       done += own;
       if (own == 0) break;
       for (const bool first : {true, false}) {
-        std::vector<Planar>& places = first ? x.secondary : x.primary;
-        const std::vector<Planar>& way = first ? ways.secondary : ways.primary;
+        std::vector<Vec<D>>& places = first ? x.secondary : x.primary;
+        const std::vector<Vec<D>>& way = first ? ways.secondary : ways.primary;
         for (std::size_t i = 0; i < places.size(); ++i) places[i] = places[i] + own * way[i];
       }
     }
@@ -258,16 +297,22 @@ class PairTerm final : public Interaction {
   }
 
   const Pattern& pattern_;
-  PairPoints points_;
+  PairPoints<D> points_;
+  PairCoupling<D> coupling_;
   double margin_;
 };
 
 }  // namespace
 
-std::unique_ptr<Interaction> make_pair_term(const LocalMesh& mesh, SideCurves secondary, SideCurves primary,
-                                            const Pattern& pattern, std::shared_ptr<const GapLaw> law,
-                                            const PairOptions& options) {
-  return std::make_unique<PairTerm>(mesh, std::move(secondary), std::move(primary), pattern, std::move(law), options);
+template <std::size_t D>
+std::unique_ptr<Interaction> make_pair_term(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern,
+                                            std::shared_ptr<const GapLaw> law, const PairOptions& options) {
+  return std::make_unique<PairTerm<D>>(mesh, std::move(surfaces), pattern, std::move(law), options);
 }
+
+template std::unique_ptr<Interaction> make_pair_term(const LocalMesh&, PairSurfaces<2>, const Pattern&,
+                                                     std::shared_ptr<const GapLaw>, const PairOptions&);
+template std::unique_ptr<Interaction> make_pair_term(const LocalMesh&, PairSurfaces<3>, const Pattern&,
+                                                     std::shared_ptr<const GapLaw>, const PairOptions&);
 
 }  // namespace ixos

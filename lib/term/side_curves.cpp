@@ -1,20 +1,14 @@
-#include "term/side_curves.hpp"
-
+// The sides of a surface in the plane as curves.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "base/error.hpp"
+#include "interaction/curve_patches.hpp"
+#include "term/surface_patches.hpp"
 
 namespace ixos {
 namespace {
-
-Planar reference(const LocalMesh& mesh, int node) {
-  const auto first = 2 * static_cast<std::size_t>(node);
-  return {mesh.coordinates[first], mesh.coordinates[first + 1]};
-}
 
 /// The chains that sides form: the numbers of the sides that end and that begin at each node.
 struct Chains {
@@ -35,80 +29,45 @@ struct Chains {
   }
 };
 
-/// Returns whether two sides meet at 30 degrees or less.
-bool meet_smoothly(const Planar& before, const Planar& after) {
-  const double least_cosine = std::sqrt(3.0) / 2;
-  return dot(before, after) >= least_cosine * length(before) * length(after);
-}
-
 }  // namespace
 
-std::vector<Planar> SideCurves::places(const LocalMesh& mesh, const double* u) const {
-  std::vector<Planar> x;
-  x.reserve(nodes.size());
-  for (const int node : nodes) {
-    const auto first = 2 * static_cast<std::size_t>(node);
-    x.push_back({mesh.coordinates[first] + u[first], mesh.coordinates[first + 1] + u[first + 1]});
-  }
-  return x;
-}
-
-SideCurves side_curves(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
-                       const std::string& name) {
-  if (mesh.dimension != 2)
-    throw InputError(
-        fmt::format("the surface \"{}\" has three dimensions, where surfaces of two bodies cannot "
-                    "interact yet; use a mesh of two dimensions",
-                    name));
-  for (const LocalSide& side : sides)
-    if (side.nodes.size() != 2)
-      throw InputError(
-          fmt::format("the surface \"{}\" has sides of {} nodes; surfaces of two bodies need the sides of "
-                      "linear cells, of two nodes (Contact Element Q1C1)",
-                      name, side.nodes.size()));
+template <>
+SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
+                                     const std::string& name) {
+  SurfacePatches<2> surface = surface_of_sides<2>(mesh, sides, name);
   const Chains chains(mesh, sides, name);
-  const auto side_of = [&](int i) {
-    const auto& nodes = sides[static_cast<std::size_t>(i)].nodes;
-    return reference(mesh, nodes[1]) - reference(mesh, nodes[0]);
+  const auto node_of = [&](int side, std::size_t end) { return sides[static_cast<std::size_t>(side)].nodes[end]; };
+  const auto along = [&](int side) {
+    return reference_place<2>(mesh, node_of(side, 1)) - reference_place<2>(mesh, node_of(side, 0));
   };
-  SideCurves curves;
-  for (const LocalSide& side : sides) curves.nodes.insert(curves.nodes.end(), side.nodes.begin(), side.nodes.end());
-  std::sort(curves.nodes.begin(), curves.nodes.end(), [&](int a, int b) {  // alike on all ranks
-    return mesh.global_ids[static_cast<std::size_t>(a)] < mesh.global_ids[static_cast<std::size_t>(b)];
-  });
-  curves.nodes.erase(std::unique(curves.nodes.begin(), curves.nodes.end()), curves.nodes.end());
-  std::map<int, int> number;
-  for (std::size_t i = 0; i < curves.nodes.size(); ++i) number[curves.nodes[i]] = static_cast<int>(i);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const auto& nodes = sides[i].nodes;
-    const int own = static_cast<int>(i);
-    const int before = Chains::find(chains.ending, nodes[0]), after = Chains::find(chains.beginning, nodes[1]);
-    const auto goes_on = [&](int a, int b) {
-      return smoothing == Smoothing::CatmullRom && a >= 0 && b >= 0 && meet_smoothly(side_of(a), side_of(b));
+  const auto number = [&](int node) { return surface_number(surface.nodes, node, mesh); };
+  for (int own = 0; own < static_cast<int>(sides.size()); ++own) {
+    const int before = Chains::find(chains.ending, node_of(own, 0));
+    const int after = Chains::find(chains.beginning, node_of(own, 1));
+    const auto continues = [&](int a, int b) {
+      return smoothing == Smoothing::CatmullRom && a >= 0 && b >= 0 && meet_smoothly(along(a), along(b));
     };
-    const bool smooth_start = goes_on(before, own), smooth_end = goes_on(own, after);
-    CurveSegment segment;
+    const bool smooth_start = continues(before, own), smooth_end = continues(own, after);
+    std::array<int, 4> four{-1, number(node_of(own, 0)), number(node_of(own, 1)), -1};
+    SurfacePatch<2> patch;
     if (smooth_start || smooth_end) {
-      std::array<int, 4> four{-1, number[nodes[0]], number[nodes[1]], -1};
-      std::array<double, 3> lengths{0, length(side_of(own)), 0};
+      std::array<double, 3> lengths{0, length(along(own)), 0};
       if (smooth_start) {
-        four[0] = number[sides[static_cast<std::size_t>(before)].nodes[0]];
-        lengths[0] = length(side_of(before));
+        four[0] = number(node_of(before, 0));
+        lengths[0] = length(along(before));
       }
       if (smooth_end) {
-        four[3] = number[sides[static_cast<std::size_t>(after)].nodes[1]];
-        lengths[2] = length(side_of(after));
+        four[3] = number(node_of(after, 1));
+        lengths[2] = length(along(after));
       }
-      segment = smooth_segment(four, lengths);
+      patch = smooth_patch(four, lengths);
     } else {
-      segment = straight_segment(number[nodes[0]], number[nodes[1]]);
+      patch = straight_patch(four[1], four[2]);
     }
-    segment.neighbours = {before, after};
-    curves.segments.push_back(segment);
-    curves.owned.push_back(sides[i].owned ? 1 : 0);
-    curves.sides.push_back({sides[i].block, sides[i].cell, sides[i].side});
+    patch.neighbours = {before, after};
+    surface.patches.push_back(patch);
   }
-  return curves;
+  return surface;
 }
 
 }  // namespace ixos

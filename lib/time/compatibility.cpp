@@ -48,14 +48,11 @@ std::string why_no_branches(const Material& material, const Table& table) {
 
 std::string why_no_pairs(const Table& table) {
   for (const Stage& stage : table.stages)
-    if (stage.interaction.mean != Mean::Points)
+    if (stage.interaction.mean == Mean::Exact)
       return fmt::format(
-          "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not "
-          "have{}",
-          table.name,
-          needs_discrete_gradient(table)
-              ? "; use another scheme, such as \"Average Vector Field\" with Interaction Points"
-              : "; set its Interaction Points, such as 5");
+          "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not have; set its "
+          "Interaction Points, such as 5",
+          table.name);
   return "";
 }
 

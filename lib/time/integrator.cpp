@@ -73,6 +73,14 @@ void Integrator::make_solvers() {
   }
 }
 
+void Integrator::follow_couplings() {
+  model_.update_couplings(states_.front().u.data());
+  if (version_ == model_.discretization().version()) return;
+  balance_.renew();
+  if (!is_explicit(table_)) make_solvers();
+  version_ = model_.discretization().version();
+}
+
 Integrator::StageSolver::StageSolver(const Integrator& integrator, const Table& table, bool matrix_free)
     : problem(integrator.model_, table, matrix_free), newton(problem, *integrator.linear_solver_, integrator.newton_) {}
 
@@ -191,11 +199,7 @@ StepResult Integrator::attempt(double dt) {
 
 StepResult Integrator::advance(double dt) {
   StepResult result;
-  if (version_ != model_.discretization().version()) {
-    balance_.renew();
-    if (!is_explicit(table_)) make_solvers();
-    version_ = model_.discretization().version();
-  }
+  follow_couplings();
   model_.begin_step(known_states(states_, 1).front(), time_, dt);
   if (needs_acceleration_ && !know_acceleration()) {
     result.reason = "the acceleration cannot be solved for";

@@ -91,6 +91,9 @@ class Integrator {
   };
 
   void make_solvers();
+  /// Lets the model couple the nodes of bodies that have come near each other, and renews solvers if its matrices have
+  /// changed.
+  void follow_couplings();
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
   void begin_at(std::vector<double> u, std::vector<double> v, double time);

@@ -5,95 +5,159 @@
 
 #include <cmath>
 
+#include "interaction/curve_patches.hpp"
+#include "interaction/face_patches.hpp"
+
 namespace ixos {
 namespace {
 
-/// A point with weights of four nodes before one segment; the last eight numbers of x are the segment's nodes.
+/// A point with weights of four nodes before one patch; the last numbers of x are the patch's nodes.
+template <std::size_t D>
 struct Pair {
-  CurveSegment segment;
-  CurveSegment::Weights weights{-0.07, 0.55, 0.6, -0.08};
-  std::array<double, 16> x{-1, 1.1, 0.1, 1.0, 1, 0.9, 2, 1.2, 0, 0.1, 1.1, 0, -1, -0.2, 2.2, 0.3};
+  SurfacePatch<D> patch;
+  typename SurfacePatch<D>::Weights weights{-0.07, 0.55, 0.6, -0.08};
+  std::vector<Vec<D>> x;  ///< of the point's four nodes, then of the patch's by number
 
-  std::vector<Planar> nodes() const {
-    std::vector<Planar> result;
-    for (std::size_t a = 4; a < 8; ++a) result.push_back({x[2 * a], x[2 * a + 1]});
-    return result;
-  }
-  Planar place() const {
-    Planar p{};
-    for (std::size_t a = 0; a < 4; ++a) p = p + weights[a] * Planar{x[2 * a], x[2 * a + 1]};
+  Vec<D> place() const {
+    Vec<D> p{};
+    for (std::size_t a = 0; a < 4; ++a) p = p + weights[a] * x[a];
     return p;
   }
-  SurfaceFoot foot() const {
-    const std::vector<CurveSegment> all{segment};
-    const std::vector<Planar> places = nodes();
-    return PlacedCurves(all, places).nearest(place());
+  struct Found {
+    SurfaceFoot<D> foot;
+    PairGap<D> gap;
+  };
+  Found find() const {
+    const std::vector<SurfacePatch<D>> all{patch};
+    const std::vector<Vec<D>> nodes(x.begin() + 4, x.end());
+    const PlacedSurface<D> placed(all, nodes);
+    const SurfaceFoot<D> foot = placed.nearest(place());
+    return {foot, PairGap<D>(weights, 4, patch, placed.patch(0), foot)};
   }
-  PairGap gap() const {
-    const std::vector<CurveSegment> all{segment};
-    const std::vector<Planar> places = nodes();
-    return {weights, 4, segment, PlacedCurves(all, places).points(0), foot()};
+  /// Returns the place in x of a node of the gap.
+  std::size_t number(std::size_t node) const {
+    return node < 4 ? node : 4 + static_cast<std::size_t>(patch.nodes[node - 4]);
   }
 };
 
-std::vector<Pair> pairs() {
-  std::vector<Pair> all(5);
-  all[0].segment = straight_segment(0, 1);
-  all[1].segment = smooth_segment({2, 0, 1, 3}, {1, 1.1, 1.3});
-  all[2].segment = smooth_segment({-1, 0, 1, 3}, {0, 1.1, 1.3});
-  all[3].segment = straight_segment(0, 1);  // beyond its end
-  for (std::size_t a = 0; a < 4; ++a) all[3].x[2 * a] += 1.5;
+SurfacePatch<2> without_neighbours(SurfacePatch<2> patch) {
+  patch.neighbours.fill(-1);
+  return patch;
+}
+
+std::vector<Pair<2>> plane_pairs() {
+  const std::vector<Vec<2>> x{{-1, 1.1}, {0.1, 1.0}, {1, 0.9}, {2, 1.2}, {0, 0.1}, {1.1, 0}, {-1, -0.2}, {2.2, 0.3}};
+  std::vector<Pair<2>> all(5);
+  for (Pair<2>& pair : all) pair.x = x;
+  all[0].patch = without_neighbours(straight_patch(0, 1));
+  all[1].patch = without_neighbours(smooth_patch({2, 0, 1, 3}, {1, 1.1, 1.3}));
+  all[2].patch = without_neighbours(smooth_patch({-1, 0, 1, 3}, {0, 1.1, 1.3}));
+  all[3].patch = without_neighbours(straight_patch(0, 1));  // beyond its end
+  for (std::size_t a = 0; a < 4; ++a) all[3].x[a][0] += 1.5;
   all[4] = all[1];  // on the other side, where the curve is hollow
-  for (std::size_t a = 0; a < 4; ++a) all[4].x[2 * a + 1] -= 1.6;
+  for (std::size_t a = 0; a < 4; ++a) all[4].x[a][1] -= 1.6;
   return all;
 }
 
-TEST(PairGapTest, GradientAndSecondDerivativesAgreeWithDifferences) {
-  for (const Pair& pair : pairs()) {
-    const PairGap gap = pair.gap();
-    EXPECT_EQ(gap.is_round(), pair.foot().end >= 0);
-    const PairGap::Vector gradient = gap.gradient();
-    PairGap::Matrix second{};
-    gap.add(0, 1, second);
+/// Before a bilinear patch: its inside, a side, a corner; and before a quadratic one of random weights.
+std::vector<Pair<3>> space_pairs() {
+  const std::vector<Vec<3>> x{{0.1, 0.2, 0.9}, {0.6, 0.3, 1.0}, {0.4, 0.7, 1.1}, {0.2, 0.9, 0.8},
+                              {0, 0, 0.1},     {1.1, 0.1, 0},   {1, 1.2, 0.2},   {-0.1, 1, 0}};
+  std::vector<Pair<3>> all(5);
+  for (Pair<3>& pair : all) {
+    pair.x = x;
+    pair.patch = bilinear_patch({0, 1, 2, 3});
+    pair.patch.neighbours.fill(-1);
+  }
+  for (std::size_t a = 0; a < 4; ++a) {
+    all[1].x[a][0] += 1.2;  // a side
+    all[2].x[a][0] -= 1.1;  // a corner
+    all[2].x[a][1] -= 1.3;
+    all[3].x[a][2] -= 1.7;  // behind
+  }
+  std::array<CornerDerivatives, 4> derivatives;
+  const std::array<std::array<double, 2>, 4> signs{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+  for (std::size_t c = 0; c < 4; ++c) {
+    const int own = static_cast<int>(c), first = c % 2 == 0 ? own + 1 : own - 1, second = 3 - own;
+    derivatives[c].first.add(own, -signs[c][0]);
+    derivatives[c].first.add(first, signs[c][0] * 1.2);
+    derivatives[c].first.add(second, -signs[c][0] * 0.2);
+    derivatives[c].second.add(own, -signs[c][1]);
+    derivatives[c].second.add(second, signs[c][1]);
+    derivatives[c].mixed.add(own, 0.3);
+    derivatives[c].mixed.add((own + 2) % 4, -0.3);
+  }
+  all[4].patch = bicubic_patch({0, 1, 2, 3}, derivatives, {1, 1});
+  all[4].patch.neighbours.fill(-1);
+  return all;
+}
+
+template <std::size_t D>
+void expect_derivatives(const std::vector<Pair<D>>& pairs) {
+  for (const Pair<D>& pair : pairs) {
+    const auto [foot, gap] = pair.find();
+    bool free = false;
+    for (const bool fixed : foot.fixed) free = free || !fixed;
+    EXPECT_EQ(gap.is_round(), !free);
+    const auto gradient = gap.gradient();
+    const std::size_t size = D * gap.nodes();
+    std::vector<double> second(size * size, 0.0), both(size * size, 0.0);
+    gap.add(0, 1, second.data());
+    gap.add(2, 0, both.data());
     const double h = 1e-5;
-    for (std::size_t r = 0; r < 2 * gap.nodes(); ++r) {
-      Pair ahead = pair, behind = pair;
-      // The segment's nodes in its own order.
-      const std::size_t node = r / 2 < 4 ? r / 2 : 4 + static_cast<std::size_t>(pair.segment.nodes[r / 2 - 4]);
-      ahead.x[2 * node + r % 2] += h;
-      behind.x[2 * node + r % 2] -= h;
-      EXPECT_NEAR((ahead.foot().gap - behind.foot().gap) / (2 * h), gradient[r], 1e-9);
-      const PairGap::Vector up = ahead.gap().gradient(), down = behind.gap().gradient();
-      for (std::size_t c = 0; c < 2 * gap.nodes(); ++c)
-        EXPECT_NEAR((up[c] - down[c]) / (2 * h), second[r][c], 1e-8) << r << " " << c;
+    for (std::size_t r = 0; r < size; ++r) {
+      Pair<D> ahead = pair, behind = pair;
+      ahead.x[pair.number(r / D)][r % D] += h;
+      behind.x[pair.number(r / D)][r % D] -= h;
+      const auto up = ahead.find(), down = behind.find();
+      EXPECT_NEAR((up.foot.gap - down.foot.gap) / (2 * h), gradient[r], 1e-9);
+      const auto at_up = up.gap.gradient(), at_down = down.gap.gradient();
+      for (std::size_t c = 0; c < size; ++c) {
+        EXPECT_NEAR((at_up[c] - at_down[c]) / (2 * h), second[r * size + c], 1e-8) << r << " " << c;
+        EXPECT_NEAR(both[r * size + c], 2 * gradient[r] * gradient[c], 1e-15);
+      }
     }
+  }
+}
+
+TEST(PairGapTest, DerivativesInThePlaneAgreeWithDifferences) { expect_derivatives(plane_pairs()); }
+TEST(PairGapTest, DerivativesInSpaceAgreeWithDifferences) { expect_derivatives(space_pairs()); }
+
+TEST(PairGapTest, TheCasesInSpaceHaveFeetInsideOnASideAndAtACorner) {
+  const std::vector<Pair<3>> pairs = space_pairs();
+  std::vector<int> fixed;
+  for (const Pair<3>& pair : pairs) {
+    const SurfaceFoot<3> foot = pair.find().foot;
+    fixed.push_back(foot.fixed[0] + foot.fixed[1]);
+  }
+  EXPECT_EQ(fixed, (std::vector<int>{0, 1, 2, 0, 0}));
+  EXPECT_LT(pairs[3].find().foot.gap, 0);
+}
+
+template <std::size_t D>
+void expect_no_net_force(const std::vector<Pair<D>>& pairs) {
+  for (const Pair<D>& pair : pairs) {
+    const PairGap<D> gap = pair.find().gap;
+    const auto g = gap.gradient();
+    Vec<D> force{};
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        double moment = 0;
+        for (std::size_t a = 0; a < gap.nodes(); ++a) {
+          const Vec<D>& x = pair.x[pair.number(a)];
+          moment += x[i] * g[D * a + j] - x[j] * g[D * a + i];
+        }
+        EXPECT_NEAR(moment, 0, 1e-13);
+      }
+    for (std::size_t a = 0; a < gap.nodes(); ++a)
+      for (std::size_t i = 0; i < D; ++i) force[i] += g[D * a + i];
+    EXPECT_NEAR(length(force), 0, 1e-14);
   }
 }
 
 TEST(PairGapTest, NeitherNetForceNorNetMoment) {
-  for (const Pair& pair : pairs()) {
-    const PairGap gap = pair.gap();
-    const PairGap::Vector g = gap.gradient();
-    double force[2] = {0, 0}, moment = 0;
-    for (std::size_t a = 0; a < gap.nodes(); ++a) {
-      const std::size_t node = a < 4 ? a : 4 + static_cast<std::size_t>(pair.segment.nodes[a - 4]);
-      for (std::size_t i = 0; i < 2; ++i) force[i] += g[2 * a + i];
-      moment += pair.x[2 * node] * g[2 * a + 1] - pair.x[2 * node + 1] * g[2 * a];
-    }
-    EXPECT_NEAR(force[0], 0, 1e-15);
-    EXPECT_NEAR(force[1], 0, 1e-15);
-    EXPECT_NEAR(moment, 0, 1e-14);
-  }
-}
-
-TEST(PairGapTest, TheGradientsSquareIsThatOfTheWeights) {
-  for (const Pair& pair : pairs()) {
-    PairGap::Matrix k{};
-    pair.gap().add(2, 0, k);
-    const PairGap::Vector g = pair.gap().gradient();
-    for (std::size_t r = 0; r < g.size(); ++r)
-      for (std::size_t c = 0; c < g.size(); ++c) EXPECT_DOUBLE_EQ(k[r][c], 2 * g[r] * g[c]);
-  }
+  expect_no_net_force(plane_pairs());
+  expect_no_net_force(space_pairs());
 }
 
 }  // namespace

@@ -59,13 +59,15 @@ TEST(SurfacePairTest, RefusesWhatPairsDoNotHave) {
   Mesh around = mesh;
   around.axisymmetric = true;
   for (std::size_t k = 0; k < around.coordinates.size(); k += 2) around.coordinates[k] += 0.2;
-  expect_refusal(around, good, "plane strain");
+  expect_refusal(around, good, "axisymmetric");
   if (test::world()->getSize() > 1) expect_refusal(mesh, good, "each needs all sides", {});
 }
 
 TEST(SurfacePairTest, TellsWhereBodiesOverlapAndHowDeep) {
   expect_refusal(test::two_blocks(-0.02), pair_of("upper_bottom", "lower_top"), "least gap -0.02 at");
   expect_refusal(test::two_disks(3, {5.5, 0}), pair_of("a_surface", "b_surface"), "overlap or touch, least gap -0.5",
+                 {"a_surface", "b_surface"});
+  expect_refusal(test::two_balls(2, {0, 0, 3.9}), pair_of("a_surface", "b_surface"), "overlap or touch",
                  {"a_surface", "b_surface"});
   // A law of every gap has forces there.
   SurfacePair pair = pair_of("upper_bottom", "lower_top");
@@ -82,6 +84,25 @@ TEST(SurfacePairTest, TheNodesOfBothSurfacesAreCoupled) {
   EXPECT_GE(model->pattern().pairs(), before);
   EXPECT_EQ(model->discretization().version(), 1);
   EXPECT_EQ(model->interaction_names(), std::vector<std::string>{"interaction"});
+}
+
+/// Far from each other nothing is coupled; a motion that brings the bodies near couples what faces each other.
+TEST(SurfacePairTest, BodiesThatComeNearAreCoupled) {
+  const auto model = test::model_of_bodies(test::two_boxes(20), faces);
+  add_pair(*model, pair_of("upper_bottom", "lower_top"));
+  EXPECT_TRUE(model->couples_anew());
+  EXPECT_EQ(model->discretization().version(), 0);
+  const int apart = model->pattern().pairs();
+  std::vector<double> u = test::at_rest(*model);
+  for (std::size_t node = 0; node < static_cast<std::size_t>(model->mesh().nodes()); ++node)
+    if (model->mesh().coordinates[3 * node + 2] > 10) u[3 * node + 2] = -19.5;
+  model->update_couplings(u.data());
+  EXPECT_EQ(model->discretization().version(), 1);
+  double more = model->pattern().pairs() - apart;
+  model->space().sum(&more, 1);
+  EXPECT_GT(more, 0);
+  model->update_couplings(u.data());
+  EXPECT_EQ(model->discretization().version(), 1);
 }
 
 /// A factor scales energy and traction at its place.

@@ -63,6 +63,35 @@ inline Mesh two_blocks(double gap, int upper_cells = 5, int lower_cells = 4) {
   return mesh;
 }
 
+/// Two balls, as two_disks().
+inline Mesh two_balls(double radius, std::array<double, 3> center, int core = 2, int rings = 1) {
+  Mesh mesh;
+  BallShape shape;
+  shape.diameter = 2 * radius;
+  shape.core_divisions = core;
+  shape.rings = rings;
+  append(mesh, ball(shape), "a_");
+  shape.center = center;
+  append(mesh, ball(shape), "b_");
+  return mesh;
+}
+
+/// As two_blocks(), in space: 2 by 1.5 by 1 above 2.3 by 1.8 by 1 with the top z = 0.
+inline Mesh two_boxes(double gap, int upper_cells = 3, int lower_cells = 2) {
+  Mesh mesh;
+  BoxShape shape;
+  shape.dimension = 3;
+  shape.lengths = {2.3, 1.8, 1};
+  shape.divisions = {lower_cells, lower_cells, 1};
+  shape.lower = {-0.2, -0.1, -1};
+  append(mesh, box(shape), "lower_");
+  shape.lengths = {2, 1.5, 1};
+  shape.divisions = {upper_cells, upper_cells, 1};
+  shape.lower = {0, 0, gap};
+  append(mesh, box(shape), "upper_");
+  return mesh;
+}
+
 /// Returns a model of all blocks, neo-Hookean with E = 1, nu = 0.3 and density 1, whose ranks have these side sets
 /// whole.
 inline std::unique_ptr<Model> model_of_bodies(const Mesh& mesh, const std::vector<std::string>& whole,

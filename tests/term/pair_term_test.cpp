@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
@@ -34,6 +35,9 @@ struct Bodies {
     pair.smoothing = smoothing;
     add_pair(*model, pair);
     term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
+    std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
+    std::iota(all.begin(), all.end(), 0);
+    model->couple({all});  // the pair's own coupling leaves out what is far
   }
   std::vector<double> force(const Segment& segment, const Rule& rule, bool allowed = true) const {
     std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
@@ -41,7 +45,8 @@ struct Bodies {
     return f;
   }
   std::vector<double> product(const Segment& segment, const Rule& rule, const std::vector<double>& x) const {
-    std::vector<double> values(static_cast<std::size_t>(model->pattern().pairs()) * 4, 0.0);
+    const auto d = static_cast<std::size_t>(model->mesh().dimension);
+    std::vector<double> values(static_cast<std::size_t>(model->pattern().pairs()) * d * d, 0.0);
     term->add_tangent(segment, rule, Tangent::Exact, values.data());
     std::vector<double> y(static_cast<std::size_t>(model->space().owned()), 0.0);
     model->pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
@@ -58,10 +63,12 @@ struct Bodies {
   }
 };
 
-/// Disks and blocks, a little deformed, smooth and with straight sides.
+/// Disks and blocks, balls and boxes, smooth and with straight sides.
 std::vector<Bodies> cases() {
   std::vector<Bodies> all;
   for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+    all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", smoothing);
+    all.emplace_back(test::two_boxes(0.3), "upper_bottom", "lower_top", smoothing);
     all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
     all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
     all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
@@ -114,18 +121,20 @@ TEST(PairTermTest, NetForceAndNetMomentVanish) {
     const LocalMesh& mesh = bodies.model->mesh();
     const std::vector<double> u = test::smooth_field(*bodies.model, 0.02);
     const auto f = bodies.force({nullptr, nullptr, u.data()}, end_rule());
-    double sums[4] = {0, 0, 0, 0};
-    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += 2) {
-      sums[0] += f[k];
-      sums[1] += f[k + 1];
-      sums[2] += (mesh.coordinates[k] + u[k]) * f[k + 1] - (mesh.coordinates[k + 1] + u[k + 1]) * f[k];
-      sums[3] += std::abs(f[k]) + std::abs(f[k + 1]);
-    }
-    bodies.model->space().sum(sums, 4);
-    EXPECT_NEAR(sums[0], 0, 1e-14 * sums[3]);
-    EXPECT_NEAR(sums[1], 0, 1e-14 * sums[3]);
-    EXPECT_NEAR(sums[2], 0, 1e-13 * sums[3]);
-    EXPECT_GT(sums[3], 0.01);
+    const auto d = static_cast<std::size_t>(mesh.dimension);
+    double sums[7] = {0, 0, 0, 0, 0, 0, 0};  // three components of the force, three of the moment, the size
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += d)
+      for (std::size_t i = 0; i < d; ++i) {
+        sums[i] += f[k + i];
+        sums[6] += std::abs(f[k + i]);
+        const std::size_t j = (i + 1) % d;
+        if (d == 3 || i == 0)
+          sums[3 + i] += (mesh.coordinates[k + i] + u[k + i]) * f[k + j] - (mesh.coordinates[k + j] + u[k + j]) * f[k + i];
+      }
+    bodies.model->space().sum(sums, 7);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], 0, 1e-14 * sums[6]);
+    for (int i = 3; i < 6; ++i) EXPECT_NEAR(sums[i], 0, 1e-13 * sums[6]);
+    EXPECT_GT(sums[6], 0.01);
   }
 }
 
@@ -170,10 +179,10 @@ TEST(PairTermTest, RanksDoNotMatter) {
   const std::vector<double> whole_u = test::gathered(*bodies.model, u);
   const LocalMesh whole = localize(mesh, partition_nodes(mesh, 1), 0, 1, {"a_surface", "b_surface"});
   const auto curves = [&](const char* set) {
-    return side_curves(whole, whole.whole_side_sets.at(set), Smoothing::CatmullRom, set);
+    return surface_patches<2>(whole, whole.whole_side_sets.at(set), Smoothing::CatmullRom, set);
   };
   const Pattern pattern(whole);
-  const auto term = make_pair_term(whole, curves("a_surface"), curves("b_surface"), pattern, law(), {});
+  const auto term = make_pair_term<2>(whole, {curves("a_surface"), curves("b_surface")}, pattern, law(), {});
   std::vector<double> f(whole_u.size(), 0.0);
   EXPECT_TRUE(term->add_force({nullptr, nullptr, whole_u.data()}, gauss_rule(2), f.data()));
   ASSERT_EQ(own.size(), f.size());

@@ -22,6 +22,19 @@ struct DiskShape {
 /// "axis" of the nodes on its straight side. Throws InputError for a value out of range.
 Mesh disk(const DiskShape& shape);
 
+/// A ball of hexahedra: a cube as the core and layers of cells around it.
+struct BallShape {
+  double diameter = 10.0;          ///< [L0], > 0
+  std::array<double, 3> center{};  ///< [L0]
+  int core_divisions = 4;          ///< cells along an edge of the core, >= 1
+  int rings = 2;                   ///< layers of cells around the core, >= 1
+  double core_half_side = 0.35;    ///< half edge of the core over the radius, in (0, 0.55)
+};
+
+/// Returns core_divisions^2 (core_divisions + 6 rings) cells. Block "body"; node and side set "surface", whose nodes
+/// are on the sphere, on lines of equal angles. Throws InputError for a value out of range.
+Mesh ball(const BallShape& shape);
+
 /// A box of quadrilaterals (dimension 2) or hexahedra (dimension 3).
 struct BoxShape {
   int dimension = 2;

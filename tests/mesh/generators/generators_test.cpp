@@ -69,6 +69,47 @@ std::string refusal(Mesh (*make)(const Shape&), Change change) {
   return test::refusal([&] { make(shape); });
 }
 
+TEST(BallTest, ItsCellsFillTheSphere) {
+  double error = 0;
+  for (const int n : {2, 4, 8}) {
+    BallShape shape;
+    shape.diameter = 6;
+    shape.center = {1, -2, 5};
+    shape.core_divisions = n;
+    shape.rings = 2;
+    const Mesh mesh = ball(shape);
+    EXPECT_EQ(mesh.cells(), n * n * (n + 12));
+    EXPECT_EQ(mesh.nodes(), (n + 1) * (n + 1) * (n + 1) + 2 * (6 * n * n + 2));
+    double volume = 0;  // a third of the flux of x through the sides
+    for (const Side& side : named(mesh.side_sets, "surface").sides) {
+      const Vec area = side_vector(mesh, side);
+      const std::vector<Vec> x = cell_corners(mesh, side.cell);
+      Vec middle{};
+      for (int a : side_nodes(CellType::Hex8, side.side))
+        for (std::size_t i = 0; i < 3; ++i) middle[i] += (x[static_cast<std::size_t>(a)][i] - shape.center[i]) / 4;
+      EXPECT_GT(dot(area, middle), 0) << "outward";
+      volume += dot(area, middle) / 3;
+    }
+    for (const int node : named(mesh.node_sets, "surface").nodes) {
+      const Vec r = minus(position(mesh, node), {1, -2, 5});
+      EXPECT_NEAR(std::sqrt(dot(r, r)), 3, 1e-14);
+    }
+    const double own = std::abs(volume / (4 * M_PI / 3 * 27) - 1);
+    if (error > 0) {
+      EXPECT_NEAR(own, error / 4, 0.05 * error) << "second order";
+    }
+    error = own;
+  }
+}
+
+TEST(BallTest, RefusesWhatHasNoCells) {
+  EXPECT_EQ(refusal(ball, [](BallShape& s) { s.diameter = 0; }), "diameter 0 must be positive");
+  EXPECT_NE(refusal(ball, [](BallShape& s) { s.core_divisions = 0; }).find("core divisions 0"), std::string::npos);
+  EXPECT_NE(refusal(ball, [](BallShape& s) { s.rings = 0; }).find("rings 0"), std::string::npos);
+  EXPECT_NE(refusal(ball, [](BallShape& s) { s.core_half_side = 0.6; }).find("0.55"), std::string::npos);
+  EXPECT_NE(refusal(ball, [](BallShape& s) { s.core_divisions = 1000; }).find("5e7"), std::string::npos);
+}
+
 TEST(DiskTest, HasTheCellsAndNodesOfThePaper) {
   const Mesh mesh = disk({});
   EXPECT_EQ(mesh.cells(), 48);

@@ -1,0 +1,35 @@
+/// Patches over the four-sided faces of a surface in space.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "interaction/surface_patch.hpp"
+
+namespace ixos {
+
+/// Weights of nodes in a number that is linear in their places.
+struct NodeWeights {
+  std::vector<int> nodes;
+  std::vector<double> weights;
+  /// Adds `weight` to the weight of the node.
+  void add(int node, double weight);
+};
+
+/// A corner of a smooth face: the tangents by the face's two parameters and the mixed derivative there, of lengths of
+/// the parameters [L0] in the undeformed body: their derivatives by lengths along the lines of the grid.
+struct CornerDerivatives {
+  NodeWeights first, second, mixed;
+};
+
+/// Returns the bilinear patch of four corners, counter-clockwise seen from outside. The first parameter grows from
+/// corner 0 to corner 1, the second from corner 0 to corner 3.
+SurfacePatch<3> bilinear_patch(const std::array<int, 4>& corners);
+
+/// Returns the bicubic patch of four corners, counter-clockwise, with these derivatives at them. `lengths`: the length
+/// that the first and the second parameter have in the undeformed body [L0]. If the derivatives at a node are the same
+/// for two faces that share an edge, up to the direction of the parameters, both patches have the same places and
+/// tangent planes all along the edge.
+SurfacePatch<3> bicubic_patch(const std::array<int, 4>& corners, const std::array<CornerDerivatives, 4>& derivatives,
+                              const std::array<double, 2>& lengths);
+
+}  // namespace ixos

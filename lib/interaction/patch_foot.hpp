@@ -1,0 +1,28 @@
+/// The point of a patch that is nearest to a place.
+#pragma once
+#include "interaction/surface_patch.hpp"
+
+namespace ixos {
+
+/// The nearest point of one patch.
+template <std::size_t D>
+struct PatchFoot {
+  PatchParameters<D> xi{};
+  double distance = 0;  ///< [L0], not negative
+  /// By parameter: the nearest point is at a kink or a free rim, so that the parameter stays when the place moves a
+  /// little. False inside, and at a side with a smooth continuation.
+  std::array<bool, D - 1> fixed{};
+};
+
+/// Returns the point of the patch that is nearest to the place. `smooth`: see SurfacePatch. In space it starts from the
+/// nearest point of the bilinear patch with the same corners, for degree 4 from the nearest of a grid of points, and
+/// finds the minimum of the squared distance from there by Newton's method: patches that bend by less than about 60
+/// degrees have no other minimum near them.
+template <std::size_t D>
+PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
+                           const Vec<D>& place);
+
+extern template PatchFoot<2> nearest_point(const PlacedPatch<2>&, const std::array<bool, 2>&, const Vec<2>&);
+extern template PatchFoot<3> nearest_point(const PlacedPatch<3>&, const std::array<bool, 4>&, const Vec<3>&);
+
+}  // namespace ixos

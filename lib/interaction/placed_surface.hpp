@@ -1,0 +1,83 @@
+/// A surface, its sides as patches, at one place of its nodes: the search for nearest points.
+#pragma once
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "interaction/patch_foot.hpp"
+#include "interaction/surface_patch.hpp"
+
+namespace ixos {
+
+/// The point of a surface that is nearest to a place.
+template <std::size_t D>
+struct SurfaceFoot {
+  int patch = -1;  ///< -1: the surface is out of range
+  PatchParameters<D> xi{};
+  std::array<bool, D - 1> fixed{};                       ///< see PatchFoot
+  double gap = std::numeric_limits<double>::infinity();  ///< signed least distance, negative in the body [L0]
+  Vec<D> normal{};                                       ///< unit vector, the gap's gradient in the place
+};
+
+/// Patches at places of their nodes, in a tree of their bounding boxes (Boost.Geometry's R-tree, packed), so that a
+/// search visits few of them. The result depends on the places alone: of two patches that are equally near, it is the
+/// one with the lower number. The patches must outlive it.
+template <std::size_t D>
+class PlacedSurface {
+ public:
+  /// `x`: places of the nodes, by the numbers that patches have [L0].
+  PlacedSurface(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x);
+  ~PlacedSurface();
+  PlacedSurface(PlacedSurface&&) noexcept;
+  PlacedSurface& operator=(PlacedSurface&&) = delete;
+  PlacedSurface(const PlacedSurface&) = delete;
+  PlacedSurface& operator=(const PlacedSurface&) = delete;
+
+  const PlacedPatch<D>& patch(int number) const { return placed_[static_cast<std::size_t>(number)]; }
+  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `guess`: a patch that is
+  /// likely near, or -1; it changes the time of the search only. The gap is positive on the outer side. At a kink, the
+  /// sum of the normals of the patches that meet there, weighted by their angles, tells the outer side (Baerentzen and
+  /// Aanaes 2005); beyond a free rim the gap is positive.
+  SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
+                         int guess = -1) const;
+  /// Returns the patches whose bounding boxes are nearer than `range` to the bounding box of these points, ascending.
+  template <class Points>
+  std::vector<int> near(const Points& points, double range) const {
+    return near(Box(points), range);
+  }
+  /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
+  /// surely stays at least `least`: until the place or a point of a patch's hull, relative to each other, has moved as
+  /// far as the distance exceeds it, or, if that is later, until the plane through the foot that separates them no
+  /// longer does by it. `ways`: by node, as x. `fastest`: the largest way of a point of the surface, see fastest().
+  double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double fastest,
+                    double least) const;
+  /// Returns a bound on the ways of all points of the surface, if its nodes move along these [L0].
+  double fastest(const std::vector<Vec<D>>& ways) const;
+
+ private:
+  /// A bounding box.
+  struct Box {
+    Vec<D> low, high;
+    template <class Points>
+    explicit Box(const Points& points) : low(*points.begin()), high(*points.begin()) {
+      for (const Vec<D>& p : points)
+        for (std::size_t i = 0; i < D; ++i) {
+          low[i] = p[i] < low[i] ? p[i] : low[i];
+          high[i] = p[i] > high[i] ? p[i] : high[i];
+        }
+    }
+  };
+  struct Tree;
+  std::vector<int> near(const Box& box, double range) const;
+  typename SurfacePatch<D>::Points nodes_of(int patch, const std::vector<Vec<D>>& values) const;
+  bool is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const;
+
+  const std::vector<SurfacePatch<D>>& patches_;
+  std::vector<PlacedPatch<D>> placed_;
+  std::unique_ptr<Tree> tree_;
+};
+
+extern template class PlacedSurface<2>;
+extern template class PlacedSurface<3>;
+
+}  // namespace ixos

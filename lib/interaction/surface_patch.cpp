@@ -1,0 +1,175 @@
+#include "interaction/surface_patch.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr std::size_t most_powers = 5;
+/// Powers of one parameter, or their derivatives.
+using Powers = std::array<double, most_powers>;
+
+/// By order of the derivative, 0 to 2: the derivatives of t^0 ... t^degree.
+std::array<Powers, 3> powers_of(double t, int degree) {
+  std::array<Powers, 3> result{};
+  double power = 1;
+  for (int k = 0; k <= degree; ++k) {
+    const auto place = static_cast<std::size_t>(k);
+    result[0][place] = power;
+    if (k > 0) result[1][place] = k * result[0][place - 1];
+    if (k > 1) result[2][place] = k * (k - 1) * result[0][place - 2];
+    power *= t;
+  }
+  return result;
+}
+
+/// The tensor powers of all parameters, or their derivatives.
+template <std::size_t D>
+using Tensor = std::array<double, PlacedPatch<D>::most>;
+
+template <std::size_t D>
+struct Tensors {
+  Tensor<D> value{};
+  std::array<Tensor<D>, D - 1> first{};
+  std::array<Tensor<D>, second_derivatives(D - 1)> second{};
+  std::size_t size = 0;
+
+  Tensors(const PatchParameters<D>& xi, int degree, bool derivatives) {
+    const auto n = static_cast<std::size_t>(degree) + 1;
+    const std::array<Powers, 3> a = powers_of(xi[0], degree);
+    if constexpr (D == 2) {
+      size = n;
+      for (std::size_t i = 0; i < n; ++i) {
+        value[i] = a[0][i];
+        first[0][i] = a[1][i];
+        second[0][i] = a[2][i];
+      }
+    } else {
+      const std::array<Powers, 3> b = powers_of(xi[1], degree);
+      size = n * n;
+      const auto set = [&](Tensor<D>& tensor, std::size_t by_first, std::size_t by_second) {
+        for (std::size_t j = 0; j < n; ++j)
+          for (std::size_t i = 0; i < n; ++i) tensor[n * j + i] = a[by_first][i] * b[by_second][j];
+      };
+      set(value, 0, 0);
+      if (!derivatives) return;
+      set(first[0], 1, 0);
+      set(first[1], 0, 1);
+      set(second[second_derivative(0, 0)], 2, 0);
+      set(second[second_derivative(0, 1)], 1, 1);
+      set(second[second_derivative(1, 1)], 0, 2);
+    }
+  }
+};
+
+template <std::size_t D>
+Vec<D> sum(const Tensor<D>& tensor, std::size_t size, const std::array<Vec<D>, PlacedPatch<D>::most>& coefficients) {
+  Vec<D> result{};
+  for (std::size_t k = 0; k < size; ++k)
+    for (std::size_t i = 0; i < D; ++i) result[i] += tensor[k] * coefficients[k][i];
+  return result;
+}
+
+double binomial(int n, int k) {
+  double result = 1;
+  for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
+  return result;
+}
+
+}  // namespace
+
+template <std::size_t D>
+Vec<D> PlacedPatch<D>::at(const PatchParameters<D>& xi) const {
+  const Tensors<D> powers(xi, degree, false);
+  return sum<D>(powers.value, powers.size, coefficients);
+}
+
+template <std::size_t D>
+typename PlacedPatch<D>::Frame PlacedPatch<D>::frame(const PatchParameters<D>& xi) const {
+  const Tensors<D> powers(xi, degree, true);
+  Frame result;
+  result.place = sum<D>(powers.value, powers.size, coefficients);
+  for (std::size_t k = 0; k < powers.first.size(); ++k)
+    result.tangents[k] = sum<D>(powers.first[k], powers.size, coefficients);
+  for (std::size_t k = 0; k < powers.second.size(); ++k)
+    result.bends[k] = sum<D>(powers.second[k], powers.size, coefficients);
+  return result;
+}
+
+template <std::size_t D>
+Vec<D> PlacedPatch<D>::normal(const Frame& frame) {
+  Vec<D> n;
+  const Vec<D>& a = frame.tangents[0];
+  if constexpr (D == 2) {
+    n = {a[1], -a[0]};
+  } else {
+    const Vec<D>& b = frame.tangents[1];
+    n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  return (1 / length(n)) * n;
+}
+
+template <std::size_t D>
+boost::container::static_vector<Vec<D>, PlacedPatch<D>::most> PlacedPatch<D>::hull() const {
+  const auto n = static_cast<std::size_t>(degree) + 1;
+  // From powers to Bernstein polynomials: b_i = sum_k C(i, k)/C(p, k) c_k, along each parameter.
+  std::array<std::array<double, most_powers>, most_powers> share{};
+  for (int i = 0; i <= degree; ++i)
+    for (int k = 0; k <= i; ++k)
+      share[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = binomial(i, k) / binomial(degree, k);
+  std::array<Vec<D>, most> points = coefficients;
+  const auto convert = [&](std::size_t first, std::size_t stride) {
+    std::array<Vec<D>, most_powers> line{};
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k <= i; ++k) line[i] = line[i] + share[i][k] * points[first + stride * k];
+    for (std::size_t i = 0; i < n; ++i) points[first + stride * i] = line[i];
+  };
+  std::size_t size = n;
+  if constexpr (D == 2) {
+    convert(0, 1);
+  } else {
+    size = n * n;
+    for (std::size_t i = 0; i < n; ++i) convert(n * i, 1);
+    for (std::size_t i = 0; i < n; ++i) convert(i, n);
+  }
+  return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(size)};
+}
+
+template <std::size_t D>
+typename SurfacePatch<D>::Weights SurfacePatch<D>::weights(const PatchParameters<D>& xi) const {
+  const Tensors<D> tensors(xi, degree, false);
+  Weights n{};
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t k = 0; k < tensors.size; ++k) n[a] += coefficients[a * tensors.size + k] * tensors.value[k];
+  return n;
+}
+
+template <std::size_t D>
+typename SurfacePatch<D>::Shape SurfacePatch<D>::shape(const PatchParameters<D>& xi) const {
+  const Tensors<D> tensors(xi, degree, true);
+  Shape result;
+  const auto set = [&](Weights& weights, const Tensor<D>& tensor) {
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t k = 0; k < tensors.size; ++k) weights[a] += coefficients[a * tensors.size + k] * tensor[k];
+  };
+  set(result.value, tensors.value);
+  for (std::size_t k = 0; k < tensors.first.size(); ++k) set(result.slopes[k], tensors.first[k]);
+  for (std::size_t k = 0; k < tensors.second.size(); ++k) set(result.bends[k], tensors.second[k]);
+  return result;
+}
+
+template <std::size_t D>
+PlacedPatch<D> SurfacePatch<D>::placed(const Points& x) const {
+  PlacedPatch<D> result;
+  result.degree = degree;
+  const std::size_t size = powers();
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t k = 0; k < size; ++k)
+      for (std::size_t i = 0; i < D; ++i) result.coefficients[k][i] += coefficients[a * size + k] * x[a][i];
+  return result;
+}
+
+template struct PlacedPatch<2>;
+template struct PlacedPatch<3>;
+template struct SurfacePatch<2>;
+template struct SurfacePatch<3>;
+
+}  // namespace ixos

@@ -1,0 +1,83 @@
+/// A piece of a surface whose places are polynomials, linear in the places of its nodes.
+#pragma once
+#include <array>
+#include <boost/container/static_vector.hpp>
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace ixos {
+
+/// The parameters of a patch, each in [0, 1]: one in the plane, two in space.
+template <std::size_t D>
+using PatchParameters = std::array<double, D - 1>;
+
+/// Returns the number of second derivatives of `parameters` parameters, and the place of the one by k and l.
+constexpr std::size_t second_derivatives(std::size_t parameters) { return parameters * (parameters + 1) / 2; }
+constexpr std::size_t second_derivative(std::size_t k, std::size_t l) { return k + l; }
+
+/// A patch at places of its nodes: x(xi) = sum_j c_j xi^j, tensor powers of the parameters up to `degree` each, those
+/// of the first parameter fastest [L0].
+template <std::size_t D>
+struct PlacedPatch {
+  static constexpr std::size_t parameters = D - 1;
+  static constexpr std::size_t most = D == 2 ? 5 : 25;  ///< powers, for degree 4
+  /// A place with its derivatives by the parameters, the second ones as second_derivative() says.
+  struct Frame {
+    Vec<D> place{};
+    std::array<Vec<D>, parameters> tangents{};
+    std::array<Vec<D>, second_derivatives(parameters)> bends{};
+  };
+
+  int degree = 1;
+  std::array<Vec<D>, most> coefficients{};
+
+  Vec<D> at(const PatchParameters<D>& xi) const;
+  Frame frame(const PatchParameters<D>& xi) const;
+  /// Returns the outward unit normal.
+  Vec<D> normal(const PatchParameters<D>& xi) const { return normal(frame(xi)); }
+  static Vec<D> normal(const Frame& frame);
+  /// Returns points whose convex hull contains the patch, Bernstein's.
+  boost::container::static_vector<Vec<D>, most> hull() const;
+};
+
+/// A patch x(xi) = sum_a N_a(xi) x_a whose weights N_a are polynomials that sum to 1. In the plane its body is on the
+/// left of the direction of growing xi. In space the tangents by the first and the second parameter and the outward
+/// normal are right-handed.
+template <std::size_t D>
+struct SurfacePatch {
+  static constexpr std::size_t parameters = D - 1;
+  static constexpr std::size_t most = PlacedPatch<D>::most;  ///< nodes
+  static constexpr std::size_t sides = 2 * parameters;       ///< side 2k: parameter k is 0, side 2k + 1: it is 1
+  using Weights = std::array<double, most>;
+  using Points = std::array<Vec<D>, most>;
+  /// The weights with their derivatives by the parameters, the second ones as second_derivative() says.
+  struct Shape {
+    Weights value{};
+    std::array<Weights, parameters> slopes{};
+    std::array<Weights, second_derivatives(parameters)> bends{};
+  };
+
+  std::array<int, most> nodes{};  ///< the first `count` count
+  std::size_t count = 0;
+  int degree = 1;                    ///< of the weights in each parameter, at most 4
+  std::vector<double> coefficients;  ///< by node and power, the powers as in PlacedPatch
+  /// By side: true if the next patch has the same tangents at the whole side, false at a kink or a free rim.
+  std::array<bool, sides> smooth{};
+  /// By side: the patch beyond it; -1 at a free rim.
+  std::array<int, sides> neighbours{};
+
+  std::size_t powers() const { return coefficients.size() / count; }
+  Weights weights(const PatchParameters<D>& xi) const;
+  Shape shape(const PatchParameters<D>& xi) const;
+  /// Returns the patch at places of its nodes, in their order.
+  PlacedPatch<D> placed(const Points& x) const;
+};
+
+extern template struct PlacedPatch<2>;
+extern template struct PlacedPatch<3>;
+extern template struct SurfacePatch<2>;
+extern template struct SurfacePatch<3>;
+
+}  // namespace ixos

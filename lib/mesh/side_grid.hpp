@@ -1,0 +1,61 @@
+/// How the four-sided faces of a surface in space meet: edges, lines of edges, and nodes of a grid.
+#pragma once
+#include <array>
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace ixos {
+
+/// The faces of a surface, four nodes each, counter-clockwise seen from outside. An edge is a crease if only one face
+/// has it, or if its two faces meet at more than 30 degrees. A node is regular if four faces and four edges without a
+/// crease meet there.
+///
+/// A strip is a sequence of faces in which each meets the next one at opposite edges; the edges across it have one
+/// length, their mean. So lengths along the lines of the grid are those of a product of two axes.
+class SideGrid {
+ public:
+  using Face = std::array<int, 4>;
+
+  /// `x`: places by node. Throws InputError with `name` if more than two faces have an edge, or if two faces go along
+  /// it in one direction. `number`: returns a node's number in messages.
+  SideGrid(std::vector<Face> faces, const std::vector<Vec<3>>& x, const std::string& name,
+           const std::vector<long long>& numbers);
+
+  const std::vector<Face>& faces() const { return faces_; }
+  /// Returns the face beyond the edge, -1 at a rim.
+  int across(int face, int a, int b) const;
+  bool is_crease(int a, int b) const { return edge(a, b).crease; }
+  bool is_regular(int node) const;
+  /// Returns the node to which the edge from `far` to `node` continues: along the line of the grid at a regular node,
+  /// or along the only other crease if that has the same direction within 30 degrees; -1 if there is none.
+  int continuation(int node, int far) const;
+  /// Returns the length of the edge's strip [L0].
+  double strip_length(int a, int b) const { return strip_length_[static_cast<std::size_t>(edge(a, b).strip)]; }
+  /// Returns the corner of the face that is opposite to the node; -1 if the face does not have it.
+  int opposite(int face, int node) const;
+  bool has(int face, int node) const;
+
+ private:
+  struct Edge {
+    std::array<int, 2> faces{-1, -1};
+    bool crease = true;
+    int strip = -1;
+  };
+  const Edge& edge(int a, int b) const { return edges_.at(std::minmax(a, b)); }
+  void find_edges(const std::string& name, const std::vector<long long>& numbers);
+  void find_strips(const std::vector<Vec<3>>& x);
+
+  std::vector<Face> faces_;
+  std::map<std::pair<int, int>, Edge> edges_;
+  std::vector<std::vector<int>> ends_;  ///< by node: the other ends of its edges
+  std::vector<int> count_;              ///< by node: its faces
+  std::vector<Vec<3>> x_;
+  std::vector<double> strip_length_;
+};
+
+}  // namespace ixos

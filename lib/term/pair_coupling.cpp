@@ -1,0 +1,112 @@
+#include "term/pair_coupling.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ixos {
+namespace {
+
+/// Returns the components of all places, one after the other.
+template <std::size_t D>
+std::vector<double> flat(const typename PairPoints<D>::Places& places) {
+  std::vector<double> result;
+  for (const auto* x : {&places.secondary, &places.primary})
+    for (const Vec<D>& place : *x) result.insert(result.end(), place.begin(), place.end());
+  return result;
+}
+
+}  // namespace
+
+double reach_of_stiffness(const GapLaw& law) {
+  const double equilibrium = law.equilibrium_gap(), most = std::min(law.range(), 100 * equilibrium);
+  double largest = 0, reach = equilibrium;
+  for (double gap = equilibrium; gap < most; gap *= 1.05) {
+    const double stiffness = std::abs(law.stiffness(gap)[0]);
+    largest = std::max(largest, stiffness);
+    if (stiffness > 1e-3 * largest) reach = 1.05 * gap;
+  }
+  return std::min(reach, most);
+}
+
+template <std::size_t D>
+PairCoupling<D>::PairCoupling(const PairPoints<D>& points)
+    : points_(points), reach_(reach_of_stiffness(points.law())), skin_(reach_ / 2) {}
+
+template <std::size_t D>
+std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename PairPoints<D>::Places& places,
+                                                               double range) const {
+  const PlacedSurface<D> primary(points_.primary().patches, places.primary);
+  std::vector<Pair> result;
+  for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s)
+    for (const int p : primary.near(points_.placed(s, places).hull(), range))
+      result.emplace_back(static_cast<int>(s), p);
+  return result;
+}
+
+/// Returns a bound on how much less a gap can be than at the last search: twice the largest displacement since, less
+/// the mean one of all nodes, which no gap notices. Weights of smooth surfaces make 1.6 of a node's displacement.
+template <std::size_t D>
+double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) const {
+  const std::vector<double> now = flat<D>(places);
+  Vec<D> mean{};
+  for (std::size_t k = 0; k < now.size(); ++k) mean[k % D] += (now[k] - last_[k]) * D / static_cast<double>(now.size());
+  double largest = 0;
+  for (std::size_t k = 0; k < now.size(); k += D) {
+    Vec<D> way{};
+    for (std::size_t i = 0; i < D; ++i) way[i] = now[k + i] - last_[k + i] - mean[i];
+    largest = std::max(largest, length(way));
+  }
+  return 2 * 1.6 * largest;
+}
+
+template <std::size_t D>
+bool PairCoupling<D>::update(const typename PairPoints<D>::Places& places) {
+  if (loaded_) {
+    loaded_ = false;
+    return true;
+  }
+  const bool first = last_.empty();
+  if (!places.is_finite() || (!first && motion(places) < skin_)) return false;
+  ++searches_;
+  last_ = flat<D>(places);
+  std::vector<Pair> near = pairs_within(places, reach_ + skin_);
+  const bool same = first ? near == pairs_ : std::includes(pairs_.begin(), pairs_.end(), near.begin(), near.end());
+  if (!same) pairs_ = std::move(near);
+  return !same;
+}
+
+template <std::size_t D>
+std::vector<std::vector<int>> PairCoupling<D>::stencils() const {
+  std::vector<std::vector<int>> result;
+  result.reserve(pairs_.size());
+  for (const Pair& pair : pairs_) result.push_back(points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second));
+  return result;
+}
+
+
+template <std::size_t D>
+void PairCoupling<D>::transfer(Record& record) {
+  if (record.loading() && !record.same_partition()) return begin_anew();
+  std::vector<double> pairs;
+  for (const Pair& pair : pairs_) pairs.insert(pairs.end(), {double(pair.first), double(pair.second)});
+  record.share("coupled patches", pairs);
+  record.share("places of the last search", last_);
+  if (!record.loading()) return;
+  const auto patches = [](const SurfacePatches<D>& surface) { return static_cast<double>(surface.patches.size()); };
+  const std::size_t size = D * (points_.secondary().nodes.size() + points_.primary().nodes.size());
+  bool sound = pairs.size() % 2 == 0 && (last_.empty() || last_.size() == size);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    sound = sound && pairs[k] >= 0 && pairs[k] == std::trunc(pairs[k]) &&
+            pairs[k] < (k % 2 == 0 ? patches(points_.secondary()) : patches(points_.primary()));
+  if (!sound) throw InputError("the coupled patches are not those of the surfaces");
+  const std::vector<Pair> before = std::exchange(pairs_, {});
+  for (std::size_t k = 0; k < pairs.size(); k += 2)
+    pairs_.emplace_back(static_cast<int>(pairs[k]), static_cast<int>(pairs[k + 1]));
+  std::sort(pairs_.begin(), pairs_.end());
+  loaded_ = pairs_ != before;
+}
+
+template class PairCoupling<2>;
+template class PairCoupling<3>;
+
+}  // namespace ixos

@@ -1,0 +1,53 @@
+/// Which nodes of two surfaces the matrix of their interaction couples.
+#pragma once
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "base/record.hpp"
+#include "term/pair_points.hpp"
+
+namespace ixos {
+
+/// The pairs of a secondary and a primary patch that were within reach, and a skin beyond it, at the last search. A new
+/// search is due when the nodes have moved so far that others can be within reach. It changes the pairs only if one
+/// within reach is missing. What is farther acts, too, but its stiffness is less than 1e-3 of that at the
+/// equilibrium gap, and the matrix leaves it out.
+template <std::size_t D>
+class PairCoupling {
+ public:
+  /// The points must outlive it.
+  explicit PairCoupling(const PairPoints<D>& points);
+
+  /// Searches at these places, if that is due. Returns whether the pairs have changed.
+  bool update(const typename PairPoints<D>::Places& places);
+  /// Returns the local nodes of each pair.
+  std::vector<std::vector<int>> stencils() const;
+  /// Makes a search due, whose pairs do not depend on those of earlier ones.
+  void begin_anew() { last_.clear(); }
+  /// Transfers the pairs and the places of the last search. Loading on another partition begins anew.
+  void transfer(Record& record);
+  double reach() const { return reach_; }
+  long searches() const { return searches_; }
+
+ private:
+  using Pair = std::pair<int, int>;
+  std::vector<Pair> pairs_within(const typename PairPoints<D>::Places& places, double range) const;
+  double motion(const typename PairPoints<D>::Places& places) const;
+
+  const PairPoints<D>& points_;
+  double reach_, skin_;
+  std::vector<Pair> pairs_;  ///< ascending
+  std::vector<double> last_;  ///< places of the last search; empty if there was none
+  long searches_ = 0;
+  bool loaded_ = false;  ///< the pairs are others than before loading
+};
+
+/// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its equilibrium
+/// gap; a hundred times the equilibrium gap at most [L0].
+double reach_of_stiffness(const GapLaw& law);
+
+extern template class PairCoupling<2>;
+extern template class PairCoupling<3>;
+
+}  // namespace ixos

@@ -1,0 +1,42 @@
+#include "term/surface_patches.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace ixos {
+
+int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mesh) {
+  const auto found = std::lower_bound(nodes.begin(), nodes.end(), node, [&](int a, int b) {
+    return mesh.global_ids[static_cast<std::size_t>(a)] < mesh.global_ids[static_cast<std::size_t>(b)];
+  });
+  return static_cast<int>(found - nodes.begin());
+}
+
+template <std::size_t D>
+SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+                                   const std::string& name) {
+  constexpr std::size_t corners = D == 2 ? 2 : 4;
+  SurfacePatches<D> surface;
+  for (const LocalSide& side : sides) {
+    if (side.nodes.size() != corners)
+      throw InputError(fmt::format("the surface \"{}\" has sides of {} nodes; surfaces of two bodies need the sides of "
+                                   "linear cells, of {} nodes (Contact Element Q1C1)",
+                                   name, side.nodes.size(), corners));
+    surface.nodes.insert(surface.nodes.end(), side.nodes.begin(), side.nodes.end());
+    surface.owned.push_back(side.owned ? 1 : 0);
+    surface.sides.push_back({side.block, side.cell, side.side});
+  }
+  std::sort(surface.nodes.begin(), surface.nodes.end(), [&](int a, int b) {
+    return mesh.global_ids[static_cast<std::size_t>(a)] < mesh.global_ids[static_cast<std::size_t>(b)];
+  });
+  surface.nodes.erase(std::unique(surface.nodes.begin(), surface.nodes.end()), surface.nodes.end());
+  return surface;
+}
+
+template SurfacePatches<2> surface_of_sides<2>(const LocalMesh&, const std::vector<LocalSide>&, const std::string&);
+template SurfacePatches<3> surface_of_sides<3>(const LocalMesh&, const std::vector<LocalSide>&, const std::string&);
+
+}  // namespace ixos

@@ -1,0 +1,57 @@
+/// The sides of a surface as patches.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "interaction/surface_patch.hpp"
+#include "mesh/local_mesh.hpp"
+
+namespace ixos {
+
+/// How the sides of a surface are joined.
+enum class Smoothing {
+  None,  ///< straight or bilinear sides: the normal jumps between them
+  /// Cubic curves, or bicubic patches where four sides meet at each inner node, through the nodes: linear in the nodes'
+  /// places, and of one tangent where they meet at 30 degrees or less
+  CatmullRom
+};
+
+/// A surface as patches. They name nodes by their place in `nodes`.
+template <std::size_t D>
+struct SurfacePatches {
+  std::vector<int> nodes;                 ///< local nodes, in the order of their global numbers: alike on all ranks
+  std::vector<SurfacePatch<D>> patches;   ///< one for each side, in the order of the sides; the corners come first
+  std::vector<char> owned;                ///< by patch: energies count it on this rank
+  std::vector<std::array<int, 3>> sides;  ///< by patch: local block, number of the cell, side, which identify it
+};
+
+/// Returns the patches of sides of linear cells. Throws InputError with `name` if a side is not one of a linear cell,
+/// if more than two sides meet in a node of the plane or in an edge in space, or if neighbours in space have opposite
+/// directions.
+template <std::size_t D>
+SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
+                                  const std::string& name);
+
+/// Returns the surface's nodes and what the mesh says of its sides, without patches; throws as surface_patches().
+template <std::size_t D>
+SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const std::string& name);
+
+/// Returns the place of a local node among the surface's nodes, which are in the order of their global numbers.
+int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mesh);
+
+/// Returns whether two directions differ by 30 degrees or less.
+template <std::size_t D>
+bool meet_smoothly(const Vec<D>& before, const Vec<D>& after) {
+  const double least_cosine = std::sqrt(3.0) / 2;
+  return inner(before, after) >= least_cosine * length(before) * length(after);
+}
+
+/// Returns the place of a local node in the undeformed body [L0].
+template <std::size_t D>
+Vec<D> reference_place(const LocalMesh& mesh, int node) {
+  Vec<D> x;
+  for (std::size_t i = 0; i < D; ++i) x[i] = mesh.coordinates[D * static_cast<std::size_t>(node) + i];
+  return x;
+}
+
+}  // namespace ixos

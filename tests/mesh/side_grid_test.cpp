@@ -1,0 +1,83 @@
+// How faces of a surface meet.
+#include "mesh/side_grid.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "support/refusal.hpp"
+
+namespace ixos {
+namespace {
+
+/// A sheet of n x m faces with nodes (n + 1) j + i. `bend`: the height of the nodes with i > 1 per unit of i.
+struct Sheet {
+  int n, m;
+  std::vector<Vec<3>> x;
+  std::vector<SideGrid::Face> faces;
+
+  Sheet(int across, int along, double bend = 0, double stretch = 1) : n(across), m(along) {
+    for (int j = 0; j <= m; ++j)
+      for (int i = 0; i <= n; ++i)
+        x.push_back({i == 0 ? 0.0 : 1 + stretch * (i - 1), double(j), bend * std::max(0, i - 1)});
+    for (int j = 0; j < m; ++j)
+      for (int i = 0; i < n; ++i) faces.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+  }
+  int at(int i, int j) const { return (n + 1) * j + i; }
+  SideGrid grid() const {
+    std::vector<long long> numbers;
+    for (std::size_t k = 0; k < x.size(); ++k) numbers.push_back(static_cast<long long>(k) + 1);
+    return {faces, x, "sheet", numbers};
+  }
+};
+
+TEST(SideGridTest, LinesContinueThroughRegularNodesAndAlongRims) {
+  const Sheet sheet(3, 3);
+  const SideGrid grid = sheet.grid();
+  const int node = sheet.at(1, 1);
+  EXPECT_TRUE(grid.is_regular(node));
+  EXPECT_FALSE(grid.is_regular(sheet.at(0, 1)));
+  EXPECT_EQ(grid.continuation(node, sheet.at(0, 1)), sheet.at(2, 1));
+  EXPECT_EQ(grid.continuation(node, sheet.at(1, 2)), sheet.at(1, 0));
+  EXPECT_EQ(grid.continuation(sheet.at(0, 1), sheet.at(0, 2)), sheet.at(0, 0));  // along the rim
+  EXPECT_EQ(grid.continuation(sheet.at(0, 1), sheet.at(1, 1)), -1);              // into the rim
+  EXPECT_EQ(grid.continuation(sheet.at(0, 0), sheet.at(1, 0)), -1);              // a corner
+  EXPECT_TRUE(grid.is_crease(sheet.at(0, 1), sheet.at(0, 2)));
+  EXPECT_EQ(grid.across(0, sheet.at(1, 0), sheet.at(1, 1)), 1);
+  EXPECT_EQ(grid.across(0, sheet.at(0, 0), sheet.at(1, 0)), -1);
+  EXPECT_EQ(grid.opposite(0, sheet.at(0, 0)), sheet.at(1, 1));
+  EXPECT_EQ(grid.opposite(0, sheet.at(3, 3)), -1);
+  EXPECT_TRUE(grid.has(0, sheet.at(1, 1)));
+}
+
+TEST(SideGridTest, SharpEdgesAreCreases) {
+  const Sheet flat(3, 3, 0.5), sharp(3, 3, 0.7);  // 27 and 35 degrees
+  EXPECT_FALSE(flat.grid().is_crease(flat.at(1, 1), flat.at(1, 2)));
+  const SideGrid grid = sharp.grid();
+  EXPECT_TRUE(grid.is_crease(sharp.at(1, 1), sharp.at(1, 2)));
+  EXPECT_FALSE(grid.is_regular(sharp.at(1, 1)));
+  EXPECT_EQ(grid.continuation(sharp.at(1, 1), sharp.at(1, 2)), sharp.at(1, 0));  // along the crease
+  EXPECT_EQ(grid.continuation(sharp.at(1, 1), sharp.at(2, 1)), -1);
+}
+
+TEST(SideGridTest, TheEdgesAcrossAStripHaveItsMeanLength) {
+  Sheet sheet(3, 2, 0, 2);
+  sheet.x[static_cast<std::size_t>(sheet.at(3, 2))][0] += 0.3;
+  const SideGrid grid = sheet.grid();
+  EXPECT_DOUBLE_EQ(grid.strip_length(sheet.at(0, 1), sheet.at(1, 1)), 1);
+  EXPECT_DOUBLE_EQ(grid.strip_length(sheet.at(1, 0), sheet.at(2, 0)), 2);
+  for (int j = 0; j <= 2; ++j) EXPECT_DOUBLE_EQ(grid.strip_length(sheet.at(2, j), sheet.at(3, j)), 2.1);
+}
+
+TEST(SideGridTest, RefusesThreeFacesAtAnEdgeAndOppositeDirections) {
+  Sheet sheet(2, 1);
+  sheet.x.push_back({1, 0, 1});
+  sheet.x.push_back({1, 1, 1});
+  sheet.faces.push_back({sheet.at(1, 0), sheet.at(1, 1), 7, 6});
+  EXPECT_NE(test::refusal([&] { sheet.grid(); }).find("meet in the edge between the nodes 2 and 5"), std::string::npos);
+  Sheet turned(2, 1);
+  std::swap(turned.faces[1][1], turned.faces[1][3]);
+  EXPECT_NE(test::refusal([&] { turned.grid(); }).find("opposite directions"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ixos

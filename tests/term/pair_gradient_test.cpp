@@ -1,0 +1,176 @@
+// The discrete gradient of two surfaces.
+#include "term/pair_gradient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "interaction/catalogue.hpp"
+#include "interaction/van_der_waals.hpp"
+#include "support/two_bodies.hpp"
+
+namespace ixos {
+namespace {
+
+/// A model with one pair, and two displacements between which the bodies come nearer and slide.
+struct Bodies {
+  std::unique_ptr<Model> model;
+  const Interaction* term;
+  std::vector<double> from, to;
+
+  Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
+         double cutoff = 0)
+      : model(test::model_of_bodies(mesh, {secondary, primary})) {
+    SurfacePair pair;
+    pair.secondary = secondary;
+    pair.primary = primary;
+    pair.law = gap_law(VanDerWaals(2.5, 25));
+    pair.smoothing = smoothing;
+    pair.cutoff = cutoff;
+    add_pair(*model, pair);
+    term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
+    from = test::smooth_field(*model, 0.02);
+    to = test::smooth_field(*model, -0.03);
+  }
+  std::vector<double> force(const std::vector<double>& end) const {
+    std::vector<double> f(end.size(), 0.0);
+    EXPECT_TRUE(term->add_force({from.data(), nullptr, end.data()}, discrete_gradient_rule(), f.data()));
+    return f;
+  }
+  double energy(const std::vector<double>& u) const {
+    double sum = term->energy(u.data());
+    model->space().sum(&sum, 1);
+    return sum;
+  }
+};
+
+std::vector<Bodies> cases() {
+  std::vector<Bodies> all;
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+    all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
+    all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
+    all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", smoothing);
+    all.emplace_back(test::two_boxes(0.3), "upper_bottom", "lower_top", smoothing, 1.0);
+  }
+  return all;
+}
+
+TEST(PairGradientTest, ItsWorkIsTheChangeOfTheEnergy) {
+  for (const Bodies& bodies : cases()) {
+    const std::vector<double> f = bodies.force(bodies.to);
+    double sums[2] = {0, 0};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); ++k) {
+      sums[0] += f[k] * (bodies.to[k] - bodies.from[k]);
+      sums[1] += std::abs(f[k] * (bodies.to[k] - bodies.from[k]));
+    }
+    bodies.model->space().sum(sums, 2);
+    EXPECT_NEAR(sums[0], bodies.energy(bodies.to) - bodies.energy(bodies.from), 1e-13 * (1 + sums[1]));
+    EXPECT_GT(sums[1], 1e-4);
+  }
+}
+
+/// Returns the net force and the net moment about the mean places, over the sum of forces and moments of parts.
+std::array<double, 2> net(const Bodies& bodies) {
+  const std::vector<double> f = bodies.force(bodies.to);
+  const auto& x = bodies.model->mesh().coordinates;
+  const auto d = static_cast<std::size_t>(bodies.model->mesh().dimension);
+  double sums[5] = {0, 0, 0, 0, 0};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += d) {
+    const auto mean = [&](std::size_t i) { return x[k + i] + (bodies.from[k + i] + bodies.to[k + i]) / 2; };
+    for (std::size_t i = 0; i < d; ++i) {
+      sums[i] += f[k + i];
+      sums[4] += std::abs(f[k + i]);
+    }
+    sums[3] += mean(d - 2) * f[k + d - 1] - mean(d - 1) * f[k + d - 2];
+  }
+  bodies.model->space().sum(sums, 5);
+  const double force = std::max({std::abs(sums[0]), std::abs(sums[1]), d == 3 ? std::abs(sums[2]) : 0.0});
+  return {force / sums[4], std::abs(sums[3]) / (5 * sums[4])};
+}
+
+TEST(PairGradientTest, ItsNetForceVanishesAndItsNetMomentIsSmall) {
+  for (const Bodies& bodies : cases()) {
+    const auto [force, moment] = net(bodies);
+    EXPECT_LT(force, 1e-13);
+    EXPECT_LT(moment, 1e-3);
+  }
+}
+
+/// Where no point slides without coming nearer or going away, both momenta are kept.
+TEST(PairGradientTest, BodiesThatApproachKeepBothMomenta) {
+  for (const int dimension : {2, 3}) {
+    Bodies bodies = dimension == 2
+                        ? Bodies(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::CatmullRom, 1.0)
+                        : Bodies(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::CatmullRom, 1.0);
+    const auto& x = bodies.model->mesh().coordinates;
+    const auto d = static_cast<std::size_t>(dimension);
+    const std::vector<double> way = dimension == 2 ? std::vector<double>{-0.05, -0.036}
+                                                   : std::vector<double>{-0.024, -0.02, -0.029};
+    for (std::size_t k = 0; k < x.size(); k += d) {
+      double side = 0;
+      for (std::size_t i = 0; i < d; ++i) side += x[k + i] * way[i];
+      for (std::size_t i = 0; i < d; ++i) bodies.to[k + i] = bodies.from[k + i] + (side < (dimension == 2 ? -0.19 : -0.09) ? way[i] : 0);
+    }
+    const auto [force, moment] = net(bodies);
+    EXPECT_LT(force, 1e-13);
+    EXPECT_LT(moment, 1e-13);
+  }
+}
+
+TEST(PairGradientTest, ItsTangentIsItsDerivative) {
+  for (const Bodies& bodies : cases()) {
+    const std::vector<double> way = test::noise(*bodies.model, 1);
+    const auto moved = [&](double s) {
+      std::vector<double> u = bodies.to;
+      for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
+      return u;
+    };
+    const double h = 1e-7;  // the force bends sharply where points begin to slide
+    const auto up = bodies.force(moved(h)), down = bodies.force(moved(-h));
+    Model& model = *bodies.model;
+    std::vector<int> all(static_cast<std::size_t>(model.mesh().nodes()));
+    std::iota(all.begin(), all.end(), 0);
+    model.couple({all});  // the pairs' own coupling leaves out feet that change their patch
+    const auto d = static_cast<std::size_t>(model.mesh().dimension);
+    std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0);
+    bodies.term->add_tangent({bodies.from.data(), nullptr, bodies.to.data()}, discrete_gradient_rule(), Tangent::Exact,
+                             values.data());
+    double largest = 0;
+    std::vector<double> product(static_cast<std::size_t>(model.space().owned()), 0.0);
+    model.pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
+      entries([&](int column, double value) {
+        product[static_cast<std::size_t>(row)] += value * way[static_cast<std::size_t>(column)];
+      });
+      largest = std::max(largest, std::abs(product[static_cast<std::size_t>(row)]));
+    });
+    largest = model.space().maximum(largest);
+    EXPECT_GT(largest, 1e-3);
+    for (std::size_t k = 0; k < product.size(); ++k)
+      EXPECT_NEAR((up[k] - down[k]) / (2 * h), product[k], 1e-5 * largest);
+  }
+}
+
+/// At rest it is the force, and its limit has no jump.
+TEST(PairGradientTest, WithoutAChangeItIsTheForce) {
+  for (Bodies& bodies : cases()) {
+    bodies.from = bodies.to;
+    const std::vector<double> f = bodies.force(bodies.to);
+    std::vector<double> g(f.size(), 0.0);
+    bodies.term->add_force({nullptr, nullptr, bodies.to.data()}, end_rule(), g.data());
+    const std::vector<double> way = test::noise(*bodies.model, 1e-5);
+    std::vector<double> near = bodies.to;
+    for (std::size_t k = 0; k < near.size(); ++k) near[k] += way[k];
+    const std::vector<double> after = bodies.force(near);
+    double largest = 0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); ++k)
+      largest = std::max(largest, std::abs(g[k]));
+    largest = bodies.model->space().maximum(largest);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); ++k) {
+      EXPECT_NEAR(f[k], g[k], 1e-12 * largest);
+      EXPECT_NEAR(after[k], g[k], 2e-2 * largest);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ixos

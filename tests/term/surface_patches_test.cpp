@@ -1,0 +1,158 @@
+// Surfaces as patches.
+#include "term/surface_patches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "interaction/placed_surface.hpp"
+#include "mesh/enrichment/enrich.hpp"
+#include "support/sphere_patches.hpp"
+#include "support/two_bodies.hpp"
+
+namespace ixos {
+namespace {
+
+LocalMesh part(const Mesh& mesh, const std::vector<std::string>& whole = {}) {
+  const Comm comm = test::world();
+  return localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize(), whole);
+}
+
+SurfacePatches<2> curves_of(const Mesh& mesh, const std::string& set, Smoothing smoothing) {
+  const LocalMesh local = part(mesh, {set});
+  return surface_patches<2>(local, local.whole_side_sets.at(set), smoothing, set);
+}
+
+TEST(SurfacePatchesTest, ACircleIsOneClosedSmoothCurve) {
+  const double radius = 5;
+  const Mesh mesh = test::two_disks(radius, {20, 0}, 8, 2);
+  const LocalMesh local = part(mesh, {"b_surface"});
+  const auto curves = surface_patches<2>(local, local.whole_side_sets.at("b_surface"), Smoothing::CatmullRom, "b");
+  ASSERT_EQ(curves.patches.size(), 32U);
+  EXPECT_EQ(curves.nodes.size(), 32U);
+  double length_around = 0;
+  for (const SurfacePatch<2>& patch : curves.patches) {
+    EXPECT_TRUE(patch.smooth[0] && patch.smooth[1]);
+    SurfacePatch<2>::Points own{};
+    for (std::size_t a = 0; a < patch.count; ++a)
+      own[a] = reference_place<2>(local, curves.nodes[static_cast<std::size_t>(patch.nodes[a])]);
+    const PlacedPatch<2> placed = patch.placed(own);
+    for (int k = 0; k <= 10; ++k) {
+      const Vec<2> r = placed.at({k / 10.0}) - Vec<2>{20, 0};
+      EXPECT_NEAR(length(r), radius, 2e-4 * radius);  // the sag of straight sides is 5e-3
+      if (k < 10) length_around += length(placed.at({(k + 1) / 10.0}) - placed.at({k / 10.0}));
+      EXPECT_GT(inner(placed.normal(PatchParameters<2>{k / 10.0}), r), 0);
+    }
+  }
+  EXPECT_NEAR(length_around, 2 * M_PI * radius, 1e-3 * radius);
+}
+
+TEST(SurfacePatchesTest, CornersAndFreeEndsEndACurve) {
+  const Mesh mesh = test::two_blocks(0.3);
+  int corners = 0;
+  for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_surface", Smoothing::CatmullRom).patches) {
+    EXPECT_GE(patch.neighbours[0], 0);
+    EXPECT_GE(patch.neighbours[1], 0);
+    if (!patch.smooth[0]) ++corners;
+    if (!patch.smooth[1]) ++corners;
+  }
+  EXPECT_EQ(corners, 8);
+  int ends = 0;
+  for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_bottom", Smoothing::CatmullRom).patches)
+    ends += (patch.neighbours[0] < 0 ? 1 : 0) + (patch.neighbours[1] < 0 ? 1 : 0);
+  EXPECT_EQ(ends, 2);
+  for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_bottom", Smoothing::None).patches) {
+    EXPECT_EQ(patch.count, 2U);
+    EXPECT_FALSE(patch.smooth[0] || patch.smooth[1]);
+  }
+}
+
+TEST(SurfacePatchesTest, EachSideCountsOnOneRank) {
+  const Mesh mesh = test::two_disks(5, {20, 0}, 8, 2);
+  const LocalMesh local = part(mesh, {"a_surface"});
+  const auto curves = surface_patches<2>(local, local.whole_side_sets.at("a_surface"), Smoothing::None, "a");
+  double owned = 0;
+  for (const char own : curves.owned) owned += own;
+  const DofSpace space(local, test::world());
+  space.sum(&owned, 1);
+  EXPECT_EQ(owned, 32);
+}
+
+/// Samples both patches at each side that is called smooth: places and normals agree. At other sides places do.
+template <class Surface>
+void expect_joins(const Surface& surface, double& smooth_sides, double& kink) {
+  const PlacedSurface<3> placed(surface.patches(), surface.x);
+  smooth_sides = kink = 0;
+  for (std::size_t p = 0; p < surface.patches().size(); ++p)
+    for (std::size_t side = 0; side < 4; ++side) {
+      const SurfacePatch<3>& patch = surface.patches()[p];
+      const int other = patch.neighbours[side];
+      if (other < 0) continue;
+      if (patch.smooth[side]) ++smooth_sides;
+      for (const double t : {0.0, 0.2, 0.7, 1.0}) {
+        PatchParameters<3> xi{};
+        xi[side / 2] = side % 2 == 0 ? 0 : 1;
+        xi[1 - side / 2] = t;
+        const PlacedPatch<3>& own = placed.patch(static_cast<int>(p));
+        const PatchFoot<3> foot = nearest_point(placed.patch(other), surface.patches()[static_cast<std::size_t>(other)].smooth, own.at(xi));
+        EXPECT_NEAR(foot.distance, 0, 1e-12);
+        const double cosine = inner(own.normal(xi), placed.patch(other).normal(foot.xi));
+        if (patch.smooth[side])
+          EXPECT_NEAR(cosine, 1, 1e-12);
+        else
+          kink = std::max(kink, std::acos(std::min(1.0, cosine)));
+      }
+    }
+  smooth_sides /= 4.0 * static_cast<double>(surface.patches().size());
+}
+
+TEST(SurfacePatchesSerialTest, ASphereIsSmoothButAtTheCornersOfItsCube) {
+  for (const int divisions : {4, 8}) {
+    const test::SpherePatches sphere(5, divisions, Smoothing::CatmullRom);
+    double smooth = 0, kink = 0;
+    expect_joins(sphere, smooth, kink);
+    // Three of the edges that meet at each of 8 corners are not; each is seen from both sides.
+    EXPECT_NEAR(smooth, 1 - 48.0 / (24.0 * divisions * divisions), 1e-12);
+    EXPECT_LT(kink, 0.6 / divisions);
+    const PlacedSurface<3> placed(sphere.patches(), sphere.x);
+    for (int p = 0; p < static_cast<int>(sphere.patches().size()); ++p)
+      EXPECT_NEAR(length(placed.patch(p).at({0.5, 0.5})), 5, divisions == 4 ? 0.04 : 0.01);
+    double bilinear_smooth = 0, bilinear_kink = 0;
+    expect_joins(test::SpherePatches(5, divisions, Smoothing::None), bilinear_smooth, bilinear_kink);
+    EXPECT_EQ(bilinear_smooth, 0);
+    EXPECT_GT(bilinear_kink, 1.0 / divisions);
+  }
+}
+
+/// The faces of a box are smooth up to its edges, which are straight, whatever the cells' lengths.
+TEST(SurfacePatchesSerialTest, EdgesOfABoxStayEdges) {
+  BoxShape shape;
+  shape.dimension = 3;
+  shape.divisions = {3, 4, 2};
+  Mesh mesh = box(shape);
+  for (std::size_t k = 0; k < mesh.coordinates.size(); ++k) mesh.coordinates[k] *= 1 + 2 * mesh.coordinates[k];
+  const test::MeshPatches surface(mesh, "surface", Smoothing::CatmullRom);
+  double smooth = 0, kink = 0;
+  expect_joins(surface, smooth, kink);
+  const double faces = 2 * (3 * 4 + 3 * 2 + 4 * 2), edge_sides = 2 * 4 * (3 + 4 + 2);
+  EXPECT_NEAR(smooth, 1 - edge_sides / (4 * faces), 1e-12);
+  EXPECT_NEAR(kink, M_PI / 2, 1e-12);
+  const PlacedSurface<3> placed(surface.patches(), surface.x);
+  for (int p = 0; p < static_cast<int>(faces); ++p) {
+    const Vec<3> x = placed.patch(p).at({0.3, 0.6});
+    double off = HUGE_VAL;
+    for (const double component : x) off = std::min({off, std::abs(component), std::abs(component - 3)});
+    EXPECT_NEAR(off, 0, 1e-13) << "a flat face stays flat";
+  }
+}
+
+TEST(SurfacePatchesTest, RefusesSidesOfOtherCells) {
+  Mesh mesh = test::two_blocks(0.3);
+  enrich(mesh, "upper_bottom", ContactElement::Q1C2);
+  EXPECT_THROW(curves_of(mesh, "upper_bottom", Smoothing::None), InputError);
+  EXPECT_THROW(part(mesh, {"no such set"}), InputError);
+}
+
+}  // namespace
+}  // namespace ixos
