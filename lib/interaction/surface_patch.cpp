@@ -60,12 +60,67 @@ struct Tensors {
   }
 };
 
-template <std::size_t D>
-Vec<D> sum(const Tensor<D>& tensor, std::size_t size, const std::array<Vec<D>, PlacedPatch<D>::most>& coefficients) {
-  Vec<D> result{};
-  for (std::size_t k = 0; k < size; ++k)
-    for (std::size_t i = 0; i < D; ++i) result[i] += tensor[k] * coefficients[k][i];
-  return result;
+/// Sums over the powers of a patch of N powers in each parameter, with constant bounds. `derivatives`: of which order at
+/// most.
+template <std::size_t N>
+struct Polynomial {
+  using Line = std::array<double, N>;
+
+  /// Returns t^0 ... t^(N-1), or their derivatives of that order.
+  static Line powers(double t, int order) {
+    const std::array<Powers, 3> all = powers_of(t, static_cast<int>(N) - 1);
+    Line line;
+    for (std::size_t k = 0; k < N; ++k) line[k] = all[static_cast<std::size_t>(order)][k];
+    return line;
+  }
+  static Vec<2> sum(const Line& a, const std::array<Vec<2>, PlacedPatch<2>::most>& c) {
+    Vec<2> result{};
+    for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t i = 0; i < 2; ++i) result[i] += a[k] * c[k][i];
+    return result;
+  }
+  /// Returns the sums along the first parameter, by power of the second.
+  static std::array<Vec<3>, N> lines(const Line& a, const std::array<Vec<3>, PlacedPatch<3>::most>& c) {
+    std::array<Vec<3>, N> result;
+    for (std::size_t j = 0; j < N; ++j) {
+      result[j] = {};
+      for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t i = 0; i < 3; ++i) result[j][i] += a[k] * c[N * j + k][i];
+    }
+    return result;
+  }
+  static Vec<3> across(const std::array<Vec<3>, N>& lines, const Line& b) {
+    Vec<3> result{};
+    for (std::size_t j = 0; j < N; ++j)
+      for (std::size_t i = 0; i < 3; ++i) result[i] += b[j] * lines[j][i];
+    return result;
+  }
+  static Vec<2> at(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
+    return sum(powers(xi[0], 0), patch.coefficients);
+  }
+  static Vec<3> at(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
+    return across(lines(powers(xi[0], 0), patch.coefficients), powers(xi[1], 0));
+  }
+  static PlacedPatch<2>::Frame frame(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
+    return {at(patch, xi), {sum(powers(xi[0], 1), patch.coefficients)}, {sum(powers(xi[0], 2), patch.coefficients)}};
+  }
+  static PlacedPatch<3>::Frame frame(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
+    const auto l0 = lines(powers(xi[0], 0), patch.coefficients), l1 = lines(powers(xi[0], 1), patch.coefficients),
+               l2 = lines(powers(xi[0], 2), patch.coefficients);
+    const Line b0 = powers(xi[1], 0), b1 = powers(xi[1], 1), b2 = powers(xi[1], 2);
+    return {across(l0, b0), {across(l1, b0), across(l0, b1)}, {across(l2, b0), across(l1, b1), across(l0, b2)}};
+  }
+};
+
+/// Calls visit with the Polynomial of a degree.
+template <class Visit>
+auto with_degree(int degree, const Visit& visit) {
+  switch (degree) {
+    case 1: return visit(Polynomial<2>());
+    case 2: return visit(Polynomial<3>());
+    case 3: return visit(Polynomial<4>());
+    default: return visit(Polynomial<5>());
+  }
 }
 
 double binomial(int n, int k) {
@@ -78,20 +133,12 @@ double binomial(int n, int k) {
 
 template <std::size_t D>
 Vec<D> PlacedPatch<D>::at(const PatchParameters<D>& xi) const {
-  const Tensors<D> powers(xi, degree, false);
-  return sum<D>(powers.value, powers.size, coefficients);
+  return with_degree(degree, [&](auto polynomial) { return decltype(polynomial)::at(*this, xi); });
 }
 
 template <std::size_t D>
 typename PlacedPatch<D>::Frame PlacedPatch<D>::frame(const PatchParameters<D>& xi) const {
-  const Tensors<D> powers(xi, degree, true);
-  Frame result;
-  result.place = sum<D>(powers.value, powers.size, coefficients);
-  for (std::size_t k = 0; k < powers.first.size(); ++k)
-    result.tangents[k] = sum<D>(powers.first[k], powers.size, coefficients);
-  for (std::size_t k = 0; k < powers.second.size(); ++k)
-    result.bends[k] = sum<D>(powers.second[k], powers.size, coefficients);
-  return result;
+  return with_degree(degree, [&](auto polynomial) { return decltype(polynomial)::frame(*this, xi); });
 }
 
 template <std::size_t D>

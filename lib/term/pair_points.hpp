@@ -80,6 +80,9 @@ class PairPoints {
   /// with a foot.
   template <class Visit>
   void for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const;
+  /// Does the same with contacts at the points of the rule, in their order.
+  template <class Visit>
+  void for_each_block(const std::vector<Contacts>& times, const Rule& rule, Tangent kind, const Visit& visit) const;
 
   /// Returns quadrature weight times reference length or area, with and without the factor [L0^(D-1)].
   double measure(const Contact& c) const { return points_[index(c)].measure; }
@@ -118,18 +121,22 @@ template <std::size_t D>
 template <class Visit>
 void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const {
   std::vector<Contacts> times;
-  std::vector<double> factors;
-  for (const RulePoint& point : rule.points) {
-    if (point.weight * point.to == 0) continue;
-    times.push_back(contacts(places(segment, point), Share::Forces));
-    factors.push_back(point.weight * point.to);
-  }
+  for (const RulePoint& point : rule.points) times.push_back(contacts(places(segment, point), Share::Forces));
+  for_each_block(times, rule, kind, visit);
+}
+
+template <std::size_t D>
+template <class Visit>
+void PairPoints<D>::for_each_block(const std::vector<Contacts>& times, const Rule& rule, Tangent kind,
+                                   const Visit& visit) const {
   if (times.empty()) return;
   std::vector<PairBlock> blocks;  // the first `used` ones count; the others keep their memory
   std::size_t used = 0;
   const std::vector<Contact>& all = times.front().all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = 0; k < times.size(); ++k) add(times[k], times[k].all[i], factors[k], kind, blocks, used);
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (const double factor = rule.points[k].weight * rule.points[k].to; factor != 0)
+        add(times[k], times[k].all[i], factor, kind, blocks, used);
     if (i + 1 < all.size() && all[i + 1].patch == all[i].patch) continue;
     for (std::size_t b = 0; b < used; ++b) visit(blocks[b]);
     used = 0;

@@ -46,44 +46,41 @@ class PairTerm final : public Interaction {
       return !needs_positive_gaps() || least > 0;
     }
     double least = std::numeric_limits<double>::infinity();
+    for (const RulePoint& point : rule.points)
+      least = std::min(least, add_force(points_.contacts(points_.places(segment, point), Share::Forces), point.weight, f));
+    return is_admissible(segment, rule, least);
+  }
+
+  std::unique_ptr<KeptPoints> create_kept() const override { return std::make_unique<Kept>(); }
+
+  bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
+    if (rule.mean == Mean::DiscreteGradient) return add_force(segment, rule, f);
+    check(rule);
+    std::vector<Contacts>& times = dynamic_cast<Kept&>(kept).times;
+    times.clear();
+    double least = std::numeric_limits<double>::infinity();
     for (const RulePoint& point : rule.points) {
-      const Contacts contacts = points_.contacts(points_.places(segment, point), Share::Forces);
-      least = std::min(least, contacts.least_gap);
-      for (const Contact& contact : contacts.all) {
-        if (contact.foot.patch < 0) continue;
-        const PairGap<D> gap = points_.gap_of(contacts, contact);
-        const typename PairGap<D>::Vector gradient = gap.gradient();
-        const std::vector<int> nodes = points_.nodes_of(contact);
-        const double factor = -point.weight * points_.measure(contact) * contact.traction;
-        for (std::size_t r = 0; r < D * nodes.size(); ++r)
-          f[D * static_cast<std::size_t>(nodes[r / D]) + r % D] += factor * gradient[r];
-      }
+      times.push_back(points_.contacts(points_.places(segment, point), Share::Forces));
+      least = std::min(least, add_force(times.back(), point.weight, f));
     }
-    if (!needs_positive_gaps()) return true;
-    if (!rule.has_end()) least = std::min(least, points_.contacts(points_.places(segment.to), Share::Forces).least_gap);
-    return least > 0;
+    return is_admissible(segment, rule, least);
   }
 
   /// Leaves out nodes that are not coupled, see PairCoupling.
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     check(rule);
-    const auto add = [&](const PairBlock& block) {
-      const std::size_t size = D * block.nodes.size();
-      for (std::size_t a = 0; a < block.nodes.size(); ++a)
-        for (std::size_t b = 0; b < block.nodes.size(); ++b) {
-          const int offset = pattern_.coupled_offset(block.nodes[a], block.nodes[b]);
-          if (offset < 0) continue;
-          const int stride = pattern_.stride(block.nodes[a]);
-          for (std::size_t i = 0; i < D; ++i)
-            for (std::size_t j = 0; j < D; ++j)
-              values[offset + static_cast<int>(i) * stride + static_cast<int>(j)] +=
-                  block.k[(D * a + i) * size + D * b + j];
-        }
-    };
+    const auto add = [&](const PairBlock& block) { add_to_matrix(block, values); };
     if (rule.mean == Mean::DiscreteGradient)
       PairGradient<D>(points_).for_each_block(segment, kind, add);
     else
       points_.for_each_block(segment, rule, kind, add);
+  }
+
+  void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
+                        double* values) const override {
+    if (rule.mean == Mean::DiscreteGradient) return add_tangent(segment, rule, kind, values);
+    points_.for_each_block(dynamic_cast<const Kept&>(kept).times, rule, kind,
+                           [&](const PairBlock& block) { add_to_matrix(block, values); });
   }
 
   std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction<D>>(points_); }
@@ -202,6 +199,44 @@ class PairTerm final : public Interaction {
   }
 
  private:
+  /// The contacts at the points of a rule.
+  struct Kept final : KeptPoints {
+    std::vector<Contacts> times;
+  };
+
+  /// Adds the forces times the weight. Returns the least gap.
+  double add_force(const Contacts& contacts, double weight, double* f) const {
+    for (const Contact& contact : contacts.all) {
+      if (contact.foot.patch < 0) continue;
+      const typename PairGap<D>::Vector gradient = points_.gap_of(contacts, contact).gradient();
+      const std::vector<int> nodes = points_.nodes_of(contact);
+      const double factor = -weight * points_.measure(contact) * contact.traction;
+      for (std::size_t r = 0; r < D * nodes.size(); ++r)
+        f[D * static_cast<std::size_t>(nodes[r / D]) + r % D] += factor * gradient[r];
+    }
+    return contacts.least_gap;
+  }
+
+  bool is_admissible(const Segment& segment, const Rule& rule, double least) const {
+    if (!needs_positive_gaps()) return true;
+    if (!rule.has_end()) least = std::min(least, points_.contacts(points_.places(segment.to), Share::Forces).least_gap);
+    return least > 0;
+  }
+
+  void add_to_matrix(const PairBlock& block, double* values) const {
+    const std::size_t size = D * block.nodes.size();
+    for (std::size_t a = 0; a < block.nodes.size(); ++a)
+      for (std::size_t b = 0; b < block.nodes.size(); ++b) {
+        const int offset = pattern_.coupled_offset(block.nodes[a], block.nodes[b]);
+        if (offset < 0) continue;
+        const int stride = pattern_.stride(block.nodes[a]);
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j)
+            values[offset + static_cast<int>(i) * stride + static_cast<int>(j)] +=
+                block.k[(D * a + i) * size + D * b + j];
+      }
+  }
+
   static void check(const Rule& rule) {
     if (rule.mean == Mean::Exact) throw std::logic_error("a pair of surfaces has no mean in closed form");
   }
