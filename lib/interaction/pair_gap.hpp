@@ -20,7 +20,8 @@ class PairGap {
   /// By node and direction: D I + i.
   using Vector = std::array<double, D * most>;
 
-  /// `weights`: those of the point, of its patch's `count` nodes; `placed`: the foot's patch where it is.
+  /// `weights`: those of the point, of its patch's `count` nodes; `placed`: the patch of the foot, at the places of
+  /// its nodes.
   PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
           const PlacedPatch<D>& placed, const SurfaceFoot<D>& foot);
 

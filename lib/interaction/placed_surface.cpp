@@ -124,7 +124,7 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
       const int other = patches_[static_cast<std::size_t>(here.patch)].neighbours[side];
       if (other < 0) return true;
       if (std::any_of(all.begin(), all.end(), [&](const Here& known) { return known.patch == other; })) continue;
-      // The same point on the other patch: on the side that faces this patch, in either direction.
+      // Finds the point on the other patch: on the side that faces this one, in either direction.
       Here there{other, {}};
       double least = std::numeric_limits<double>::infinity();
       const double along = D == 3 ? here.xi[(1 - side / 2) % (D - 1)] : 0;
@@ -188,11 +188,45 @@ SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, int 
 }
 
 template <std::size_t D>
+SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const {
+  SurfaceFoot<D> foot;
+  PatchFoot<D> best;
+  best.distance = range;
+  for (const int i : patches) {
+    if (tree_->distance(i, place) > best.distance) continue;
+    const SurfacePatch<D>& own = patches_[static_cast<std::size_t>(i)];
+    std::array<bool, SurfacePatch<D>::sides> smooth = own.smooth;
+    for (std::size_t side = 0; side < smooth.size(); ++side)
+      smooth[side] = smooth[side] && std::binary_search(patches.begin(), patches.end(), own.neighbours[side]);
+    const PatchFoot<D> found = nearest_point(patch(i), smooth, place);
+    if (!(found.distance < best.distance)) continue;
+    best = found;
+    foot.patch = i;
+  }
+  if (foot.patch < 0) return foot;
+  foot.xi = best.xi;
+  foot.fixed = best.fixed;
+  const PlacedPatch<D>& own = patch(foot.patch);
+  const Vec<D> r = place - own.at(best.xi);
+  foot.normal = own.normal(best.xi);
+  foot.gap = inner(r, foot.normal);
+  if (best.distance == 0 || std::none_of(best.fixed.begin(), best.fixed.end(), [](bool fixed) { return fixed; }))
+    return foot;
+  bool rim = false;
+  for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
+    if (best.fixed[side / 2] && best.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
+      rim = rim || !std::binary_search(patches.begin(), patches.end(),
+                                       patches_[static_cast<std::size_t>(foot.patch)].neighbours[side]);
+  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.distance;
+  foot.normal = (1 / foot.gap) * r;
+  return foot;
+}
+
+template <std::size_t D>
 std::vector<int> PlacedSurface<D>::near(const Box& box, double range) const {
   std::vector<int> result;
   const auto add = [&](const typename Tree::Entry& entry) { result.push_back(entry.second); };
-  tree_->index.query(bg::index::intersects(grown(box.low, box.high, range)),
-                     boost::make_function_output_iterator(add));
+  tree_->index.query(bg::index::intersects(grown(box.low, box.high, range)), boost::make_function_output_iterator(add));
   std::sort(result.begin(), result.end());
   return result;
 }
@@ -208,10 +242,9 @@ double PlacedSurface<D>::fastest(const std::vector<Vec<D>>& ways) const {
 
 template <std::size_t D>
 double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways,
-                                    double fastest, double least) const {
+                                    double fastest, double least, const std::vector<int>* among) const {
   double share = 1;
-  const auto look = [&](const typename Tree::Entry& entry) {
-    const int i = entry.second;
+  const auto look = [&](int i) {
     const SurfacePatch<D>& own = patches_[static_cast<std::size_t>(i)];
     auto motion = own.placed(nodes_of(i, ways)).hull();
     double relative = 0;
@@ -232,8 +265,13 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
     }
     share = std::min(share, std::max(in_any_direction, along_normal));
   };
+  if (among != nullptr) {
+    for (const int i : *among) look(i);
+    return share;
+  }
   const double reach = least + length(way) + fastest;
-  tree_->index.query(bg::index::intersects(grown(place, place, reach)), boost::make_function_output_iterator(look));
+  const auto visit = [&](const typename Tree::Entry& entry) { look(entry.second); };
+  tree_->index.query(bg::index::intersects(grown(place, place, reach)), boost::make_function_output_iterator(visit));
   return share;
 }
 

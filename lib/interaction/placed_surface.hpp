@@ -40,6 +40,9 @@ class PlacedSurface {
   /// Aanaes 2005); beyond a free rim the gap is positive.
   SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
                          int guess = -1) const;
+  /// Returns the nearest point of these patches, ascending, if it is nearer than `range`. A side beyond which no such
+  /// patch lies counts as a free rim.
+  SurfaceFoot<D> nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const;
   /// Returns the patches whose bounding boxes are nearer than `range` to the bounding box of these points, ascending.
   template <class Points>
   std::vector<int> near(const Points& points, double range) const {
@@ -49,8 +52,9 @@ class PlacedSurface {
   /// surely stays at least `least`: until the place or a point of a patch's hull, relative to each other, has moved as
   /// far as the distance exceeds it, or, if that is later, until the plane through the foot that separates them no
   /// longer does by it. `ways`: by node, as x. `fastest`: the largest way of a point of the surface, see fastest().
+  /// `among`: the patches that count; null: all.
   double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double fastest,
-                    double least) const;
+                    double least, const std::vector<int>* among = nullptr) const;
   /// Returns a bound on the ways of all points of the surface, if its nodes move along these [L0].
   double fastest(const std::vector<Vec<D>>& ways) const;
 

@@ -60,8 +60,8 @@ struct Tensors {
   }
 };
 
-/// Sums over the powers of a patch of N powers in each parameter, with constant bounds. `derivatives`: of which order at
-/// most.
+/// Sums over the powers of a patch of N powers in each parameter, with constant bounds. `derivatives`: of which order
+/// at most.
 template <std::size_t N>
 struct Polynomial {
   using Line = std::array<double, N>;
@@ -116,10 +116,14 @@ struct Polynomial {
 template <class Visit>
 auto with_degree(int degree, const Visit& visit) {
   switch (degree) {
-    case 1: return visit(Polynomial<2>());
-    case 2: return visit(Polynomial<3>());
-    case 3: return visit(Polynomial<4>());
-    default: return visit(Polynomial<5>());
+    case 1:
+      return visit(Polynomial<2>());
+    case 2:
+      return visit(Polynomial<3>());
+    case 3:
+      return visit(Polynomial<4>());
+    default:
+      return visit(Polynomial<5>());
   }
 }
 

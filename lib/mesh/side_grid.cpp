@@ -37,9 +37,10 @@ void SideGrid::find_edges(const std::string& name, const std::vector<long long>&
       Edge& own = edges_[std::minmax(a, b)];
       int& place = own.faces[a < b ? 0 : 1];  // by the direction in which the face goes along it
       if (place >= 0)
-        throw InputError(fmt::format("more than two sides of the surface \"{}\", or two in opposite directions, meet in "
-                                     "the edge between the nodes {} and {} of the mesh",
-                                     name, numbers[at(a)], numbers[at(b)]));
+        throw InputError(
+            fmt::format("more than two sides of the surface \"{}\", or two in opposite directions, meet in "
+                        "the edge between the nodes {} and {} of the mesh",
+                        name, numbers[at(a)], numbers[at(b)]));
       place = static_cast<int>(f);
     }
   const auto normal = [&](int face) {
@@ -49,8 +50,7 @@ void SideGrid::find_edges(const std::string& name, const std::vector<long long>&
   for (auto& [nodes, own] : edges_) {
     ends_[at(nodes.first)].push_back(nodes.second);
     ends_[at(nodes.second)].push_back(nodes.first);
-    if (own.faces[0] >= 0 && own.faces[1] >= 0)
-      own.crease = !meet_smoothly(normal(own.faces[0]), normal(own.faces[1]));
+    if (own.faces[0] >= 0 && own.faces[1] >= 0) own.crease = !meet_smoothly(normal(own.faces[0]), normal(own.faces[1]));
   }
 }
 

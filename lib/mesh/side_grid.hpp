@@ -1,7 +1,7 @@
 /// How the four-sided faces of a surface in space meet: edges, lines of edges, and nodes of a grid.
 #pragma once
-#include <array>
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ namespace ixos {
 /// crease meet there.
 ///
 /// A strip is a sequence of faces in which each meets the next one at opposite edges; the edges across it have one
-/// length, their mean. So lengths along the lines of the grid are those of a product of two axes.
+/// length, their mean. The lengths along the lines of the grid are then those of a product of two axes.
 class SideGrid {
  public:
   using Face = std::array<int, 4>;

@@ -24,6 +24,20 @@ void check(const SurfacePair& pair, const LocalMesh& mesh) {
   if (!pair.law) refuse(pair, "has no law");
   if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
   if (mesh.axisymmetric) refuse(pair, "is that of two bodies, which an axisymmetric mesh cannot have yet");
+  if (pair.secondary == pair.primary) {
+    const double range = pair.cutoff > 0 ? std::min(pair.cutoff, pair.law->range()) : pair.law->range();
+    if (!(pair.exclusion > 0))
+      refuse(pair,
+             fmt::format("is that of a surface with itself, which needs an exclusion greater than 0, the distance "
+                         "along the surface below which its parts do not interact; take about pi times the "
+                         "cutoff{}",
+                         std::isfinite(range) ? fmt::format(", {:.3g}", M_PI * range) : ""));
+    if (!std::isfinite(range))
+      refuse(pair, "is that of a surface with itself, which needs a cutoff, or a law that ends");
+  } else if (pair.exclusion != 0) {
+    refuse(pair, fmt::format("has the exclusion {}, which is for a surface that interacts with itself; use 0",
+                             pair.exclusion));
+  }
   if (pair.points < 0 || pair.points > 64)
     refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
   if (!(pair.margin > 0 && pair.margin < 1))
@@ -71,8 +85,8 @@ void refuse_common_nodes(const SurfacePair& pair, const LocalMesh& mesh, const s
   const std::set<int> own(a.begin(), a.end());
   for (const int node : b)
     if (own.count(node) > 0)
-      refuse(pair, fmt::format("is that of surfaces with common nodes, such as node {} of the mesh; a surface cannot "
-                               "interact with itself yet: choose side sets without common nodes",
+      refuse(pair, fmt::format("is that of surfaces with common nodes, such as node {} of the mesh; choose side sets "
+                               "without common nodes, or one set twice, which then interacts with itself",
                                mesh.message_number(static_cast<std::size_t>(node))));
 }
 
@@ -104,13 +118,13 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
       return surface_patches<D>(mesh, all_sides(mesh, comm, name), pair.smoothing, name);
     };
     surfaces = {surface(pair.secondary), surface(pair.primary)};
-    refuse_common_nodes(pair, mesh, surfaces.secondary.nodes, surfaces.primary.nodes);
+    if (pair.exclusion == 0) refuse_common_nodes(pair, mesh, surfaces.secondary.nodes, surfaces.primary.nodes);
     problem = bad_factor(pair, mesh, surfaces.secondary.nodes);
   });
   if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
   const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
   auto term = make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law,
-                                {pair.points, pair.margin, {pair.factor, pair.nodal_factor}});
+                                {pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion});
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
   model.add_interaction(std::move(term), pair.name);
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);

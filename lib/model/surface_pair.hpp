@@ -14,7 +14,10 @@ namespace ixos {
 
 /// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
 /// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the
-/// reaction. Choose the finer surface as the secondary one.
+/// reaction. Choose the finer surface as the secondary one. Both may be one surface, which then interacts with itself:
+/// each place with those of the other places that face it (see SelfSight), the law with half its energy, since each
+/// pair of places counts twice. Where parts of a surface begin or cease to face each other within the law's range, its
+/// energy jumps; what a step loses so is booked as dissipated under the interaction's name.
 struct SurfacePair {
   std::string secondary;              ///< side set
   std::string primary;                ///< side set
@@ -27,15 +30,18 @@ struct SurfacePair {
   /// Factors of the law's energy on the secondary surface, see SurfaceInteraction.
   std::function<double(const std::array<double, 3>&)> factor{};
   std::vector<double> nodal_factor{};
+  /// If both surfaces are one: the distance along it in the undeformed body below which its parts do not interact, > 0;
+  /// about pi times the cutoff [L0]. Otherwise 0.
+  double exclusion = 0;
 };
 
 /// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
-/// integrators renew that as the bodies move (Model::update_couplings). On several ranks the model's mesh must have both
-/// side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole, the
-/// mesh is axisymmetric, sides are not those of linear cells, more than two of them meet in a node (in space, in an
-/// edge), the two sets share a node, the law is missing or has a history, a number is out of range, a factor is negative
-/// or not finite somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after
-/// Model::close(). Collective.
+/// integrators renew that as the bodies move (Model::update_couplings). On several ranks the model's mesh must have
+/// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
+/// the mesh is axisymmetric, sides are not those of linear cells, more than two of them meet in a node (in space, in an
+/// edge), the two sets share a node, the law is missing or has a history, a number is out of range, a factor is
+/// negative or not finite somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error
+/// after Model::close(). Collective.
 void add_pair(Model& model, const SurfacePair& pair);
 
 }  // namespace ixos

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -42,6 +43,7 @@ struct Parameters {
   Friction friction;
   std::string primary;
   Smoothing smoothing = Smoothing::CatmullRom;
+  double exclusion = 0;
 };
 
 const Options<MotionOptions>& motion_options() {
@@ -57,16 +59,23 @@ const Options<Parameters>& options() {
   static const Options<Parameters> all =
       Options<Parameters>()
           .add("Side Set", &Parameters::side_set, "Side set of the surface that interacts.")
-          .add("Primary Side Set", &Parameters::primary,
-               "Side set of the surface of another body, the primary (master) surface, from which the gaps of the Side "
-               "Set, the secondary (slave) surface, are measured; then there is no obstacle. Choose the finer surface "
-               "as the secondary one. Empty: the interaction is that with the Obstacle.")
+          .add(
+              "Primary Side Set", &Parameters::primary,
+              "Side set of the surface of another body, the primary (master) surface, from which the gaps of the Side "
+              "Set, the secondary (slave) surface, are measured; then there is no obstacle. Choose the finer surface "
+              "as the secondary one. The Side Set itself: the surface interacts with itself. Empty: the interaction is "
+              "that with the Obstacle.")
           .choose("Smoothing", &Parameters::smoothing,
                   std::vector<std::pair<std::string, Smoothing>>{{"Catmull-Rom", Smoothing::CatmullRom},
                                                                  {"None", Smoothing::None}},
                   "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
                   "nodes, with corners where two sides meet at more than 30 degrees; None has straight sides, whose "
                   "normals jump at the nodes. It has no effect without a Primary Side Set.")
+          .add("Exclusion", &Parameters::exclusion,
+               "For a surface that interacts with itself, whose Primary Side Set is its Side Set: distance along the "
+               "undeformed surface below which its parts do not interact [L0]. Take about pi times the Cutoff, which "
+               "such a surface needs. Otherwise 0.",
+               at_least(0))
           .choose("Contact Element", &Parameters::element, contact_elements(),
                   "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
                   "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
@@ -129,9 +138,10 @@ void add_pair(const SceneInteraction& interaction, Model& model) {
   const SceneNode& node = interaction.node;
   at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
   at(node.path(), [&] {
-    ixos::add_pair(model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
-                           interaction.surface_points, interaction.margin, node.name(), interaction.smoothing,
-                           interaction.factor, local_values(interaction.nodal_factor, model.mesh())});
+    ixos::add_pair(
+        model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
+                interaction.surface_points, interaction.margin, node.name(), interaction.smoothing, interaction.factor,
+                local_values(interaction.nodal_factor, model.mesh()), interaction.exclusion});
   });
 }
 
@@ -198,7 +208,8 @@ std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
                       p.motion,
                       p.friction,
                       p.primary,
-                      p.smoothing});
+                      p.smoothing,
+                      p.exclusion});
     check_pair(result.back());
   }
   return result;
@@ -235,10 +246,10 @@ std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interacti
 }
 
 std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& interactions) {
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (const SceneInteraction& own : interactions)
-    if (own.is_pair()) names.insert(names.end(), {own.side_set, own.primary});
-  return names;
+    if (own.is_pair()) names.insert({own.side_set, own.primary});
+  return {names.begin(), names.end()};
 }
 
 const std::string& name_of(ContactElement element) {

@@ -34,6 +34,7 @@ struct SceneInteraction {
   Friction friction{};
   std::string primary{};  ///< side set of the other body's surface; empty: the interaction is that with an obstacle
   Smoothing smoothing = Smoothing::CatmullRom;  ///< of both bodies' surfaces
+  double exclusion = 0;                         ///< see SurfacePair
 
   bool is_pair() const { return !primary.empty(); }
 };

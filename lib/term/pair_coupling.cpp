@@ -39,7 +39,8 @@ std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename Pa
   std::vector<Pair> result;
   for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s)
     for (const int p : primary.near(points_.placed(s, places).hull(), range))
-      result.emplace_back(static_cast<int>(s), p);
+      if (points_.sight() == nullptr || !points_.sight()->is_excluded(s, p))
+        result.emplace_back(static_cast<int>(s), p);
   return result;
 }
 
@@ -82,7 +83,6 @@ std::vector<std::vector<int>> PairCoupling<D>::stencils() const {
   for (const Pair& pair : pairs_) result.push_back(points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second));
   return result;
 }
-
 
 template <std::size_t D>
 void PairCoupling<D>::transfer(Record& record) {

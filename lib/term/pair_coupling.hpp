@@ -1,4 +1,4 @@
-/// Which nodes of two surfaces the matrix of their interaction couples.
+/// The nodes of two surfaces that the matrix of their interaction couples.
 #pragma once
 #include <cstddef>
 #include <utility>
@@ -11,8 +11,8 @@ namespace ixos {
 
 /// The pairs of a secondary and a primary patch that were within reach, and a skin beyond it, at the last search. A new
 /// search is due when the nodes have moved so far that others can be within reach. It changes the pairs only if one
-/// within reach is missing. What is farther acts, too, but its stiffness is less than 1e-3 of that at the
-/// equilibrium gap, and the matrix leaves it out.
+/// within reach is missing. The matrix leaves out patches that are farther apart. They act on each other all the same,
+/// with less than 1e-3 of the stiffness at the equilibrium gap.
 template <std::size_t D>
 class PairCoupling {
  public:
@@ -37,14 +37,14 @@ class PairCoupling {
 
   const PairPoints<D>& points_;
   double reach_, skin_;
-  std::vector<Pair> pairs_;  ///< ascending
+  std::vector<Pair> pairs_;   ///< ascending
   std::vector<double> last_;  ///< places of the last search; empty if there was none
   long searches_ = 0;
   bool loaded_ = false;  ///< the pairs are others than before loading
 };
 
-/// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its equilibrium
-/// gap; a hundred times the equilibrium gap at most [L0].
+/// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its
+/// equilibrium gap; a hundred times the equilibrium gap at most [L0].
 double reach_of_stiffness(const GapLaw& law);
 
 extern template class PairCoupling<2>;

@@ -18,8 +18,8 @@ template <std::size_t D>
 std::vector<double> PairGradient<D>::weights_of(const Contact& contact) const {
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
   const typename SurfacePatch<D>::Weights &own = points_.weights(contact), n = patch.weights(contact.foot.xi);
-  std::vector<double> s(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(
-                                                      points_.secondary().patches[contact.patch].count));
+  std::vector<double> s(own.begin(),
+                        own.begin() + static_cast<std::ptrdiff_t>(points_.secondary().patches[contact.patch].count));
   for (std::size_t a = 0; a < patch.count; ++a) s.push_back(-n[a]);
   return s;
 }
@@ -37,8 +37,8 @@ typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) con
   };
   grow(step.start.places.secondary, step.end.places.secondary);
   grow(step.start.places.primary, step.end.places.primary);
-  step.mean = points_.contacts(points_.places(segment, {1, 0.5, 0, 0.5}), Share::Forces,
-                               points_.law().range() + 4 * way);
+  step.mean =
+      points_.contacts(points_.places(segment, {1, 0.5, 0, 0.5}), Share::Forces, points_.law().range() + 4 * way);
   return step;
 }
 
@@ -114,8 +114,8 @@ PairBlock PairGradient<D>::convex_block_of(const Step& step, const Point& point)
 }
 
 /// With the force w s_I t at node I, its derivative is w (ds_I t + s_I dt). Mean places move half as far as the end's.
-/// With the parameters' changes dxi at the mean places and the position r = g m of the point from its foot, dr = S du/2 -
-/// x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step.
+/// With the parameters' changes dxi at the mean places and the position r = g m of the point from its foot, dr = S du/2
+/// - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step.
 template <std::size_t D>
 PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const {
   const Contact &mean = *point.at_mean, &end = *point.at_end;
@@ -180,8 +180,8 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   for (std::size_t k = 0; k < free.size(); ++k)
     for (std::size_t b = 0; b < patch.count; ++b) {
       const auto node = static_cast<std::size_t>(patch.nodes[b]);
-      slide[k] = slide[k] + shape.slopes[free[k]][b] *
-                                (step.end.places.primary[node] - step.start.places.primary[node]);
+      slide[k] =
+          slide[k] + shape.slopes[free[k]][b] * (step.end.places.primary[node] - step.start.places.primary[node]);
     }
   const Vec<D> t = point.force();
   const double square = inner(point.d, point.d);
@@ -201,7 +201,8 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
     const double de = point.by_gap * dg + point.traction * da, dc = point.c_by_e * de + point.c_by_a * da;
     double drest = 0;
     if (point.rest != 0)
-      drest = (de - (point.size + point.traction) * da - point.along * dc - 2 * point.rest * inner(point.d, dd)) / square;
+      drest =
+          (de - (point.size + point.traction) * da - point.along * dc - 2 * point.rest * inner(point.d, dd)) / square;
     for (std::size_t j = 0; j < D; ++j)
       dt[j][c] = (point.mean_slope * dg + dc) * m[j] + point.size * dm[j] + drest * point.d[j] + point.rest * dd[j];
   }

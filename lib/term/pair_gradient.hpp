@@ -14,9 +14,9 @@ namespace ixos {
 ///
 /// Its work in the step is the change of the energy, and its net force vanishes. C = e/a makes the net moment about the
 /// mean places vanish, too (Sauer and De Lorenzis 2013). That has a pole where a point slides along the other surface,
-/// a = 0. Where a^2 < |e|/k, with the law's stiffness k at its equilibrium gap, C is therefore 2 k a sign(e) - k^2 a^3/e,
-/// and Gonzalez' (1996) vector along d does the rest of the work; its moment is of second order in d. Displacements
-/// below 1e-5 of the equilibrium gap take t = -T m.
+/// a = 0. Where a^2 < |e|/k, with the law's stiffness k at its equilibrium gap, C is therefore 2 k a sign(e) - k^2
+/// a^3/e, and Gonzalez' (1996) vector along d does the rest of the work; its moment is of second order in d.
+/// Displacements below 1e-5 of the equilibrium gap take t = -T m.
 template <std::size_t D>
 class PairGradient {
  public:

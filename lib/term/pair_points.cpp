@@ -41,7 +41,8 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
   if constexpr (D == 2)
     return value * ((1 - xi[0]) * at(0) + xi[0] * at(1));
   else
-    return value * ((1 - xi[1]) * ((1 - xi[0]) * at(0) + xi[0] * at(1)) + xi[1] * ((1 - xi[0]) * at(3) + xi[0] * at(2)));
+    return value *
+           ((1 - xi[1]) * ((1 - xi[0]) * at(0) + xi[0] * at(1)) + xi[1] * ((1 - xi[0]) * at(3) + xi[0] * at(2)));
 }
 
 /// Returns length or area for a change of the parameters.
@@ -66,6 +67,11 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
   const Quadrature gauss = gauss_legendre_unit(static_cast<int>(n));
   const std::vector<double> rest(coordinates_.size(), 0.0);
   const std::vector<Vec<D>> x = places(rest.data()).secondary;
+  const bool self = options.exclusion > 0;
+  if (self) {
+    sight_ = std::make_unique<SelfSight<D>>(secondary_.patches, x, options.exclusion, range_);
+    sight_->look(x, range_);
+  }
   const bool has_primary =
       std::any_of(primary_.nodes.begin(), primary_.nodes.end(), [&](int node) { return node < mesh.owned_nodes; });
   for (const SurfacePatch<D>& patch : secondary_.patches) {
@@ -79,8 +85,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       }
       const auto frame = own.frame(xi);
       const double area = weight * stretch(frame);
-      points_.push_back(
-          {patch.weights(xi), factor_at(options.factor, frame.place, xi, patch, secondary_.nodes) * area, area});
+      const double factor = factor_at(options.factor, frame.place, xi, patch, secondary_.nodes) / (self ? 2 : 1);
+      points_.push_back({patch.weights(xi), factor * area, area});
     }
     adds_to_own_.push_back(has_primary || any_owned(patch, secondary_, mesh.owned_nodes) ? 1 : 0);
   }
@@ -151,7 +157,8 @@ typename PairPoints<D>::Contacts PairPoints<D>::contacts(Places places, Share sh
     if (share == Share::Energies ? !counts(s) : adds_to_own_[s] == 0) continue;
     const SurfacePatch<D>& patch = secondary_.patches[s];
     const typename SurfacePatch<D>::Points x = points_of(patch, result.places.secondary);
-    const bool far = result.primary && std::isfinite(range) && result.primary->near(patch.placed(x).hull(), range).empty();
+    const bool far = result.primary && std::isfinite(range) &&
+                     (sight_ ? sight_->seen(s).empty() : result.primary->near(patch.placed(x).hull(), range).empty());
     for (std::size_t q = 0; q < per_patch_; ++q) {
       Contact contact{s, q};
       const auto& weights = points_[s * per_patch_ + q].weights;
@@ -161,7 +168,7 @@ typename PairPoints<D>::Contacts PairPoints<D>::contacts(Places places, Share sh
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
       } else if (!far) {
-        contact.foot = result.primary->nearest(contact.place, range, guess);
+        contact.foot = nearest(*result.primary, s, contact.place, range, guess);
         guess = contact.foot.patch;
       }
       result.all.push_back(contact);

@@ -10,6 +10,7 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/pair_gap.hpp"
 #include "term/interaction.hpp"
+#include "term/self_sight.hpp"
 #include "term/surface_patches.hpp"
 
 namespace ixos {
@@ -18,6 +19,9 @@ struct PairOptions {
   int points = 0;          ///< Gauss points per direction on each side of the secondary surface; 0: 5
   double margin = 0.8;     ///< kappa: a Newton step keeps g_new >= kappa min(g, equilibrium gap)
   SurfaceFactor factor{};  ///< of the law's energy, on the secondary surface
+  /// Greater than 0: both surfaces are one, which interacts with itself. Parts nearer than this along the surface do
+  /// not interact [L0]; the law must have a range. Each pair of places counts twice, so that the energy is halved.
+  double exclusion = 0;
 };
 
 /// Both surfaces of a pair.
@@ -84,6 +88,18 @@ class PairPoints {
   template <class Visit>
   void for_each_block(const std::vector<Contacts>& times, const Rule& rule, Tangent kind, const Visit& visit) const;
 
+  /// Null unless the surface interacts with itself.
+  SelfSight<D>* sight() const { return sight_.get(); }
+  /// Returns the patches that a secondary patch sees; null: all.
+  const std::vector<int>* seen(std::size_t patch) const { return sight_ ? &sight_->seen(patch) : nullptr; }
+  /// Returns the nearest point of the primary surface that a secondary patch sees.
+  SurfaceFoot<D> nearest(const PlacedSurface<D>& primary, std::size_t patch, const Vec<D>& place, double range,
+                         int guess = -1) const {
+    return sight_ ? primary.nearest_of(sight_->seen(patch), place, range) : primary.nearest(place, range, guess);
+  }
+  /// Returns 1, or 2 if the surface interacts with itself: how often the law acts on a place of the surface.
+  double passes() const { return sight_ ? 2 : 1; }
+
   /// Returns quadrature weight times reference length or area, with and without the factor [L0^(D-1)].
   double measure(const Contact& c) const { return points_[index(c)].measure; }
   double area(const Contact& c) const { return points_[index(c)].area; }
@@ -110,6 +126,7 @@ class PairPoints {
 
   std::vector<double> coordinates_;  ///< of the local mesh
   SurfacePatches<D> secondary_, primary_;
+  std::unique_ptr<SelfSight<D>> sight_;
   std::shared_ptr<const GapLaw> law_;
   double range_;
   std::size_t per_patch_;

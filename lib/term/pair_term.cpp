@@ -17,6 +17,7 @@ double at(const Pack& value) { return value[0]; }
 template <std::size_t D>
 class PairTerm final : public Interaction {
  public:
+  static constexpr std::size_t corners = D == 2 ? 2 : 4;  ///< of a patch
   using Share = typename PairPoints<D>::Share;
   using Places = typename PairPoints<D>::Places;
   using Contact = typename PairPoints<D>::Contact;
@@ -35,9 +36,34 @@ class PairTerm final : public Interaction {
   bool couples_anew() const override { return true; }
   bool update_stencils(const double* u) override { return coupling_.update(points_.places(u)); }
   std::vector<std::vector<int>> stencils() const override { return coupling_.stencils(); }
-  void initialize(const KnownState&) override { coupling_.begin_anew(); }
   bool has_state() const override { return true; }
-  void transfer(Record& record) override { coupling_.transfer(record); }
+  void transfer(Record& record) override {
+    coupling_.transfer(record);
+    if (points_.sight() == nullptr) return;
+    points_.sight()->transfer(record);
+    seen_ = points_.sight()->seen();
+  }
+
+  void initialize(const KnownState& start) override {
+    coupling_.begin_anew();
+    if (points_.sight() != nullptr) look(start);
+    if (points_.sight() != nullptr) seen_ = points_.sight()->seen();
+  }
+  /// Decides which parts of a surface face each other. If these are others than in the last accepted step, the energy
+  /// jumps at the start of the step.
+  void begin_step(const KnownState& start, double, double) override {
+    if (points_.sight() == nullptr) return;
+    points_.sight()->set_seen(seen_);
+    const double before = energy(start.u);
+    look(start);
+    lost_ = points_.sight()->seen() == seen_ ? 0 : before - energy(start.u);
+  }
+  bool dissipates() const override { return points_.sight() != nullptr; }
+  double accept(const AcceptedStep&) override {
+    if (points_.sight() == nullptr) return 0;
+    seen_ = points_.sight()->seen();
+    return std::exchange(lost_, 0.0);
+  }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     check(rule);
@@ -47,7 +73,8 @@ class PairTerm final : public Interaction {
     }
     double least = std::numeric_limits<double>::infinity();
     for (const RulePoint& point : rule.points)
-      least = std::min(least, add_force(points_.contacts(points_.places(segment, point), Share::Forces), point.weight, f));
+      least =
+          std::min(least, add_force(points_.contacts(points_.places(segment, point), Share::Forces), point.weight, f));
     return is_admissible(segment, rule, least);
   }
 
@@ -156,6 +183,10 @@ class PairTerm final : public Interaction {
     const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary),
         primary(points_.primary().patches, x.primary);
     LowestPoint lowest;
+    if (points_.sight() != nullptr) {
+      lower_to_itself(secondary, lowest);
+      return lowest;
+    }
     lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
     lower(points_.primary().patches, x.primary, primary, secondary, lowest);
     return lowest;
@@ -174,7 +205,7 @@ class PairTerm final : public Interaction {
   void add_nodal_pressure(const double* u, double* force) const override {
     const Contacts contacts = points_.contacts(points_.places(u), Share::Forces);
     for (const Contact& contact : contacts.all)
-      add_weighted(contact, points_.measure(contact) * contact.traction, force);
+      add_weighted(contact, points_.passes() * points_.measure(contact) * contact.traction, force);
   }
 
   void lower_nodal_gap(const double* u, double* gap) const override {
@@ -256,8 +287,37 @@ class PairTerm final : public Interaction {
   void for_each_node(const double* u, const Visit& visit) const {
     const Places x = points_.places(u);
     const PlacedSurface<D> primary(points_.primary().patches, x.primary);
-    for (std::size_t i = 0; i < x.secondary.size(); ++i)
-      visit(static_cast<std::size_t>(points_.secondary().nodes[i]), primary.nearest(x.secondary[i]));
+    if (points_.sight() == nullptr) {
+      for (std::size_t i = 0; i < x.secondary.size(); ++i)
+        visit(static_cast<std::size_t>(points_.secondary().nodes[i]), primary.nearest(x.secondary[i]));
+      return;
+    }
+    for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
+      for (std::size_t c = 0; c < corners; ++c) {
+        const auto node = static_cast<std::size_t>(points_.secondary().patches[p].nodes[c]);
+        const SurfaceFoot<D> foot = points_.nearest(primary, p, x.secondary[node], points_.law().range());
+        if (foot.patch >= 0) visit(static_cast<std::size_t>(points_.secondary().nodes[node]), foot);
+      }
+  }
+
+  /// Lets the sight look at the start of a step. A gap can fall by the range in it.
+  void look(const KnownState& start) {
+    const Places x = points_.places(start.u);
+    if (x.is_finite()) points_.sight()->look(x.secondary, points_.law().range());
+  }
+
+  /// Lowers the lowest point to the corners and middles of the patches of a surface before what they see of it.
+  void lower_to_itself(const PlacedSurface<D>& surface, LowestPoint& lowest) const {
+    for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
+      for (std::size_t i = 0; i < (D == 2 ? 3 : 9); ++i) {
+        PatchParameters<D> xi{0.5 * static_cast<double>(i % 3)};
+        if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(i / 3);
+        const Vec<D> place = surface.patch(static_cast<int>(p)).at(xi);
+        const SurfaceFoot<D> foot = points_.nearest(surface, p, place, points_.law().range());
+        if (!(foot.gap < lowest.gap)) continue;
+        lowest.gap = foot.gap;
+        std::copy(place.begin(), place.end(), lowest.place.begin());
+      }
   }
 
   /// Returns the point's place along its own patch at the given values of the surface's nodes.
@@ -283,8 +343,8 @@ class PairTerm final : public Interaction {
     double longest = 0;
     for (const SurfacePatch<D>& patch : patches)
       for (std::size_t a = 0; a < patch.count; ++a)
-        longest = std::max(longest, length(x[static_cast<std::size_t>(patch.nodes[a])] -
-                                           x[static_cast<std::size_t>(patch.nodes[0])]));
+        longest = std::max(
+            longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
     int guess = -1;
     const auto look = [&](const Vec<D>& place) {
       const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
@@ -318,7 +378,8 @@ class PairTerm final : public Interaction {
         const Vec<D> way = interpolate(c, ways.secondary);
         const double gap = c.foot.patch < 0 ? points_.law().range() : c.foot.gap;
         if (gap - least[p] >= own * (length(way) + fastest)) continue;
-        own = std::min(own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p]));
+        own = std::min(
+            own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p], points_.seen(c.patch)));
       }
       done += own;
       if (own == 0) break;
@@ -335,6 +396,8 @@ class PairTerm final : public Interaction {
   PairPoints<D> points_;
   PairCoupling<D> coupling_;
   double margin_;
+  std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
+  double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 /// derivative there by the length along the line: that of the parabola through the node and its neighbours, or, without
 /// a continuation, of the parabola through the node and the next two.
 struct Line {
-  std::array<int, 3> nodes;  ///< the node of the continuation, -1 if there is none; the node; the edge's other end
+  std::array<int, 3> nodes;       ///< the node of the continuation, -1 if there is none; the node; the edge's other end
   std::array<double, 3> weights;  ///< of these nodes; without a continuation, of the slope of the edge
   int beyond = -1;                ///< without a continuation: the node after the edge's other end, if any
   double next = 0;                ///< and the length from there to it [L0]

@@ -22,9 +22,10 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
   SurfacePatches<D> surface;
   for (const LocalSide& side : sides) {
     if (side.nodes.size() != corners)
-      throw InputError(fmt::format("the surface \"{}\" has sides of {} nodes; surfaces of two bodies need the sides of "
-                                   "linear cells, of {} nodes (Contact Element Q1C1)",
-                                   name, side.nodes.size(), corners));
+      throw InputError(
+          fmt::format("the surface \"{}\" has sides of {} nodes; surfaces of two bodies need the sides of "
+                      "linear cells, of {} nodes (Contact Element Q1C1)",
+                      name, side.nodes.size(), corners));
     surface.nodes.insert(surface.nodes.end(), side.nodes.begin(), side.nodes.end());
     surface.owned.push_back(side.owned ? 1 : 0);
     surface.sides.push_back({side.block, side.cell, side.side});

@@ -49,9 +49,7 @@ TEST(FacePatchesTest, ABicubicPatchReproducesProductsOfParabolas) {
   EXPECT_EQ(patch.count, 16U);
   EXPECT_EQ(patch.nodes[0], Grid::node(1, 1));
   EXPECT_EQ(patch.nodes[3], Grid::node(1, 2));
-  const auto surface = [](double a, double b) {
-    return Vec<3>{a, b, (1 - a + 0.3 * a * a) * (2 + 0.5 * b - b * b)};
-  };
+  const auto surface = [](double a, double b) { return Vec<3>{a, b, (1 - a + 0.3 * a * a) * (2 + 0.5 * b - b * b)}; };
   const std::array<double, 4> a{-0.5, 0, 1, 2.7}, b{-2, 0, 0.8, 1.1};
   SurfacePatch<3>::Points x{};
   for (std::size_t k = 0; k < patch.count; ++k) {

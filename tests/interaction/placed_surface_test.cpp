@@ -24,8 +24,7 @@ struct Ring {
       const double angle = 2 * M_PI * i / sides, radius = 3 + 0.3 * std::sin(5 * angle);
       x.push_back({radius * std::cos(angle), radius * std::sin(angle)});
       const int before = (i + sides - 1) % sides, next = (i + 1) % sides;
-      patches.push_back(smooth ? smooth_patch({before, i, next, (i + 2) % sides}, {1, 1, 1})
-                                : straight_patch(i, next));
+      patches.push_back(smooth ? smooth_patch({before, i, next, (i + 2) % sides}, {1, 1, 1}) : straight_patch(i, next));
       patches.back().neighbours = {before, next};
     }
   }
@@ -46,9 +45,7 @@ TEST(PlacedSurfaceTest, FindsTheNearestOfAllSegmentsAndTheSide) {
         least = std::min(least, nearest_point(curves.patch(k), ring.patches[k].smooth, place).distance);
         // Crossings of the ray to the right, of each segment's chords.
         for (int part = 0; part < 50; ++part) {
-          const auto at = [&](int n) {
-            return curves.patch(k).at({n / 50.0}) - place;
-          };
+          const auto at = [&](int n) { return curves.patch(k).at({n / 50.0}) - place; };
           const Vec<2> a = at(part), b = at(part + 1);
           if ((a[1] > 0) != (b[1] > 0) && a[0] + (b[0] - a[0]) * a[1] / (a[1] - b[1]) > 0) ++winding_half_turns;
         }
@@ -148,9 +145,9 @@ TEST(PlacedSurfaceTest, BeforeASphereGapsAreThoseOfTheSphere) {
       EXPECT_GT(inner(foot.normal, place), 0.97 * length(place));
       double least = HUGE_VAL;
       for (int k = 0; k < static_cast<int>(sphere.patches().size()); ++k)
-        least = std::min(least, nearest_point(placed.patch(k), sphere.patches()[static_cast<std::size_t>(k)].smooth,
-                                              place)
-                                    .distance);
+        least = std::min(
+            least,
+            nearest_point(placed.patch(k), sphere.patches()[static_cast<std::size_t>(k)].smooth, place).distance);
       EXPECT_DOUBLE_EQ(std::abs(foot.gap), least);
     }
     // Sides of about 1: bilinear patches sag by h^2/(4 R). Smooth ones are of third order at the cube's corners.

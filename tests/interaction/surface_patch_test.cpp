@@ -63,7 +63,8 @@ void expect_derivatives() {
         EXPECT_NEAR((patch.weights(ahead)[a] - patch.weights(behind)[a]) / (2 * h), shape.slopes[k][a], 1e-8);
       const auto up = placed.frame(ahead), down = placed.frame(behind);
       for (std::size_t l = 0; l + 1 < D; ++l)
-        EXPECT_NEAR(length(0.5 / h * (up.tangents[l] - down.tangents[l]) - frame.bends[second_derivative(k, l)]), 0, 1e-7);
+        EXPECT_NEAR(length(0.5 / h * (up.tangents[l] - down.tangents[l]) - frame.bends[second_derivative(k, l)]), 0,
+                    1e-7);
     }
     const Vec<D> n = placed.normal(xi);
     EXPECT_NEAR(length(n), 1, 1e-14);
@@ -91,7 +92,9 @@ TEST(SurfacePatchTest, FramesAreDerivativesAndHullsContainFaces) { expect_deriva
 TEST(SurfacePatchTest, NormalsPointAwayFromTheBody) {
   const Vec<2> n = straight_patch(0, 1).placed({{{0, 0}, {2, 0}}}).normal(PatchParameters<2>{0.5});
   EXPECT_EQ(n, (Vec<2>{0, -1}));  // the body is on the left
-  const Vec<3> m = bilinear_patch({0, 1, 2, 3}).placed({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}).normal(PatchParameters<3>{0.2, 0.3});
+  const Vec<3> m = bilinear_patch({0, 1, 2, 3})
+                       .placed({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}})
+                       .normal(PatchParameters<3>{0.2, 0.3});
   EXPECT_EQ(m, (Vec<3>{0, 0, 1}));  // counter-clockwise seen from outside
 }
 

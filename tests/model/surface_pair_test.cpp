@@ -36,7 +36,12 @@ TEST(SurfacePairTest, RefusesWhatPairsDoNotHave) {
   const Mesh mesh = test::two_blocks(0.3);
   const SurfacePair good = pair_of("upper_bottom", "lower_top");
   expect_refusal(mesh, pair_of("upper_bottum", "lower_top"), "upper_bottom");
-  expect_refusal(mesh, pair_of("upper_bottom", "upper_bottom"), "common nodes");
+  expect_refusal(mesh, pair_of("upper_bottom", "upper_bottom"), "with itself, which needs an exclusion");
+  SurfacePair self = pair_of("upper_bottom", "upper_bottom");
+  self.exclusion = 3;
+  expect_refusal(mesh, self, "with itself, which needs a cutoff");
+  self.primary = "lower_top";
+  expect_refusal(mesh, self, "has the exclusion 3");
   expect_refusal(mesh, pair_of("upper_bottom", "upper_left"), "common nodes", {"upper_bottom", "upper_left"});
   SurfacePair bad = good;
   bad.law = nullptr;

@@ -1,4 +1,4 @@
-// Which patches the matrix of a pair couples.
+// The patches that the matrix of a pair couples.
 #include "term/pair_coupling.hpp"
 
 #include <gtest/gtest.h>

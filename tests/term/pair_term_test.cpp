@@ -129,7 +129,8 @@ TEST(PairTermTest, NetForceAndNetMomentVanish) {
         sums[6] += std::abs(f[k + i]);
         const std::size_t j = (i + 1) % d;
         if (d == 3 || i == 0)
-          sums[3 + i] += (mesh.coordinates[k + i] + u[k + i]) * f[k + j] - (mesh.coordinates[k + j] + u[k + j]) * f[k + i];
+          sums[3 + i] +=
+              (mesh.coordinates[k + i] + u[k + i]) * f[k + j] - (mesh.coordinates[k + j] + u[k + j]) * f[k + i];
       }
     bodies.model->space().sum(sums, 7);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], 0, 1e-14 * sums[6]);

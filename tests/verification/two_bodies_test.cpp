@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "interaction/van_der_waals.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
+#include "support/refusal.hpp"
 #include "support/two_bodies.hpp"
 #include "time/integrator.hpp"
 
@@ -85,7 +87,7 @@ TEST(TwoBodiesTest, LinearMomentumIsKept) {
 Mesh balls() { return test::two_balls(3, {6.1, 1.9, 1.5}, 4, 1); }
 const std::string in_space = count("Surface Points", 3) + number("Cutoff", 2);
 
-/// What a collision has in all.
+/// Sums over both bodies of a collision.
 struct Sums {
   double energy;
   Momenta momenta;
@@ -96,7 +98,8 @@ struct Sums {
 /// Expects that energy, over W L0, and both momenta, over the sum of m |v| (times R), stay within these bounds.
 void expect_kept(Collision& collision, double dt, int steps, double energy, double linear, double angular) {
   const Sums before(collision);
-  const double size = std::sqrt(2 * before.momenta.kinetic_energy * 5e-7 * 4 * M_PI * 27);  // of the balls; more for disks
+  const double size =
+      std::sqrt(2 * before.momenta.kinetic_energy * 5e-7 * 4 * M_PI * 27);  // of the balls; more for disks
   double least = 1, energy_error = 0, linear_error = 0, angular_error = 0;
   for (int step = 0; step < steps; ++step) {
     const StepResult result = collision.simulation().integrator().step(dt);
@@ -213,6 +216,66 @@ TEST(TwoBodiesTest, AHeldBodyWithAFlatFaceIsTheWall) {
   const auto b = test::gathered(wall.model(), wall.integrator().state().u);
   EXPECT_LT(test::distance(a, b), 1e-9);
   EXPECT_LT(least, 0.25);
+}
+
+/// A U of `cells` by 2 cells with arms of length 12 and thickness 1, 1.2 apart.
+Mesh hairpin(int cells) {
+  BoxShape shape;
+  shape.dimension = 2;
+  shape.lengths = {24 + 1.1 * M_PI, 1, 0};
+  shape.divisions = {cells, 2, 1};
+  Mesh mesh = box(shape);
+  for (std::size_t k = 0; k < mesh.coordinates.size(); k += 2) {
+    // From the end of the upper arm around the bend to that of the lower one; the box's top faces the space between.
+    const double s = mesh.coordinates[k], r = 1.6 - mesh.coordinates[k + 1];
+    const double angle = std::min(std::max((s - 12) / 1.1, 0.0), M_PI);
+    const double along = s < 12 ? 12 - s : std::max(0.0, s - 12 - 1.1 * M_PI);
+    mesh.coordinates[k] = along - r * std::sin(angle);
+    mesh.coordinates[k + 1] = r * std::cos(angle);
+  }
+  return mesh;
+}
+
+/// The arms of a hairpin fly at each other, stick, and bounce: energy is kept but for jumps where parts begin to face
+/// each other, which are booked, and so are both momenta.
+TEST(TwoBodiesTest, AHairpinSticksToItself) {
+  Mesh mesh = hairpin(60);
+  const std::string self = number("Cutoff", 0.8) + number("Exclusion", 3);
+  const auto scene = [&](const std::string& pair) {
+    return test::scene(
+        list("Materials", material("body")) +
+        list("Interactions", list("Pair", word("Side Set", "surface") + word("Primary Side Set", "surface") +
+                                              number("Gamma L", 2.5) + number("Gamma W", 25) + pair)) +
+        test::time_integrator("Average Vector Field", 0.001, 1, count("Interaction Points", 8)) +
+        list("Nonlinear Solver", number("Tolerance", 1e-12)));
+  };
+  EXPECT_NE(test::refusal([&] { Simulation(scene(number("Cutoff", 0.8)), mesh, test::world()); }).find("exclusion"),
+            std::string::npos);
+  EXPECT_NE(test::refusal([&] { Simulation(scene(number("Exclusion", 3)), mesh, test::world()); }).find("cutoff"),
+            std::string::npos);
+  Simulation simulation(scene(self), mesh, test::world());
+  std::vector<double> u = test::at_rest(simulation.model()), v = u;
+  for (std::size_t k = 1; k < v.size(); k += 2) {
+    const double x = simulation.model().mesh().coordinates[k - 1], y = simulation.model().mesh().coordinates[k];
+    v[k] = (y > 0 ? -1 : 1) * 3.0 * std::max(0.0, x) / 12;
+  }
+  Integrator& integrator = simulation.integrator();
+  integrator.initialize(u, v, 0);
+  const double before = test::total_energy(simulation);
+  double largest = 0, least = 10, contact = 0;
+  for (int step = 0; step < 200; ++step) {
+    const StepResult result = integrator.step(0.001);
+    ASSERT_TRUE(result.converged) << step << ": " << result.reason;
+    largest = std::max(largest, std::abs(test::total_energy(simulation) + integrator.dissipated_energy() - before));
+    const InteractionReport report = simulation.model().interaction_report(integrator.state().u.data());
+    least = std::min(least, report.least_gap);
+    contact = std::max(contact, report.measure);
+  }
+  EXPECT_LT(least, 0.3);
+  EXPECT_GT(contact, 2);
+  EXPECT_LT(largest, 1e-3 * work_of_adhesion_of_the_law);
+  const Momenta momenta = simulation.model().momenta(integrator.state().u.data(), integrator.state().v.data());
+  for (const double momentum : momenta.linear) EXPECT_NEAR(momentum, 0, 1e-9 * 24 * 5e-7 * 3);
 }
 
 TEST(TwoBodiesTest, ScenesThatPairsDoNotTakeAreRefusedAtTheirPlace) {

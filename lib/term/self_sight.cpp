@@ -1,0 +1,111 @@
+#include "term/self_sight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+template <std::size_t D>
+PatchParameters<D> middle() {
+  PatchParameters<D> xi;
+  xi.fill(0.5);
+  return xi;
+}
+
+}  // namespace
+
+template <std::size_t D>
+SelfSight<D>::SelfSight(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, double exclusion,
+                        double range)
+    : patches_(patches), range_(range), excluded_(patches.size()), seen_(patches.size()) {
+  const PlacedSurface<D> placed(patches, x);
+  std::vector<Vec<D>> middles;
+  for (std::size_t p = 0; p < patches.size(); ++p) middles.push_back(placed.patch(static_cast<int>(p)).at(middle<D>()));
+  exclude(middles, exclusion);
+}
+
+/// Goes from middle to middle of neighbours, the shortest way first (Dijkstra 1959).
+template <std::size_t D>
+void SelfSight<D>::exclude(const std::vector<Vec<D>>& middles, double exclusion) {
+  using Entry = std::pair<double, int>;
+  const auto at = [](int patch) { return static_cast<std::size_t>(patch); };
+  std::vector<double> distance(patches_.size(), HUGE_VAL);
+  for (std::size_t start = 0; start < patches_.size(); ++start) {
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
+    next.push({0, static_cast<int>(start)});
+    distance[start] = 0;
+    std::vector<int> reached{static_cast<int>(start)};
+    while (!next.empty()) {
+      const auto [far, patch] = next.top();
+      next.pop();
+      if (far > distance[at(patch)]) continue;
+      for (const int other : patches_[at(patch)].neighbours) {
+        if (other < 0) continue;
+        const double own = far + length(middles[at(other)] - middles[at(patch)]);
+        if (own >= exclusion || own >= distance[at(other)]) continue;
+        if (distance[at(other)] == HUGE_VAL) reached.push_back(other);
+        distance[at(other)] = own;
+        next.push({own, other});
+      }
+    }
+    for (const int patch : reached) distance[at(patch)] = HUGE_VAL;
+    std::sort(reached.begin(), reached.end());
+    excluded_[start] = std::move(reached);
+  }
+}
+
+template <std::size_t D>
+bool SelfSight<D>::is_excluded(std::size_t patch, int other) const {
+  return std::binary_search(excluded_[patch].begin(), excluded_[patch].end(), other);
+}
+
+template <std::size_t D>
+void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin) {
+  const PlacedSurface<D> placed(patches_, x);
+  std::vector<Vec<D>> places, normals;
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    const auto frame = placed.patch(static_cast<int>(p)).frame(middle<D>());
+    places.push_back(frame.place);
+    normals.push_back(PlacedPatch<D>::normal(frame));
+  }
+  for (std::size_t p = 0; p < patches_.size(); ++p) {
+    seen_[p].clear();
+    for (const int other : placed.near(placed.patch(static_cast<int>(p)).hull(), range_ + skin)) {
+      const auto q = static_cast<std::size_t>(other);
+      const Vec<D> way = places[q] - places[p];
+      if (inner(way, normals[p]) > 0 && inner(way, normals[q]) < 0 && !is_excluded(p, other)) seen_[p].push_back(other);
+    }
+  }
+}
+
+template <std::size_t D>
+void SelfSight<D>::transfer(Record& record) {
+  if (record.loading() && !record.same_partition()) return;
+  std::vector<double> flat;  // the number of each patch's, then these
+  for (const std::vector<int>& own : seen_) {
+    flat.push_back(static_cast<double>(own.size()));
+    flat.insert(flat.end(), own.begin(), own.end());
+  }
+  record.share("patches that see each other", flat);
+  if (!record.loading()) return;
+  const auto number = [&](std::size_t place, double below) {
+    if (place >= flat.size() || !(flat[place] >= 0 && flat[place] < below) || flat[place] != std::trunc(flat[place]))
+      throw InputError("the patches that see each other are not those of the surface");
+    return static_cast<int>(flat[place]);
+  };
+  std::size_t place = 0;
+  for (std::vector<int>& own : seen_) {
+    own.clear();
+    const int count = number(place++, static_cast<double>(flat.size()));
+    for (int k = 0; k < count; ++k) own.push_back(number(place++, static_cast<double>(patches_.size())));
+  }
+}
+
+template class SelfSight<2>;
+template class SelfSight<3>;
+
+}  // namespace ixos

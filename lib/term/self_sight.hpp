@@ -1,0 +1,45 @@
+/// The parts of a surface that interact with each other.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "base/record.hpp"
+#include "interaction/placed_surface.hpp"
+
+namespace ixos {
+
+/// For each patch of a surface that interacts with itself, the patches that it sees: those within range, except those
+/// nearer than a distance along the surface in the undeformed body, and except those that do not face it. Two patches
+/// face each other if each one's middle is on the outer side of the other one's tangent plane. The
+/// exclusion by distance does not change in a run. look() decides at the start of a step which patches face each other,
+/// and the step keeps that.
+template <std::size_t D>
+class SelfSight {
+ public:
+  /// `x`: places of the nodes in the undeformed body; `exclusion`: the distance along the surface, from middle to
+  /// middle of patches [L0]; `range`: of the law, finite [L0]. The patches must outlive it.
+  SelfSight(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, double exclusion, double range);
+
+  /// Finds the patches that each one sees at these places: within the range and `skin`, by which a gap can fall in the
+  /// step.
+  void look(const std::vector<Vec<D>>& x, double skin);
+  /// Returns the patches that a patch sees, ascending.
+  const std::vector<int>& seen(std::size_t patch) const { return seen_[patch]; }
+  const std::vector<std::vector<int>>& seen() const { return seen_; }
+  void set_seen(std::vector<std::vector<int>> seen) { seen_ = std::move(seen); }
+  bool is_excluded(std::size_t patch, int other) const;
+  /// Transfers what each patch sees. Loading on another partition keeps what is there.
+  void transfer(Record& record);
+
+ private:
+  void exclude(const std::vector<Vec<D>>& middles, double exclusion);
+
+  const std::vector<SurfacePatch<D>>& patches_;
+  double range_;
+  std::vector<std::vector<int>> excluded_, seen_;  ///< by patch, ascending
+};
+
+extern template class SelfSight<2>;
+extern template class SelfSight<3>;
+
+}  // namespace ixos
