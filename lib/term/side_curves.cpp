@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "interaction/curve_patches.hpp"
+#include "term/lagrange_patches.hpp"
 #include "term/surface_patches.hpp"
 
 namespace ixos {
@@ -50,7 +51,11 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
     const bool smooth_start = continues(before, own), smooth_end = continues(own, after);
     std::array<int, 4> four{-1, number(node_of(own, 0)), number(node_of(own, 1)), -1};
     SurfacePatch<2> patch;
-    if (smooth_start || smooth_end) {
+    if (const std::vector<int>& nodes = sides[static_cast<std::size_t>(own)].nodes; nodes.size() > 2) {
+      std::vector<int> numbers;
+      for (const int node : nodes) numbers.push_back(number(node));
+      patch = lagrange_patch<2>(numbers);
+    } else if (smooth_start || smooth_end) {
       std::array<double, 3> lengths{0, length(along(own)), 0};
       if (smooth_start) {
         four[0] = number(node_of(before, 0));

@@ -4,6 +4,7 @@
 #include "interaction/curve_patches.hpp"
 #include "interaction/face_patches.hpp"
 #include "mesh/side_grid.hpp"
+#include "term/lagrange_patches.hpp"
 #include "term/surface_patches.hpp"
 
 namespace ixos {
@@ -130,10 +131,19 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
     numbers.push_back(mesh.message_number(static_cast<std::size_t>(node)));
   }
   const SideGrid grid(std::move(faces), x, name, numbers);
-  const bool smooth = smoothing == Smoothing::CatmullRom;
+  const bool is_linear = sides.empty() || sides.front().nodes.size() == 4;
+  const bool smooth = smoothing == Smoothing::CatmullRom && is_linear;
   for (int f = 0; f < static_cast<int>(grid.faces().size()); ++f) {
     const SideGrid::Face& c = grid.faces()[static_cast<std::size_t>(f)];
-    SurfacePatch<3> patch = smooth ? smooth_face(grid, f) : bilinear_patch(c);
+    SurfacePatch<3> patch;
+    if (is_linear) {
+      patch = smooth ? smooth_face(grid, f) : bilinear_patch(c);
+    } else {
+      std::vector<int> own;
+      for (const int node : sides[static_cast<std::size_t>(f)].nodes)
+        own.push_back(surface_number(surface.nodes, node, mesh));
+      patch = lagrange_patch<3>(own);
+    }
     const std::array<std::array<int, 2>, 4> edges{{{c[0], c[3]}, {c[1], c[2]}, {c[0], c[1]}, {c[3], c[2]}}};
     for (std::size_t s = 0; s < 4; ++s) {
       patch.neighbours[s] = grid.across(f, edges[s][0], edges[s][1]);

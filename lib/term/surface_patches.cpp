@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "fem/cell_type.hpp"
 
 namespace ixos {
 
@@ -18,14 +19,20 @@ int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mes
 template <std::size_t D>
 SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<LocalSide>& sides,
                                    const std::string& name) {
-  constexpr std::size_t corners = D == 2 ? 2 : 4;
   SurfacePatches<D> surface;
   for (const LocalSide& side : sides) {
-    if (side.nodes.size() != corners)
+    const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    if (is_enriched(block.type) && (is_hermite(block.type) || is_quadratic(block.type) || block.tied != 0))
+      throw InputError(fmt::format(
+          "the surface \"{}\" has sides that surfaces of two bodies cannot have yet: {}; use Q1C1, or quadratic cells "
+          "with Q2C2",
+          name,
+          block.tied != 0 ? "enriched faces beside cells that are not enriched" : "Contact Element Q1CH or Q2C4"));
+    if (side.nodes.size() != sides.front().nodes.size())
       throw InputError(
-          fmt::format("the surface \"{}\" has sides of {} nodes; surfaces of two bodies need the sides of "
-                      "linear cells, of {} nodes (Contact Element Q1C1)",
-                      name, side.nodes.size(), corners));
+          fmt::format("the surface \"{}\" has sides of {} and of {} nodes; surfaces of two bodies need "
+                      "sides of one kind",
+                      name, sides.front().nodes.size(), side.nodes.size()));
     surface.nodes.insert(surface.nodes.end(), side.nodes.begin(), side.nodes.end());
     surface.owned.push_back(side.owned ? 1 : 0);
     surface.sides.push_back({side.block, side.cell, side.side});

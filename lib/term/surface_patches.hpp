@@ -25,14 +25,17 @@ struct SurfacePatches {
   std::vector<std::array<int, 3>> sides;  ///< by patch: local block, number of the cell, side, which identify it
 };
 
-/// Returns the patches of sides of linear cells. Throws InputError with `name` if a side is not one of a linear cell,
-/// if more than two sides meet in a node of the plane or in an edge in space, or if neighbours in space have opposite
-/// directions.
+/// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
+/// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Throws InputError with `name` if a
+/// side is of another kind (Q1CH, Q2C4, an enriched face that is tied to a cell without one), if sides are of several
+/// kinds, if more than two sides meet in a corner in the plane or in an edge in space, or if neighbours in space have
+/// opposite directions.
 template <std::size_t D>
 SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                   const std::string& name);
 
-/// Returns the surface's nodes and what the mesh says of its sides, without patches; throws as surface_patches().
+/// Returns the surface's nodes and what the mesh says of its sides, without patches; throws if a side is of a kind that
+/// surface_patches() refuses.
 template <std::size_t D>
 SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const std::string& name);
 

@@ -8,6 +8,8 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "mesh/cell_order.hpp"
+#include "mesh/enrichment/enrich.hpp"
 #include "support/comparison.hpp"
 #include "support/two_bodies.hpp"
 #include "term/surface_terms.hpp"
@@ -71,6 +73,15 @@ std::vector<Bodies> cases() {
     all.emplace_back(test::two_boxes(0.3), "upper_bottom", "lower_top", smoothing);
     all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
     all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
+  }
+  Mesh enriched = test::two_blocks(0.3), quadratic = test::two_blocks(0.3), in_space = test::two_boxes(0.3);
+  enrich(enriched, "upper_bottom", ContactElement::Q1C3);
+  all.emplace_back(enriched, "upper_bottom", "lower_top", Smoothing::CatmullRom);
+  for (Mesh* mesh : {&quadratic, &in_space}) {
+    raise_order(*mesh);
+    all.emplace_back(*mesh, "upper_bottom", "lower_top", Smoothing::None);
+  }
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
     all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
   }
   return all;

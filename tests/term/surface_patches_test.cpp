@@ -148,9 +148,32 @@ TEST(SurfacePatchesSerialTest, EdgesOfABoxStayEdges) {
   }
 }
 
+/// Quadratic sides of a disk, whose nodes are on the circle, have a sag of fourth order.
+TEST(SurfacePatchesTest, SidesOfHigherOrderKeepTheirShape) {
+  DiskShape shape;
+  shape.diameter = 10;
+  shape.cell_order = 2;
+  const LocalMesh local = part(disk(shape), {"surface"});
+  const auto curves = surface_patches<2>(local, local.whole_side_sets.at("surface"), Smoothing::CatmullRom, "disk");
+  ASSERT_EQ(curves.patches.size(), 16U);
+  EXPECT_EQ(curves.nodes.size(), 32U);
+  for (const SurfacePatch<2>& patch : curves.patches) {
+    EXPECT_EQ(patch.degree, 2);
+    EXPECT_FALSE(patch.smooth[0] || patch.smooth[1]);
+    SurfacePatch<2>::Points own{};
+    for (std::size_t a = 0; a < patch.count; ++a)
+      own[a] = reference_place<2>(local, curves.nodes[static_cast<std::size_t>(patch.nodes[a])]);
+    for (int k = 0; k <= 10; ++k) EXPECT_NEAR(length(patch.placed(own).at({k / 10.0})), 5, 5e-3);
+  }
+  Mesh mesh = test::two_blocks(0.3);
+  enrich(mesh, "upper_bottom", ContactElement::Q1C4);
+  for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_bottom", Smoothing::CatmullRom).patches)
+    EXPECT_EQ(patch.count, 5U);
+}
+
 TEST(SurfacePatchesTest, RefusesSidesOfOtherCells) {
   Mesh mesh = test::two_blocks(0.3);
-  enrich(mesh, "upper_bottom", ContactElement::Q1C2);
+  enrich(mesh, "upper_bottom", ContactElement::Q1CH);
   EXPECT_THROW(curves_of(mesh, "upper_bottom", Smoothing::None), InputError);
   EXPECT_THROW(part(mesh, {"no such set"}), InputError);
 }

@@ -1,0 +1,15 @@
+/// Sides of higher order as patches.
+#pragma once
+#include <vector>
+
+#include "interaction/surface_patch.hpp"
+
+namespace ixos {
+
+/// Returns the patch of a side with Lagrange's interpolation, whose order follows from the number of its nodes: 3 to 5
+/// nodes in the order of LagrangeEdge in the plane, 9, 16 or 25 in that of LagrangeFace in space. The corners come
+/// first. Throws std::logic_error for another number.
+template <std::size_t D>
+SurfacePatch<D> lagrange_patch(const std::vector<int>& nodes);
+
+}  // namespace ixos
