@@ -3,12 +3,12 @@
 The force P acts on the end of each arm, across the bond, and turns the end by the angle theta. Rice's J integral has
 contributions of the ends alone, which supply what adhesion takes:
     2 [P sin(theta) + P^2 sin(theta)^2/(2 E' h) + P^2 cos(theta)^2/(2 k G h)] = W,   k G h: stiffness in shear.
-At small angles this is the energy release rate of the double cantilever beam. At 90 degrees it is Kendall's (1975) balance
-of both arms, 2 P + P^2/(E' h) = W: a length da of strips that comes apart moves the ends apart by 2 da.
+At small angles this is the energy release rate of the double cantilever beam. At 90 degrees it is Kendall's (1975)
+balance of both arms, 2 P + P^2/(E' h) = W: a length da of strips that comes apart moves the ends apart by 2 da.
 
 Each strip is a beam on the law. The strips open symmetrically, and the gap grows by twice the deflection w of each: a
-strip has the foundation 2 k, k the law's stiffness at equilibrium. With 1/l = (4 E' I/(2 k))^(1/4) Kanninen's (1973) arms
-of the length a move apart by
+strip has the foundation 2 k, k the law's stiffness at equilibrium. With 1/l = (4 E' I/(2 k))^(1/4) Kanninen's (1973)
+arms of the length a move apart by
     2 P/(E' I) [a^3/3 + a^2/l + a/l^2 + 1/(2 l^3)],   and the front moves at   P^2 (a + 1/l)^2/(E' I) = W.
 
     docs/cookbook/t-peel/reference.py > docs/cookbook/t-peel/reference.csv"""

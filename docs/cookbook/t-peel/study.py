@@ -63,8 +63,8 @@ def balance(force, turned, young):
     """Returns what the ends supply per length of the front's way, over W."""
     shear = 5 / 6 * young / (2 * (1 + formulas.POISSON)) * formulas.THICKNESS
     axial = formulas.plane(young) * formulas.THICKNESS
-    supplied = 2 * force * np.sin(turned) + (force * np.sin(turned)) ** 2 / axial + (force * np.cos(turned)) ** 2 / shear
-    return supplied / formulas.WORK
+    along, across = force * np.sin(turned), force * np.cos(turned)
+    return (2 * along + along ** 2 / axial + across ** 2 / shear) / formulas.WORK
 
 
 def known(young):
