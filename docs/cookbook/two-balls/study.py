@@ -99,7 +99,8 @@ def draw(points, run):
         right.plot(run["time"], run[name + "_energy"], linewidth=0.8, label=name)
     right.plot(run["time"], run["total_energy"], color=recipe.style.INK, label="sum")
     right.set(xlabel="time [ns]", ylabel="energy [$E_0 L_0^2$], 4 nm off centre")
-    right.legend(fontsize=7, ncols=2, loc="lower right", bbox_to_anchor=(1, 0.42))
+    right.set(ylim=(-0.065, 0.085))
+    right.legend(fontsize=7, ncols=4, loc="upper center")
     recipe.save(picture, "two-balls")
 
 
