@@ -21,22 +21,22 @@ def travel(tabor):
     return 1 + tabor, 1.6 + 1.5 * tabor
 
 
-def settings(tabor, mesh="scene", step=0.01):
-    """Returns the changes of the scene for a Tabor number, a mesh and a step."""
+def settings(tabor, mesh="scene"):
+    """Returns the changes of the scene for a Tabor number and a mesh."""
     gap, way = travel(tabor)
     young = 2 * formulas.modulus(tabor) * (1 - POISSON ** 2)
     return {**recipe.QUIET, **MESHES[mesh], "Materials/Upper/Young's Modulus": young,
             "Materials/Lower/Young's Modulus": young,
             "Mesh/Parts/upper/Map/Y": f"{recipe.EQUILIBRIUM_GAP + gap!r} + 5*(exp(y/5) - 1) + "
                                       "(x < 50 ? x : 45 + 5*exp((x - 50)/5))^2/2000",
-            "Histories/Down and Up/Table/Values": [0.0, -way, 0.0], recipe.STEPS + "Time Step": step}
+            "Histories/Down and Up/Table/Values": [0.0, -way, 0.0]}
 
 
 class Pull:
     """Approach and force per length of a run, and pull-off force and half width of the contact there."""
 
-    def __init__(self, tabor, folder, mesh="scene", step=0.01):
-        run = recipe.run("cylinders", settings(tabor, mesh, step), folder)
+    def __init__(self, tabor, folder, mesh="scene"):
+        run = recipe.run("cylinders", settings(tabor, mesh), folder)
         gap, way = travel(tabor)
         self.force, self.width = 2 * run["contact_force_y"], run["contact_measure"]
         self.approach = way * (1 - (run["time"] - 1) ** 2) - gap
