@@ -28,7 +28,8 @@ FILM_FRICTION = ["Interactions/Wall/Friction/" + setting
 BALL_ON_WALL = ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
 BALL_BRANCH = ["Materials/Ball/Maxwell Branches/" + setting for setting in ("Relaxation Times={3}", "Moduli={0.3}")]
 TWO_BALLS = [FINAL + "0.3"]
-CYLINDERS = ["Mesh/Parts/upper/Box/Divisions={36, 11}", "Mesh/Parts/lower/Box/Divisions={36, 11}", STEPS + "Time Step=0.05"]
+CYLINDERS = ["Mesh/Parts/upper/Box/Divisions={36, 11}", "Mesh/Parts/lower/Box/Divisions={36, 11}",
+             STEPS + "Time Step=0.05"]
 T_PEEL = ["Mesh/Parts/upper/Box/Divisions={60, 2}", "Mesh/Parts/lower/Box/Divisions={60, 2}", FINAL + "3"]
 ROUGH = ["Mesh/Box/Divisions={6, 6, 2}", FINAL + "1"]
 SCANNED = ["Interactions/Sample/Obstacle=Height Field", "Interactions/Sample/Height Field/File=afm-rough.gsf",
