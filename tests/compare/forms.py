@@ -30,6 +30,9 @@ BALL_BRANCH = ["Materials/Ball/Maxwell Branches/" + setting for setting in ("Rel
 TWO_BALLS = [FINAL + "0.3"]
 TWO_SPHERES = [STEPS + "Time Step=0.004", FINAL + "0.06"]
 HAIRPIN = [FINAL + "0.12"]
+CYLINDERS = ["Mesh/Parts/upper/Box/Divisions={36, 11}", "Mesh/Parts/lower/Box/Divisions={36, 11}",
+             STEPS + "Time Step=0.05"]
+T_PEEL = ["Mesh/Parts/upper/Box/Divisions={60, 2}", "Mesh/Parts/lower/Box/Divisions={60, 2}", FINAL + "3"]
 ROUGH = ["Mesh/Box/Divisions={6, 6, 2}", FINAL + "1"]
 SCANNED = ["Interactions/Sample/Obstacle=Height Field", "Interactions/Sample/Height Field/File=afm-rough.gsf",
            "Interactions/Sample/Height Field/Periodic=true"]
@@ -120,6 +123,9 @@ def scene_forms(schemes):
     yield "two-balls, Energy-Momentum", "two-balls", TWO_BALLS + [SCHEME + "Energy-Momentum"]
     yield "two-spheres", "two-spheres", TWO_SPHERES, 2
     yield "hairpin", "hairpin", HAIRPIN
+    yield "t-peel", "t-peel", T_PEEL
+    yield "stamp", "stamp", [FINAL + "0.5"]
+    yield "cylinders", "cylinders", CYLINDERS
     yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
     yield "spring-block", "spring-block", [FINAL + "0.5"]
     yield "restitution", "restitution", BALL_ON_WALL
