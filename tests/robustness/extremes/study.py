@@ -15,7 +15,7 @@ import sys
 
 from runs import ROOT, Runner
 
-AXES = ["gap", "law", "catalogue", "obstacles", "bounces", "dissipation", "stiffness", "scaling", "density", "step", "impact", "locking", "shapes", "strain", "ranks", "million"]
+AXES = ["gap", "law", "catalogue", "obstacles", "pairs", "bounces", "dissipation", "stiffness", "scaling", "density", "step", "impact", "locking", "shapes", "strain", "ranks", "million"]
 
 
 def main():
