@@ -16,6 +16,7 @@ struct StudyResult {
   double wall_seconds = 0;  ///< of the time loop
   double cpu_seconds = 0;   ///< of the process
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0;
+  long dofs = 0;  ///< 0 if unknown
   double peak_memory_bytes = 0;
   double end_time = 0;
 
