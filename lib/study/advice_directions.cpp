@@ -52,8 +52,7 @@ bool all_are(const List& lists, const std::vector<std::string>& names, const cha
 AdviceDirection time_steps(const List& integrator, bool& adaptive) {
   const List& control = integrator.sublist("Time Step Control");
   const double duration = control.get<double>("Final Time") - control.get<double>("Initial Time");
-  const double tolerance =
-      control.isSublist("Adaptive") ? control.sublist("Adaptive").get<double>("Tolerance", 0.0) : 0;
+  const double tolerance = control.isSublist("Adaptive") ? control.sublist("Adaptive").get<double>("Tolerance") : 0;
   adaptive = control.get<std::string>("Type") == "Adaptive" && tolerance > 0;
   const double size = adaptive ? tolerance : control.get<double>("Time Step");
   const int factor = adaptive ? 4 : 2;

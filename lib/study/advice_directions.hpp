@@ -1,4 +1,4 @@
-/// What an advice may change in a scene, and in which steps.
+/// Directions of an advice: the settings of a scene that it may change.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <string>

@@ -19,8 +19,8 @@ struct AdviceEstimate {
   std::size_t worst_direction() const;  ///< of the worst quantity
 };
 
-/// Adds the errors of all directions, each measured with the others at a base. What this leaves out, the interaction of
-/// directions, is measured by runs that differ from the base in several directions.
+/// Adds the errors of all directions, each measured with the others at a base. Runs that differ from the base in
+/// several directions measure the interaction of directions, which the sum leaves out.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change

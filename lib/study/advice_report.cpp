@@ -66,7 +66,7 @@ std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
 }
 
 std::string tolerance_lines(const Advice& advice) {
-  std::string text = "What other tolerances cost:\n";
+  std::string text = "Costs of other tolerances:\n";
   for (const auto& [tolerance, candidate] : advice.other_tolerances) {
     text += fmt::format("  {:>8}  ", percent(tolerance));
     if (candidate.point.empty())

@@ -4,7 +4,7 @@
 
 namespace ixos {
 
-/// What a run was and cost.
+/// The size and the cost of a run.
 struct CostSample {
   double steps = 0;
   double dofs = 0;

@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// What all runs of a pool share.
+/// Options that all runs of a pool share.
 struct PoolOptions {
   std::string folder;  ///< results go to its subfolders of the runs' names
   std::string scene;   ///< path of the scene's file

@@ -11,7 +11,7 @@ struct SequencePoint {
   double value = 0;
 };
 
-/// What a sequence tells of its errors.
+/// The errors of a sequence.
 struct SequenceErrors {
   /// The number at size 0: extrapolated if the sequence is asymptotic, else that of the finest point.
   double limit = 0;

@@ -1,4 +1,4 @@
-// What can be varied in the scenes of xml/.
+// Directions of the scenes of xml/.
 #include "study/advice_directions.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Which other choices are tried.
+// The order in which other choices are tried.
 #include "study/advice_exploration.hpp"
 
 #include <gtest/gtest.h>

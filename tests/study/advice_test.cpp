@@ -78,7 +78,7 @@ TEST_F(AdviceTest, KeepsTheToleranceOfASmoothScene) {
       << "stated before all but a probe";
   const std::string text = advice_text(question_, found);
   EXPECT_NE(text.find("Recommended within the tolerance 5 %"), std::string::npos) << text;
-  EXPECT_NE(text.find("What other tolerances cost"), std::string::npos) << text;
+  EXPECT_NE(text.find("Costs of other tolerances"), std::string::npos) << text;
   // The scene is ready to run, with the recommended settings and no others.
   const Teuchos::ParameterList advised = changed_scene(options_.folder + "/advised.xml", {});
   EXPECT_EQ(advised.sublist("Time Integrator").sublist("Time Step Control").get<double>("Time Step"), dt);
