@@ -11,10 +11,12 @@ namespace ixos {
 namespace {
 
 constexpr double least_order = 0.7, largest_order = 6;
-constexpr double trusted_order = 2;  ///< largest order that counts if three points alone give it
-constexpr double agreement = 0.5;    ///< part of the order by which two orders may differ
-constexpr double safety = 0.25;      ///< part of an extrapolated error by which it is uncertain
-constexpr double rounding = 1e-13;   ///< part of a value below which a difference is rounding
+constexpr double trusted_order = 2;     ///< largest order that counts if three points alone give it
+constexpr double agreement = 0.2;       ///< part of the order by which two orders may differ
+constexpr double confirmed_part = 0.5;  ///< uncertainty over the extrapolated error, of a confirmed order
+constexpr double single_part = 2;       ///< the same, of an order that three points alone give
+constexpr double bound_factor = 1.5;    ///< of a bound by differences
+constexpr double rounding = 1e-13;      ///< part of a value below which a difference is rounding
 
 /// Returns the order p of q = limit + C h^p through three points whose differences have the same sign; NaN if there is
 /// none between 0 and twice the largest order.
@@ -35,7 +37,16 @@ double observed_order(const SequencePoint& a, const SequencePoint& b, const Sequ
 
 bool same_sign(double a, double b) { return a * b > 0; }
 
-/// Fills in the limit if the sequence is asymptotic, and the reason in any case.
+/// Returns whether three coarser points confirm an order, and lowers the order to theirs.
+bool confirms(const SequencePoint& a, const SequencePoint& b, const SequencePoint& c, double& order) {
+  if (!same_sign(a.value - b.value, b.value - c.value)) return false;
+  const double other = observed_order(a, b, c);
+  if (!(std::abs(other - order) <= agreement * order)) return false;
+  order = std::min(order, other);
+  return true;
+}
+
+/// Fills in the limit and its order if there is one, and the reason in any case.
 void extrapolate(const std::vector<SequencePoint>& points, SequenceErrors& result) {
   const std::size_t n = points.size();
   if (n < 3) {
@@ -52,25 +63,14 @@ void extrapolate(const std::vector<SequencePoint>& points, SequenceErrors& resul
     result.reason = "the differences do not fall as a power of the size does";
     return;
   }
-  if (n > 3) {
-    const SequencePoint& before = points[n - 4];
-    const double other = same_sign(before.value - a.value, a.value - b.value)
-                             ? observed_order(before, a, b)
-                             : std::numeric_limits<double>::quiet_NaN();
-    if (!(std::abs(other - order) <= agreement * order)) {
-      result.reason = "coarser sizes do not confirm the order";
-      return;
-    }
-    order = std::min(order, other);
-  } else {
-    order = std::min(order, trusted_order);
-  }
-  result.asymptotic = true;
+  result.asymptotic = n > 3 && confirms(points[n - 4], a, b, order);
+  order = result.asymptotic ? order : std::min(order, trusted_order);
   result.order = order;
   const double error = (b.value - c.value) / (std::pow(b.size / c.size, order) - 1);
   result.limit = c.value - error;
-  result.limit_uncertainty = safety * std::abs(error);
-  result.reason = fmt::format("asymptotic, of order {:.2g}", order);
+  result.limit_uncertainty = (result.asymptotic ? confirmed_part : single_part) * std::abs(error);
+  result.reason =
+      fmt::format(result.asymptotic ? "asymptotic, of order {:.2g}" : "of order {:.2g} by three sizes alone", order);
 }
 
 }  // namespace
@@ -92,10 +92,10 @@ SequenceErrors sequence_errors(const std::vector<SequencePoint>& points) {
     result.reason = "the size has no effect";
   } else {
     extrapolate(points, result);
-    if (!result.asymptotic) {
+    if (result.order == 0) {
       // The finest point's own error, if errors fall at least in proportion to the size.
       const double ratio = points[points.size() - 2].size / finest.size;
-      result.limit_uncertainty = largest / std::min(1.0, ratio - 1);
+      result.limit_uncertainty = bound_factor * largest / std::min(1.0, ratio - 1);
     }
   }
   result.errors = errors_against(points, result.limit, result.limit_uncertainty);

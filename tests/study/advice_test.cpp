@@ -141,6 +141,7 @@ TEST_F(AdviceTest, RunsThatFailAreAvoided) {
   const Advice found = advice("-1 if dt > 0.06 else 1 + 4 * dt**2 + 0.001 * h**2", 0.05);
   ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem;
   EXPECT_LE(size(found, time_direction), 0.06);
+  options_.folder += "-none";
   const Advice none = advice("-1", 0.05);
   EXPECT_EQ(none.status, AdviceStatus::NoRun);
   EXPECT_NE(none.problem.find("negative"), std::string::npos) << none.problem;
