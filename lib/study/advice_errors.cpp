@@ -32,10 +32,12 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
     if (!sample.good) failed_.push_back(sample.point);
   }
   exact_ = base_values_;
-  interaction_.assign(quantities, 0);
   for (std::size_t d = 0; d < directions.all.size(); ++d) {
     std::vector<Line>& lines = lines_.emplace_back();
-    for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b) lines.push_back(line(d, b, samples));
+    const bool by_pairs = !directions.all[d].converges;
+    for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b)
+      lines.push_back(by_pairs ? pairs(d, b, samples) : line(d, b, samples));
+    if (by_pairs) continue;
     for (std::size_t q = 0; q < quantities; ++q) judge(d, q);
   }
   for (std::size_t q = 0; q < quantities; ++q)
@@ -62,6 +64,31 @@ AdviceErrors::Line AdviceErrors::line(std::size_t d, std::size_t b, const std::v
   return line;
 }
 
+/// Returns the largest differences of runs that differ in the branch of a direction alone.
+AdviceErrors::Line AdviceErrors::pairs(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const {
+  Line line;
+  line.errors.resize(is_error_.size());
+  for (SequenceErrors& errors : line.errors) {
+    errors.errors = {0};
+    errors.reason = "the scene's own counts as exact";
+  }
+  if (b == 0) line.levels = {0};
+  for (const AdviceSample& sample : samples) {
+    if (!sample.good || b == 0 || sample.point[d].branch != b) continue;
+    AdvicePoint twin = sample.point;
+    twin[d] = {0, 0};
+    for (const AdviceSample& other : samples) {
+      if (!other.good || other.point != twin) continue;
+      line.levels = {0};
+      for (std::size_t q = 0; q < is_error_.size(); ++q) {
+        double& largest = line.errors[q].errors[0];
+        largest = std::max(largest, std::abs(sample.values[q] - other.values[q]));
+      }
+    }
+  }
+  return line;
+}
+
 /// Judges the branches of a direction for a quantity, and moves the exact value by what the direction adds.
 void AdviceErrors::judge(std::size_t d, std::size_t q) {
   std::vector<Line>& lines = lines_[d];
@@ -74,7 +101,7 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
   } else if (is_error_[q] || !refined) {
     own.limit = base_values_[q];
     own.errors = errors_against(points, own.limit, 0);
-    own.reason = directions_.all[d].converges && !is_error_[q] ? "not examined" : "the scene's own counts as exact";
+    own.reason = is_error_[q] ? "changes of the base" : "not examined";
   } else if (points.size() > 1) {
     own = sequence_errors(points);
     exact_[q] += own.limit - base_values_[q];
@@ -106,40 +133,57 @@ void AdviceErrors::judge_branch(std::size_t d, std::size_t b, std::size_t q) {
 double AdviceErrors::part(std::size_t d, std::size_t q, const AdvicePlace& place) const {
   const Line& line = lines_[d][place.branch];
   const AdviceDirection& direction = directions_.all[d];
-  if (line.levels.empty()) return place.branch == 0 && !direction.converges ? 0 : unknown;
-  if (!direction.converges) return place.branch == 0 ? 0 : line.errors[q].errors.back();
+  if (line.levels.empty()) return unknown;
+  if (!direction.converges) return line.errors[q].errors.back();
   // One run of another branch may be near the limit by coincidence, and beyond its runs nothing is known.
   if (place.branch > 0 && (line.levels.size() < 2 || place.level > line.levels.back())) return unknown;
   return error_at(line.points[q], line.errors[q], direction.branches[place.branch].levels[place.level].size);
 }
 
-/// Compares the runs off the lines with the sums of the directions' changes.
+/// Compares the runs off the lines with the sums of the changes in step and mesh.
 void AdviceErrors::measure_interaction(const std::vector<AdviceSample>& samples) {
   for (const AdviceSample& sample : samples) {
     if (!sample.good || distance(sample.point, base_) < 2) continue;
+    Defect defect{sample.point, {}};
     for (std::size_t q = 0; q < is_error_.size(); ++q) {
       double sum = base_values_[q];
       for (std::size_t d = 0; d < base_.size(); ++d) {
+        if (sample.point[d] == base_[d]) continue;
         const Line& line = lines_[d][sample.point[d].branch];
         const auto found = std::find(line.levels.begin(), line.levels.end(), sample.point[d].level);
-        if (found == line.levels.end()) {
+        if (found == line.levels.end() || !directions_.all[d].converges)
           sum = std::numeric_limits<double>::quiet_NaN();
-          continue;
-        }
-        sum += line.points[q][static_cast<std::size_t>(found - line.levels.begin())].value - base_values_[q];
+        else
+          sum += line.points[q][static_cast<std::size_t>(found - line.levels.begin())].value - base_values_[q];
       }
-      const double defect = std::abs(sample.values[q] - sum) / scale(q);
-      if (defect > interaction_[q]) interaction_[q] = defect;
+      defect.relative.push_back(std::abs(sample.values[q] - sum) / scale(q));
     }
+    const auto unknown_one = [](double value) { return std::isnan(value); };
+    if (std::none_of(defect.relative.begin(), defect.relative.end(), unknown_one))
+      defects_.push_back(std::move(defect));
   }
+}
+
+double AdviceErrors::interaction(const AdvicePoint& point, std::size_t quantity) const {
+  if (distance(point, base_) < 2) return 0;
+  double largest = 0, smallest_of_coarser = unknown;
+  for (const Defect& defect : defects_) {
+    const double here = defect.relative[quantity];
+    if (defect.point == point) return here;
+    largest = std::max(largest, here);
+    bool coarser = true;
+    for (std::size_t d = 0; d < point.size(); ++d)
+      coarser = coarser && defect.point[d].branch == point[d].branch && defect.point[d].level <= point[d].level;
+    if (coarser) smallest_of_coarser = std::min(smallest_of_coarser, here);
+  }
+  return std::isfinite(smallest_of_coarser) ? smallest_of_coarser : largest;
 }
 
 AdviceEstimate AdviceErrors::estimate(const AdvicePoint& point) const {
   AdviceEstimate result;
-  const bool off = distance(point, base_) > 1;
   const bool failed = std::find(failed_.begin(), failed_.end(), point) != failed_.end();
   for (std::size_t q = 0; q < is_error_.size(); ++q) {
-    double sum = noise_[q] + (off ? interaction_[q] : 0);
+    double sum = noise_[q] + interaction(point, q);
     std::vector<double>& parts = result.parts.emplace_back();
     for (std::size_t d = 0; d < point.size(); ++d) {
       parts.push_back(part(d, q, point[d]) / scale(q));

@@ -19,8 +19,10 @@ struct AdviceEstimate {
   std::size_t worst_direction() const;  ///< of the worst quantity
 };
 
-/// Adds the errors of all directions, each measured with the others at a base. Runs that differ from the base in
-/// several directions measure the interaction of directions, which the sum leaves out.
+/// Adds the errors of all directions. Those of step and mesh are measured with everything else at a base; a choice of
+/// the model is measured by any pair of runs that differ in it alone. Runs that differ from the base in several
+/// directions measure the interaction of directions, which the sum leaves out: a point's is that of its own run, or
+/// else the smallest of the coarser runs, or else the largest of all.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
@@ -34,8 +36,8 @@ class AdviceErrors {
   /// Returns the estimated exact value of a quantity.
   double exact(std::size_t quantity) const { return exact_[quantity]; }
 
-  /// Returns how much the runs off the base lines differ from the sum of the directions, relative to the exact value.
-  double interaction(std::size_t quantity) const { return interaction_[quantity]; }
+  /// Returns how much a run at a point differs from the sum of the directions, relative to the exact value.
+  double interaction(const AdvicePoint& point, std::size_t quantity) const;
 
   /// Returns what the sequence of a direction tells of a quantity, as "asymptotic, of order 2".
   std::string reason(std::size_t direction, std::size_t quantity) const;
@@ -54,7 +56,13 @@ class AdviceErrors {
     std::vector<std::vector<SequencePoint>> points;
     std::vector<SequenceErrors> errors;
   };
+  /// A run off the lines: its differences from the sum of the directions, by quantity.
+  struct Defect {
+    AdvicePoint point;
+    std::vector<double> relative;
+  };
   Line line(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
+  Line pairs(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
   void judge(std::size_t d, std::size_t q);
   void judge_branch(std::size_t d, std::size_t b, std::size_t q);
   double part(std::size_t d, std::size_t q, const AdvicePlace& place) const;
@@ -64,8 +72,9 @@ class AdviceErrors {
   const AdviceDirections& directions_;
   AdvicePoint base_;
   std::vector<bool> is_error_;
-  std::vector<double> noise_, base_values_, exact_, interaction_;
+  std::vector<double> noise_, base_values_, exact_;
   std::vector<std::vector<Line>> lines_;
+  std::vector<Defect> defects_;
   std::vector<AdvicePoint> failed_;  ///< points of runs that did not reach their end
 };
 

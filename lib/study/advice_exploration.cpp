@@ -13,28 +13,25 @@ bool was_run(const std::vector<AdviceSample>& samples, const AdvicePoint& point)
 
 AdvicePoint next_exploration(const AdviceDirections& directions, const AdvicePoint& base,
                              const std::vector<AdviceSample>& samples, const AdviceErrors& errors, double tolerance) {
-  AdvicePoint point = base;
-  const AdviceEstimate own = errors.estimate(base);
   for (std::size_t d = directions.all.size(); d-- > 0;) {  // single runs first
     const AdviceDirection& direction = directions.all[d];
     // Nothing is known of other elements if the mesh cannot be refined.
-    if (d == mesh_direction && errors.tested(d, 0) < 2) continue;
+    if (direction.converges && errors.tested(d, 0) < 2) continue;
     for (std::size_t b = 1; b < direction.branches.size(); ++b) {
-      point = base;
+      AdvicePoint point = base;
       point[d].branch = b;
+      if (!direction.converges) point[d].level = 0;
+      std::size_t& level = point[direction.converges ? d : time_direction].level;
+      level -= std::min<std::size_t>(level, direction.converges ? 1 : 2);
       if (!was_run(samples, point)) return point;
-      if (!direction.converges) continue;
-      // A coarser step may do with this scheme; another element shows on the next mesh whether it converges.
+      if (!direction.converges || level == 0 || errors.tested(d, b) == 0) continue;
+      AdvicePoint own = base;
+      own[d].level = level;
       double most = tolerance;
-      for (const std::vector<double>& parts : own.parts) most = std::max(most, parts[d]);
-      while (errors.tested(d, b) > 0 && errors.finest_error(d, b) <= most) {
-        if (d == time_direction && point[d].level == 0) break;
-        if (d == mesh_direction && point[d].level + 1 == direction.branches[b].levels.size()) break;
-        if (d == mesh_direction && errors.tested(d, b) > 1) break;
-        point[d].level = d == time_direction ? point[d].level - 1 : point[d].level + 1;
-        if (!was_run(samples, point)) return point;
-        if (d == time_direction && point[d].level + 2 <= base[d].level) break;
-      }
+      for (const std::vector<double>& parts : errors.estimate(own).parts) most = std::max(most, parts[d]);
+      if (!(errors.finest_error(d, b) <= most)) continue;
+      --level;
+      if (!was_run(samples, point)) return point;
     }
   }
   return {};

@@ -13,7 +13,7 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-constexpr int coarser_levels = 2, finer_levels = 3;
+constexpr int coarser_levels = 3, finer_levels = 3;
 constexpr int most_cells_along_an_edge = 20000;
 
 /// A number of cells that a generator takes, and its place.

@@ -19,10 +19,12 @@ using AdvicePoint = std::vector<AdvicePlace>;
 /// A run that an advice carried out.
 struct AdviceSample {
   AdvicePoint point;
-  bool good = false;           ///< whether it reached its end and has all quantities
-  std::string reason;          ///< why not
-  std::vector<double> values;  ///< of the quantities, in their order
-  double seconds = 0;          ///< of processor time
+  bool good = false;            ///< whether it reached its end and has all quantities
+  std::string reason;           ///< why not
+  std::vector<double> values;   ///< of the quantities, in their order
+  bool refused = false;         ///< whether ixos took the scene for bad input
+  double seconds = 0;           ///< of processor time
+  double seconds_per_step = 0;  ///< of wall-clock time, without what a run does before its first step
   double steps = 0, dofs = 0;
 };
 

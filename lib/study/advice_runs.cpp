@@ -11,7 +11,6 @@
 namespace ixos {
 namespace {
 
-constexpr int probe_steps = 3;
 constexpr double grace = 10;  ///< seconds by which a run may exceed the budget that is left
 
 /// Settings of all runs: nothing but the history is needed.
@@ -45,19 +44,9 @@ void AdviceRuns::run(const std::vector<StudyRun>& runs) {
   if (!complete) throw Interrupted();
 }
 
-double AdviceRuns::probe(const AdvicePoint& point, double initial_time, double final_time, double time_step) {
-  for (const AskedQuantity& quantity : question_.quantities) quantity.check_times(initial_time, final_time);
-  StudyRun run = run_of(point);
-  run.name = "probe";
-  run.labels = {"a few steps of " + run.labels.front()};
-  const double end = std::min(final_time, initial_time + probe_steps * time_step);
-  run.settings.push_back(fmt::format("Time Integrator/Time Step Control/Final Time={}", end));
-  this->run({run});
-  const StudyResult result = pool_.result(run);
-  if (result.status == "failed") throw InputError(result.reason);
-  const HistoryTable table(pool_.folder(run) + "/history.csv");
+void AdviceRuns::check_columns(const AdvicePoint& point) const {
+  const HistoryTable table(pool_.folder(run_of(point)) + "/history.csv");
   for (const AskedQuantity& quantity : question_.quantities) quantity.check_columns(table.names());
-  return result.wall_seconds / static_cast<double>(std::max(1L, result.steps));
 }
 
 void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
@@ -74,7 +63,13 @@ void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
 
 AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run) const {
   const StudyResult result = pool_.result(run);
-  AdviceSample sample{point, false, result.reason, {}, result.cpu_seconds, 0, static_cast<double>(result.dofs)};
+  AdviceSample sample;
+  sample.point = point;
+  sample.reason = result.reason;
+  sample.refused = result.refused;
+  sample.seconds = result.cpu_seconds;
+  sample.seconds_per_step = result.wall_seconds / static_cast<double>(std::max(1L, result.steps));
+  sample.dofs = static_cast<double>(result.dofs);
   sample.steps = static_cast<double>(result.steps + result.rejected_steps);
   if (!result.reached_its_end()) return sample;
   try {

@@ -16,9 +16,8 @@ class AdviceRuns {
 
   AdviceRuns(const AdviceQuestion& question, const AdviceOptions& options, const AdviceDirections& directions);
 
-  /// Runs a few steps with the settings of a point. Throws InputError if ixos refuses the scene, or if a quantity needs
-  /// a column or a time that the scene does not have. Returns the seconds that a step takes.
-  double probe(const AdvicePoint& point, double initial_time, double final_time, double time_step);
+  /// Throws InputError if a quantity needs a column that the run of a point does not have.
+  void check_columns(const AdvicePoint& point) const;
 
   /// Runs those points that were not run. Throws Interrupted.
   void carry_out(const std::vector<AdvicePoint>& points);

@@ -161,6 +161,7 @@ StudyResult RunPool::result(const StudyRun& run) const {
   const int status = entry(record, "exit_status", -1);
   if (const double limit = entry(record, "time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
     result.status = "failed";
+    result.refused = status == 2;
     result.reason = limit > 0 ? fmt::format("not finished after the time limit of {} s", limit)
                               : last_line(folder(run) + "/log.txt");
     if (limit == 0 && status > 128) result.reason = fmt::format("ended by signal {}", status - 128);

@@ -19,6 +19,7 @@ struct StudyResult {
   long dofs = 0;  ///< 0 if unknown
   double peak_memory_bytes = 0;
   double end_time = 0;
+  bool refused = false;  ///< whether ixos took the scene for bad input
 
   bool reached_its_end() const { return status == "completed" || status == "stopped"; }
   /// Returns the value of a column by its name. Throws std::invalid_argument for any other name.

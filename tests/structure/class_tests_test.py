@@ -118,6 +118,7 @@ elsewhere = {
     "solve/rigid_body_modes.hpp": ("solve/multigrid_test.cpp", "the modes carry no elastic force"),
     "solve/problem_size.hpp": ("solve/semi_discrete_preconditioner_test.cpp", "solvers of models without a scene"),
     "study/advice_runs.hpp": ("study/advice_test.cpp", "runs of advices, reused, failed and perturbed"),
+    "study/advice_search.hpp": ("study/advice_test.cpp", "searches on formulas"),
     "study/run_pool.hpp": ("drivers/study_test.cpp", "whole studies; advice_test.cpp has those of advices"),
     "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
     "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),

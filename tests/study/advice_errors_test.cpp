@@ -86,11 +86,13 @@ TEST_F(AdviceErrorsTest, InteractionIsMeasured) {
   std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, formula);
   const AdvicePoint off{{0, 1}, {0, 1}, {0, 0}};
   const double before = errors(samples).estimate(off).largest();
-  EXPECT_EQ(errors(samples).interaction(0), 0);
+  EXPECT_EQ(errors(samples).interaction(off, 0), 0) << "nothing tells of it";
   samples.push_back(sample_of(directions_, off, formula));
   // dt h between (1/4, 1) and (1/2, 1/2): 0.4 (1/2 - 1/4) (1 - 1/2).
-  EXPECT_NEAR(errors(samples).interaction(0), 0.05, 0.005);
+  EXPECT_NEAR(errors(samples).interaction(off, 0), 0.05, 0.005);
   EXPECT_NEAR(errors(samples).estimate(off).largest(), before + 0.05, 0.005);
+  EXPECT_NEAR(errors(samples).interaction({{0, 1}, {0, 2}, {0, 0}}, 0), 0.05, 0.005) << "that of the coarser run";
+  EXPECT_EQ(errors(samples).interaction(base_, 0), 0);
 }
 
 TEST_F(AdviceErrorsTest, NoiseCounts) {
@@ -113,7 +115,7 @@ TEST_F(AdviceErrorsTest, RunsThatFailedAreNoChoice) {
   std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, smooth);
   const AdvicePoint point{{0, 0}, {0, 1}, {0, 0}};
   EXPECT_TRUE(std::isfinite(errors(samples).estimate(point).largest()));
-  samples.push_back({point, false, "diverged", {}, 1, 1, 1});
+  samples.push_back(test::failed_sample(point));
   EXPECT_TRUE(std::isinf(errors(samples).estimate(point).largest()));
 }
 

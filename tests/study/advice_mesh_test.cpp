@@ -12,17 +12,17 @@ MeshLevels levels(const std::string& scene, const Assignments& settings = {}) {
   return mesh_levels(changed_scene(std::string(IXOS_XML_DIRECTORY) + "/" + scene, settings).sublist("Mesh"));
 }
 
-TEST(AdviceMeshTest, ABoxIsHalvedTwiceAndRefined) {
+TEST(AdviceMeshTest, ABoxIsHalvedAndRefined) {
   const MeshLevels found = levels("strip.xml");
   EXPECT_EQ(found.note, "");
   EXPECT_EQ(found.dimension, 2);
-  ASSERT_GE(found.levels.size(), 4U);
-  EXPECT_EQ(found.levels[0].settings, Assignments{"Mesh/Box/Divisions={80, 4}"});
-  EXPECT_EQ(found.levels[0].size, 4);
-  EXPECT_EQ(found.scene_level, 2U);
-  EXPECT_EQ(found.levels[2].settings, Assignments{"Mesh/Box/Divisions={320, 16}"});
-  EXPECT_EQ(found.levels[3].settings, Assignments{"Mesh/Box/Divisions={640, 32}"});
-  EXPECT_EQ(found.levels[3].label, "640 x 32");
+  ASSERT_GE(found.levels.size(), 5U);
+  EXPECT_EQ(found.levels[0].settings, Assignments{"Mesh/Box/Divisions={40, 2}"});
+  EXPECT_EQ(found.levels[0].size, 8);
+  EXPECT_EQ(found.scene_level, 3U);
+  EXPECT_EQ(found.levels[3].settings, Assignments{"Mesh/Box/Divisions={320, 16}"});
+  EXPECT_EQ(found.levels[4].settings, Assignments{"Mesh/Box/Divisions={640, 32}"});
+  EXPECT_EQ(found.levels[4].label, "640 x 32");
 }
 
 TEST(AdviceMeshTest, OddNumbersAreNotHalved) {

@@ -75,7 +75,7 @@ TEST_F(AdviceTest, KeepsTheToleranceOfASmoothScene) {
   EXPECT_GT(error, 0.05 / 40);
   EXPECT_EQ(told_.find("Budget: 1e+03 s of processor time"), told_.find("Budget"));
   EXPECT_LT(told_.find("Budget"), told_.find("completed", told_.find("completed") + 1))
-      << "stated before all but a probe";
+      << "stated before all but the coarsest run";
   const std::string text = advice_text(question_, found);
   EXPECT_NE(text.find("Recommended within the tolerance 5 %"), std::string::npos) << text;
   EXPECT_NE(text.find("Costs of other tolerances"), std::string::npos) << text;

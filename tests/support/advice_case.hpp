@@ -33,7 +33,22 @@ inline AdviceSample sample_of(const AdviceDirections& directions, const AdvicePo
                               const AdviceFormula& formula) {
   const double dt = level_at(directions, point, time_direction).size;
   const double h = level_at(directions, point, mesh_direction).size;
-  return {point, true, "", {formula(dt, h, point)}, 1e-3 / dt * std::pow(h, -2.4), 1 / dt, 100 / (h * h)};
+  AdviceSample sample;
+  sample.point = point;
+  sample.good = true;
+  sample.values = {formula(dt, h, point)};
+  sample.seconds = 1e-3 / dt * std::pow(h, -2.4);
+  sample.steps = 1 / dt;
+  sample.dofs = 100 / (h * h);
+  return sample;
+}
+
+/// Returns a run of a point that did not reach its end.
+inline AdviceSample failed_sample(const AdvicePoint& point) {
+  AdviceSample sample;
+  sample.point = point;
+  sample.reason = "diverged";
+  return sample;
 }
 
 /// Returns the good runs with all levels up to these on the lines of a branch of time and mesh through a base.
