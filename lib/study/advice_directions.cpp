@@ -87,7 +87,7 @@ AdviceDirection meshes(const List& scene, const MeshLevels& found) {
   const std::string own = contact ? interactions.sublist(walls.front()).get<std::string>("Contact Element") : "";
   const std::string own_formulation =
       formulation ? materials.sublist(bodies.front()).get<std::string>("Element Formulation") : "";
-  direction.branches.push_back({contact ? own : "elements as given", {}, found.levels});
+  direction.branches.push_back({own, {}, found.levels});
   if (contact)
     for (const std::string& element : elements)
       if (element != own)

@@ -24,7 +24,7 @@ Assignments settings_of(const AdviceDirections& directions, const AdvicePoint& p
 
 std::string description_of(const AdviceDirections& directions, const AdvicePoint& point) {
   std::string text;
-  const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
+  const auto add = [&text](const std::string& more) { text += (text.empty() || more.empty() ? "" : ", ") + more; };
   for (std::size_t d = 0; d < point.size(); ++d) {
     const AdviceDirection& direction = directions.all[d];
     if (!direction.converges && point[d].branch == 0) continue;

@@ -11,7 +11,9 @@
 namespace ixos {
 namespace {
 
-constexpr double grace = 10;  ///< seconds by which a run may exceed the budget that is left
+/// A run may take this much longer than the budget that is left: clocks of a busy machine run faster than its
+/// processors.
+constexpr double grace_factor = 3, grace_seconds = 10;
 
 /// Settings of all runs: nothing but the history is needed.
 const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time Interval=0"};
@@ -32,7 +34,10 @@ StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
 }
 
 void AdviceRuns::run(const std::vector<StudyRun>& runs) {
-  if (budget_ > 0) pool_.limit_time(std::max(0.0, budget_ - spent_) + grace);
+  if (budget_ > 0)
+    pool_.limit_time(grace_factor * std::max(0.0, budget_ - spent_) + grace_seconds);
+  else
+    pool_.limit_time(0);
   const bool complete = pool_.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {
     const StudyResult result = pool_.result(runs[number]);
     spent_ += result.cpu_seconds;

@@ -12,9 +12,10 @@ namespace ixos {
 namespace {
 
 constexpr double times_the_scene = 8;    ///< the budget over the expected cost of the scene, or of the recommended run
-constexpr double least_budget = 20;      ///< seconds; a process takes half of one to start
+constexpr double least_budget = 60;      ///< seconds; a process takes a part of one to start
 constexpr std::size_t coarser_runs = 3;  ///< of each line through the base
 constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
+constexpr double cross_cost = 1.75;      ///< of a new base with the coarser runs around it, over that of the base
 constexpr double worthwhile = 0.5;       ///< cost of a trial over that of the settings that it may improve
 constexpr std::size_t most_rounds = 100;
 
@@ -42,6 +43,7 @@ void AdviceSearch::begin(const Teuchos::ParameterList& control) {
   const double start = control.get<double>("Initial Time"), end = control.get<double>("Final Time");
   for (const AskedQuantity& quantity : question_.quantities) quantity.check_times(start, end);
   const std::size_t scene_level = directions_.all[mesh_direction].scene_level;
+  runs_.set_budget(question_.budget);
   runs_.carry_out({base_});
   while (runs_.samples().back().refused) {
     if (base_[mesh_direction].level == scene_level) throw InputError(runs_.samples().back().reason);
@@ -157,7 +159,7 @@ bool AdviceSearch::move_base(std::size_t d) {
   const AdvicePoint next = moved(d, base_[d].level + 1);
   const AdviceSample* known = runs_.sample(next);
   if (known == nullptr) {
-    if (!runs_.affords(costs().seconds(next))) return false;
+    if (!runs_.affords(cross_cost * costs().seconds(next))) return false;
     runs_.carry_out({next});
     known = runs_.sample(next);
   }
@@ -166,25 +168,34 @@ bool AdviceSearch::move_base(std::size_t d) {
   return true;
 }
 
-/// Moves the base to the next finer level of the direction that limits its accuracy, or else of the other one.
+/// Moves the base to the next finer level of the direction that limits its accuracy, or of the other one if that may
+/// help.
 bool AdviceSearch::move_base() {
   const AdviceErrors known = errors();
-  std::size_t d = known.estimate(base_).worst_direction();
   if (known.tested(mesh_direction, 0) < std::min(least_points, levels(mesh_direction) - coarsest_mesh_))
-    d = mesh_direction;
-  else if (known.tested(time_direction, 0) < std::min(least_points, levels(time_direction)) || d > mesh_direction)
-    d = time_direction;
-  return move_base(d) || move_base(d == time_direction ? mesh_direction : time_direction);
+    return move_base(mesh_direction) || move_base(time_direction);
+  const AdviceEstimate estimate = known.estimate(base_);
+  const std::size_t worst = estimate.worst_direction();
+  const bool lines = known.tested(time_direction, 0) >= std::min(least_points, levels(time_direction));
+  if (!lines || worst > mesh_direction) return move_base(time_direction) || move_base(mesh_direction);
+  if (move_base(worst)) return true;
+  const bool alone = estimate.parts[estimate.worst_quantity()][worst] > question_.tolerance;
+  return !alone && move_base(worst == time_direction ? mesh_direction : time_direction);
 }
 
 /// Refines until settings keep the tolerance.
 AdviceStatus AdviceSearch::refine() {
+  AdvicePoint known = base_;  // the last one whose errors are known
   for (std::size_t round = 0; round < most_rounds; ++round) {
     complete_cross();
-    if (has_lines() && cheapest_within(candidates(directions_, errors(), costs(), 0), question_.tolerance) != nullptr)
-      return AdviceStatus::Advised;
+    if (has_lines()) {
+      known = base_;
+      const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
+      if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
+    }
     if (!move_base()) break;
   }
+  base_ = known;
   return AdviceStatus::Unreachable;
 }
 
