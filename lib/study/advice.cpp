@@ -1,5 +1,7 @@
 #include "study/advice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,7 +26,10 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
   const AdviceCandidate* best =
       advice.status == AdviceStatus::Advised ? cheapest_within(tested, question.tolerance) : most_accurate(tested);
   if (best == nullptr) {
-    advice.problem = "The budget sufficed for no estimate of the errors.";
+    advice.problem = "The runs are too few to estimate errors.";
+    for (const AdviceSample& sample : search.runs().samples())
+      if (!sample.good)
+        advice.problem += fmt::format(" {}: {}.", description_of(advice.directions, sample.point), sample.reason);
     advice.status = AdviceStatus::Unreachable;
     return;
   }

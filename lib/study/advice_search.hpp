@@ -9,8 +9,8 @@
 namespace ixos {
 
 /// Searches the cheapest settings within the tolerance. A base of a step and a mesh moves from coarse to fine, each
-/// time in the direction that limits its accuracy; coarser runs around the base give its error. So most runs cost
-/// little beside the last ones.
+/// time in the direction that limits its accuracy; coarser runs around the base give its error. Most runs therefore
+/// cost little beside the last ones.
 class AdviceSearch {
  public:
   AdviceSearch(const AdviceQuestion& question, const AdviceOptions& options, const AdviceDirections& directions);
