@@ -15,8 +15,11 @@ constexpr double times_the_scene = 8;    ///< the budget over the expected cost 
 constexpr double least_budget = 60;      ///< seconds; a process takes a part of one to start
 constexpr std::size_t coarser_runs = 3;  ///< of each line through the base
 constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
-constexpr double cross_cost = 1.75;      ///< of a new base with the coarser runs around it, over that of the base
-constexpr double worthwhile = 0.5;       ///< cost of a trial over that of the settings that it may improve
+/// Power of the number of cells in the expected cost of the scene: less than that of large runs, because a part of the
+/// cost of the coarsest run does not grow.
+constexpr double budget_power = 0.85;
+constexpr double cross_cost = 1.75;  ///< of a new base with the coarser runs around it, over that of the base
+constexpr double worthwhile = 0.5;   ///< cost of a trial over that of the settings that it may improve
 constexpr std::size_t most_rounds = 100;
 
 }  // namespace
@@ -54,7 +57,7 @@ void AdviceSearch::begin(const Teuchos::ParameterList& control) {
   const double finer = static_cast<double>(scene_level) - static_cast<double>(coarsest_mesh_);
   const double cells = std::pow(2.0, directions_.dimension * finer);
   const double scene = runs_.samples().back().seconds_per_step * (end - start) / control.get<double>("Time Step") *
-                       std::pow(cells, CostModel().dof_power);
+                       std::pow(cells, budget_power);
   const bool given = question_.budget > 0;
   runs_.set_budget(given ? question_.budget : std::max(times_the_scene * scene, least_budget));
   const std::string origin =
