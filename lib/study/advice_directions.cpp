@@ -35,7 +35,7 @@ std::vector<std::string> names_of(const List& lists) {
 Assignments in_all(const std::string& path, const std::vector<std::string>& names, const std::string& setting) {
   Assignments result;
   result.reserve(names.size());
-  for (const std::string& name : names) result.push_back(path + "/" + name + "/" + setting);
+  for (const std::string& name : names) result.push_back(fmt::format("{}/{}/{}", path, name, setting));
   return result;
 }
 

@@ -21,8 +21,8 @@ struct AdviceEstimate {
 
 /// Adds the errors of all directions. Those of step and mesh are measured with everything else at a base; a choice of
 /// the model is measured by any pair of runs that differ in it alone. Runs that differ from the base in several
-/// directions measure the interaction of directions, which the sum leaves out. A point has the interaction of its own
-/// run, or else the smallest one of the coarser runs, or else the largest one of all.
+/// directions measure the interaction of directions, which the sum leaves out. interaction() returns that of the
+/// point's own run, or else the smallest one of the coarser runs, or else the largest one of all.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
