@@ -5,12 +5,11 @@
 
 A case is a scene of xml/ with other gaps, laws, speeds, thicknesses, ramps and materials, or a small body in three
 dimensions, with one quantity and one tolerance. The seed should be the hash of the commit that ended all tuning. For
-each case the script asks ixos-study --advise, then runs the advised scene and a much finer one: half the step and the
-next finer mesh of the finest run of the advice, or of the advised scene if that is finer. It counts a case as kept if
-the advised scene's distance from the finer one is at most the tolerance. The cost of the cheapest setting of a full
-grid is that of the cheapest run of the advice, and of its neighbours in step and mesh, whose distance from the finer
-run, and that of all finer steps on its mesh, is at most the tolerance. Results are kept in OUTPUT/cases.json: the same
-command resumes.
+each case the script asks ixos-study --advise, then runs the advised scene, and the scene with a quarter of the advised
+step and a quarter of the advised cell length. It counts a case as kept if the two differ by at most the tolerance. It
+compares the cost of the advised scene with that of the cheapest run of the advice within the tolerance, which stands for
+the cheapest setting of a full grid; such a run may be accurate by coincidence. Results are kept in OUTPUT/cases.json:
+the same command resumes.
 """
 import argparse
 import csv
