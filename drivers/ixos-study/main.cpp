@@ -1,5 +1,5 @@
 // ixos-study: runs a scene with many settings and says what accuracy costs. Exit status: 0 done; 1 a defect of ours;
-// 2 bad input; 3 the reference failed; 4 input or output failed; 5 interrupted.
+// 2 bad input; 3 the reference failed, or there is no advice; 4 input or output failed; 5 interrupted.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,10 @@
 #include "completion.hpp"
 #include "console.hpp"
 #include "help.hpp"
+#include "ixos-study/advise.hpp"
+#include "parameters/assignments.hpp"
 #include "scene/documentation.hpp"
+#include "scene/parameters.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 #include "study/child_process.hpp"
@@ -29,6 +32,7 @@ namespace {
 
 struct Arguments {
   std::string study;
+  ixos::AdviceArguments advice;
   std::string output;
   bool overwrite = false;
   bool list = false;
@@ -41,9 +45,10 @@ struct Arguments {
 const char* const examples =
     "  ixos-study xml/ball-study.xml              run the study; results go to ball-study.results\n"
     "  ixos-study xml/ball-study.xml --list       list its runs, but do not run them\n"
-    "  ixos-study --parameters                    list the parameters of a study\n";
+    "  ixos-study --parameters                    list the parameters of a study\n"
+    "  ixos-study --advise xml/strip.xml --quantity \"peak reaction_right_y\" --tolerance 1%  recommend settings\n";
 const char* const remark =
-    "To resume an interrupted study, run the same command again; finished runs are not repeated.\n";
+    "To resume an interrupted study or advice, run the same command again; finished runs are not repeated.\n";
 
 std::string how_to_begin() {
   return std::string(
@@ -89,6 +94,9 @@ int make_report(const std::string& folder, bool quiet) {
 }
 
 int run(const Arguments& arguments) {
+  if (!arguments.advice.scene.empty())
+    return ixos::advise(arguments.advice, arguments.output, (own_folder() / "ixos").string(), arguments.overwrite,
+                        arguments.quiet);
   const ixos::Study study = ixos::read_study(arguments.study);
   if (arguments.list) {
     for (const ixos::StudyRun& run : study.runs)
@@ -125,13 +133,12 @@ int run(const Arguments& arguments) {
 }
 
 int guarded(const Arguments& arguments) {
+  const std::string& file = arguments.advice.scene.empty() ? arguments.study : arguments.advice.scene;
   try {
     return run(arguments);
   } catch (const ixos::InputError& error) {
     const std::string what = error.what();
-    ixos::console::complain(
-        "ixos-study: {}\n",
-        ixos::printable(what.rfind(arguments.study, 0) == 0 ? what : arguments.study + ": " + what));
+    ixos::console::complain("ixos-study: {}\n", ixos::printable(what.rfind(file, 0) == 0 ? what : file + ": " + what));
     return 2;
   } catch (const ixos::FileError& error) {
     ixos::console::complain("ixos-study: {}\n", ixos::printable(error.what()));
@@ -147,12 +154,14 @@ int guarded(const Arguments& arguments) {
 
 void declare(CLI::App& app, Arguments& arguments) {
   ixos::set_help(app, examples, remark);
-  app.add_option("STUDY", arguments.study, "study file (XML)")->type_name("FILE");
+  CLI::Option* study = app.add_option("STUDY", arguments.study, "study file (XML)")->type_name("FILE");
   app.add_option("--output", arguments.output,
                  "results folder (default: the name of STUDY with .results instead of .xml)")
       ->type_name("FOLDER");
   app.add_flag("--overwrite", arguments.overwrite, "replace the results of another study in the results folder");
   app.add_flag("--list", arguments.list, "print the runs and their settings without running them");
+  ixos::declare_advice(app, arguments.advice);
+  app.get_option("--advise")->excludes(study);
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a study, as Markdown");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos-study in bash");
   app.add_flag("--version", arguments.version, "print the version");
@@ -172,14 +181,14 @@ int answer(int argc, char** argv) {
     ixos::console::complain("ixos-study: {} (ixos-study --help lists the options)\n", error.what());
     return 2;
   }
-  if (!arguments.study.empty()) return guarded(arguments);
+  if (!arguments.study.empty() || !arguments.advice.scene.empty()) return guarded(arguments);
   if (arguments.version)
     ixos::console::say("ixos-study {}\n", IXOS_VERSION);
   else if (arguments.parameters)
     ixos::console::say("{}", ixos::parameter_documentation(ixos::study_parameters(), "Parameters of a study",
                                                            "ixos-study --parameters"));
   else if (arguments.completion)
-    ixos::console::print(ixos::bash_completion(app, {}, {}));
+    ixos::console::print(ixos::bash_completion(app, {}, ixos::assignments(ixos::scene_parameters())));
   else
     ixos::console::print(how_to_begin());
   return 0;

@@ -4,17 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "io/disk_file.hpp"
-#include "parameters/validation.hpp"
-#include "scene/scene_file.hpp"
-#include "study/history_table.hpp"
-#include "time/catalogue.hpp"
+#include "study/run_history.hpp"
 
 namespace ixos {
 namespace {
@@ -31,28 +25,8 @@ const std::vector<std::string> energy_columns{"kinetic_energy", "elastic_energy"
 
 /// A results folder, as far as errors need it.
 struct StudyReference::Results {
-  explicit Results(const std::string& folder) : history(folder + "/history.csv") {
-    const std::string path = folder + "/effective.xml";
-    const Teuchos::ParameterList scene = read_scene_file(path);
-    try {
-      const Teuchos::ParameterList& integrator = scene.sublist("Time Integrator");
-      const Scheme& chosen = scheme(integrator.get<std::string>("Type"));
-      // Parameters that an older version did not know take their defaults.
-      const Teuchos::ParameterList given =
-          integrator.isSublist(chosen.name) ? integrator.sublist(chosen.name) : Teuchos::ParameterList();
-      step_means = chosen.table(validated(given, chosen.parameters)).closing == Closing::Collocate;
-    } catch (const std::exception& error) {  // of Teuchos, of the validation, of the table
-      throw InputError(path + ": Time Integrator: " + last_paragraph(error.what()));
-    }
-  }
-  /// Returns the times to which a column's values belong.
-  std::vector<double> times(const std::string& column) const {
-    std::vector<double> result = history.column("time");
-    if (!step_means || column.rfind("reaction_", 0) != 0) return result;
-    const std::vector<double>& step = history.column("time_step");
-    for (std::size_t i = 1; i < result.size(); ++i) result[i] -= step[i] / 2;
-    return result;
-  }
+  explicit Results(const std::string& folder) : source(folder), history(source.table()) {}
+  std::vector<double> times(const std::string& column) const { return source.times(column); }
   bool filled(const std::string& name) const {
     return history.has(name) && history.rows() > 0 && !std::isnan(history.column(name).back());
   }
@@ -94,8 +68,8 @@ struct StudyReference::Results {
     return result;
   }
 
-  HistoryTable history;
-  bool step_means;
+  RunHistory source;
+  const HistoryTable& history;
 };
 
 namespace {
@@ -112,15 +86,6 @@ std::vector<std::string> probe_displacements(const HistoryTable& history) {
 }
 
 double relative_difference(double value, double expected) { return std::abs(value - expected) / std::abs(expected); }
-
-double energy_error(const std::string& folder) {
-  std::ifstream file = open_text(folder + "/summary.json");
-  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  if (!summary.is_object() || !summary.contains("max_energy_error"))
-    throw FileError(folder + "/summary.json: cannot be read");
-  const auto& error = summary["max_energy_error"];
-  return error.is_number() ? error.get<double>() : nothing;
-}
 
 }  // namespace
 
@@ -216,7 +181,7 @@ StudyErrors StudyReference::errors(const std::string& folder) const {
     return relative_distance(run, named.empty() ? reference_->filled(run.filled(usual)) : named);
   };
   StudyErrors errors;
-  if (options_.energy_scale > 0) errors.energy = energy_error(folder) / options_.energy_scale;
+  if (options_.energy_scale > 0) errors.energy = run.source.energy_error() / options_.energy_scale;
   errors.momentum = either({}, momentum_columns);
   errors.force = either(options_.force, force_columns);
   errors.position = either(options_.position, probe_displacements(run.history));

@@ -203,7 +203,7 @@ Study read(const std::string& path) {
   return study;
 }
 
-List changed_scene(List scene, const Assignments& settings) {
+List with_settings(List scene, const Assignments& settings) {
   for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
   return complete_scene(scene);
 }
@@ -220,7 +220,15 @@ ReferenceCheck twice_the_step(const List& reference) {
 }  // namespace
 
 std::string scene_text(const Study& study, const Assignments& settings) {
-  return scene_text(changed_scene(read_scene_file(study.scene), settings));
+  return changed_scene_text(study.scene, settings);
+}
+
+List changed_scene(const std::string& path, const Assignments& settings) {
+  return with_settings(read_scene_file(path), settings);
+}
+
+std::string changed_scene_text(const std::string& path, const Assignments& settings) {
+  return scene_text(changed_scene(path, settings));
 }
 
 Study read_study(const std::string& path) {
@@ -235,7 +243,7 @@ Study read_study(const std::string& path) {
   }
   const auto check = [&](const std::string& run, const Assignments& settings) {
     try {
-      return changed_scene(scene, settings);
+      return with_settings(scene, settings);
     } catch (const InputError& error) {
       throw InputError(path + ": run " + run + ": " + error.what());
     }

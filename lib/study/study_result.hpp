@@ -16,8 +16,10 @@ struct StudyResult {
   double wall_seconds = 0;  ///< of the time loop
   double cpu_seconds = 0;   ///< of the process
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0;
+  long dofs = 0;  ///< 0 if unknown
   double peak_memory_bytes = 0;
   double end_time = 0;
+  bool refused = false;  ///< whether ixos took the scene for bad input
 
   bool reached_its_end() const { return status == "completed" || status == "stopped"; }
   /// Returns the value of a column by its name. Throws std::invalid_argument for any other name.

@@ -88,6 +88,19 @@ TEST(RecommendationTest, AnErrorCountsAsThatOfTheFinerRuns) {
   EXPECT_EQ(recommend(study, results, {}).run->run.name, "0.4") << "the errors of 0.4 and 0.2 count as equal";
 }
 
+TEST(RecommendationTest, TheBallsLuckyCrossingIsNotRecommended) {
+  // Generalized-Alpha on the ball: 0.052 with a step of 0.005 T0, but 0.26 with 0.001.
+  Study study = study_of_steps(0.1);
+  study.axes[1].values = {{"0.005", {}}, {"0.002", {}}, {"0.001", {}}};
+  const std::vector<StudyResult> results{outcome({"G", "0.005"}, 1, 0.052), outcome({"G", "0.002"}, 2, 0.4),
+                                         outcome({"G", "0.001"}, 4, 0.26), outcome({"B", "0.001"}, 9, 0.03)};
+  const Recommendation answer = recommend(study, results, {});
+  ASSERT_NE(answer.run, nullptr);
+  EXPECT_EQ(answer.run->run.labels.front(), "B");
+  EXPECT_TRUE(has(answer.sentence, "Scheme G, Time Step 0.005 is not recommended: its error of 0.052 is a coincidence"))
+      << answer.sentence;
+}
+
 TEST(RecommendationTest, LabelsThatAreNoNumbersHaveNoFinerOnes) {
   const std::vector<StudyResult> results{outcome({"N", "0.4"}, 1, 0.01), outcome({"B", "0.4"}, 3, 0.04)};
   Study study = study_of_steps(0.02);

@@ -1,0 +1,104 @@
+#include "study/advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/printable.hpp"
+#include "study/advice_search.hpp"
+#include "study/results_folder.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr std::array<double, 5> other_tolerances{10, 3, 1, 1.0 / 3, 0.1};
+constexpr std::size_t extrapolated_levels = 3;
+
+/// Fills in the answer, and what the runs tell beside it.
+void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advice) {
+  const AdviceErrors known = search.errors();
+  const AdviceCosts cost = search.costs();
+  const std::vector<AdviceCandidate> tested = candidates(advice.directions, known, cost, 0);
+  const AdviceCandidate* best =
+      advice.status == AdviceStatus::Advised ? cheapest_within(tested, question.tolerance) : most_accurate(tested);
+  if (best == nullptr) {
+    advice.problem = "The runs are too few to estimate errors.";
+    for (const AdviceSample& sample : search.runs().samples())
+      if (!sample.good)
+        advice.problem += fmt::format(" {}: {}.", description_of(advice.directions, sample.point), sample.reason);
+    advice.status = AdviceStatus::Unreachable;
+    return;
+  }
+  advice.best = *best;
+  const AdviceSample* sample = search.runs().sample(best->point);
+  advice.confirmed = sample != nullptr && sample->good;
+  advice.trades = best_trades(tested);
+  const std::vector<AdviceCandidate> further = candidates(advice.directions, known, cost, extrapolated_levels);
+  for (double factor : other_tolerances) {
+    const AdviceCandidate* found = cheapest_within(further, factor * question.tolerance);
+    advice.other_tolerances.emplace_back(factor * question.tolerance, found == nullptr ? AdviceCandidate() : *found);
+  }
+  for (std::size_t q = 0; q < question.quantities.size(); ++q) {
+    advice.exact.push_back(known.exact(q));
+    advice.interaction = std::max(advice.interaction, known.interaction(best->point, q));
+  }
+  for (std::size_t d = 0; d < advice.directions.all.size(); ++d) {
+    std::vector<std::string>& reasons = advice.reasons.emplace_back();
+    for (std::size_t q = 0; q < question.quantities.size(); ++q) reasons.push_back(known.reason(d, q));
+  }
+}
+
+/// Runs half the step on the next finer mesh, whatever it costs, and compares.
+void verify(const AdviceQuestion& question, AdviceRuns& runs, Advice& advice) {
+  AdvicePoint finer = advice.best.point;
+  for (std::size_t d : {time_direction, mesh_direction})
+    finer[d].level = std::min(finer[d].level + 1, branch_at(advice.directions, finer, d).levels.size() - 1);
+  const double budget = runs.budget();
+  runs.set_budget(0);
+  runs.carry_out({advice.best.point, finer});
+  runs.set_budget(budget);
+  const AdviceSample *coarse = runs.sample(advice.best.point), *fine = runs.sample(finer);
+  if (!coarse->good || !fine->good) return;
+  advice.verified = 0;
+  for (std::size_t q = 0; q < coarse->values.size(); ++q) {
+    const double scale = question.quantities[q].is_error() ? 1 : std::abs(fine->values[q]);
+    advice.verified = std::max(advice.verified, std::abs(fine->values[q] - coarse->values[q]) / scale);
+  }
+}
+
+}  // namespace
+
+Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
+  if (question.quantities.empty())
+    throw InputError("an advice needs a quantity: --quantity \"FORM\". Forms are:\n" + quantity_forms());
+  const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);
+  std::error_code code;
+  std::filesystem::create_directories(options.folder, code);
+  if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
+  const std::string path = std::filesystem::absolute(question.scene).lexically_normal().string();
+  const ResultsFolder held(options.folder, printable("the advice on " + path), options.overwrite);
+  Advice advice;
+  advice.directions = advice_directions(scene);
+  AdviceSearch search(question, options, advice.directions);
+  try {
+    search.begin(scene.sublist("Time Integrator").sublist("Time Step Control"));
+    advice.status = search.find();
+    advice.problem = search.problem();
+    advice.sensitivities = search.sensitivities();
+    const bool has_errors = advice.status == AdviceStatus::Advised || advice.status == AdviceStatus::Unreachable;
+    if (has_errors) conclude(question, search, advice);
+    if (advice.status == AdviceStatus::Advised && question.verify) verify(question, search.runs(), advice);
+  } catch (const AdviceRuns::Interrupted&) {
+    advice.status = AdviceStatus::Interrupted;
+  }
+  advice.samples = search.runs().samples();
+  advice.spent = search.runs().spent();
+  advice.budget = search.runs().budget();
+  return advice;
+}
+
+}  // namespace ixos

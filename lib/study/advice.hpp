@@ -1,0 +1,61 @@
+/// Advice on the settings of a scene: the cheapest ones that keep a tolerance.
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "study/advice_plan.hpp"
+#include "study/asked_quantity.hpp"
+#include "study/sensitivity.hpp"
+
+namespace ixos {
+
+struct AdviceQuestion {
+  std::string scene;   ///< path of the scene's file
+  Assignments common;  ///< changes of the scene that hold for all runs
+  std::vector<AskedQuantity> quantities;
+  double tolerance = 0.01;  ///< relative error of each quantity
+  double budget = 0;        ///< seconds of processor time; 0: eight times the expected cost of the scene as it is
+  bool verify = false;      ///< whether to compare the recommended settings with finer ones
+};
+
+struct AdviceOptions {
+  std::string folder;  ///< results go here: runs/<name>/ for each run. Created if missing
+  std::string driver;  ///< path of the program ixos
+  std::string version;
+  int jobs = 1;                                  ///< runs at a time
+  bool overwrite = false;                        ///< replaces the results of another advice or study
+  std::function<void(const std::string&)> tell;  ///< called with one line for the budget and for each run; may be empty
+  std::function<bool()> interrupted;             ///< called between polls; may be empty
+};
+
+/// Chaotic: a quantity depends on perturbations of 1e-10. Unreachable: no settings keep the tolerance that the budget
+/// could find. NoRun: no run reached its end.
+enum class AdviceStatus { Advised, Chaotic, Unreachable, NoRun, Interrupted };
+
+struct Advice {
+  AdviceStatus status = AdviceStatus::Interrupted;
+  AdviceDirections directions;
+  std::vector<AdviceSample> samples;
+  std::vector<Sensitivity> sensitivities;         ///< by quantity; empty if they were not measured
+  std::vector<double> exact;                      ///< by quantity: its estimated exact value
+  std::vector<std::vector<std::string>> reasons;  ///< by direction and quantity: how the errors are known
+  /// The recommended settings; if there are none, those of the smallest error, or without a point if none is known.
+  AdviceCandidate best;
+  bool confirmed = false;               ///< whether the recommended settings were run
+  double interaction = 0;               ///< the largest difference of runs from the sum of the directions, relative
+  std::vector<AdviceCandidate> trades;  ///< of tested settings: none is better in both cost and error
+  /// By tolerance, from ten times the asked one to a tenth: the cheapest settings to expect; without a point if none.
+  std::vector<std::pair<double, AdviceCandidate>> other_tolerances;
+  double verified = -1;          ///< largest relative change of a quantity in a finer run; negative if there was none
+  double budget = 0, spent = 0;  ///< seconds of processor time
+  std::string problem;           ///< why there is no recommendation; a sentence
+};
+
+/// Runs the scene with coarse settings first, estimates the errors of time step and mesh from the sequences of runs,
+/// then tries other schemes, elements and models as long as their runs cost little beside what they may save. A run is
+/// done when its record stands in its folder; the same advice reuses it. Throws InputError for a scene or quantity that
+/// is no good, and FileError.
+Advice advise(const AdviceQuestion& question, const AdviceOptions& options);
+
+}  // namespace ixos

@@ -1,0 +1,33 @@
+/// The cost to expect of settings.
+#pragma once
+#include <vector>
+
+#include "study/advice_point.hpp"
+#include "study/cost_model.hpp"
+
+namespace ixos {
+
+/// Costs of points from those of the runs: steps and degrees of freedom by the model that is fitted to the runs, and a
+/// factor for each branch that is not the scene's own.
+class AdviceCosts {
+ public:
+  AdviceCosts(const AdviceDirections& directions, const std::vector<AdviceSample>& samples);
+
+  /// Returns seconds of processor time: those of the run if there was one.
+  double seconds(const AdvicePoint& point) const;
+
+  const CostModel& model() const { return model_; }
+
+ private:
+  double steps(const AdvicePoint& point) const;
+  double dofs(const AdvicePoint& point) const;
+  /// Returns the sample whose level in a direction is the nearest to the point's, of the same branch if there is one.
+  const AdviceSample* nearest(const AdvicePoint& point, std::size_t d) const;
+
+  const AdviceDirections& directions_;
+  std::vector<AdviceSample> samples_;
+  CostModel model_;
+  std::vector<std::vector<double>> factors_;  ///< by direction and branch
+};
+
+}  // namespace ixos

@@ -1,0 +1,81 @@
+/// The errors to expect of settings, from runs that differ from a base in one direction.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/advice_point.hpp"
+#include "study/sequence_error.hpp"
+
+namespace ixos {
+
+/// The error to expect of a point, relative to the exact value of each quantity.
+struct AdviceEstimate {
+  std::vector<double> errors;              ///< by quantity; infinite if unknown
+  std::vector<std::vector<double>> parts;  ///< by quantity and direction
+  std::size_t beyond = 0;                  ///< levels that the point is finer than the finest one tested, at most
+
+  double largest() const;  ///< of the errors
+  std::size_t worst_quantity() const;
+  std::size_t worst_direction() const;  ///< of the worst quantity
+};
+
+/// Adds the errors of all directions. Those of step and mesh are measured with everything else at a base; a choice of
+/// the model is measured by any pair of runs that differ in it alone. Runs that differ from the base in several
+/// directions measure the interaction of directions, which the sum leaves out. interaction() returns that of the
+/// point's own run, or else the smallest one of the coarser runs, or else the largest one of all.
+class AdviceErrors {
+ public:
+  /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
+  /// that a perturbation of 1e-10 causes; it counts in every error.
+  AdviceErrors(const AdviceDirections& directions, AdvicePoint base, const std::vector<AdviceSample>& samples,
+               std::vector<bool> is_error, std::vector<double> noise);
+
+  /// Returns infinite errors for a point whose run did not reach its end.
+  AdviceEstimate estimate(const AdvicePoint& point) const;
+
+  /// Returns the estimated exact value of a quantity.
+  double exact(std::size_t quantity) const { return exact_[quantity]; }
+
+  /// Returns how much a run at a point differs from the sum of the directions, relative to the exact value.
+  double interaction(const AdvicePoint& point, std::size_t quantity) const;
+
+  /// Returns what the sequence of a direction tells of a quantity, as "asymptotic, of order 2".
+  std::string reason(std::size_t direction, std::size_t quantity) const;
+
+  /// Returns the number of good runs on a line, and the finest level among them.
+  std::size_t tested(std::size_t direction, std::size_t branch) const;
+  std::size_t finest(std::size_t direction, std::size_t branch) const;
+
+  /// Returns the largest relative error, over the quantities, of the finest run on a line; infinite without one.
+  double finest_error(std::size_t direction, std::size_t branch) const;
+
+ private:
+  /// The runs of a branch, by quantity.
+  struct Line {
+    std::vector<std::size_t> levels;
+    std::vector<std::vector<SequencePoint>> points;
+    std::vector<SequenceErrors> errors;
+  };
+  /// A run off the lines: its differences from the sum of the directions, by quantity.
+  struct Defect {
+    AdvicePoint point;
+    std::vector<double> relative;
+  };
+  Line line(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
+  Line pairs(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
+  void judge(std::size_t d, std::size_t q);
+  void judge_branch(std::size_t d, std::size_t b, std::size_t q);
+  double part(std::size_t d, std::size_t q, const AdvicePlace& place) const;
+  double scale(std::size_t q) const;
+  void measure_interaction(const std::vector<AdviceSample>& samples);
+
+  const AdviceDirections& directions_;
+  AdvicePoint base_;
+  std::vector<bool> is_error_;
+  std::vector<double> noise_, base_values_, exact_;
+  std::vector<std::vector<Line>> lines_;
+  std::vector<Defect> defects_;
+  std::vector<AdvicePoint> failed_;  ///< points of runs that did not reach their end
+};
+
+}  // namespace ixos

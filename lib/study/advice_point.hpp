@@ -1,0 +1,55 @@
+/// Settings that an advice considers, and what their runs gave.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "study/advice_directions.hpp"
+
+namespace ixos {
+
+/// A place in a direction.
+struct AdvicePlace {
+  std::size_t branch = 0, level = 0;
+  bool operator==(const AdvicePlace& other) const { return branch == other.branch && level == other.level; }
+};
+
+/// A complete choice of settings: a place in each direction.
+using AdvicePoint = std::vector<AdvicePlace>;
+
+/// A run that an advice carried out.
+struct AdviceSample {
+  AdvicePoint point;
+  bool good = false;            ///< whether it reached its end and has all quantities
+  std::string reason;           ///< why not
+  std::vector<double> values;   ///< of the quantities, in their order
+  bool refused = false;         ///< whether ixos took the scene for bad input
+  double seconds = 0;           ///< of processor time
+  double seconds_per_step = 0;  ///< of wall-clock time, without what a run does before its first step
+  double steps = 0, dofs = 0;
+};
+
+inline const AdviceBranch& branch_at(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {
+  return directions.all[d].branches[point[d].branch];
+}
+inline const AdviceLevel& level_at(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {
+  return branch_at(directions, point, d).levels[point[d].level];
+}
+
+/// Returns the point of the scene as it is.
+AdvicePoint scene_point(const AdviceDirections& directions);
+
+/// Returns the settings of a point, without those that the scene has already.
+Assignments settings_of(const AdviceDirections& directions, const AdvicePoint& point);
+
+/// Returns the point as "Newmark, time step 0.4, Q1C4, mesh 160 x 8"; choices that are the scene's own are left out,
+/// but for scheme, step, element and mesh.
+std::string description_of(const AdviceDirections& directions, const AdvicePoint& point);
+
+/// Returns a name for the folder of the point's run, of plain letters, digits, dots and dashes. Points have different
+/// names.
+std::string name_of(const AdviceDirections& directions, const AdvicePoint& point);
+
+/// Returns in how many directions two points differ.
+std::size_t distance(const AdvicePoint& a, const AdvicePoint& b);
+
+}  // namespace ixos

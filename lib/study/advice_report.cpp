@@ -1,0 +1,187 @@
+#include "study/advice_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "io/disk_file.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "scene/parameters.hpp"
+#include "scene/scene_file.hpp"
+
+namespace ixos {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using List = Teuchos::ParameterList;
+
+std::string percent(double part) { return std::isfinite(part) ? fmt::format("{:.2g} %", 100 * part) : "unknown"; }
+
+const char* word(AdviceStatus status) {
+  switch (status) {
+    case AdviceStatus::Advised:
+      return "advised";
+    case AdviceStatus::Chaotic:
+      return "chaotic";
+    case AdviceStatus::Unreachable:
+      return "unreachable";
+    case AdviceStatus::NoRun:
+      return "no run";
+    default:
+      return "interrupted";
+  }
+}
+
+/// Returns the direction that contributes most to the error of the best settings.
+const AdviceDirection& limiting(const Advice& advice) {
+  return advice.directions.all[advice.best.estimate.worst_direction()];
+}
+
+/// Returns the lines on each quantity's error and its parts.
+std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
+  std::string text;
+  for (std::size_t q = 0; q < question.quantities.size(); ++q) {
+    const AdvicePoint& point = advice.best.point;
+    text += fmt::format("  {}: about {:.6g}, error at most {}\n", question.quantities[q].text(), advice.exact[q],
+                        percent(advice.best.estimate.errors[q]));
+    for (std::size_t d = 0; d < point.size(); ++d) {
+      const double part = advice.best.estimate.parts[q][d];
+      if (advice.directions.all[d].converges || part > 0)
+        text += fmt::format("    {}: {} ({})\n", advice.directions.all[d].name, percent(part), advice.reasons[d][q]);
+    }
+  }
+  if (advice.interaction > 0)
+    text += fmt::format("  Runs that combine changes differ from the sum of the changes by at most {}.\n",
+                        percent(advice.interaction));
+  for (std::size_t q = 0; q < advice.sensitivities.size(); ++q)
+    if (advice.sensitivities[q].kind == Predictability::Sensitive)
+      text += fmt::format("  {} is sensitive: a change of the density by 1e-10 changes it by {}.\n",
+                          question.quantities[q].text(), percent(advice.sensitivities[q].change));
+  if (!advice.directions.mesh_note.empty())
+    text += fmt::format("  The error of the mesh is not contained: {}.\n", advice.directions.mesh_note);
+  return text;
+}
+
+std::string tolerance_lines(const Advice& advice) {
+  std::string text = "Costs of other tolerances:\n";
+  for (const auto& [tolerance, candidate] : advice.other_tolerances) {
+    text += fmt::format("  {:>8}  ", percent(tolerance));
+    if (candidate.point.empty())
+      text += "no settings that the runs tell of\n";
+    else
+      text += fmt::format("{:.2g} s  {}{}\n", candidate.seconds, description_of(advice.directions, candidate.point),
+                          candidate.estimate.beyond > 0 ? " (extrapolated)" : "");
+  }
+  return text;
+}
+
+Json json_of(const Advice& advice, const AdviceCandidate& candidate) {
+  if (candidate.point.empty()) return nullptr;
+  return {{"settings", settings_of(advice.directions, candidate.point)},
+          {"description", description_of(advice.directions, candidate.point)},
+          {"error", candidate.error},
+          {"seconds", candidate.seconds},
+          {"extrapolated", candidate.estimate.beyond > 0}};
+}
+
+/// Makes the paths of files beside the scene absolute, so that the scene may stand elsewhere.
+void make_paths_absolute(List& list, const std::filesystem::path& folder) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const auto& [name, entry] : entries(list)) {
+    if (entry.isList())
+      make_paths_absolute(list.sublist(name), folder);
+    else if (name == "File" && entry.isType<std::string>())
+      found.emplace_back(name, list.get<std::string>(name));
+  }
+  for (const auto& [name, value] : found) {
+    const std::filesystem::path beside = folder / value;
+    if (!value.empty() && std::filesystem::exists(beside))
+      list.set(name, std::filesystem::absolute(beside).lexically_normal().string());
+  }
+}
+
+void write_scene(const AdviceQuestion& question, const Advice& advice, const std::string& path) {
+  List scene = read_scene_file(question.scene);
+  for (const Assignments& settings : {question.common, settings_of(advice.directions, advice.best.point)})
+    for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
+  make_paths_absolute(scene, std::filesystem::path(question.scene).parent_path());
+  write_scene_file(scene, path);
+}
+
+}  // namespace
+
+std::string advice_text(const AdviceQuestion& question, const Advice& advice) {
+  std::string text;
+  const bool known = !advice.best.point.empty();
+  const std::string best = known ? description_of(advice.directions, advice.best.point) : "";
+  if (advice.status == AdviceStatus::Advised) {
+    text =
+        fmt::format("Recommended within the tolerance {}: {}, {} {:.2g} s\n", percent(question.tolerance), best,
+                    advice.confirmed ? "which took" : "which was not run and should take about", advice.best.seconds);
+  } else if (advice.status == AdviceStatus::Unreachable && known) {
+    text = fmt::format(
+        "No settings were found within the tolerance {}. The smallest error seen is {}, limited by the {}: {}, {:.2g} "
+        "s\n",
+        percent(question.tolerance), percent(advice.best.error), limiting(advice).name, best, advice.best.seconds);
+  }
+  if (!advice.problem.empty()) text += advice.problem + "\n";
+  if (known) {
+    text += error_lines(question, advice);
+    if (advice.status == AdviceStatus::Advised)
+      text += fmt::format("The accuracy is limited by the {}.\n", limiting(advice).name);
+    if (advice.verified >= 0)
+      text += fmt::format("Verified: half the step on the next finer mesh changes the quantities by at most {}.\n",
+                          percent(advice.verified));
+    text += tolerance_lines(advice);
+  }
+  return text + fmt::format("The advice took {:.3g} s of processor time, of a budget of {:.3g} s.\n", advice.spent,
+                            advice.budget);
+}
+
+void write_advice(const AdviceQuestion& question, const Advice& advice, const std::string& folder,
+                  const std::string& command, const std::string& version) {
+  Json json = {{"scene", question.scene}, {"command", command}, {"version", version}, {"status", word(advice.status)}};
+  json["tolerance"] = question.tolerance;
+  json["budget_seconds"] = advice.budget;
+  json["spent_seconds"] = advice.spent;
+  json["problem"] = advice.problem;
+  json["recommended"] = advice.status == AdviceStatus::Advised ? json_of(advice, advice.best) : Json(nullptr);
+  json["most_accurate"] = advice.status == AdviceStatus::Unreachable ? json_of(advice, advice.best) : Json(nullptr);
+  json["confirmed"] = advice.confirmed;
+  json["verified_change"] = advice.verified >= 0 ? Json(advice.verified) : Json(nullptr);
+  json["quantities"] = Json::array();
+  for (std::size_t q = 0; q < question.quantities.size(); ++q) {
+    Json one = {{"name", question.quantities[q].text()}};
+    if (q < advice.exact.size()) one["estimate"] = advice.exact[q];
+    if (q < advice.sensitivities.size()) one["change_by_perturbation"] = advice.sensitivities[q].change;
+    if (!advice.best.point.empty()) {
+      one["error"] = advice.best.estimate.errors[q];
+      for (std::size_t d = 0; d < advice.directions.all.size(); ++d)
+        one["parts"][advice.directions.all[d].name] = {{"error", advice.best.estimate.parts[q][d]},
+                                                       {"reason", advice.reasons[d][q]}};
+    }
+    json["quantities"].push_back(one);
+  }
+  json["pareto"] = Json::array();
+  for (const AdviceCandidate& each : advice.trades) json["pareto"].push_back(json_of(advice, each));
+  json["other_tolerances"] = Json::array();
+  for (const auto& [tolerance, candidate] : advice.other_tolerances)
+    json["other_tolerances"].push_back({{"tolerance", tolerance}, {"settings", json_of(advice, candidate)}});
+  json["runs"] = Json::array();
+  for (const AdviceSample& sample : advice.samples)
+    json["runs"].push_back({{"name", name_of(advice.directions, sample.point)},
+                            {"good", sample.good},
+                            {"reason", sample.reason},
+                            {"values", sample.values},
+                            {"seconds", sample.seconds}});
+  if (advice.status == AdviceStatus::Advised)
+    write_scene(question, advice, folder + "/advised.xml");
+  else
+    std::filesystem::remove(folder + "/advised.xml");
+  write_whole_file(folder + "/advice.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace ixos

@@ -1,0 +1,107 @@
+#include "study/advice_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "study/history_table.hpp"
+
+namespace ixos {
+namespace {
+
+/// A run may take this much longer than the budget that is left: clocks of a busy machine run faster than its
+/// processors.
+constexpr double grace_factor = 3, grace_seconds = 10;
+
+/// Settings of all runs: nothing but the history is needed.
+const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time Interval=0"};
+
+}  // namespace
+
+AdviceRuns::AdviceRuns(const AdviceQuestion& question, const AdviceOptions& options, const AdviceDirections& directions)
+    : question_(question),
+      options_(options),
+      directions_(directions),
+      pool_({options.folder + "/runs", question.scene, options.driver, options.version, 0, options.interrupted}) {}
+
+StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
+  StudyRun run{name_of(directions_, point), {description_of(directions_, point)}, question_.common};
+  for (const Assignments& more : {without_fields, settings_of(directions_, point)})
+    run.settings.insert(run.settings.end(), more.begin(), more.end());
+  return run;
+}
+
+void AdviceRuns::run(const std::vector<StudyRun>& runs) {
+  if (budget_ > 0)
+    pool_.limit_time(grace_factor * std::max(0.0, budget_ - spent_) + grace_seconds);
+  else
+    pool_.limit_time(0);
+  const bool complete = pool_.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {
+    const StudyResult result = pool_.result(runs[number]);
+    spent_ += result.cpu_seconds;
+    if (options_.tell)
+      options_.tell(fmt::format("{}: {}, {:.3g} s{}", runs[number].labels.front(),
+                                result.status + (result.reason.empty() ? "" : ": " + result.reason), result.cpu_seconds,
+                                reused ? " (reused)" : ""));
+  });
+  if (!complete) throw Interrupted();
+}
+
+void AdviceRuns::check_columns(const AdvicePoint& point) const {
+  const HistoryTable table(pool_.folder(run_of(point)) + "/history.csv");
+  for (const AskedQuantity& quantity : question_.quantities) quantity.check_columns(table.names());
+}
+
+void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
+  std::vector<AdvicePoint> missing;
+  std::vector<StudyRun> runs;
+  for (const AdvicePoint& point : points) {
+    if (sample(point) != nullptr || std::find(missing.begin(), missing.end(), point) != missing.end()) continue;
+    missing.push_back(point);
+    runs.push_back(run_of(point));
+  }
+  run(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) samples_.push_back(sample_of(missing[i], runs[i]));
+}
+
+AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run) const {
+  const StudyResult result = pool_.result(run);
+  AdviceSample sample;
+  sample.point = point;
+  sample.reason = result.reason;
+  sample.refused = result.refused;
+  sample.seconds = result.cpu_seconds;
+  sample.seconds_per_step = result.wall_seconds / static_cast<double>(std::max(1L, result.steps));
+  sample.dofs = static_cast<double>(result.dofs);
+  sample.steps = static_cast<double>(result.steps + result.rejected_steps);
+  if (!result.reached_its_end()) return sample;
+  try {
+    const RunHistory history(pool_.folder(run));
+    for (const AskedQuantity& quantity : question_.quantities) sample.values.push_back(quantity.value(history));
+    sample.good = std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return std::isfinite(v); });
+    if (!sample.good) sample.reason = "a quantity is no number";
+  } catch (const InputError& error) {
+    sample.reason = error.what();
+  }
+  return sample;
+}
+
+std::vector<double> AdviceRuns::perturbed(const AdvicePoint& point) {
+  if (directions_.perturbation.empty()) return {};
+  StudyRun run = run_of(point);
+  run.name += "_perturbed";
+  run.labels = {run.labels.front() + ", perturbed by 1e-10"};
+  run.settings.insert(run.settings.end(), directions_.perturbation.begin(), directions_.perturbation.end());
+  this->run({run});
+  return sample_of(point, run).values;
+}
+
+const AdviceSample* AdviceRuns::sample(const AdvicePoint& point) const {
+  const auto found =
+      std::find_if(samples_.begin(), samples_.end(), [&](const AdviceSample& each) { return each.point == point; });
+  return found == samples_.end() ? nullptr : &*found;
+}
+
+}  // namespace ixos

@@ -1,0 +1,123 @@
+// Errors of settings, from formulas whose exact values are known.
+#include "study/advice_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/advice_case.hpp"
+
+namespace ixos {
+namespace {
+
+using test::cross;
+using test::directions_of_formula;
+using test::sample_of;
+
+constexpr double exact = 4;
+
+double smooth(double dt, double h, const AdvicePoint&) { return exact * (1 + 0.1 * dt * dt - 0.2 * h * h); }
+
+class AdviceErrorsTest : public testing::Test {
+ protected:
+  AdviceErrors errors(const std::vector<AdviceSample>& samples, bool is_error = false, double noise = 0) const {
+    return {directions_, base_, samples, {is_error}, {noise}};
+  }
+  const AdviceDirections directions_ = directions_of_formula();
+  const AdvicePoint base_{{0, 2}, {0, 0}, {0, 0}};
+};
+
+TEST_F(AdviceErrorsTest, PartsAddUp) {
+  const AdviceErrors found = errors(cross(directions_, base_, 3, 2, smooth));
+  EXPECT_NEAR(found.exact(0), exact, 1e-6);
+  const AdvicePoint point{{0, 1}, {0, 2}, {0, 0}};  // dt 1/2, h 1/4: 0.025 and 0.0125
+  const AdviceEstimate estimate = found.estimate(point);
+  EXPECT_NEAR(estimate.parts[0][0], 0.025, 0.001);
+  EXPECT_NEAR(estimate.parts[0][1], 0.0125 * 3, 0.001) << "three meshes alone";
+  EXPECT_NEAR(estimate.largest(), 0.025 + 0.0125 * 3, 0.002);
+  EXPECT_GE(estimate.largest(), std::abs(smooth(0.5, 0.25, point) / exact - 1));
+  EXPECT_EQ(estimate.worst_direction(), mesh_direction);
+  EXPECT_EQ(estimate.beyond, 0U);
+  EXPECT_EQ(found.estimate({{0, 4}, {0, 3}, {0, 0}}).beyond, 1U);
+  EXPECT_NE(found.reason(time_direction, 0).find("order 2"), std::string::npos);
+}
+
+TEST_F(AdviceErrorsTest, WhatWasNotRunIsUnknown) {
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 0, smooth);
+  EXPECT_TRUE(std::isinf(errors(samples).estimate(base_).largest())) << "one mesh tells nothing of its error";
+  samples = cross(directions_, base_, 3, 2, smooth);
+  const AdviceErrors found = errors(samples);
+  EXPECT_TRUE(std::isinf(found.estimate({{1, 2}, {0, 1}, {0, 0}}).largest())) << "the other scheme";
+  EXPECT_TRUE(std::isinf(found.estimate({{0, 2}, {0, 1}, {1, 0}}).largest())) << "the other tolerance";
+}
+
+TEST_F(AdviceErrorsTest, OneRunOfAnotherSchemeMayBeLuck) {
+  // The other scheme crosses the limit at the base step.
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    return smooth(dt, h, point) + (point[0].branch == 1 ? exact * (0.3 * (dt - 0.25) - 0.1 * dt * dt) : 0);
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, formula);
+  const AdvicePoint other{{1, 2}, {0, 0}, {0, 0}}, coarser{{1, 1}, {0, 0}, {0, 0}};
+  samples.push_back(sample_of(directions_, other, formula));
+  EXPECT_LT(errors(samples).finest_error(0, 1), 0.01);
+  EXPECT_TRUE(std::isinf(errors(samples).estimate(other).largest()));
+  samples.push_back(sample_of(directions_, coarser, formula));
+  // The error of the coarser run, 0.075, counts as falling with second order at most.
+  EXPECT_GE(errors(samples).estimate(other).parts[0][0], 0.075 / 4);
+  EXPECT_GE(errors(samples).estimate(coarser).parts[0][0], 0.07);
+  EXPECT_TRUE(std::isinf(errors(samples).estimate({{1, 3}, {0, 0}, {0, 0}}).largest())) << "finer than its runs";
+}
+
+TEST_F(AdviceErrorsTest, ChoicesCountFromTheScenesOwn) {
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    return smooth(dt, h, point) + (point[2].branch == 1 ? 0.003 * exact : 0);
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, formula);
+  samples.push_back(sample_of(directions_, {{0, 2}, {0, 0}, {1, 0}}, formula));
+  const AdviceErrors found = errors(samples);
+  EXPECT_EQ(found.estimate(base_).parts[0][2], 0);
+  EXPECT_NEAR(found.estimate({{0, 2}, {0, 1}, {1, 0}}).parts[0][2], 0.003, 1e-4);
+}
+
+TEST_F(AdviceErrorsTest, InteractionIsMeasured) {
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    return smooth(dt, h, point) + 0.4 * exact * dt * h;
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, formula);
+  const AdvicePoint off{{0, 1}, {0, 1}, {0, 0}};
+  const double before = errors(samples).estimate(off).largest();
+  EXPECT_EQ(errors(samples).interaction(off, 0), 0) << "nothing tells of it";
+  samples.push_back(sample_of(directions_, off, formula));
+  // dt h between (1/4, 1) and (1/2, 1/2): 0.4 (1/2 - 1/4) (1 - 1/2).
+  EXPECT_NEAR(errors(samples).interaction(off, 0), 0.05, 0.005);
+  EXPECT_NEAR(errors(samples).estimate(off).largest(), before + 0.05, 0.005);
+  EXPECT_NEAR(errors(samples).interaction({{0, 1}, {0, 2}, {0, 0}}, 0), 0.05, 0.005) << "that of the coarser run";
+  EXPECT_EQ(errors(samples).interaction(base_, 0), 0);
+}
+
+TEST_F(AdviceErrorsTest, NoiseCounts) {
+  const std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, smooth);
+  EXPECT_NEAR(errors(samples, false, 0.01).estimate(base_).largest() - errors(samples).estimate(base_).largest(), 0.01,
+              1e-12);
+}
+
+TEST_F(AdviceErrorsTest, AnErrorIsExactlyZero) {
+  // An energy error of second order in the step, a little larger on finer meshes.
+  const auto formula = [](double dt, double h, const AdvicePoint&) { return 0.1 * dt * dt + 0.001 * (1 - h); };
+  const AdviceErrors found = errors(cross(directions_, base_, 3, 2, formula), true);
+  EXPECT_EQ(found.exact(0), 0);
+  const AdvicePoint point{{0, 1}, {0, 2}, {0, 0}};
+  EXPECT_GE(found.estimate(point).largest(), formula(0.5, 0.25, point));
+  EXPECT_LE(found.estimate(point).largest(), 1.1 * formula(0.5, 0.25, point));
+}
+
+TEST_F(AdviceErrorsTest, RunsThatFailedAreNoChoice) {
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, smooth);
+  const AdvicePoint point{{0, 0}, {0, 1}, {0, 0}};
+  EXPECT_TRUE(std::isfinite(errors(samples).estimate(point).largest()));
+  samples.push_back(test::failed_sample(point));
+  EXPECT_TRUE(std::isinf(errors(samples).estimate(point).largest()));
+}
+
+}  // namespace
+}  // namespace ixos

@@ -1,0 +1,186 @@
+// Whole advices on scenes whose results are formulas of their settings, so that the exact values are known.
+#include "study/advice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+#include "base/error.hpp"
+#include "study/advice_report.hpp"
+#include "support/files.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace ixos {
+namespace {
+
+const char* const scene = R"x(<ParameterList name="Block">
+  <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/>
+    <ParameterList name="Box"><Parameter name="Divisions" type="Array(int)" value="{8, 8}"/></ParameterList></ParameterList>
+  <ParameterList name="Materials"><ParameterList name="Rubber"/></ParameterList>
+  <ParameterList name="Interactions"><ParameterList name="Wall">
+    <Parameter name="Side Set" type="string" value="bottom"/>
+    <Parameter name="Gamma L" type="double" value="2.5"/>
+    <Parameter name="Gamma W" type="double" value="25"/></ParameterList></ParameterList>
+  <ParameterList name="Time Integrator"><Parameter name="Type" type="string" value="Newmark"/>
+    <ParameterList name="Time Step Control">
+      <Parameter name="Final Time" type="double" value="10"/>
+      <Parameter name="Time Step" type="double" value="0.1"/></ParameterList></ParameterList>
+</ParameterList>)x";
+
+class AdviceTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_.path() + "/block.xml") << scene;
+    question_.scene = folder_.path() + "/block.xml";
+    question_.budget = 1000;
+    options_.folder = folder_.path() + "/out";
+    options_.driver = IXOS_TEST_DIRECTORY "/study/formula_run.py";
+    options_.version = "1";
+    options_.tell = [this](const std::string& line) { told_ += line + "\n"; };
+  }
+  Advice advice(const std::string& formula, double tolerance, const std::string& quantity = "final force") {
+    setenv("IXOS_FORMULA", formula.c_str(), 1);
+    question_.quantities = {AskedQuantity(quantity)};
+    question_.tolerance = tolerance;
+    const Advice found = advise(question_, options_);
+    write_advice(question_, found, options_.folder, "command", "1");
+    return found;
+  }
+  /// Returns a setting of the recommended scene, as a number.
+  double size(const Advice& found, std::size_t d) const { return level_at(found.directions, found.best.point, d).size; }
+  std::size_t runs() const {
+    const std::string text = test::contents(folder_.path() + "/runs.txt");
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+  test::TemporaryFolder folder_;
+  AdviceQuestion question_;
+  AdviceOptions options_;
+  std::string told_;
+};
+
+TEST_F(AdviceTest, KeepsTheToleranceOfASmoothScene) {
+  const Advice found = advice("3 * (1 + 4 * dt**2 + 0.08 * h**2)", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  const double error = 4 * dt * dt + 0.08 * h * h;
+  EXPECT_LE(error, 0.05);
+  EXPECT_LE(error, found.best.error);
+  EXPECT_NEAR(found.exact[0], 3, 0.03);
+  EXPECT_TRUE(found.confirmed);
+  // Neither four times coarser nor much finer than needed.
+  EXPECT_GT(error, 0.05 / 40);
+  EXPECT_EQ(told_.find("Budget: 1e+03 s of processor time"), told_.find("Budget"));
+  EXPECT_LT(told_.find("Budget"), told_.find("completed", told_.find("completed") + 1))
+      << "stated before all but the coarsest run";
+  const std::string text = advice_text(question_, found);
+  EXPECT_NE(text.find("Recommended within the tolerance 5 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("Costs of other tolerances"), std::string::npos) << text;
+  // The scene is ready to run, with the recommended settings and no others.
+  const Teuchos::ParameterList advised = changed_scene(options_.folder + "/advised.xml", {});
+  EXPECT_EQ(advised.sublist("Time Integrator").sublist("Time Step Control").get<double>("Time Step"), dt);
+  EXPECT_EQ(advised.sublist("Time Integrator").sublist("Time Step Control").get<double>("Final Time"), 10);
+}
+
+TEST_F(AdviceTest, FinishedRunsAreReused) {
+  const std::string formula = "3 * (1 + 4 * dt**2 + 0.08 * h**2)";
+  const Advice first = advice(formula, 0.05);
+  const std::size_t count = runs();
+  const Advice second = advice(formula, 0.05);
+  EXPECT_EQ(runs(), count);
+  EXPECT_EQ(second.best.point, first.best.point);
+  EXPECT_EQ(second.spent, first.spent);
+}
+
+TEST_F(AdviceTest, ALuckyCrossingIsNotRecommended) {
+  // The error is 0 at a step of 0.1 T0 and 1.3 % at 0.05: the finer steps tell.
+  const Advice found = advice("1 + 0.8 * dt * (0.1 - dt) * 6.5 + 0.0001 * h**2", 0.01);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem;
+  const double dt = size(found, time_direction);
+  EXPECT_LE(std::abs(0.8 * dt * (0.1 - dt) * 6.5), 0.01);
+  EXPECT_LT(dt, 0.05);
+}
+
+TEST_F(AdviceTest, ChaosIsCalledChaos) {
+  const Advice found = advice("1 + 0.1 * sin(1e12 * change + 1e3 * dt)", 0.01);
+  EXPECT_EQ(found.status, AdviceStatus::Chaotic);
+  EXPECT_NE(found.problem.find("The scene is chaotic for final force"), std::string::npos) << found.problem;
+  EXPECT_FALSE(std::ifstream(options_.folder + "/advised.xml").good());
+}
+
+TEST_F(AdviceTest, AToleranceThatNothingReaches) {
+  // The mesh converges slowly.
+  const Advice found = advice("1 + 0.5 * h**0.5 + dt**2", 0.001);
+  EXPECT_EQ(found.status, AdviceStatus::Unreachable);
+  const std::string text = advice_text(question_, found);
+  EXPECT_NE(text.find("The smallest error seen is "), std::string::npos) << text;
+  EXPECT_NE(text.find("limited by the mesh"), std::string::npos) << text;
+}
+
+TEST_F(AdviceTest, ChoicesThatCostNothingAreTaken) {
+  // Another scheme is nine times as accurate as Newmark.
+  const Advice found = advice("1 + (0.5 if scheme == 'Bathe Composite' else 4.5) * dt**2 + 0.001 * h**2", 0.01);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem;
+  const double dt = size(found, time_direction);
+  const std::string scheme = branch_at(found.directions, found.best.point, time_direction).label;
+  EXPECT_LE((scheme == "Bathe Composite" ? 0.5 : 4.5) * dt * dt, 0.01) << scheme;
+}
+
+TEST_F(AdviceTest, ABudgetThatIsTooSmall) {
+  question_.budget = 0.01;
+  const Advice found = advice("1 + dt**2 + h**2", 0.01);
+  EXPECT_NE(found.status, AdviceStatus::Advised);
+  EXPECT_FALSE(advice_text(question_, found).empty());
+}
+
+TEST_F(AdviceTest, RunsThatFailAreAvoided) {
+  // Coarse steps diverge.
+  const Advice found = advice("-1 if dt > 0.06 else 1 + 4 * dt**2 + 0.001 * h**2", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem;
+  EXPECT_LE(size(found, time_direction), 0.06);
+  options_.folder += "-none";
+  const Advice none = advice("-1", 0.05);
+  EXPECT_EQ(none.status, AdviceStatus::NoRun);
+  EXPECT_NE(none.problem.find("negative"), std::string::npos) << none.problem;
+}
+
+TEST_F(AdviceTest, BadQuestionsAreRefused) {
+  EXPECT_THROW(advice("1", 0.01, "final forse"), InputError);
+  EXPECT_THROW(advice("1", 0.01, "mean force [20, 30]"), InputError);
+  question_.common = {"Mesh/Bax=1"};
+  EXPECT_THROW(advice("1", 0.01), InputError);
+}
+
+TEST_F(AdviceTest, AVerificationIsRun) {
+  question_.verify = true;
+  const Advice found = advice("1 + 4 * dt**2 + 0.08 * h**2", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised);
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  const double fine = dt * dt + 0.02 * h * h;
+  EXPECT_NEAR(found.verified, 3 * fine / (1 + fine), 1e-9);
+}
+
+TEST_F(AdviceTest, RandomScenesKeepTheirTolerances) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> any(-1, 1);
+  int kept = 0, advised = 0;
+  for (int i = 0; i < 12; ++i) {
+    const double a = 4 * any(random), b = 0.1 * any(random), c = 0.5 * any(random), d = 0.3 * any(random);
+    options_.folder = folder_.path() + "/out" + std::to_string(i);
+    const std::string formula = "1 + " + std::to_string(a) + " * dt**2 + " + std::to_string(b) + " * h**2 + " +
+                                std::to_string(c) + " * dt * h + " + std::to_string(d) + " * dt * sin(40 * dt)";
+    const Advice found = advice(formula, 0.02);
+    if (found.status != AdviceStatus::Advised) continue;
+    const double dt = size(found, time_direction), h = size(found, mesh_direction);
+    ++advised;
+    kept += std::abs(a * dt * dt + b * h * h + c * dt * h + d * dt * std::sin(40 * dt)) <= 0.02 ? 1 : 0;
+  }
+  EXPECT_GE(advised, 9);
+  EXPECT_GE(kept, advised * 95 / 100) << kept << " of " << advised;
+}
+
+}  // namespace
+}  // namespace ixos
