@@ -41,4 +41,10 @@ double inner(const Vec<D>& a, const Vec<D>& b) {
 inline double length(const Vec<2>& a) { return std::hypot(a[0], a[1]); }
 inline double length(const Vec<3>& a) { return std::hypot(a[0], a[1], a[2]); }
 
+/// Returns whether two directions differ by 30 degrees or less.
+template <std::size_t D>
+bool meet_smoothly(const Vec<D>& before, const Vec<D>& after) {
+  return inner(before, after) >= std::sqrt(3.0) / 2 * length(before) * length(after);
+}
+
 }  // namespace ixos

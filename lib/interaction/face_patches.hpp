@@ -15,8 +15,8 @@ struct NodeWeights {
   void add(int node, double weight);
 };
 
-/// A corner of a smooth face: the tangents by the face's two parameters and the mixed derivative there, of lengths of
-/// the parameters [L0] in the undeformed body: their derivatives by lengths along the lines of the grid.
+/// The derivatives of a smooth face at a corner: by the lengths along the lines of the grid that belong to the first
+/// and the second parameter, and the mixed one. Lengths are those of the undeformed body [L0].
 struct CornerDerivatives {
   NodeWeights first, second, mixed;
 };

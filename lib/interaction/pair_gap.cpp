@@ -1,5 +1,7 @@
 #include "interaction/pair_gap.hpp"
 
+#include "base/vector3.hpp"
+
 namespace ixos {
 namespace {
 
@@ -17,10 +19,6 @@ Square<N> inverse(const Square<N>& m, std::size_t rows) {
       result = {{{m[1][1] / det, -m[0][1] / det}, {-m[1][0] / det, m[0][0] / det}}};
     }
   return result;
-}
-
-Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 /// Returns unit vectors across the unit normal n and the tangent, which is zero if there is none.

@@ -33,7 +33,7 @@ TreeBox<D> grown(const Vec<D>& low, const Vec<D>& high, double by) {
   return {point(shifted(low, -by)), point(shifted(high, by))};
 }
 
-/// A side of a patch, and the place along it from 0 to 1 of the first side's other parameter.
+/// Returns the parameters of a point of a side; `along`: the other parameter, in space.
 template <std::size_t D>
 PatchParameters<D> on_side(std::size_t side, double along) {
   PatchParameters<D> xi{};
@@ -171,20 +171,32 @@ SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, int 
       look(entry->second);
     }
   }
-  if (foot.patch < 0) return foot;
+  complete(
+      place, best, [](int) { return true; }, foot);
+  return foot;
+}
+
+/// Sets what follows from the foot on its patch. `counts`: whether a patch counts; beyond a side without such a
+/// neighbour is a free rim.
+template <std::size_t D>
+template <class Counts>
+void PlacedSurface<D>::complete(const Vec<D>& place, const PatchFoot<D>& best, const Counts& counts,
+                                SurfaceFoot<D>& foot) const {
+  if (foot.patch < 0) return;
   foot.xi = best.xi;
   foot.fixed = best.fixed;
   const PlacedPatch<D>& own = patch(foot.patch);
   const Vec<D> r = place - own.at(best.xi);
   foot.normal = own.normal(best.xi);
-  const bool kinked = std::any_of(best.fixed.begin(), best.fixed.end(), [](bool fixed) { return fixed; });
-  if (!kinked || best.distance == 0) {
-    foot.gap = inner(r, foot.normal);
-    return foot;
-  }
-  foot.gap = (is_outside(r, foot) ? 1 : -1) * best.distance;
+  foot.gap = inner(r, foot.normal);
+  if (best.distance == 0 || std::none_of(best.fixed.begin(), best.fixed.end(), [](bool fixed) { return fixed; }))
+    return;
+  bool rim = false;
+  for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
+    if (best.fixed[side / 2] && best.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
+      rim = rim || !counts(patches_[static_cast<std::size_t>(foot.patch)].neighbours[side]);
+  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.distance;
   foot.normal = (1 / foot.gap) * r;
-  return foot;
 }
 
 template <std::size_t D>
@@ -203,22 +215,8 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, con
     best = found;
     foot.patch = i;
   }
-  if (foot.patch < 0) return foot;
-  foot.xi = best.xi;
-  foot.fixed = best.fixed;
-  const PlacedPatch<D>& own = patch(foot.patch);
-  const Vec<D> r = place - own.at(best.xi);
-  foot.normal = own.normal(best.xi);
-  foot.gap = inner(r, foot.normal);
-  if (best.distance == 0 || std::none_of(best.fixed.begin(), best.fixed.end(), [](bool fixed) { return fixed; }))
-    return foot;
-  bool rim = false;
-  for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
-    if (best.fixed[side / 2] && best.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
-      rim = rim || !std::binary_search(patches.begin(), patches.end(),
-                                       patches_[static_cast<std::size_t>(foot.patch)].neighbours[side]);
-  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.distance;
-  foot.normal = (1 / foot.gap) * r;
+  complete(
+      place, best, [&](int other) { return std::binary_search(patches.begin(), patches.end(), other); }, foot);
   return foot;
 }
 
@@ -254,6 +252,10 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
     }
     if (tree_->distance(i, place) - least >= share * relative) return;
     const PatchFoot<D> foot = nearest_point(patch(i), own.smooth, place);
+    if (!(foot.distance > 0)) {
+      share = 0;
+      return;
+    }
     const double in_any_direction = std::max(0.0, (foot.distance - least) / relative);
     const Vec<D> n = (1 / foot.distance) * (place - patch(i).at(foot.xi));
     const auto hull = patch(i).hull();

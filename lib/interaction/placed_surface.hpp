@@ -49,10 +49,10 @@ class PlacedSurface {
     return near(Box(points), range);
   }
   /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
-  /// surely stays at least `least`: until the place or a point of a patch's hull, relative to each other, has moved as
-  /// far as the distance exceeds it, or, if that is later, until the plane through the foot that separates them no
-  /// longer does by it. `ways`: by node, as x. `fastest`: the largest way of a point of the surface, see fastest().
-  /// `among`: the patches that count; null: all.
+  /// surely stays at least `least`. There are two bounds for each patch, and the later one counts: the motion of the
+  /// place relative to the patch's hull is as long as the distance exceeds `least`; or the hull, seen along the normal
+  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `fastest`: the largest way of a point
+  /// of the surface, see fastest(). `among`: the patches that count; null: all.
   double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double fastest,
                     double least, const std::vector<int>* among = nullptr) const;
   /// Returns a bound on the ways of all points of the surface, if its nodes move along these [L0].
@@ -74,6 +74,8 @@ class PlacedSurface {
   struct Tree;
   std::vector<int> near(const Box& box, double range) const;
   typename SurfacePatch<D>::Points nodes_of(int patch, const std::vector<Vec<D>>& values) const;
+  template <class Counts>
+  void complete(const Vec<D>& place, const PatchFoot<D>& best, const Counts& counts, SurfaceFoot<D>& foot) const;
   bool is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const;
 
   const std::vector<SurfacePatch<D>>& patches_;

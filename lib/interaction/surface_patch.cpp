@@ -1,5 +1,7 @@
 #include "interaction/surface_patch.hpp"
 
+#include "base/vector3.hpp"
+
 namespace ixos {
 namespace {
 
@@ -29,10 +31,9 @@ template <std::size_t D>
 struct Tensors {
   Tensor<D> value{};
   std::array<Tensor<D>, D - 1> first{};
-  std::array<Tensor<D>, second_derivatives(D - 1)> second{};
   std::size_t size = 0;
 
-  Tensors(const PatchParameters<D>& xi, int degree, bool derivatives) {
+  Tensors(const PatchParameters<D>& xi, int degree) {
     const auto n = static_cast<std::size_t>(degree) + 1;
     const std::array<Powers, 3> a = powers_of(xi[0], degree);
     if constexpr (D == 2) {
@@ -40,22 +41,16 @@ struct Tensors {
       for (std::size_t i = 0; i < n; ++i) {
         value[i] = a[0][i];
         first[0][i] = a[1][i];
-        second[0][i] = a[2][i];
       }
     } else {
       const std::array<Powers, 3> b = powers_of(xi[1], degree);
       size = n * n;
-      const auto set = [&](Tensor<D>& tensor, std::size_t by_first, std::size_t by_second) {
-        for (std::size_t j = 0; j < n; ++j)
-          for (std::size_t i = 0; i < n; ++i) tensor[n * j + i] = a[by_first][i] * b[by_second][j];
-      };
-      set(value, 0, 0);
-      if (!derivatives) return;
-      set(first[0], 1, 0);
-      set(first[1], 0, 1);
-      set(second[second_derivative(0, 0)], 2, 0);
-      set(second[second_derivative(0, 1)], 1, 1);
-      set(second[second_derivative(1, 1)], 0, 2);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i) {
+          value[n * j + i] = a[0][i] * b[0][j];
+          first[0][n * j + i] = a[1][i] * b[0][j];
+          first[1][n * j + i] = a[0][i] * b[1][j];
+        }
     }
   }
 };
@@ -152,8 +147,7 @@ Vec<D> PlacedPatch<D>::normal(const Frame& frame) {
   if constexpr (D == 2) {
     n = {a[1], -a[0]};
   } else {
-    const Vec<D>& b = frame.tangents[1];
-    n = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    n = cross(a, frame.tangents[1]);
   }
   return (1 / length(n)) * n;
 }
@@ -186,7 +180,7 @@ boost::container::static_vector<Vec<D>, PlacedPatch<D>::most> PlacedPatch<D>::hu
 
 template <std::size_t D>
 typename SurfacePatch<D>::Weights SurfacePatch<D>::weights(const PatchParameters<D>& xi) const {
-  const Tensors<D> tensors(xi, degree, false);
+  const Tensors<D> tensors(xi, degree);
   Weights n{};
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t k = 0; k < tensors.size; ++k) n[a] += coefficients[a * tensors.size + k] * tensors.value[k];
@@ -195,7 +189,7 @@ typename SurfacePatch<D>::Weights SurfacePatch<D>::weights(const PatchParameters
 
 template <std::size_t D>
 typename SurfacePatch<D>::Shape SurfacePatch<D>::shape(const PatchParameters<D>& xi) const {
-  const Tensors<D> tensors(xi, degree, true);
+  const Tensors<D> tensors(xi, degree);
   Shape result;
   const auto set = [&](Weights& weights, const Tensor<D>& tensor) {
     for (std::size_t a = 0; a < count; ++a)
@@ -203,7 +197,6 @@ typename SurfacePatch<D>::Shape SurfacePatch<D>::shape(const PatchParameters<D>&
   };
   set(result.value, tensors.value);
   for (std::size_t k = 0; k < tensors.first.size(); ++k) set(result.slopes[k], tensors.first[k]);
-  for (std::size_t k = 0; k < tensors.second.size(); ++k) set(result.bends[k], tensors.second[k]);
   return result;
 }
 

@@ -52,11 +52,10 @@ struct SurfacePatch {
   static constexpr std::size_t sides = 2 * parameters;       ///< side 2k: parameter k is 0, side 2k + 1: it is 1
   using Weights = std::array<double, most>;
   using Points = std::array<Vec<D>, most>;
-  /// The weights with their derivatives by the parameters, the second ones as second_derivative() says.
+  /// The weights with their derivatives by the parameters.
   struct Shape {
     Weights value{};
     std::array<Weights, parameters> slopes{};
-    std::array<Weights, second_derivatives(parameters)> bends{};
   };
 
   std::array<int, most> nodes{};  ///< the first `count` count

@@ -3,24 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/vector3.hpp"
 
 namespace ixos {
-namespace {
-
-const double least_cosine = std::sqrt(3.0) / 2;  // of 30 degrees
-
-Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-bool meet_smoothly(const Vec<3>& a, const Vec<3>& b) { return inner(a, b) >= least_cosine * length(a) * length(b); }
-
-}  // namespace
-
 SideGrid::SideGrid(std::vector<Face> faces, const std::vector<Vec<3>>& x, const std::string& name,
                    const std::vector<long long>& numbers)
     : faces_(std::move(faces)), ends_(x.size()), count_(x.size(), 0), x_(x) {

@@ -22,7 +22,7 @@ class SideGrid {
   using Face = std::array<int, 4>;
 
   /// `x`: places by node. Throws InputError with `name` if more than two faces have an edge, or if two faces go along
-  /// it in one direction. `number`: returns a node's number in messages.
+  /// it in one direction. `numbers`: those of the nodes in messages.
   SideGrid(std::vector<Face> faces, const std::vector<Vec<3>>& x, const std::string& name,
            const std::vector<long long>& numbers);
 

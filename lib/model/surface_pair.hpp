@@ -36,7 +36,9 @@ struct SurfacePair {
 };
 
 /// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
-/// integrators renew that as the bodies move (Model::update_couplings). On several ranks the model's mesh must have
+/// integrators renew that as the bodies move. A program that steps the model without an Integrator calls
+/// Model::update_couplings(), and Model::begin_step() for a surface that interacts with itself. Such a surface that
+/// overlaps itself at rest is not noticed. On several ranks the model's mesh must have
 /// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
 /// the mesh is axisymmetric, sides are not those of linear cells, more than two of them meet in a node (in space, in an
 /// edge), the two sets share a node, the law is missing or has a history, a number is out of range, a factor is

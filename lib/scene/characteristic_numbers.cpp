@@ -184,9 +184,9 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
     numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
     const SceneNode& shape = list_of(block, shapes);
-    const bool disk = shape.text("Type") == "Disk";
-    const double curvature = curvature_below(*obstacle, nearest, mesh.dimension) +
-                             (disk ? 2 / shape.sublist("Disk").number("Diameter") : 0.0);
+    double curvature = curvature_below(*obstacle, nearest, mesh.dimension);
+    if (const std::string type = shape.text("Type"); type == "Disk" || type == "Ball")
+      curvature += 2 / shape.sublist(type).number("Diameter");
     if (curvature > 0) {
       numbers.radius = 1 / curvature;
       const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;

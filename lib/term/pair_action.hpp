@@ -1,6 +1,7 @@
 /// The tangent of two surfaces applied without a matrix.
 #pragma once
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "term/pair_points.hpp"
@@ -13,7 +14,9 @@ class PairAction final : public TangentAction {
  public:
   explicit PairAction(const PairPoints<D>& points) : points_(points) {}
 
+  /// Throws std::logic_error unless the rule has points.
   void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override {
+    if (rule.mean != Mean::Points) throw std::logic_error("the action of a pair of surfaces is for rules with points");
     blocks_.clear();
     points_.for_each_block(segment, rule, kind, [&](const PairBlock& block) { blocks_.push_back(block); });
   }

@@ -45,7 +45,8 @@ std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename Pa
 }
 
 /// Returns a bound on how much less a gap can be than at the last search: twice the largest displacement since, less
-/// the mean one of all nodes, which no gap notices. Weights of smooth surfaces make 1.6 of a node's displacement.
+/// the mean one of all nodes, which no gap notices. Between the nodes, smooth surfaces move by up to 1.6 times as much;
+/// where sides of high order move more, the matrix lacks an entry for a while.
 template <std::size_t D>
 double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) const {
   const std::vector<double> now = flat<D>(places);
@@ -62,10 +63,7 @@ double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) con
 
 template <std::size_t D>
 bool PairCoupling<D>::update(const typename PairPoints<D>::Places& places) {
-  if (loaded_) {
-    loaded_ = false;
-    return true;
-  }
+  if (std::exchange(anew_, false)) return true;
   const bool first = last_.empty();
   if (!places.is_finite() || (!first && motion(places) < skin_)) return false;
   ++searches_;
@@ -80,7 +78,15 @@ template <std::size_t D>
 std::vector<std::vector<int>> PairCoupling<D>::stencils() const {
   std::vector<std::vector<int>> result;
   result.reserve(pairs_.size());
-  for (const Pair& pair : pairs_) result.push_back(points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second));
+  int last = -1;
+  for (const Pair& pair : pairs_) {
+    std::vector<int> nodes = points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second);
+    if (joined_ && pair.first == last)
+      result.back().insert(result.back().end(), nodes.begin(), nodes.end());
+    else
+      result.push_back(std::move(nodes));
+    last = pair.first;
+  }
   return result;
 }
 
@@ -89,6 +95,8 @@ void PairCoupling<D>::transfer(Record& record) {
   if (record.loading() && !record.same_partition()) return begin_anew();
   std::vector<double> pairs;
   for (const Pair& pair : pairs_) pairs.insert(pairs.end(), {double(pair.first), double(pair.second)});
+  const bool joined_before = joined_;
+  record.number("joined", joined_);
   record.share("coupled patches", pairs);
   record.share("places of the last search", last_);
   if (!record.loading()) return;
@@ -103,7 +111,7 @@ void PairCoupling<D>::transfer(Record& record) {
   for (std::size_t k = 0; k < pairs.size(); k += 2)
     pairs_.emplace_back(static_cast<int>(pairs[k]), static_cast<int>(pairs[k + 1]));
   std::sort(pairs_.begin(), pairs_.end());
-  loaded_ = pairs_ != before;
+  anew_ = pairs_ != before || joined_ != joined_before;
 }
 
 template class PairCoupling<2>;

@@ -12,7 +12,7 @@ namespace ixos {
 /// The pairs of a secondary and a primary patch that were within reach, and a skin beyond it, at the last search. A new
 /// search is due when the nodes have moved so far that others can be within reach. It changes the pairs only if one
 /// within reach is missing. The matrix leaves out patches that are farther apart. They act on each other all the same,
-/// with less than 1e-3 of the stiffness at the equilibrium gap.
+/// with less than 1e-3 of the largest stiffness beyond the equilibrium gap (reach_of_stiffness()).
 template <std::size_t D>
 class PairCoupling {
  public:
@@ -21,7 +21,13 @@ class PairCoupling {
 
   /// Searches at these places, if that is due. Returns whether the pairs have changed.
   bool update(const typename PairPoints<D>::Places& places);
-  /// Returns the local nodes of each pair.
+  /// Couples, from the next update on, the nodes of all primary patches of a secondary patch with each other, too: a
+  /// discrete gradient has feet at the mean and at the end of a step.
+  void join() {
+    anew_ = anew_ || !joined_;
+    joined_ = true;
+  }
+  /// Returns the local nodes of each pair, or of each secondary patch and its primary ones.
   std::vector<std::vector<int>> stencils() const;
   /// Makes a search due, whose pairs do not depend on those of earlier ones.
   void begin_anew() { last_.clear(); }
@@ -40,7 +46,8 @@ class PairCoupling {
   std::vector<Pair> pairs_;   ///< ascending
   std::vector<double> last_;  ///< places of the last search; empty if there was none
   long searches_ = 0;
-  bool loaded_ = false;  ///< the pairs are others than before loading
+  bool joined_ = false;
+  bool anew_ = false;  ///< the stencils are others than at the last update
 };
 
 /// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its

@@ -105,7 +105,6 @@ template <std::size_t D>
 PairBlock PairGradient<D>::convex_block_of(const Step& step, const Point& point) const {
   const PairGap<D> gap = points_.gap_of(step.mean, *point.at_mean);
   PairBlock block;
-  block.secondary = static_cast<int>(point.at_mean->patch);
   block.primary = point.at_mean->foot.patch;
   block.nodes = points_.nodes_of(*point.at_mean);
   block.k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);
@@ -123,7 +122,6 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
   const std::size_t count = secondary.count, size = count + patch.count;
   PairBlock block;
-  block.secondary = static_cast<int>(mean.patch);
   block.primary = mean.foot.patch;
   block.nodes = points_.nodes_of(mean);
   std::vector<double> end_weights(size, 0.0);  // of the end's gap, by node of the block
@@ -196,7 +194,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
       dr = dr - dxi[k][c] * frame.tangents[free[k]];
       dd = dd - dxi[k][c] * slide[k];
     }
-    const Vec<D> dm = 1 / g * (dr - inner(m, dr) * m);
+    const Vec<D> dm = g == 0 ? Vec<D>{} : 1 / g * (dr - inner(m, dr) * m);
     const double dg = end_weights[node] * end.foot.normal[i], da = inner(m, dd) + inner(point.d, dm);
     const double de = point.by_gap * dg + point.traction * da, dc = point.c_by_e * de + point.c_by_a * da;
     double drest = 0;

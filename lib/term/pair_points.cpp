@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vector3.hpp"
 #include "fem/quadrature.hpp"
 
 namespace ixos {
@@ -47,10 +48,7 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
 
 /// Returns length or area for a change of the parameters.
 double stretch(const PlacedPatch<2>::Frame& frame) { return length(frame.tangents[0]); }
-double stretch(const PlacedPatch<3>::Frame& frame) {
-  const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
-  return length(Vec<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
-}
+double stretch(const PlacedPatch<3>::Frame& frame) { return length(cross(frame.tangents[0], frame.tangents[1])); }
 
 }  // namespace
 
@@ -237,7 +235,6 @@ void PairPoints<D>::add(const Contacts& contacts, const Contact& contact, double
   while (b < used && blocks[b].primary != contact.foot.patch) ++b;
   if (b == used) {
     if (used == blocks.size()) blocks.emplace_back();
-    blocks[b].secondary = static_cast<int>(contact.patch);
     blocks[b].primary = contact.foot.patch;
     blocks[b].nodes = nodes_of(contact);
     blocks[b].k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);

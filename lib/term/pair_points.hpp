@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "discretization/pattern.hpp"
 #include "interaction/gap_law.hpp"
 #include "interaction/pair_gap.hpp"
 #include "term/interaction.hpp"
@@ -32,8 +31,8 @@ struct PairSurfaces {
 
 /// The matrix of a part of both surfaces: its nodes, a node may stand twice, and D nodes rows of as many numbers.
 struct PairBlock {
-  int secondary = -1, primary = -1;  ///< patches
-  std::vector<int> nodes;            ///< local
+  int primary = -1;        ///< patch with the feet
+  std::vector<int> nodes;  ///< local
   std::vector<double> k;
 };
 
@@ -47,6 +46,9 @@ class PairPoints {
   PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::shared_ptr<const GapLaw> law,
              const PairOptions& options);
 
+  PairPoints(const PairPoints&) = delete;
+  PairPoints& operator=(const PairPoints&) = delete;
+
   /// The points that a function visits: those that add to this rank's forces, or those that energies count here.
   enum class Share { Forces, Energies };
   /// Both surfaces at one place.
@@ -54,7 +56,8 @@ class PairPoints {
     std::vector<Vec<D>> secondary, primary;
     bool is_finite() const;
   };
-  /// A quadrature point at one place of the surfaces. Without a foot the law does not act.
+  /// A quadrature point at one place of the surfaces. A point beyond the law's range has no foot
+  /// and no force.
   struct Contact {
     std::size_t patch, point;
     Vec<D> place{};
@@ -72,7 +75,8 @@ class PairPoints {
   Places places(const Segment& segment, const RulePoint& point) const;
   /// Returns ways as places: a displacement without the undeformed body's coordinates.
   Places ways(const double* direction) const;
-  /// Returns the points, their gaps and what the law says. Coordinates that are no numbers give numbers that are none.
+  /// Returns the points, their gaps and what the law says. If a coordinate is NaN, all gaps and
+  /// tractions are NaN.
   /// `range`: of gaps; negative: that of the law.
   Contacts contacts(Places places, Share share, double range = -1) const;
   /// Returns the point's gap with its derivatives; the contact must have a foot.

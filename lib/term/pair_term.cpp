@@ -38,25 +38,31 @@ class PairTerm final : public Interaction {
   std::vector<std::vector<int>> stencils() const override { return coupling_.stencils(); }
   bool has_state() const override { return true; }
   void transfer(Record& record) override {
+    if (points_.sight() != nullptr) {
+      SelfSight<D>::transfer(record, seen_);
+      points_.sight()->set_seen(seen_);
+    }
     coupling_.transfer(record);
-    if (points_.sight() == nullptr) return;
-    points_.sight()->transfer(record);
-    seen_ = points_.sight()->seen();
   }
 
   void initialize(const KnownState& start) override {
     coupling_.begin_anew();
-    if (points_.sight() != nullptr) look(start);
-    if (points_.sight() != nullptr) seen_ = points_.sight()->seen();
+    if (points_.sight() == nullptr) return;
+    look(start, 0);
+    seen_ = points_.sight()->seen();
   }
   /// Decides which parts of a surface face each other. If these are others than in the last accepted step, the energy
   /// jumps at the start of the step.
-  void begin_step(const KnownState& start, double, double) override {
+  void begin_step(const KnownState& start, double, double dt) override {
     if (points_.sight() == nullptr) return;
+    look(start, dt);
+    lost_ = 0;
+    if (points_.sight()->seen() == seen_) return;
+    lost_ = -energy(start.u);
+    std::vector<std::vector<int>> seen = points_.sight()->seen();
     points_.sight()->set_seen(seen_);
-    const double before = energy(start.u);
-    look(start);
-    lost_ = points_.sight()->seen() == seen_ ? 0 : before - energy(start.u);
+    lost_ += energy(start.u);
+    points_.sight()->set_seen(std::move(seen));
   }
   bool dissipates() const override { return points_.sight() != nullptr; }
   double accept(const AcceptedStep&) override {
@@ -68,6 +74,7 @@ class PairTerm final : public Interaction {
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     check(rule);
     if (rule.mean == Mean::DiscreteGradient) {
+      coupling_.join();
       const double least = PairGradient<D>(points_).add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
@@ -292,18 +299,26 @@ class PairTerm final : public Interaction {
         visit(static_cast<std::size_t>(points_.secondary().nodes[i]), primary.nearest(x.secondary[i]));
       return;
     }
+    std::vector<SurfaceFoot<D>> feet(x.secondary.size());  // the nearest of those that the patches at a corner see
     for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
       for (std::size_t c = 0; c < corners; ++c) {
         const auto node = static_cast<std::size_t>(points_.secondary().patches[p].nodes[c]);
         const SurfaceFoot<D> foot = points_.nearest(primary, p, x.secondary[node], points_.law().range());
-        if (foot.patch >= 0) visit(static_cast<std::size_t>(points_.secondary().nodes[node]), foot);
+        if (foot.patch >= 0 && foot.gap < feet[node].gap) feet[node] = foot;
       }
+    for (std::size_t node = 0; node < feet.size(); ++node)
+      if (feet[node].patch >= 0) visit(static_cast<std::size_t>(points_.secondary().nodes[node]), feet[node]);
   }
 
-  /// Lets the sight look at the start of a step. A gap can fall by the range in it.
-  void look(const KnownState& start) {
+  /// Lets the sight look at the start of a step, as far as gaps can fall in it: by the law's range, or by twice the way
+  /// of the fastest node.
+  void look(const KnownState& start, double dt) {
     const Places x = points_.places(start.u);
-    if (x.is_finite()) points_.sight()->look(x.secondary, points_.law().range());
+    if (!x.is_finite()) return;
+    double fastest = 0;
+    if (start.v != nullptr)
+      for (const Vec<D>& v : points_.ways(start.v).secondary) fastest = std::max(fastest, length(v));
+    points_.sight()->look(x.secondary, std::max(points_.law().range(), 2 * dt * fastest));
   }
 
   /// Lowers the lowest point to the corners and middles of the patches of a surface before what they see of it.
@@ -394,7 +409,7 @@ class PairTerm final : public Interaction {
 
   const Pattern& pattern_;
   PairPoints<D> points_;
-  PairCoupling<D> coupling_;
+  mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   double margin_;
   std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
   double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <queue>
 
 #include "base/error.hpp"
@@ -28,11 +29,15 @@ SelfSight<D>::SelfSight(const std::vector<SurfacePatch<D>>& patches, const std::
   exclude(middles, exclusion);
 }
 
-/// Goes from middle to middle of neighbours, the shortest way first (Dijkstra 1959).
+/// Goes from middle to middle of patches that share a corner, the shortest way first (Dijkstra 1959).
 template <std::size_t D>
 void SelfSight<D>::exclude(const std::vector<Vec<D>>& middles, double exclusion) {
+  constexpr std::size_t corners = D == 2 ? 2 : 4;
   using Entry = std::pair<double, int>;
-  const auto at = [](int patch) { return static_cast<std::size_t>(patch); };
+  const auto at = [](int number) { return static_cast<std::size_t>(number); };
+  std::map<int, std::vector<int>> patches_of;  // by corner
+  for (std::size_t p = 0; p < patches_.size(); ++p)
+    for (std::size_t c = 0; c < corners; ++c) patches_of[patches_[p].nodes[c]].push_back(static_cast<int>(p));
   std::vector<double> distance(patches_.size(), HUGE_VAL);
   for (std::size_t start = 0; start < patches_.size(); ++start) {
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> next;
@@ -43,14 +48,14 @@ void SelfSight<D>::exclude(const std::vector<Vec<D>>& middles, double exclusion)
       const auto [far, patch] = next.top();
       next.pop();
       if (far > distance[at(patch)]) continue;
-      for (const int other : patches_[at(patch)].neighbours) {
-        if (other < 0) continue;
-        const double own = far + length(middles[at(other)] - middles[at(patch)]);
-        if (own >= exclusion || own >= distance[at(other)]) continue;
-        if (distance[at(other)] == HUGE_VAL) reached.push_back(other);
-        distance[at(other)] = own;
-        next.push({own, other});
-      }
+      for (std::size_t c = 0; c < corners; ++c)
+        for (const int other : patches_of[patches_[at(patch)].nodes[c]]) {
+          const double own = far + length(middles[at(other)] - middles[at(patch)]);
+          if (own >= exclusion || own >= distance[at(other)]) continue;
+          if (distance[at(other)] == HUGE_VAL) reached.push_back(other);
+          distance[at(other)] = own;
+          next.push({own, other});
+        }
     }
     for (const int patch : reached) distance[at(patch)] = HUGE_VAL;
     std::sort(reached.begin(), reached.end());
@@ -83,26 +88,33 @@ void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin) {
 }
 
 template <std::size_t D>
-void SelfSight<D>::transfer(Record& record) {
-  if (record.loading() && !record.same_partition()) return;
+void SelfSight<D>::transfer(Record& record, std::vector<std::vector<int>>& seen) {
+  const char* const name = "patches that see each other";
   std::vector<double> flat;  // the number of each patch's, then these
-  for (const std::vector<int>& own : seen_) {
+  for (const std::vector<int>& own : seen) {
     flat.push_back(static_cast<double>(own.size()));
     flat.insert(flat.end(), own.begin(), own.end());
   }
-  record.share("patches that see each other", flat);
-  if (!record.loading()) return;
-  const auto number = [&](std::size_t place, double below) {
-    if (place >= flat.size() || !(flat[place] >= 0 && flat[place] < below) || flat[place] != std::trunc(flat[place]))
-      throw InputError("the patches that see each other are not those of the surface");
-    return static_cast<int>(flat[place]);
-  };
-  std::size_t place = 0;
-  for (std::vector<int>& own : seen_) {
-    own.clear();
-    const int count = number(place++, static_cast<double>(flat.size()));
-    for (int k = 0; k < count; ++k) own.push_back(number(place++, static_cast<double>(patches_.size())));
+  if (!record.loading() || record.in_memory()) {
+    record.share(name, flat);
+    if (!record.loading()) return;
+  } else {
+    record.all_shares(name, flat);  // each rank wrote the same
   }
+  std::size_t place = 0;
+  bool sound = true;
+  const auto number = [&](double below) {
+    const double value = place < flat.size() ? flat[place++] : -1;
+    sound = sound && value >= 0 && value < below && value == std::trunc(value);
+    return sound ? static_cast<int>(value) : 0;
+  };
+  for (std::vector<int>& own : seen) {
+    own.clear();
+    const int count = number(static_cast<double>(flat.size()));
+    for (int k = 0; k < count && sound; ++k) own.push_back(number(static_cast<double>(seen.size())));
+    sound = sound && std::is_sorted(own.begin(), own.end());
+  }
+  if (!sound) throw InputError("the patches that see each other are not those of the surface");
 }
 
 template class SelfSight<2>;

@@ -15,7 +15,7 @@ namespace {
 /// a continuation, of the parabola through the node and the next two.
 struct Line {
   std::array<int, 3> nodes;       ///< the node of the continuation, -1 if there is none; the node; the edge's other end
-  std::array<double, 3> weights;  ///< of these nodes; without a continuation, of the slope of the edge
+  std::array<double, 3> weights;  ///< of these nodes; without a continuation they give the edge's slope
   int beyond = -1;                ///< without a continuation: the node after the edge's other end, if any
   double next = 0;                ///< and the length from there to it [L0]
 

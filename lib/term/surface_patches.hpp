@@ -42,13 +42,6 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
 /// Returns the place of a local node among the surface's nodes, which are in the order of their global numbers.
 int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mesh);
 
-/// Returns whether two directions differ by 30 degrees or less.
-template <std::size_t D>
-bool meet_smoothly(const Vec<D>& before, const Vec<D>& after) {
-  const double least_cosine = std::sqrt(3.0) / 2;
-  return inner(before, after) >= least_cosine * length(before) * length(after);
-}
-
 /// Returns the place of a local node in the undeformed body [L0].
 template <std::size_t D>
 Vec<D> reference_place(const LocalMesh& mesh, int node) {

@@ -74,7 +74,7 @@ void Integrator::make_solvers() {
 }
 
 void Integrator::follow_couplings() {
-  model_.update_couplings(states_.front().u.data());
+  if (!is_explicit(table_)) model_.update_couplings(states_.front().u.data());
   if (version_ == model_.discretization().version()) return;
   balance_.renew();
   if (!is_explicit(table_)) make_solvers();

@@ -60,14 +60,14 @@ TEST(SelfSightTest, TheBackOfABodyIsNotSeen) {
 
 TEST(SelfSightTest, WhatIsSeenComesBack) {
   const Hairpin hairpin(10, true);
-  SelfSight<2> sight(hairpin.patches, hairpin.x, 4, 1.5), other(hairpin.patches, hairpin.x, 4, 1.5);
+  SelfSight<2> sight(hairpin.patches, hairpin.x, 4, 1.5);
   sight.look(hairpin.x, 0);
-  SelfSight<2>* own = &sight;
-  Snapshot snapshot([&](Record& record) { own->transfer(record); });
+  std::vector<std::vector<int>> seen = sight.seen();
+  Snapshot snapshot([&](Record& record) { SelfSight<2>::transfer(record, seen); });
   snapshot.save();
-  own = &other;
+  for (std::vector<int>& own : seen) own = {3};
   snapshot.restore();
-  EXPECT_EQ(other.seen(), sight.seen());
+  EXPECT_EQ(seen, sight.seen());
 }
 
 }  // namespace
