@@ -47,9 +47,8 @@ class PullOffForce(unittest.TestCase):
         return line.pad_area.sum()
 
     def test_the_beams_first_peak_is_larger_with_the_stiff_shape_only(self):
-        shapes = {"stiff": beam.STIFF, "default": beam.DEFAULT}
-        for row in (row for row in recipe.reference("spatula") if row["shape"] in shapes):
-            shape = shapes[row["shape"]]
+        for row in (row for row in recipe.reference("spatula") if row["shape"] in ("stiff", "default")):
+            shape = beam.SHAPES[row["shape"]]
             found = beam.measures(*beam.peel(shape), shape["Pad Length"])
             for peak in ("first", "late"):
                 self.assertLess(abs(found[peak][0] / row[peak] - 1), 1e-3)

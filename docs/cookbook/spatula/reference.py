@@ -6,7 +6,9 @@ and thicknesses are those of Mesh/Type Spatula. The wall acts on the pad with th
 step raises the shaft's end, and Newton's method finds the minimum of the energy. A small viscosity leads over snaps.
 The beam has no shear, no inertia and a straight front.
 
-    docs/cookbook/spatula/reference.py         # prints reference.csv: today's shapes of xml/"""
+    docs/cookbook/spatula/reference.py > docs/cookbook/spatula/reference.csv      # shapes
+    docs/cookbook/spatula/reference.py --parameters > docs/cookbook/spatula/parameters.csv
+                               # the shape of xml/spatula.xml with one parameter 20 per cent smaller or larger"""
 import pathlib
 import sys
 
@@ -17,12 +19,15 @@ from scipy.sparse.linalg import splu
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import recipe  # noqa: E402
 
-# Defaults of Mesh/Type Spatula, and the changes that xml/spatula.xml makes to them.
+# The defaults of Mesh/Type Spatula, shapes on the way to that of xml/spatula.xml, and the latter.
 STIFF = {"Pad Length": 230.0, "Neck Width": 100.0, "Tip Width": 240.0, "Widening Length": 100.0, "Tip Length": 120.0,
          "Rear Thickness": 15.0, "Tip Thickness": 5.0, "Transition Length": 100.0, "Fillet Radius": 68.0,
          "Shaft Diameter": 80.0, "Shaft Length": 180.0, "Inclination": 45.0}
 THIN = {**STIFF, "Rear Thickness": 5.0}
-DEFAULT = {**THIN, "Neck Width": 60.0, "Widening Length": 150.0, "Tip Length": 80.0}
+LATE = {"Widening Length": 150.0, "Tip Length": 80.0}
+DEFAULT = {**THIN, "Neck Width": 60.0, **LATE}
+SHAPES = {"stiff": STIFF, "stiff, neck 60": {**STIFF, "Neck Width": 60.0}, "stiff, widest later": {**STIFF, **LATE},
+          "thin": THIN, "narrow": {**THIN, "Neck Width": 60.0}, "default": DEFAULT}
 POISSON, VISCOSITY = 0.2, 1e-7
 # What the shaft's end cannot do by itself. Its first segment keeps its direction unless the end turns.
 ENDS = {"held": [0, 1, 2, 3], "free along x": [1, 3], "free to turn": [0, 1]}
@@ -209,12 +214,47 @@ def measures(lift, force, length):
             "late": (force[late], lift[late]), "free": lift[-1], "work": np.trapz(force, lift)}
 
 
+def varied():
+    """Yields name, factor and shape: the default shape with one parameter 20 per cent smaller or larger.
+
+    The outline has to fit: Pad Length stretches all of the outline, and a longer widening or end shortens the other.
+    Transition Length and Fillet Radius change together once."""
+    for name in DEFAULT:
+        for factor in (0.8, 1.2):
+            shape = {**DEFAULT, name: factor * DEFAULT[name]}
+            room = shape["Pad Length"]
+            if name == "Pad Length":
+                shape |= {other: factor * DEFAULT[other] for other in ("Widening Length", "Tip Length")}
+            elif name == "Transition Length":  # a short one with a large fillet would sink below the pad's underside
+                shape["Fillet Radius"] *= factor
+            elif name == "Widening Length":
+                shape["Tip Length"] = min(shape["Tip Length"], room - shape[name])
+            elif name == "Tip Length":
+                shape["Widening Length"] = min(shape["Widening Length"], room - shape[name])
+            yield name, factor, shape
+    for factor in (0.8, 1.2):
+        yield "both thicknesses", factor, {**DEFAULT, **{name: factor * DEFAULT[name]
+                                                              for name in ("Rear Thickness", "Tip Thickness")}}
+
+
+def row(shape, start):
+    """Prints a row of a table: what the beam of a shape needs, after the cells of `start`."""
+    found = measures(*peel(shape), shape["Pad Length"])
+    print(f"{start},{found['first'][0]:.3f},{found['first'][1]:g},{found['trough'][0]:.3f},{found['late'][0]:.3f},"
+          f"{found['late'][1]:g},{found['free']:g},{found['work']:.1f}", flush=True)
+
+
 def main():
-    print("shape,first,first_lift,trough,late,late_lift,free,work")
-    for name, shape in (("stiff", STIFF), ("thin", THIN), ("default", DEFAULT)):
-        found = measures(*peel(shape), shape["Pad Length"])
-        print(f"{name},{found['first'][0]:.3f},{found['first'][1]:g},{found['trough'][0]:.3f},{found['late'][0]:.3f},"
-              f"{found['late'][1]:g},{found['free']:g},{found['work']:.1f}")
+    columns = "first,first_lift,trough,late,late_lift,free,work"
+    if sys.argv[1:] == ["--parameters"]:
+        print("parameter,factor," + columns)
+        row(DEFAULT, "none,1")
+        for name, factor, shape in varied():
+            row(shape, f"{name},{factor:g}")
+    else:
+        print("shape," + columns)
+        for name, shape in SHAPES.items():
+            row(shape, f'"{name}"')
 
 
 if __name__ == "__main__":

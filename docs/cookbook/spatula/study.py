@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Peels spatulae of several shapes, on pads of a quarter of the size, and compares them with the beam of reference.py:
-three shapes, then the default shape with one parameter changed by 20 per cent. Finished runs are not repeated.
+four shapes, then the default shape with one parameter changed by 20 per cent, then two shapes with a shaft's end that
+is held or free. Finished runs are not repeated.
 
-    docs/cookbook/spatula/study.py [--results FOLDER] [--only shapes|parameters]"""
+    docs/cookbook/spatula/study.py [--results FOLDER] [--only shapes|parameters|ends]"""
 import argparse
 import json
 import math
@@ -20,7 +21,7 @@ NANONEWTONS = 2.0  # in E0 L0^2
 GROWTH = 5.0  # cell length in the shaft over that in the pad
 # Length of a contact face and cells across, by scale: at least three faces in the cohesive zone.
 MESHES = {0.25: (0.7, 12), 0.5: (1.0, 16), 1.0: (1.28, 20)}
-SHAPES = {"stiff": beam.STIFF, "thin": beam.THIN, "narrow": {**beam.THIN, "Neck Width": 60.0}, "default": beam.DEFAULT}
+SHAPES = {name: beam.SHAPES[name] for name in ("stiff", "thin", "narrow", "default")}
 
 
 def scaled(shape, scale):
@@ -45,17 +46,34 @@ def settings(shape, scale, step=0.5):
             recipe.STEPS + "Final Time": 600.0 * scale}
 
 
-def peel(shape, scale, folder, changes=None):
-    """Runs a shape, unless the folder has the finished run."""
+def is_finished(folder):
     summary = folder / "summary.json"
-    if summary.exists() and json.loads(summary.read_text(encoding="utf-8"))["status"] == "completed":
+    return summary.exists() and json.loads(summary.read_text(encoding="utf-8"))["status"] == "completed"
+
+
+def peel(shape, scale, folder, changes=None, step=0.5):
+    """Runs a shape, unless the folder has the finished run."""
+    if is_finished(folder):
         return recipe.results.Run(folder)
-    return recipe.run("spatula", {**settings(shape, scale), **(changes or {})}, folder)
+    return recipe.run("spatula", {**settings(shape, scale, step), **(changes or {})}, folder)
+
+
+def freed(end, shape, scale):
+    """Returns the settings that free the shaft's end. The nodes on the section's line along y make a hinge."""
+    if end == "free along x":
+        return {"Boundary Conditions/Guide/Components": "y"}
+    line = beam.Centreline(scaled(shape, scale), scale)
+    x, z, width, near = line.x[0], line.z[0], line.width[0], 0.02 * scale
+    hinge = {"Kind": "Nodes", "Lower": [x - near, -width, z - near], "Upper": [x + near, width, z + near]}
+    return {**{"Mesh/Sets/hinge/" + name: value for name, value in hinge.items()}, "Mesh/Spatula/Core Layers": 2,
+            "Boundary Conditions/Guide/Node Set": "hinge", "Boundary Conditions/Pull/Node Set": "hinge",
+            "Output/Reactions": "{hinge}"} if end == "free to turn" else {}
 
 
 def curve(run, scale):
     """Returns lift [nm] and force [nN] of a run as those of the full pad. The forces are means over the steps."""
-    lift, force = run.applied(run["time"]), run["reaction_shaft end_z"]
+    column = next(name for name in run.columns if name.startswith("reaction_") and name.endswith("_z"))
+    lift, force = run.applied(run["time"]), run[column]
     return np.append(0, (lift[1:] + lift[:-1]) / 2) / scale, NANONEWTONS * force / scale
 
 
@@ -66,9 +84,9 @@ def measured(run, scale, shape):
         run["newton_iterations"].sum() / run["step"][-1]}
 
 
-def predicted(shape, scale=1.0):
+def predicted(shape, scale=1.0, end="held"):
     """Returns the same of the beam."""
-    lift, force = beam.peel(scaled(shape, scale), scale, scale)
+    lift, force = beam.peel(scaled(shape, scale), scale, scale, end)
     found = beam.measures(lift / scale, NANONEWTONS * force / scale, shape["Pad Length"])
     return found | {"work": found["work"] / NANONEWTONS}
 
@@ -77,26 +95,6 @@ def balance(run):
     """Returns the largest error of the energy balance over the work."""
     error = run["total_energy"] - run["external_work"] + run["dissipated_energy"]
     return abs(error - error[0]).max() / run["external_work"].max()
-
-
-def varied():
-    """Yields name, factor and shape: the default shape with one parameter 20 per cent smaller or larger.
-
-    The outline has to fit: Pad Length stretches all of the outline, and a longer widening or end shortens the other."""
-    for name in beam.DEFAULT:
-        for factor in (0.8, 1.2):
-            shape = {**beam.DEFAULT, name: factor * beam.DEFAULT[name]}
-            room = shape["Pad Length"]
-            if name == "Pad Length":
-                shape |= {other: factor * beam.DEFAULT[other] for other in ("Widening Length", "Tip Length")}
-            elif name == "Widening Length":
-                shape["Tip Length"] = min(shape["Tip Length"], room - shape[name])
-            elif name == "Tip Length":
-                shape["Widening Length"] = min(shape["Widening Length"], room - shape[name])
-            yield name, factor, shape
-    for factor in (0.8, 1.2):
-        yield "both thicknesses", factor, {**beam.DEFAULT, **{name: factor * beam.DEFAULT[name]
-                                                              for name in ("Rear Thickness", "Tip Thickness")}}
 
 
 def cells(found):
@@ -126,21 +124,45 @@ def compare_shapes(folder, scales):
     return curves
 
 
-def compare_parameters(folder, scale=0.25):
-    """Prints the table of changed parameters. Returns their measures, of Ixos and of the beam."""
-    base = measured(peel(beam.DEFAULT, scale, folder / f"default-{scale:g}"), scale, beam.DEFAULT)
-    found, rows = {}, [["default", *cells(base), ""]]
-    model = predicted(beam.DEFAULT)
-    for name, factor, shape in varied():
-        sign = "-" if factor < 1 else "+"
-        run = peel(shape, scale, folder / f"{name.replace(' ', '-').lower()}{sign}20")
-        found[name, factor] = measured(run, scale, shape), predicted(shape)
-        rows.append([f"{name} {sign} 20 %", *cells(found[name, factor][0]),
-                     f"{found[name, factor][1]['first'][0]:.2f}, {found[name, factor][1]['late'][0]:.2f}"])
-    rows[0][-1] = f"{model['first'][0]:.2f}, {model['late'][0]:.2f}"
+def changed(folder, name, factor):
+    """Returns the folder of the run with a parameter changed by a factor."""
+    return folder / f"{name.replace(' ', '-').lower()}{factor - 1:+.1f}"
+
+
+def compare_parameters(folder, finished, scale=0.25):
+    """Prints the table of changed parameters. Returns the beam's and Ixos' peaks by name and factor."""
+    shapes = {("none", 1.0): beam.DEFAULT} | {(name, factor): shape for name, factor, shape in beam.varied()}
+    model, found, rows = {}, {}, []
+    for row in recipe.reference("spatula", "parameters.csv"):
+        key = row["parameter"], row["factor"]
+        model[key] = {peak: NANONEWTONS * row[peak] for peak in ("first", "late")}
+        rows.append([key[0] + (f" {100 * key[1] - 100:+.0f} %" if key[1] != 1 else ""),
+                     *(f"{model[key][peak]:.2f}" for peak in ("first", "late")),
+                     *(f"{row[column]:.0f}" for column in ("late_lift", "free", "work"))])
+        if finished and not is_finished(changed(folder, *key)):
+            rows[-1] += ["not run"] + 4 * [""]
+            continue
+        pad = measured(peel(shapes[key], scale, changed(folder, *key), step=1.0), scale, shapes[key])
+        found[key] = {peak: pad[peak][0] for peak in ("first", "late")}
+        rows[-1] += [*(f"{found[key][peak]:.2f}" for peak in ("first", "late")), f"{pad['late'][1]:.0f}",
+                     f"{pad['free']:.0f}", f"{pad['work']:.0f}"]
     print()
-    recipe.table(["", *COLUMNS, "beam of full size: first, late [nN]"], rows)
-    return base, model, found
+    recipe.table(["changed"] + 2 * ["first peak [nN]", "late peak [nN]", "at [nm]", "free at [nm]", "work [E0 L0^3]"],
+                 rows)
+    return model, found
+
+
+def compare_ends(folder, scale=0.25):
+    """Prints the table of what the shaft's end may do."""
+    rows = []
+    for name in ("thin", "default"):
+        for end in beam.ENDS:
+            path = folder / (f"{name}-{scale:g}" + ("" if end == "held" else "-" + end.split()[-1]))
+            run = peel(SHAPES[name], scale, path, freed(end, SHAPES[name], scale))
+            rows.append([name, end, "Ixos", *cells(measured(run, scale, SHAPES[name]))])
+            rows.append([name, end, "beam", *cells(predicted(SHAPES[name], scale, end))])
+    print()
+    recipe.table(["shape", "shaft's end", "", *COLUMNS], rows)
 
 
 def draw_curves(curves):
@@ -158,40 +180,45 @@ def draw_curves(curves):
     recipe.save(picture, "spatula")
 
 
-def draw_parameters(base, model, found):
-    """Draws a tornado: what 20 per cent of each parameter do to both peaks."""
-    names = list(dict.fromkeys(name for name, _ in found))
+def draw_parameters(model, found):
+    """Draws a tornado: what 20 per cent of each parameter do to both peaks, of the beam and of Ixos."""
+    names = list(dict.fromkeys(name for name, _ in model if name != "none"))
     picture, panels = recipe.figure(2, 7.2, 3.8)
     for axes, peak in zip(panels, ("late", "first")):
-        def change(name, factor, which, peak=peak):
-            return 100 * (found[name, factor][which][peak][0] / (base, model)[which][peak][0] - 1)
+        def change(values, name, factor, peak=peak):
+            return 100 * (values[name, factor][peak] / values["none", 1.0][peak] - 1)
 
-        order = sorted(names, key=lambda name: max(abs(change(name, f, 0)) for f in (0.8, 1.2)))
-        for y, name in enumerate(order):
-            for factor, color in ((0.8, recipe.style.COLORS[0]), (1.2, recipe.style.COLORS[1])):
-                axes.barh(y, change(name, factor, 0), 0.7, color=color, label=f"{100 * (factor - 1):+.0f} %" * (y == 0))
-                axes.plot(change(name, factor, 1), y, "d", markersize=3.5, color=recipe.style.INK,
-                          label="beam, full size" * (y == 0 and factor > 1))
-        axes.set(yticks=range(len(order)), yticklabels=order, xlabel=f"change of the {peak} peak [%]")
+        order = sorted(names, key=lambda name: max(abs(change(model, name, factor)) for factor in (0.8, 1.2)))
+        for factor, color in ((0.8, recipe.style.COLORS[0]), (1.2, recipe.style.COLORS[1])):
+            axes.barh(order, [change(model, name, factor) for name in order], 0.7, color=color, alpha=0.6,
+                      label=f"{100 * factor - 100:+.0f} %, beam")
+            runs = [name for name in order if (name, factor) in found]
+            axes.plot([change(found, name, factor) for name in runs], [order.index(name) for name in runs], "d",
+                      markersize=4, color=color, markeredgecolor=recipe.style.INK, markeredgewidth=0.5,
+                      label=f"{100 * factor - 100:+.0f} %, Ixos")
+        axes.set(xlabel=f"change of the {peak} peak [%]")
         axes.grid(False, axis="y")
-    panels[0].legend(loc="lower right")
+    panels[0].legend(loc="lower right", fontsize=7)
     path = recipe.ROOT / "docs/cookbook/spatula/parameters.png"
     picture.savefig(path, dpi=130)
-    print(f"wrote {path.relative_to(recipe.ROOT)}")
+    print(f"\nwrote {path.relative_to(recipe.ROOT)}")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--results", type=pathlib.Path, default=pathlib.Path("results/cookbook/spatula"),
                         help="folder of the results of all runs (default: %(default)s)")
-    parser.add_argument("--only", choices=["shapes", "parameters"], help="one of the two parts")
+    parser.add_argument("--only", choices=["shapes", "parameters", "ends"], help="one part")
     parser.add_argument("--scales", type=float, nargs="+", default=[0.25], choices=list(MESHES),
                         help="sizes of the pads that compare the shapes (default: 0.25)")
+    parser.add_argument("--finished", action="store_true", help="no new runs with a changed parameter")
     arguments = parser.parse_args()
-    if arguments.only != "parameters":
+    if arguments.only in (None, "shapes"):
         draw_curves(compare_shapes(arguments.results, arguments.scales))
-    if arguments.only != "shapes":
-        draw_parameters(*compare_parameters(arguments.results))
+    if arguments.only in (None, "parameters"):
+        draw_parameters(*compare_parameters(arguments.results, arguments.finished))
+    if arguments.only in (None, "ends"):
+        compare_ends(arguments.results)
 
 
 if __name__ == "__main__":
