@@ -24,10 +24,10 @@ STIFF = {"Pad Length": 230.0, "Neck Width": 100.0, "Tip Width": 240.0, "Widening
          "Rear Thickness": 15.0, "Tip Thickness": 5.0, "Transition Length": 100.0, "Fillet Radius": 68.0,
          "Shaft Diameter": 80.0, "Shaft Length": 180.0, "Inclination": 45.0}
 THIN = {**STIFF, "Rear Thickness": 5.0}
-LATE = {"Widening Length": 150.0, "Tip Length": 80.0}
-DEFAULT = {**THIN, "Neck Width": 60.0, **LATE}
-SHAPES = {"stiff": STIFF, "stiff, neck 60": {**STIFF, "Neck Width": 60.0}, "stiff, widest later": {**STIFF, **LATE},
-          "thin": THIN, "narrow": {**THIN, "Neck Width": 60.0}, "default": DEFAULT}
+LATER = {"Widening Length": 150.0, "Tip Length": 80.0}
+LATE = {**THIN, "Neck Width": 60.0, **LATER}
+SHAPES = {"stiff": STIFF, "stiff, neck 60": {**STIFF, "Neck Width": 60.0}, "stiff, widest later": {**STIFF, **LATER},
+          "thin": THIN, "narrow": {**THIN, "Neck Width": 60.0}, "late": LATE}
 POISSON, VISCOSITY = 0.2, 1e-7
 # What the shaft's end cannot do by itself. Its first segment keeps its direction unless the end turns.
 ENDS = {"held": [0, 1, 2, 3], "free along x": [1, 3], "free to turn": [0, 1]}
@@ -214,17 +214,24 @@ def measures(lift, force, length):
             "late": (force[late], lift[late]), "free": lift[-1], "work": np.trapz(force, lift)}
 
 
+def scaled(shape, scale):
+    """Returns a pad of another size that bends alike: its bending stiffness over W times its squared length stays."""
+    def factor(name):
+        return 1 if name == "Inclination" else scale**(2 / 3) if "Thickness" in name else scale
+    return {name: factor(name) * value for name, value in shape.items()}
+
+
 def varied():
-    """Yields name, factor and shape: the default shape with one parameter 20 per cent smaller or larger.
+    """Yields name, factor and shape: the shape of xml/spatula.xml with one parameter 20 per cent smaller or larger.
 
     The outline has to fit: Pad Length stretches all of the outline, and a longer widening or end shortens the other.
     Transition Length and Fillet Radius change together once."""
-    for name in DEFAULT:
+    for name in LATE:
         for factor in (0.8, 1.2):
-            shape = {**DEFAULT, name: factor * DEFAULT[name]}
+            shape = {**LATE, name: factor * LATE[name]}
             room = shape["Pad Length"]
             if name == "Pad Length":
-                shape |= {other: factor * DEFAULT[other] for other in ("Widening Length", "Tip Length")}
+                shape |= {other: factor * LATE[other] for other in ("Widening Length", "Tip Length")}
             elif name == "Transition Length":  # a short one with a large fillet would sink below the pad's underside
                 shape["Fillet Radius"] *= factor
             elif name == "Widening Length":
@@ -233,13 +240,14 @@ def varied():
                 shape["Widening Length"] = min(shape["Widening Length"], room - shape[name])
             yield name, factor, shape
     for factor in (0.8, 1.2):
-        yield "both thicknesses", factor, {**DEFAULT, **{name: factor * DEFAULT[name]
-                                                              for name in ("Rear Thickness", "Tip Thickness")}}
+        both = {name: factor * LATE[name] for name in ("Rear Thickness", "Tip Thickness")}
+        yield "both thicknesses", factor, {**LATE, **both}
 
 
-def row(shape, start):
-    """Prints a row of a table: what the beam of a shape needs, after the cells of `start`."""
-    found = measures(*peel(shape), shape["Pad Length"])
+def row(start, shape, scale=1.0, end="held"):
+    """Prints a row of a table after the cells of `start`: the measures of a pad, as those of the full pad."""
+    lift, force = peel(scaled(shape, scale), scale, scale, end)
+    found = measures(lift / scale, force / scale, shape["Pad Length"])
     print(f"{start},{found['first'][0]:.3f},{found['first'][1]:g},{found['trough'][0]:.3f},{found['late'][0]:.3f},"
           f"{found['late'][1]:g},{found['free']:g},{found['work']:.1f}", flush=True)
 
@@ -248,13 +256,19 @@ def main():
     columns = "first,first_lift,trough,late,late_lift,free,work"
     if sys.argv[1:] == ["--parameters"]:
         print("parameter,factor," + columns)
-        row(DEFAULT, "none,1")
+        row("none,1", LATE)
         for name, factor, shape in varied():
-            row(shape, f"{name},{factor:g}")
-    else:
-        print("shape," + columns)
-        for name, shape in SHAPES.items():
-            row(shape, f'"{name}"')
+            row(f"{name},{factor:g}", shape)
+        return
+    print("shape,end,scale," + columns)
+    for name, shape in SHAPES.items():
+        row(f'"{name}",held,1', shape)
+    for name in ("stiff", "thin", "narrow", "late"):
+        row(f"{name},held,0.25", SHAPES[name], 0.25)
+    row("late,held,0.5", LATE, 0.5)
+    for name in ("thin", "late"):
+        for end in ("free along x", "free to turn"):
+            row(f"{name},{end},1", SHAPES[name], end=end)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Peels spatulae of several shapes, on pads of a quarter of the size, and compares them with the beam of reference.py:
-four shapes, then the default shape with one parameter changed by 20 per cent, then two shapes with a shaft's end that
+four shapes, then that of xml/spatula.xml with one parameter changed by 20 per cent, then two with a shaft's end that
 is held or free. Finished runs are not repeated.
 
     docs/cookbook/spatula/study.py [--results FOLDER] [--only shapes|parameters|ends]"""
@@ -21,20 +21,13 @@ NANONEWTONS = 2.0  # in E0 L0^2
 GROWTH = 5.0  # cell length in the shaft over that in the pad
 # Length of a contact face and cells across, by scale: at least three faces in the cohesive zone.
 MESHES = {0.25: (0.7, 12), 0.5: (1.0, 16), 1.0: (1.28, 20)}
-SHAPES = {name: beam.SHAPES[name] for name in ("stiff", "thin", "narrow", "default")}
-
-
-def scaled(shape, scale):
-    """Returns a pad of another size that bends alike: its bending stiffness over W times its squared length stays."""
-    def factor(name):
-        return 1 if name == "Inclination" else scale**(2 / 3) if "Thickness" in name else scale
-    return {name: factor(name) * value for name, value in shape.items()}
+SHAPES = {name: beam.SHAPES[name] for name in ("stiff", "thin", "narrow", "late")}
 
 
 def settings(shape, scale, step=0.5):
     """Returns the settings of a run until the pad is free. shape: of the full size; lengths are scaled here."""
     face, columns = MESHES[scale]
-    small = scaled(shape, scale)
+    small = beam.scaled(shape, scale)
     along = small["Pad Length"] + small["Transition Length"] * math.log(GROWTH) / (GROWTH - 1) \
         + small["Shaft Length"] / GROWTH
     mesh = {**small, "Core Cells": columns, "Core Layers": 1, "Rings": 1, "Tip Rows": columns // 4, "Growth": GROWTH,
@@ -62,7 +55,7 @@ def freed(end, shape, scale):
     """Returns the settings that free the shaft's end. The nodes on the section's line along y make a hinge."""
     if end == "free along x":
         return {"Boundary Conditions/Guide/Components": "y"}
-    line = beam.Centreline(scaled(shape, scale), scale)
+    line = beam.Centreline(beam.scaled(shape, scale), scale)
     x, z, width, near = line.x[0], line.z[0], line.width[0], 0.02 * scale
     hinge = {"Kind": "Nodes", "Lower": [x - near, -width, z - near], "Upper": [x + near, width, z + near]}
     return {**{"Mesh/Sets/hinge/" + name: value for name, value in hinge.items()}, "Mesh/Spatula/Core Layers": 2,
@@ -79,16 +72,19 @@ def curve(run, scale):
 
 def measured(run, scale, shape):
     """Returns the measures of a run as those of the full pad: forces in nN, lifts in nm, work in E0 L0^3."""
-    return beam.measures(*curve(run, scale), shape["Pad Length"]) | {
+    found = beam.measures(*curve(run, scale), shape["Pad Length"])
+    return found | {
         "work": run["external_work"][-1] / scale**2, "balance": balance(run), "iterations":
         run["newton_iterations"].sum() / run["step"][-1]}
 
 
-def predicted(shape, scale=1.0, end="held"):
-    """Returns the same of the beam."""
-    lift, force = beam.peel(scaled(shape, scale), scale, scale, end)
-    found = beam.measures(lift / scale, NANONEWTONS * force / scale, shape["Pad Length"])
-    return found | {"work": found["work"] / NANONEWTONS}
+def predicted(name, scale=1.0, end="held"):
+    """Returns the same of the beam, from reference.csv. None: reference.py does not print it."""
+    for row in recipe.reference("spatula"):
+        if (row["shape"], row["end"], row["scale"]) == (name, end, scale):
+            return {peak: (NANONEWTONS * row[peak], row[peak + "_lift"]) for peak in ("first", "late")} | {
+                "trough": (NANONEWTONS * row["trough"],), "free": row["free"], "work": row["work"]}
+    return None
 
 
 def balance(run):
@@ -108,19 +104,24 @@ COLUMNS = ["first peak [nN]", "at [nm]", "least between [nN]", "late peak [nN]",
            "work [E0 L0^3]"]
 
 
-def compare_shapes(folder, scales):
-    """Prints the table of shapes. Returns the curves at the smallest scale."""
+def compare_shapes(folder, scales, finished):
+    """Prints the table of shapes. Returns the curves at the first scale."""
     rows, curves = [], {}
     for name, shape in SHAPES.items():
+        rows.append([name, "beam, full size", *cells(predicted(name)), "", ""])
         for scale in scales:
-            run = peel(shape, scale, folder / f"{name}-{scale:g}")
+            path = folder / f"{name}-{scale:g}"
+            if predicted(name, scale) and scale != 1:
+                rows.append([name, f"beam, scale {scale:g}", *cells(predicted(name, scale)), "", ""])
+            if finished and not is_finished(path):
+                continue
+            run = peel(shape, scale, path)
             found = measured(run, scale, shape)
             rows.append([name, f"Ixos, scale {scale:g}", *cells(found), f"{100 * found['balance']:.2f} %",
                          f"{found['iterations']:.1f}"])
-            rows.append([name, f"beam, scale {scale:g}", *cells(predicted(shape, scale)), "", ""])
-        rows.append([name, "beam, scale 1", *cells(predicted(shape)), "", ""])
-        curves[name] = curve(peel(shape, scales[0], folder / f"{name}-{scales[0]:g}"), scales[0])
-    recipe.table(["shape", "", *COLUMNS, "error of the balance / work", "Newton/increment"], rows)
+            if scale == scales[0]:
+                curves[name] = curve(run, scale)
+    recipe.table(["shape", "model", *COLUMNS, "error of the balance / work", "Newton/increment"], rows)
     return curves
 
 
@@ -131,7 +132,7 @@ def changed(folder, name, factor):
 
 def compare_parameters(folder, finished, scale=0.25):
     """Prints the table of changed parameters. Returns the beam's and Ixos' peaks by name and factor."""
-    shapes = {("none", 1.0): beam.DEFAULT} | {(name, factor): shape for name, factor, shape in beam.varied()}
+    shapes = {("none", 1.0): beam.LATE} | {(name, factor): shape for name, factor, shape in beam.varied()}
     model, found, rows = {}, {}, []
     for row in recipe.reference("spatula", "parameters.csv"):
         key = row["parameter"], row["factor"]
@@ -152,17 +153,18 @@ def compare_parameters(folder, finished, scale=0.25):
     return model, found
 
 
-def compare_ends(folder, scale=0.25):
+def compare_ends(folder, finished, scale=0.25):
     """Prints the table of what the shaft's end may do."""
     rows = []
-    for name in ("thin", "default"):
+    for name in ("thin", "late"):
         for end in beam.ENDS:
+            rows.append([name, end, "beam, full size", *cells(predicted(name, end=end))])
             path = folder / (f"{name}-{scale:g}" + ("" if end == "held" else "-" + end.split()[-1]))
-            run = peel(SHAPES[name], scale, path, freed(end, SHAPES[name], scale))
-            rows.append([name, end, "Ixos", *cells(measured(run, scale, SHAPES[name]))])
-            rows.append([name, end, "beam", *cells(predicted(SHAPES[name], scale, end))])
+            if not finished or is_finished(path):
+                run = peel(SHAPES[name], scale, path, freed(end, SHAPES[name], scale))
+                rows.append([name, end, f"Ixos, scale {scale:g}", *cells(measured(run, scale, SHAPES[name]))])
     print()
-    recipe.table(["shape", "shaft's end", "", *COLUMNS], rows)
+    recipe.table(["shape", "shaft's end", "model", *COLUMNS], rows)
 
 
 def draw_curves(curves):
@@ -211,14 +213,14 @@ def main():
     parser.add_argument("--only", choices=["shapes", "parameters", "ends"], help="one part")
     parser.add_argument("--scales", type=float, nargs="+", default=[0.25], choices=list(MESHES),
                         help="sizes of the pads that compare the shapes (default: 0.25)")
-    parser.add_argument("--finished", action="store_true", help="no new runs with a changed parameter")
+    parser.add_argument("--finished", action="store_true", help="no new runs: only those that are finished")
     arguments = parser.parse_args()
     if arguments.only in (None, "shapes"):
-        draw_curves(compare_shapes(arguments.results, arguments.scales))
+        draw_curves(compare_shapes(arguments.results, arguments.scales, arguments.finished))
     if arguments.only in (None, "parameters"):
         draw_parameters(*compare_parameters(arguments.results, arguments.finished))
     if arguments.only in (None, "ends"):
-        compare_ends(arguments.results)
+        compare_ends(arguments.results, arguments.finished)
 
 
 if __name__ == "__main__":
