@@ -29,7 +29,7 @@ LATE = {**THIN, "Neck Width": 60.0, **LATER}
 SHAPES = {"stiff": STIFF, "stiff, neck 60": {**STIFF, "Neck Width": 60.0}, "stiff, widest later": {**STIFF, **LATER},
           "thin": THIN, "narrow": {**THIN, "Neck Width": 60.0}, "late": LATE}
 POISSON, VISCOSITY = 0.2, 1e-7
-# What the shaft's end cannot do by itself. Its first segment keeps its direction unless the end turns.
+# The coordinates of the first two nodes that do not move freely. The end keeps its direction unless it turns.
 ENDS = {"held": [0, 1, 2, 3], "free along x": [1, 3], "free to turn": [0, 1]}
 EARLY = 0.15  # lifts below this share of the pad's length belong to the first peak
 
