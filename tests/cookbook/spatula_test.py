@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Tests the numbers of docs/cookbook/spatula: the force of xml/spatula.xml is largest late in the peeling, on a pad of a
-quarter of the size (40 s).
+"""Tests the numbers of docs/cookbook/spatula: the force of xml/spatula.xml is largest late in the peeling, on a pad of
+a quarter of the size (50 s).
 
     IXOS_DRIVER=build/release/drivers/ixos tests/cookbook/spatula_test.py"""
 import pathlib

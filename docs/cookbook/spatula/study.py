@@ -40,8 +40,9 @@ def settings(shape, scale, step=0.5):
 
 
 def is_finished(folder):
+    """Returns whether a folder has a run that reached its end or was stopped by its criterion."""
     summary = folder / "summary.json"
-    return summary.exists() and json.loads(summary.read_text(encoding="utf-8"))["status"] == "completed"
+    return summary.exists() and json.loads(summary.read_text(encoding="utf-8"))["status"] in ("completed", "stopped")
 
 
 def peel(shape, scale, folder, changes=None, step=0.5):
