@@ -29,7 +29,7 @@ LATE = {**THIN, "Neck Width": 60.0, **LATER}
 SHAPES = {"stiff": STIFF, "stiff, neck 60": {**STIFF, "Neck Width": 60.0}, "stiff, widest later": {**STIFF, **LATER},
           "thin": THIN, "narrow": {**THIN, "Neck Width": 60.0}, "late": LATE}
 POISSON = 0.2
-# Of the beam's motion [E0 T0] at 1 L0/T0. The larger one saves iterations and adds 3 per cent to the late peak.
+# Viscosities of the beam [E0 T0/L0^2]. The larger one saves iterations and adds 3 per cent to the late peak.
 VISCOSITY, LARGER_VISCOSITY = 1e-9, 1e-7
 # The coordinates of the first two nodes that do not move freely. The end keeps its direction unless it turns.
 ENDS = {"held": [0, 1, 2, 3], "free along x": [1, 3], "free to turn": [0, 1]}
