@@ -17,7 +17,7 @@ COLUMNS = ["Newton/increment", "CG/Newton", "s/Newton", *PHASES, "memory, GB"]
 def spatula(cells, steps):
     """Scene and settings of the spatula on about so many hexahedra, before it peels."""
     end = 0.5 * steps
-    return SCENES / "spatula.xml", [f"Mesh/Spatula/Target Cells={cells}", f"Histories/Pull/Rate Ramp/Length={end}",
+    return SCENES / "spatula-stiff.xml", [f"Mesh/Spatula/Target Cells={cells}", f"Histories/Pull/Rate Ramp/Length={end}",
                                     f"{STEPS}Final Time={end}", "Output/Fields Time Interval=0"]
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Seconds a Newton iteration of xml/spatula.xml takes, by ranks and solver, before it peels.
+"""Seconds a Newton iteration of xml/spatula-stiff.xml takes, by ranks and solver, before it peels.
 
 usage: spatula_times.py BUILD [--cells N] [--steps N]
 

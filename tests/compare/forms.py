@@ -106,6 +106,7 @@ def scene_forms(schemes):
     for scene, short in (("hertz", HERTZ), ("jkr", JKR), ("waviness", WAVES)):
         yield scene, scene, short
     yield "spatula", "spatula", SPATULA
+    yield "spatula-stiff", "spatula-stiff", SPATULA
     yield "spatula, MueLu, Matrix-Free", "spatula", [
         *SPATULA, *solver("Preconditioner Type=MueLu", "Operator=Matrix-Free")]
     for scheme in ("Static", "Newmark"):

@@ -95,7 +95,8 @@ TEST(SceneUnitsTest, ASceneInSIUnitsIsThatInPlainNumbersToTheBit) {
 }
 
 TEST(SceneUnitsTest, PlainNumbersStayAsTheyAre) {
-  for (const char* name : {"ball.xml", "strip.xml", "spatula.xml", "block-on-wall.xml", "spatula-vibration.xml"}) {
+  for (const char* name :
+       {"ball.xml", "strip.xml", "spatula.xml", "spatula-stiff.xml", "block-on-wall.xml", "spatula-vibration.xml"}) {
     const ParameterList scene = test::scene_file(name);
     EXPECT_TRUE(complete_scene(scene) == validated(scene, scene_parameters())) << name;
   }

@@ -56,7 +56,8 @@ void expect_warning(const std::string& file, const Assignments& assignments, con
 }
 
 TEST(WarningsTest, NoSceneOfTheProjectDrawsOne) {
-  for (const char* file : {"ball.xml", "strip.xml", "block-on-wall.xml", "spatula.xml", "spatula-vibration.xml"})
+  for (const char* file :
+       {"ball.xml", "strip.xml", "block-on-wall.xml", "spatula.xml", "spatula-stiff.xml", "spatula-vibration.xml"})
     EXPECT_EQ(all_of(file, {}), "") << file;
 }
 
