@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +48,7 @@ class PairTerm final : public Interaction {
 
   void initialize(const KnownState& start) override {
     coupling_.begin_anew();
+    start_.reset();
     if (points_.sight() == nullptr) return;
     look(start, 0);
     seen_ = points_.sight()->seen();
@@ -54,7 +56,10 @@ class PairTerm final : public Interaction {
   /// Decides which parts of a surface face each other. If these are others than in the last accepted step, the energy
   /// jumps at the start of the step.
   void begin_step(const KnownState& start, double, double dt) override {
-    if (points_.sight() == nullptr) return;
+    if (points_.sight() == nullptr) {
+      if (needs_positive_gaps()) start_ = points_.places(start.u);
+      return;
+    }
     look(start, dt);
     lost_ = 0;
     if (points_.sight()->seen() == seen_) return;
@@ -66,6 +71,7 @@ class PairTerm final : public Interaction {
   }
   bool dissipates() const override { return points_.sight() != nullptr; }
   double accept(const AcceptedStep&) override {
+    start_.reset();
     if (points_.sight() == nullptr) return 0;
     seen_ = points_.sight()->seen();
     return std::exchange(lost_, 0.0);
@@ -196,6 +202,7 @@ class PairTerm final : public Interaction {
     }
     lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
     lower(points_.primary().patches, x.primary, primary, secondary, lowest);
+    if (start_) lower_on_the_way(*start_, x, lowest);
     return lowest;
   }
 
@@ -355,11 +362,7 @@ class PairTerm final : public Interaction {
   /// crosses the other has a node no deeper than its longest side, or a middle.
   static void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x,
                     const PlacedSurface<D>& own, const PlacedSurface<D>& other, LowestPoint& lowest) {
-    double longest = 0;
-    for (const SurfacePatch<D>& patch : patches)
-      for (std::size_t a = 0; a < patch.count; ++a)
-        longest = std::max(
-            longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
+    const double longest = longest_side(patches, x);
     int guess = -1;
     const auto look = [&](const Vec<D>& place) {
       const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
@@ -372,6 +375,47 @@ class PairTerm final : public Interaction {
     PatchParameters<D> middle;
     middle.fill(0.5);
     for (std::size_t s = 0; s < patches.size(); ++s) look(own.patch(static_cast<int>(s)).at(middle));
+  }
+
+  /// Lowers the lowest point to those between the start of a step and its end: a scheme that looks at the end only can
+  /// find a state in which the bodies have passed through each other. Looks as often as the bodies move by the longest
+  /// side of a surface relative to each other, at most 256 times.
+  void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const {
+    const std::size_t own = from.secondary.size(), other = from.primary.size();
+    Vec<D> mean{};
+    const auto for_each_way = [&](const auto& visit) {
+      for (std::size_t i = 0; i < own; ++i) visit(to.secondary[i] - from.secondary[i]);
+      for (std::size_t i = 0; i < other; ++i) visit(to.primary[i] - from.primary[i]);
+    };
+    for_each_way([&](const Vec<D>& way) { mean = mean + 1 / static_cast<double>(own + other) * way; });
+    double motion = 0;
+    for_each_way([&](const Vec<D>& way) { motion = std::max(motion, 2 * length(way - mean)); });
+    const double side = std::max(longest_side(points_.secondary().patches, from.secondary),
+                                 longest_side(points_.primary().patches, from.primary));
+    if (!(motion > side)) return;
+    const int looks = static_cast<int>(std::min(256.0, motion / side));
+    for (int k = 1; k <= looks; ++k) {
+      const double share = k / (looks + 1.0);
+      Places between = from;
+      for (std::size_t i = 0; i < own; ++i)
+        between.secondary[i] = between.secondary[i] + share * (to.secondary[i] - from.secondary[i]);
+      for (std::size_t i = 0; i < other; ++i)
+        between.primary[i] = between.primary[i] + share * (to.primary[i] - from.primary[i]);
+      const PlacedSurface<D> secondary(points_.secondary().patches, between.secondary),
+          primary(points_.primary().patches, between.primary);
+      lower(points_.secondary().patches, between.secondary, secondary, primary, lowest);
+      lower(points_.primary().patches, between.primary, primary, secondary, lowest);
+    }
+  }
+
+  /// Returns the largest distance of a patch's nodes from its first one.
+  static double longest_side(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x) {
+    double longest = 0;
+    for (const SurfacePatch<D>& patch : patches)
+      for (std::size_t a = 0; a < patch.count; ++a)
+        longest = std::max(
+            longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
+    return longest;
   }
 
   /// Returns the largest s in [0, most] for which the gaps at places + s share ways surely have the margin.
@@ -411,6 +455,7 @@ class PairTerm final : public Interaction {
   PairPoints<D> points_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   double margin_;
+  std::optional<Places> start_;         ///< of a step that is under way
   std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
   double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step
 };

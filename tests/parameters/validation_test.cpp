@@ -44,7 +44,7 @@ TEST(ValidationTest, MessagesNameThePlaceTheValueAndWhatIsAllowed) {
       {integrator + test::list("Materials", test::list("A", test::word("Density", "heavy"))),
        "Materials/A/Density: heavy is of type string, but it must be of type double"},
       {integrator + test::list("Mesh", test::word("Type", "Disc")),
-       "Mesh/Type: \"Disc\" does not exist; did you mean \"Disk\"? Allowed: \"Disk\", \"Box\""},
+       "Mesh/Type: \"Disc\" does not exist; did you mean \"Disk\"? Allowed: \"Disk\", \"Ball\", \"Box\""},
       {integrator + test::list("Interactions", test::list("Wall", "")),
        "Interactions/Wall/Side Set is missing: Side set of the surface that interacts."},
       {"", "Time Integrator/Time Step Control/Final Time is missing: Time at which the run ends [T0]."},

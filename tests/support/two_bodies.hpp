@@ -98,6 +98,7 @@ inline std::unique_ptr<Model> model_of_bodies(const Mesh& mesh, const std::vecto
                                               Inertia inertia = Inertia::None) {
   std::vector<Material> materials;
   for (const ElementBlock& block : mesh.blocks) {
+    if (!materials.empty() && materials.back().block == block.name) continue;  // enriched cells of the same body
     materials.push_back(elastic(neo_hooke, 0.3));
     materials.back().block = block.name;
   }
