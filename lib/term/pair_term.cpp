@@ -379,7 +379,7 @@ class PairTerm final : public Interaction {
 
   /// Lowers the lowest point to those between the start of a step and its end: a scheme that looks at the end only can
   /// find a state in which the bodies have passed through each other. Looks as often as the bodies move by the longest
-  /// side of a surface relative to each other, at most 256 times.
+  /// side of a surface relative to each other, at most 10,000 times.
   void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const {
     const std::size_t own = from.secondary.size(), other = from.primary.size();
     Vec<D> mean{};
@@ -393,7 +393,7 @@ class PairTerm final : public Interaction {
     const double side = std::max(longest_side(points_.secondary().patches, from.secondary),
                                  longest_side(points_.primary().patches, from.primary));
     if (!(motion > side)) return;
-    const int looks = static_cast<int>(std::min(256.0, motion / side));
+    const int looks = static_cast<int>(std::min(1e4, motion / side));
     for (int k = 1; k <= looks; ++k) {
       const double share = k / (looks + 1.0);
       Places between = from;

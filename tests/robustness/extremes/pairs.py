@@ -5,7 +5,7 @@ from runs import R0, SCHEMES, steps, table
 
 GAPS = [0.01, 0.1, 0.3, 0.5, 1.0, 10.0, 100.0, 1000.0]
 RATIOS = ["1:20", "1:5", "1:1", "5:1", "20:1"]
-SIDES = [8, 12, 16, 32, 64]
+SIDES = [8, 16, 32, 64]
 LENGTHS = [0.01, 0.1, 1.0, 10.0]
 LENGTH = 4.0
 
