@@ -49,7 +49,7 @@ class PlacedSurface {
     return near(Box(points), range);
   }
   /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
-  /// surely stays at least `least`. There are two bounds for each patch, and the later one counts: the motion of the
+  /// surely stays at least `least`. The later of two bounds counts for each patch: the motion of the
   /// place relative to the patch's hull is as long as the distance exceeds `least`; or the hull, seen along the normal
   /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `fastest`: the largest way of a point
   /// of the surface, see fastest(). `among`: the patches that count; null: all.

@@ -20,7 +20,8 @@ std::vector<double> flat(const typename PairPoints<D>::Places& places) {
 double reach_of_stiffness(const GapLaw& law) {
   const double equilibrium = law.equilibrium_gap(), most = std::min(law.range(), 100 * equilibrium);
   double largest = 0, reach = equilibrium;
-  for (double gap = equilibrium; gap < most; gap *= 1.05) {
+  for (int k = 0; equilibrium * std::pow(1.05, k) < most; ++k) {
+    const double gap = equilibrium * std::pow(1.05, k);
     const double stiffness = std::abs(law.stiffness(gap)[0]);
     largest = std::max(largest, stiffness);
     if (stiffness > 1e-3 * largest) reach = 1.05 * gap;

@@ -332,8 +332,9 @@ class PairTerm final : public Interaction {
   void lower_to_itself(const PlacedSurface<D>& surface, LowestPoint& lowest) const {
     for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
       for (std::size_t i = 0; i < (D == 2 ? 3 : 9); ++i) {
+        [[maybe_unused]] const std::size_t row = i / 3;
         PatchParameters<D> xi{0.5 * static_cast<double>(i % 3)};
-        if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(i / 3);
+        if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(row);
         const Vec<D> place = surface.patch(static_cast<int>(p)).at(xi);
         const SurfaceFoot<D> foot = points_.nearest(surface, p, place, points_.law().range());
         if (!(foot.gap < lowest.gap)) continue;

@@ -53,6 +53,7 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
     SurfacePatch<2> patch;
     if (const std::vector<int>& nodes = sides[static_cast<std::size_t>(own)].nodes; nodes.size() > 2) {
       std::vector<int> numbers;
+      numbers.reserve(nodes.size());
       for (const int node : nodes) numbers.push_back(number(node));
       patch = lagrange_patch<2>(numbers);
     } else if (smooth_start || smooth_end) {
