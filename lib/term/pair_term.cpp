@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "term/pair_action.hpp"
+#include "term/pair_approach.hpp"
 #include "term/pair_coupling.hpp"
 #include "term/pair_gradient.hpp"
 
@@ -29,7 +30,7 @@ class PairTerm final : public Interaction {
       : pattern_(pattern),
         points_(mesh, std::move(surfaces), std::move(law), options),
         coupling_(points_),
-        margin_(options.margin) {}
+        approach_(points_, options.margin) {}
 
   bool needs_positive_gaps() const override { return points_.is_positive(); }
   bool follows(Mean mean) const override { return mean != Mean::Exact; }
@@ -84,11 +85,8 @@ class PairTerm final : public Interaction {
       const double least = PairGradient<D>(points_).add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (const RulePoint& point : rule.points)
-      least =
-          std::min(least, add_force(points_.contacts(points_.places(segment, point), Share::Forces), point.weight, f));
-    return is_admissible(segment, rule, least);
+    return add_point_forces(
+        segment, rule, [](Contacts&&) {}, f);
   }
 
   std::unique_ptr<KeptPoints> create_kept() const override { return std::make_unique<Kept>(); }
@@ -98,12 +96,8 @@ class PairTerm final : public Interaction {
     check(rule);
     std::vector<Contacts>& times = dynamic_cast<Kept&>(kept).times;
     times.clear();
-    double least = std::numeric_limits<double>::infinity();
-    for (const RulePoint& point : rule.points) {
-      times.push_back(points_.contacts(points_.places(segment, point), Share::Forces));
-      least = std::min(least, add_force(times.back(), point.weight, f));
-    }
-    return is_admissible(segment, rule, least);
+    return add_point_forces(
+        segment, rule, [&](Contacts&& contacts) { times.push_back(std::move(contacts)); }, f);
   }
 
   /// Leaves out nodes that are not coupled, see PairCoupling.
@@ -126,29 +120,28 @@ class PairTerm final : public Interaction {
   std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction<D>>(points_); }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    const Contacts contacts = points_.contacts(points_.places(segment.to), Share::Forces);
-    points_.for_each_block({nullptr, nullptr, segment.to}, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
+    std::vector<Contacts> end;
+    end.push_back(points_.contacts(points_.places(segment.to), Share::Forces));
+    points_.for_each_block(end, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
       const std::size_t size = D * block.nodes.size();
       for (std::size_t r = 0; r < size; ++r)
         for (std::size_t c = 0; c < size; ++c)
           sums[D * static_cast<std::size_t>(block.nodes[r / D]) + r % D] += std::abs(block.k[r * size + c]);
     });
-    return !needs_positive_gaps() || contacts.least_gap > 0;
+    return !needs_positive_gaps() || end.front().least_gap > 0;
   }
 
   double energy(const double* u) const override {
     return sum(u, [&](const Contact& c) { return points_.measure(c) * at(points_.law().energy(c.foot.gap)); });
   }
 
-  /// Follows the surfaces along the step in up to 8 parts, each as long as no gap can have fallen to its least one: the
-  /// bound of a part does not know the direction of the motion.
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!needs_positive_gaps()) return 1;
     const Places ways = points_.ways(direction);
-    double step = free_step(points_.places(segment.to), ways, 1);
+    double step = approach_.free_step(points_.places(segment.to), ways, 1);
     if (segment.from != nullptr || segment.velocity != nullptr)
       for (const RulePoint& point : rule.points)
-        if (point.to != 0) step = free_step(points_.places(segment, point), ways, point.to, step);
+        if (point.to != 0) step = approach_.free_step(points_.places(segment, point), ways, point.to, step);
     return step;
   }
 
@@ -191,20 +184,7 @@ class PairTerm final : public Interaction {
     });
   }
 
-  LowestPoint lowest_point(const double* u) const override {
-    const Places x = points_.places(u);
-    const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary),
-        primary(points_.primary().patches, x.primary);
-    LowestPoint lowest;
-    if (points_.sight() != nullptr) {
-      lower_to_itself(secondary, lowest);
-      return lowest;
-    }
-    lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
-    lower(points_.primary().patches, x.primary, primary, secondary, lowest);
-    if (start_) lower_on_the_way(*start_, x, lowest);
-    return lowest;
-  }
+  LowestPoint lowest_point(const double* u) const override { return approach_.lowest_point(points_.places(u), start_); }
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
     for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
@@ -249,6 +229,20 @@ class PairTerm final : public Interaction {
     std::vector<Contacts> times;
   };
 
+  /// Adds the forces at the rule's points, whose contacts `keep` takes. Returns whether all gaps are admissible.
+  template <class Keep>
+  bool add_point_forces(const Segment& segment, const Rule& rule, const Keep& keep, double* f) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const RulePoint& point : rule.points) {
+      Contacts contacts = points_.contacts(points_.places(segment, point), Share::Forces);
+      least = std::min(least, add_force(contacts, point.weight, f));
+      keep(std::move(contacts));
+    }
+    if (!needs_positive_gaps()) return true;
+    if (!rule.has_end()) least = std::min(least, points_.contacts(points_.places(segment.to), Share::Forces).least_gap);
+    return least > 0;
+  }
+
   /// Adds the forces times the weight. Returns the least gap.
   double add_force(const Contacts& contacts, double weight, double* f) const {
     for (const Contact& contact : contacts.all) {
@@ -260,12 +254,6 @@ class PairTerm final : public Interaction {
         f[D * static_cast<std::size_t>(nodes[r / D]) + r % D] += factor * gradient[r];
     }
     return contacts.least_gap;
-  }
-
-  bool is_admissible(const Segment& segment, const Rule& rule, double least) const {
-    if (!needs_positive_gaps()) return true;
-    if (!rule.has_end()) least = std::min(least, points_.contacts(points_.places(segment.to), Share::Forces).least_gap);
-    return least > 0;
   }
 
   void add_to_matrix(const PairBlock& block, double* values) const {
@@ -328,30 +316,6 @@ class PairTerm final : public Interaction {
     points_.sight()->look(x.secondary, std::max(points_.law().range(), 2 * dt * fastest));
   }
 
-  /// Lowers the lowest point to the corners and middles of the patches of a surface before what they see of it.
-  void lower_to_itself(const PlacedSurface<D>& surface, LowestPoint& lowest) const {
-    for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
-      for (std::size_t i = 0; i < (D == 2 ? 3 : 9); ++i) {
-        [[maybe_unused]] const std::size_t row = i / 3;
-        PatchParameters<D> xi{0.5 * static_cast<double>(i % 3)};
-        if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(row);
-        const Vec<D> place = surface.patch(static_cast<int>(p)).at(xi);
-        const SurfaceFoot<D> foot = points_.nearest(surface, p, place, points_.law().range());
-        if (!(foot.gap < lowest.gap)) continue;
-        lowest.gap = foot.gap;
-        std::copy(place.begin(), place.end(), lowest.place.begin());
-      }
-  }
-
-  /// Returns the point's place along its own patch at the given values of the surface's nodes.
-  Vec<D> interpolate(const Contact& contact, const std::vector<Vec<D>>& values) const {
-    const SurfacePatch<D>& patch = points_.secondary().patches[contact.patch];
-    Vec<D> result{};
-    for (std::size_t a = 0; a < patch.count; ++a)
-      result = result + points_.weights(contact)[a] * values[static_cast<std::size_t>(patch.nodes[a])];
-    return result;
-  }
-
   void add_weighted(const Contact& contact, double value, double* by_node) const {
     const SurfacePatch<D>& patch = points_.secondary().patches[contact.patch];
     for (std::size_t a = 0; a < patch.count; ++a)
@@ -359,103 +323,10 @@ class PairTerm final : public Interaction {
           points_.weights(contact)[a] * value;
   }
 
-  /// Lowers the lowest point to the nodes and the middles of the sides of one surface before the other. A surface that
-  /// crosses the other has a node no deeper than its longest side, or a middle.
-  static void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x,
-                    const PlacedSurface<D>& own, const PlacedSurface<D>& other, LowestPoint& lowest) {
-    const double longest = longest_side(patches, x);
-    int guess = -1;
-    const auto look = [&](const Vec<D>& place) {
-      const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
-      guess = foot.patch;
-      if (!(foot.gap < lowest.gap)) return;
-      lowest.gap = foot.gap;
-      std::copy(place.begin(), place.end(), lowest.place.begin());
-    };
-    for (const Vec<D>& place : x) look(place);
-    PatchParameters<D> middle;
-    middle.fill(0.5);
-    for (std::size_t s = 0; s < patches.size(); ++s) look(own.patch(static_cast<int>(s)).at(middle));
-  }
-
-  /// Lowers the lowest point to those between the start of a step and its end: a scheme that looks at the end only can
-  /// find a state in which the bodies have passed through each other. Looks as often as the bodies move by the longest
-  /// side of a surface relative to each other, at most 10,000 times.
-  void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const {
-    const std::size_t own = from.secondary.size(), other = from.primary.size();
-    Vec<D> mean{};
-    const auto for_each_way = [&](const auto& visit) {
-      for (std::size_t i = 0; i < own; ++i) visit(to.secondary[i] - from.secondary[i]);
-      for (std::size_t i = 0; i < other; ++i) visit(to.primary[i] - from.primary[i]);
-    };
-    for_each_way([&](const Vec<D>& way) { mean = mean + 1 / static_cast<double>(own + other) * way; });
-    double motion = 0;
-    for_each_way([&](const Vec<D>& way) { motion = std::max(motion, 2 * length(way - mean)); });
-    const double side = std::max(longest_side(points_.secondary().patches, from.secondary),
-                                 longest_side(points_.primary().patches, from.primary));
-    if (!(motion > side)) return;
-    const int looks = static_cast<int>(std::min(1e4, motion / side));
-    for (int k = 1; k <= looks; ++k) {
-      const double share = k / (looks + 1.0);
-      Places between = from;
-      for (std::size_t i = 0; i < own; ++i)
-        between.secondary[i] = between.secondary[i] + share * (to.secondary[i] - from.secondary[i]);
-      for (std::size_t i = 0; i < other; ++i)
-        between.primary[i] = between.primary[i] + share * (to.primary[i] - from.primary[i]);
-      const PlacedSurface<D> secondary(points_.secondary().patches, between.secondary),
-          primary(points_.primary().patches, between.primary);
-      lower(points_.secondary().patches, between.secondary, secondary, primary, lowest);
-      lower(points_.primary().patches, between.primary, primary, secondary, lowest);
-    }
-  }
-
-  /// Returns the largest distance of a patch's nodes from its first one.
-  static double longest_side(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x) {
-    double longest = 0;
-    for (const SurfacePatch<D>& patch : patches)
-      for (std::size_t a = 0; a < patch.count; ++a)
-        longest = std::max(
-            longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
-    return longest;
-  }
-
-  /// Returns the largest s in [0, most] for which the gaps at places + s share ways surely have the margin.
-  double free_step(Places x, Places ways, double share, double most = 1) const {
-    for (auto* way : {&ways.secondary, &ways.primary})
-      for (Vec<D>& w : *way) w = (most * share) * w;
-    std::vector<double> least;
-    double done = 0;
-    for (int part = 0; part < 8 && done < 1; ++part) {
-      const Contacts contacts = points_.contacts(x, Share::Forces);
-      if (least.empty())
-        for (const Contact& c : contacts.all)
-          least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
-      if (!contacts.primary) return most;  // places are no numbers, which shows in the force
-      const double fastest = contacts.primary->fastest(ways.primary);
-      double own = 1 - done;
-      for (std::size_t p = 0; p < contacts.all.size(); ++p) {
-        const Contact& c = contacts.all[p];
-        const Vec<D> way = interpolate(c, ways.secondary);
-        const double gap = c.foot.patch < 0 ? points_.law().range() : c.foot.gap;
-        if (gap - least[p] >= own * (length(way) + fastest)) continue;
-        own = std::min(
-            own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p], points_.seen(c.patch)));
-      }
-      done += own;
-      if (own == 0) break;
-      for (const bool first : {true, false}) {
-        std::vector<Vec<D>>& places = first ? x.secondary : x.primary;
-        const std::vector<Vec<D>>& way = first ? ways.secondary : ways.primary;
-        for (std::size_t i = 0; i < places.size(); ++i) places[i] = places[i] + own * way[i];
-      }
-    }
-    return most * std::min(done, 1.0);
-  }
-
   const Pattern& pattern_;
   PairPoints<D> points_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
-  double margin_;
+  PairApproach<D> approach_;
   std::optional<Places> start_;         ///< of a step that is under way
   std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
   double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step

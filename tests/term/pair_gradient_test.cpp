@@ -5,42 +5,24 @@
 
 #include <numeric>
 
-#include "interaction/catalogue.hpp"
-#include "interaction/van_der_waals.hpp"
-#include "support/two_bodies.hpp"
+#include "support/pair_of_bodies.hpp"
 
 namespace ixos {
 namespace {
 
 /// A model with one pair, and two displacements between which the bodies come nearer and slide.
-struct Bodies {
-  std::unique_ptr<Model> model;
-  const Interaction* term;
+struct Bodies : test::PairOfBodies {
   std::vector<double> from, to;
 
   Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
          double cutoff = 0)
-      : model(test::model_of_bodies(mesh, {secondary, primary})) {
-    SurfacePair pair;
-    pair.secondary = secondary;
-    pair.primary = primary;
-    pair.law = gap_law(VanDerWaals(2.5, 25));
-    pair.smoothing = smoothing;
-    pair.cutoff = cutoff;
-    add_pair(*model, pair);
-    term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
-    from = test::smooth_field(*model, 0.02);
-    to = test::smooth_field(*model, -0.03);
-  }
+      : PairOfBodies(mesh, secondary, primary, smoothing, cutoff),
+        from(test::smooth_field(*model, 0.02)),
+        to(test::smooth_field(*model, -0.03)) {}
   std::vector<double> force(const std::vector<double>& end) const {
     std::vector<double> f(end.size(), 0.0);
     EXPECT_TRUE(term->add_force({from.data(), nullptr, end.data()}, discrete_gradient_rule(), f.data()));
     return f;
-  }
-  double energy(const std::vector<double>& u) const {
-    double sum = term->energy(u.data());
-    model->space().sum(&sum, 1);
-    return sum;
   }
 };
 

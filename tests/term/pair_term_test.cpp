@@ -11,7 +11,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "support/comparison.hpp"
-#include "support/two_bodies.hpp"
+#include "support/pair_of_bodies.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -23,20 +23,9 @@ const std::shared_ptr<const GapLaw>& law() {
 }
 
 /// A model with one pair.
-struct Bodies {
-  std::unique_ptr<Model> model;
-  const Interaction* term;
-
-  Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
-         const std::shared_ptr<const GapLaw>& own = law())
-      : model(test::model_of_bodies(mesh, {secondary, primary})) {
-    SurfacePair pair;
-    pair.secondary = secondary;
-    pair.primary = primary;
-    pair.law = own;
-    pair.smoothing = smoothing;
-    add_pair(*model, pair);
-    term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
+struct Bodies : test::PairOfBodies {
+  Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing)
+      : PairOfBodies(mesh, secondary, primary, smoothing) {
     std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
     std::iota(all.begin(), all.end(), 0);
     model->couple({all});  // the pair's own coupling leaves out what is far
@@ -57,11 +46,6 @@ struct Bodies {
       });
     });
     return y;
-  }
-  double energy(const std::vector<double>& u) const {
-    double sum = term->energy(u.data());
-    model->space().sum(&sum, 1);
-    return sum;
   }
 };
 

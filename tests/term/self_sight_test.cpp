@@ -38,7 +38,7 @@ TEST(SelfSightTest, PatchesSeeThoseThatFaceThemBeyondTheExclusion) {
     const std::vector<int>& seen = sight.seen(static_cast<std::size_t>(p));
     const int opposite = 2 * n - p;
     EXPECT_EQ(std::count(seen.begin(), seen.end(), opposite), p <= n - 3 ? 1 : 0) << p;
-    for (const int other : seen) EXPECT_GT(other, n) << "the sides of its own arm lie in its plane";
+    for (const int other : seen) EXPECT_GT(other, n) << "a side does not see its own arm, which lies in its plane";
     EXPECT_TRUE(sight.is_excluded(static_cast<std::size_t>(p), p + 3));
     if (p < 5) {
       EXPECT_FALSE(sight.is_excluded(static_cast<std::size_t>(p), p + 5));

@@ -1,0 +1,155 @@
+#include "term/pair_approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ixos {
+namespace {
+
+/// Returns the largest distance of a patch's nodes from its first one.
+template <std::size_t D>
+double longest_side(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x) {
+  double longest = 0;
+  for (const SurfacePatch<D>& patch : patches)
+    for (std::size_t a = 0; a < patch.count; ++a)
+      longest = std::max(
+          longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
+  return longest;
+}
+
+/// Lowers the lowest point to a place at that gap, if it is lower.
+template <std::size_t D>
+void lower_to(const Vec<D>& place, double gap, LowestPoint& lowest) {
+  if (!(gap < lowest.gap)) return;
+  lowest.gap = gap;
+  std::copy(place.begin(), place.end(), lowest.place.begin());
+}
+
+/// Lowers the lowest point to the nodes and the middles of the sides of one surface before the other. A surface that
+/// crosses the other has a node no deeper than its longest side, or a middle.
+template <std::size_t D>
+void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, const PlacedSurface<D>& own,
+           const PlacedSurface<D>& other, LowestPoint& lowest) {
+  const double longest = longest_side(patches, x);
+  int guess = -1;
+  const auto look = [&](const Vec<D>& place) {
+    const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
+    guess = foot.patch;
+    lower_to<D>(place, foot.gap, lowest);
+  };
+  for (const Vec<D>& place : x) look(place);
+  PatchParameters<D> middle;
+  middle.fill(0.5);
+  for (std::size_t s = 0; s < patches.size(); ++s) look(own.patch(static_cast<int>(s)).at(middle));
+}
+
+/// Adds a share of ways to the places.
+template <std::size_t D>
+void advance(typename PairPoints<D>::Places& x, double share, const typename PairPoints<D>::Places& ways) {
+  const auto move = [&](std::vector<Vec<D>>& places, const std::vector<Vec<D>>& own) {
+    for (std::size_t i = 0; i < places.size(); ++i) places[i] = places[i] + share * own[i];
+  };
+  move(x.secondary, ways.secondary);
+  move(x.primary, ways.primary);
+}
+
+}  // namespace
+
+template <std::size_t D>
+LowestPoint PairApproach<D>::lowest_point(const Places& x, const std::optional<Places>& start) const {
+  LowestPoint lowest;
+  if (points_.sight() != nullptr) {
+    lower_to_itself(x, lowest);
+    return lowest;
+  }
+  lower_both(x, lowest);
+  if (start) lower_on_the_way(*start, x, lowest);
+  return lowest;
+}
+
+template <std::size_t D>
+void PairApproach<D>::lower_both(const Places& x, LowestPoint& lowest) const {
+  const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary),
+      primary(points_.primary().patches, x.primary);
+  lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
+  lower(points_.primary().patches, x.primary, primary, secondary, lowest);
+}
+
+template <std::size_t D>
+void PairApproach<D>::lower_to_itself(const Places& x, LowestPoint& lowest) const {
+  const PlacedSurface<D> surface(points_.secondary().patches, x.secondary);
+  for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
+    for (std::size_t i = 0; i < (D == 2 ? 3 : 9); ++i) {
+      [[maybe_unused]] const std::size_t row = i / 3;
+      PatchParameters<D> xi{0.5 * static_cast<double>(i % 3)};
+      if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(row);
+      const Vec<D> place = surface.patch(static_cast<int>(p)).at(xi);
+      const SurfaceFoot<D> foot = points_.nearest(surface, p, place, points_.law().range());
+      lower_to<D>(place, foot.gap, lowest);
+    }
+}
+
+template <std::size_t D>
+void PairApproach<D>::lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const {
+  Places ways = to;
+  advance<D>(ways, -1, from);
+  const double count = static_cast<double>(ways.secondary.size() + ways.primary.size());
+  Vec<D> mean{};
+  for (const auto* own : {&ways.secondary, &ways.primary})
+    for (const Vec<D>& way : *own) mean = mean + 1 / count * way;
+  double motion = 0;
+  for (const auto* own : {&ways.secondary, &ways.primary})
+    for (const Vec<D>& way : *own) motion = std::max(motion, 2 * length(way - mean));
+  const double side = std::max(longest_side(points_.secondary().patches, from.secondary),
+                               longest_side(points_.primary().patches, from.primary));
+  if (!(motion > side)) return;
+  const int looks = static_cast<int>(std::min(1e4, motion / side));
+  for (int k = 1; k <= looks; ++k) {
+    Places between = from;
+    advance<D>(between, k / (looks + 1.0), ways);
+    lower_both(between, lowest);
+  }
+}
+
+template <std::size_t D>
+Vec<D> PairApproach<D>::interpolate(const Contact& contact, const std::vector<Vec<D>>& values) const {
+  const SurfacePatch<D>& patch = points_.secondary().patches[contact.patch];
+  Vec<D> result{};
+  for (std::size_t a = 0; a < patch.count; ++a)
+    result = result + points_.weights(contact)[a] * values[static_cast<std::size_t>(patch.nodes[a])];
+  return result;
+}
+
+template <std::size_t D>
+double PairApproach<D>::free_step(Places x, Places ways, double share, double most) const {
+  for (auto* way : {&ways.secondary, &ways.primary})
+    for (Vec<D>& w : *way) w = (most * share) * w;
+  std::vector<double> least;
+  double done = 0;
+  for (int part = 0; part < 8 && done < 1; ++part) {
+    const typename PairPoints<D>::Contacts contacts = points_.contacts(x, PairPoints<D>::Share::Forces);
+    if (least.empty())
+      for (const Contact& c : contacts.all)
+        least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
+    if (!contacts.primary) return most;  // places are no numbers, which shows in the force
+    const double fastest = contacts.primary->fastest(ways.primary);
+    double own = 1 - done;
+    for (std::size_t p = 0; p < contacts.all.size(); ++p) {
+      const Contact& c = contacts.all[p];
+      const Vec<D> way = interpolate(c, ways.secondary);
+      const double gap = c.foot.patch < 0 ? points_.law().range() : c.foot.gap;
+      if (gap - least[p] >= own * (length(way) + fastest)) continue;
+      own = std::min(
+          own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p], points_.seen(c.patch)));
+    }
+    done += own;
+    if (own == 0) break;
+    advance<D>(x, own, ways);
+  }
+  return most * std::min(done, 1.0);
+}
+
+template class PairApproach<2>;
+template class PairApproach<3>;
+
+}  // namespace ixos

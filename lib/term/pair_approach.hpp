@@ -1,0 +1,45 @@
+/// How far two surfaces may approach each other, and where they are nearest.
+#pragma once
+#include <optional>
+
+#include "term/pair_points.hpp"
+
+namespace ixos {
+
+/// Bounds on the motion of two surfaces, or of parts of one, and their lowest point: see
+/// Interaction::admissible_step() and lowest_point().
+template <std::size_t D>
+class PairApproach {
+ public:
+  using Places = typename PairPoints<D>::Places;
+  using Contact = typename PairPoints<D>::Contact;
+
+  /// `margin`: see PairOptions. The points must outlive it.
+  PairApproach(const PairPoints<D>& points, double margin) : points_(points), margin_(margin) {}
+
+  /// Returns the largest s in [0, most] for which the gaps at places + s share ways surely have the margin. Follows the
+  /// surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound of a part does not
+  /// know the direction of the motion.
+  double free_step(Places x, Places ways, double share, double most = 1) const;
+  /// Returns the lowest point of the surfaces, also on the straight way from `start`, if that is given: a scheme that
+  /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as
+  /// often as the bodies move by the longest side of a surface relative to each other, at most 10,000 times.
+  LowestPoint lowest_point(const Places& x, const std::optional<Places>& start) const;
+
+ private:
+  /// Lowers the lowest point to the nodes and the middles of the sides of both surfaces before the other one.
+  void lower_both(const Places& x, LowestPoint& lowest) const;
+  /// Lowers it to the corners and middles of the patches of a surface before what they see of it.
+  void lower_to_itself(const Places& x, LowestPoint& lowest) const;
+  void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const;
+  /// Returns the point's place along its own patch at the given values of the surface's nodes.
+  Vec<D> interpolate(const Contact& contact, const std::vector<Vec<D>>& values) const;
+
+  const PairPoints<D>& points_;
+  double margin_;
+};
+
+extern template class PairApproach<2>;
+extern template class PairApproach<3>;
+
+}  // namespace ixos
