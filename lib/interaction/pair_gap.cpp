@@ -40,12 +40,12 @@ std::array<Vec<3>, 2> vectors_across(const Vec<3>& n, const Vec<3>& tangent) {
 
 template <std::size_t D>
 PairGap<D>::PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
-                    const PlacedPatch<D>& placed, const SurfaceFoot<D>& foot)
+                    const SurfaceFoot<D>& foot)
     : nodes_(count + patch.count), normal_(foot.normal), gap_(foot.gap) {
   const auto shape = patch.shape(foot.xi);
   for (std::size_t a = 0; a < count; ++a) s_[a] = weights[a];
   for (std::size_t a = 0; a < patch.count; ++a) s_[count + a] = -shape.value[a];
-  const auto frame = placed.frame(foot.xi);
+  const auto& frame = foot.frame;
   std::array<std::size_t, parameters> number{};
   for (std::size_t k = 0; k < parameters; ++k) {
     if (foot.fixed[k]) continue;
@@ -76,65 +76,62 @@ typename PairGap<D>::Vector PairGap<D>::gradient() const {
   return result;
 }
 
-/// All terms are products of few vectors: K = V Q V^T, with the columns of V the gradient, p_k, c_k and S m.
+/// All terms are products of few vectors: K = V Q V^T, with the columns of V the gradient, p_k, c_k and S m. Each of
+/// these is a sum of weights times vectors.
 template <std::size_t D>
-void PairGap<D>::add(double along, double across, double* matrix) const {
-  constexpr std::size_t most_columns = 1 + 2 * parameters;
-  const std::size_t size = D * nodes_;
-  std::array<Vector, most_columns> v;
-  Square<most_columns> q{};
+typename PairGap<D>::Moduli PairGap<D>::moduli(double along, double across) const {
+  using Column = std::array<Vec<D>, D>;  // by derivative
+  std::array<Column, 1 + 2 * parameters> v{};
+  Square<1 + 2 * parameters> q{};
   std::size_t columns = 1;
-  v[0] = gradient();
+  v[0][0] = normal_;
   q[0][0] = along;
   if (across != 0) {
-    std::array<std::size_t, parameters> p{}, c{};
-    for (std::size_t k = 0; k < free_; ++k) {
-      p[k] = columns++;
-      c[k] = columns++;
-    }
-    for (std::size_t k = 0; k < free_; ++k) {
-      Vector& own = v[p[k]];
-      for (std::size_t a = 0; a < nodes_; ++a)
-        for (std::size_t i = 0; i < D; ++i) {
-          double sum = 0;
-          for (std::size_t l = 0; l < free_; ++l)
-            sum += inverse_[k][l] * (s_[a] * tangents_[l][i] + gap_ * d_[l][a] * normal_[i]);
-          own[D * a + i] = sum;
-        }
-    }
-    for (std::size_t k = 0; k < free_; ++k) {
-      Vector& own = v[c[k]];
-      for (std::size_t a = 0; a < nodes_; ++a)
-        for (std::size_t i = 0; i < D; ++i) {
-          double sum = d_[k][a] * normal_[i];
-          for (std::size_t l = 0; l < free_; ++l) sum += bend_[k][l] * v[p[l]][D * a + i];
-          own[D * a + i] = sum;
-        }
-      q[c[k]][p[k]] = q[p[k]][c[k]] = -across;
+    const std::size_t p = 1, c = 1 + free_;
+    for (std::size_t k = 0; k < free_; ++k)
       for (std::size_t l = 0; l < free_; ++l) {
-        q[p[k]][p[l]] = across * bend_[k][l];
-        q[c[k]][c[l]] = across * gap_ * inverse_metric_[k][l];
+        v[p + k][0] = v[p + k][0] + inverse_[k][l] * tangents_[l];
+        v[p + k][l + 1] = v[p + k][l + 1] + (inverse_[k][l] * gap_) * normal_;
+      }
+    for (std::size_t k = 0; k < free_; ++k) {
+      v[c + k][k + 1] = normal_;
+      for (std::size_t l = 0; l < free_; ++l)
+        for (std::size_t d = 0; d < D; ++d) v[c + k][d] = v[c + k][d] + bend_[k][l] * v[p + l][d];
+      q[c + k][p + k] = q[p + k][c + k] = -across;
+      for (std::size_t l = 0; l < free_; ++l) {
+        q[p + k][p + l] = across * bend_[k][l];
+        q[c + k][c + l] = across * gap_ * inverse_metric_[k][l];
       }
     }
-    for (std::size_t k = 0; k < parameters - free_; ++k) {
-      Vector& own = v[columns];
-      for (std::size_t a = 0; a < nodes_; ++a)
-        for (std::size_t i = 0; i < D; ++i) own[D * a + i] = s_[a] * across_[k][i];
+    columns += 2 * free_;
+    for (std::size_t k = 0; k < parameters - free_; ++k, ++columns) {
+      v[columns][0] = across_[k];
       q[columns][columns] = across / gap_;
-      ++columns;
     }
   }
-  for (std::size_t r = 0; r < size; ++r) {
-    std::array<double, most_columns> w{};
-    for (std::size_t k = 0; k < columns; ++k)
-      for (std::size_t l = 0; l < columns; ++l) w[l] += v[k][r] * q[k][l];
-    double* const row = matrix + r * size;
-    for (std::size_t l = 0; l < columns; ++l) {
-      const double factor = w[l];
-      const double* const own = v[l].data();
-      for (std::size_t s = 0; s < size; ++s) row[s] += factor * own[s];
-    }
+  Moduli m{};
+  for (std::size_t r = 0; r < columns; ++r) {
+    Column w{};
+    for (std::size_t l = 0; l < columns; ++l)
+      for (std::size_t d = 0; d < D; ++d) w[d] = w[d] + q[r][l] * v[l][d];
+    for (std::size_t i = 0; i < D * D; ++i)
+      for (std::size_t j = 0; j < D * D; ++j) m[i][j] += v[r][i / D][i % D] * w[j / D][j % D];
   }
+  return m;
+}
+
+template <std::size_t D>
+void PairGap<D>::add(double along, double across, double* matrix) const {
+  const Moduli m = moduli(along, across);
+  for (std::size_t a = 0; a < nodes_; ++a)
+    for (std::size_t i = 0; i < D; ++i, matrix += D * nodes_) {
+      std::array<double, D * D> row{};
+      for (std::size_t k = 0; k < D; ++k)
+        for (std::size_t c = 0; c < D * D; ++c) row[c] += weight(k, a) * m[D * k + i][c];
+      for (std::size_t b = 0; b < nodes_; ++b)
+        for (std::size_t l = 0; l < D; ++l)
+          for (std::size_t j = 0; j < D; ++j) matrix[D * b + j] += row[D * l + j] * weight(l, b);
+    }
 }
 
 template class PairGap<2>;

@@ -20,15 +20,22 @@ class PairGap {
   /// By node and direction: D I + i.
   using Vector = std::array<double, D * most>;
 
-  /// `weights`: those of the point, of its patch's `count` nodes; `placed`: the patch of the foot, at the places of
-  /// its nodes.
+  /// `weights`: those of the point, of its patch's `count` nodes; `patch`: that of the foot.
   PairGap(const typename SurfacePatch<D>::Weights& weights, std::size_t count, const SurfacePatch<D>& patch,
-          const PlacedPatch<D>& placed, const SurfaceFoot<D>& foot);
+          const SurfaceFoot<D>& foot);
+
+  /// By derivative, the weights themselves and the slopes D_k, and direction, twice: K_aibj = sum of w^k_a M_kilj
+  /// w^l_b.
+  using Moduli = std::array<std::array<double, D * D>, D * D>;
 
   std::size_t nodes() const { return nodes_; }
+  /// Returns w^k of a node: S for k = 0, D_(k - 1) beyond that.
+  double weight(std::size_t k, std::size_t node) const { return k == 0 ? s_[node] : d_[k - 1][node]; }
   /// Returns dg/dx, S n.
   Vector gradient() const;
-  /// Adds along * grad g grad g^T + across * d2g to a matrix of D nodes() rows, row by row.
+  /// Returns M of the matrix along * grad g grad g^T + across * d2g, which is symmetric.
+  Moduli moduli(double along, double across) const;
+  /// Adds this matrix to one of D nodes() rows, row by row.
   void add(double along, double across, double* matrix) const;
   /// Returns whether d2g is positive or negative semidefinite, with the sign of g: where no parameter is free.
   bool is_round() const { return free_ == 0; }

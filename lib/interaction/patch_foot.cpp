@@ -31,7 +31,7 @@ double refine(const PlacedPatch<2>& curve, const Vec<2>& place, double low, doub
   return t;
 }
 
-PatchParameters<2> nearest_parameters(const PlacedPatch<2>& curve, const Vec<2>& place) {
+PatchParameters<2> nearest_parameters(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>&) {
   if (curve.degree == 1) {
     const Vec<2>& side = curve.coefficients[1];
     return {std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0)};
@@ -58,11 +58,13 @@ using Parameters = PatchParameters<3>;
 
 /// Half the squared distance with its gradient and second derivatives.
 struct Objective {
+  Parameters xi;
   double value;
   std::array<double, 2> gradient;
   double h00, h01, h11;
+  bool is_convex;  ///< the second derivatives are positive definite; otherwise those of Gauss and Newton, which are
 
-  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& xi) {
+  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at) : xi(at) {
     const auto frame = patch.frame(xi);
     const Vec<3> r = frame.place - place;
     const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
@@ -72,77 +74,75 @@ struct Objective {
     h00 = m00 + inner(r, frame.bends[0]);
     h01 = m01 + inner(r, frame.bends[1]);
     h11 = m11 + inner(r, frame.bends[2]);
-    if (h00 > 0 && h00 * h11 - h01 * h01 > 1e-10 * m00 * m11) return;
-    h00 = m00;  // Gauss and Newton's, which is positive definite
+    is_convex = h00 > 0 && h00 * h11 - h01 * h01 > 1e-10 * m00 * m11;
+    if (is_convex) return;
+    h00 = m00;
     h01 = m01;
     h11 = m11;
   }
+  /// Returns by parameter whether it is at a bound that the distance holds it at.
+  std::array<bool, 2> held() const {
+    std::array<bool, 2> result{};
+    for (std::size_t k = 0; k < 2; ++k)
+      result[k] = (xi[k] <= 0 && gradient[k] >= 0) || (xi[k] >= 1 && gradient[k] <= 0);
+    return result;
+  }
   /// Returns the step to the minimum of the quadratic model over the parameters that are free.
   std::array<double, 2> step(const std::array<bool, 2>& held) const {
-    if (held[0] && held[1]) return {0, 0};
     if (held[0]) return {0, -gradient[1] / h11};
     if (held[1]) return {-gradient[0] / h00, 0};
     const double det = h00 * h11 - h01 * h01;
     return {(h01 * gradient[1] - h11 * gradient[0]) / det, (h01 * gradient[0] - h00 * gradient[1]) / det};
   }
+  /// Returns the parameters after a share of a step. Where it leads beyond a bound, the parameter stops there; the
+  /// other one takes its own best step in the next iteration.
+  Parameters moved(double share, const std::array<double, 2>& step) const {
+    Parameters result;
+    for (std::size_t k = 0; k < 2; ++k) result[k] = std::clamp(xi[k] + share * step[k], 0.0, 1.0);
+    return result;
+  }
 };
 
 /// Minimises the distance by Newton's method, projected to the unit square.
-Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, Parameters xi) {
-  int small_steps = 0;
-  for (int i = 0; i < 60 && small_steps < 2; ++i) {
-    const Objective here(patch, place, xi);
-    std::array<bool, 2> held{};
-    for (std::size_t k = 0; k < 2; ++k)
-      held[k] = (xi[k] <= 0 && here.gradient[k] >= 0) || (xi[k] >= 1 && here.gradient[k] <= 0);
-    if (held[0] && held[1]) return xi;
+Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+  Objective here(patch, place, start);
+  for (int i = 0, small_steps = 0; i < 60; ++i) {
+    const std::array<bool, 2> held = here.held();
+    if (held[0] && held[1]) return here.xi;
     std::array<double, 2> step = here.step(held);
-    // A parameter that the step leads beyond its bound stops there; the other one takes its own best step in the next
-    // iteration.
-    const auto moved = [&](double s) {
-      Parameters next = xi;
-      for (std::size_t k = 0; k < 2; ++k) next[k] = std::clamp(xi[k] + s * step[k], 0.0, 1.0);
-      return next;
-    };
-    Parameters next = moved(1);
-    const auto change = [&] { return std::max(std::abs(next[0] - xi[0]), std::abs(next[1] - xi[1])); };
-    if (change() < 1e-7) {
-      ++small_steps;  // differences of the distance are rounding: Newton's method converges
-      if (change() < 1e-16) return next;
-      xi = next;
+    const Parameters next = here.moved(1, step);
+    const double change = std::max(std::abs(next[0] - here.xi[0]), std::abs(next[1] - here.xi[1]));
+    if (change < 1e-7) {
+      // Differences of the distance are rounding. Newton's next step would be of the order of this one's square, unless
+      // a bound stops this one.
+      const bool stopped = next[0] != here.xi[0] + step[0] || next[1] != here.xi[1] + step[1];
+      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return next;
+      here = Objective(patch, place, next);
       continue;
     }
-    double s = 1;
-    while (Objective(patch, place, next).value > here.value && s > 1e-6) next = moved(s /= 2);
-    if (s <= 1e-6) {  // the projected step leads uphill: along the gradient of one parameter at a time
+    Objective there(patch, place, next);
+    double share = 1;
+    while (there.value > here.value && share > 1e-6) there = Objective(patch, place, here.moved(share /= 2, step));
+    if (share <= 1e-6) {  // the projected step leads uphill: along the gradient of one parameter at a time
       bool improved = false;
       for (std::size_t k = 0; k < 2 && !improved; ++k) {
         if (held[k]) continue;
         step = {0, 0};
         step[k] = -here.gradient[k] / (k == 0 ? here.h00 : here.h11);
-        for (s = 1; s > 1e-6 && !improved; s /= 2) {
-          next = moved(s);
-          improved = Objective(patch, place, next).value < here.value;
+        for (share = 1; share > 1e-6 && !improved; share /= 2) {
+          there = Objective(patch, place, here.moved(share, step));
+          improved = there.value < here.value;
         }
       }
-      if (!improved) return xi;
+      if (!improved) return here.xi;
     }
-    xi = next;
+    here = there;
   }
-  return xi;
+  return here.xi;
 }
 
-Parameters nearest_parameters(const PlacedPatch<3>& patch, const Vec<3>& place) {
-  if (patch.degree == 1) return refine(patch, place, {0.5, 0.5});
-  if (patch.degree < 4) {
-    PlacedPatch<3> corners;
-    const Vec<3> a = patch.at({0, 0}), b = patch.at({1, 0}), c = patch.at({0, 1}), d = patch.at({1, 1});
-    corners.coefficients[0] = a;
-    corners.coefficients[1] = b - a;
-    corners.coefficients[2] = c - a;
-    corners.coefficients[3] = (a - b) + (d - c);
-    return refine(patch, place, refine(corners, place, {0.5, 0.5}));
-  }
+Parameters nearest_parameters(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+  if (patch.degree < 4) return refine(patch, place, start);
   Parameters best{};
   double least = HUGE_VAL;
   for (int i = 0; i <= 4; ++i)
@@ -160,16 +160,19 @@ Parameters nearest_parameters(const PlacedPatch<3>& patch, const Vec<3>& place) 
 
 template <std::size_t D>
 PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
-                           const Vec<D>& place) {
+                           const Vec<D>& place, const PatchParameters<D>& start) {
   PatchFoot<D> foot;
-  foot.xi = nearest_parameters(patch, place);
-  foot.distance = length(patch.at(foot.xi) - place);
+  foot.xi = nearest_parameters(patch, place, start);
+  foot.frame = patch.frame(foot.xi);
+  foot.distance = length(foot.frame.place - place);
   for (std::size_t k = 0; k < D - 1; ++k)
     foot.fixed[k] = (foot.xi[k] == 0 && !smooth[2 * k]) || (foot.xi[k] == 1 && !smooth[2 * k + 1]);
   return foot;
 }
 
-template PatchFoot<2> nearest_point(const PlacedPatch<2>&, const std::array<bool, 2>&, const Vec<2>&);
-template PatchFoot<3> nearest_point(const PlacedPatch<3>&, const std::array<bool, 4>&, const Vec<3>&);
+template PatchFoot<2> nearest_point(const PlacedPatch<2>&, const std::array<bool, 2>&, const Vec<2>&,
+                                    const PatchParameters<2>&);
+template PatchFoot<3> nearest_point(const PlacedPatch<3>&, const std::array<bool, 4>&, const Vec<3>&,
+                                    const PatchParameters<3>&);
 
 }  // namespace ixos

@@ -8,21 +8,24 @@ namespace ixos {
 template <std::size_t D>
 struct PatchFoot {
   PatchParameters<D> xi{};
-  double distance = 0;  ///< [L0], not negative
+  typename PlacedPatch<D>::Frame frame{};  ///< at xi
+  double distance = 0;                     ///< [L0], not negative
   /// By parameter: the nearest point is at a kink or a free rim, so that the parameter stays when the place moves a
   /// little. False inside, and at a side with a smooth continuation.
   std::array<bool, D - 1> fixed{};
 };
 
-/// Returns the point of the patch that is nearest to the place. `smooth`: see SurfacePatch. In space it starts from the
-/// nearest point of the bilinear patch with the same corners, for degree 4 from the nearest of a grid of points, and
-/// finds the minimum of the squared distance from there by Newton's method: patches that bend by less than about 60
-/// degrees have no other minimum near them.
+/// Returns the point of the patch that is nearest to the place. `smooth`: see SurfacePatch. In space it finds the
+/// minimum of the squared distance by Newton's method, from `start` or, if the degree is 4, from the nearest of a grid
+/// of points: patches that bend by less than about 60 degrees have no other minimum near that from PatchBound::start().
+/// In the plane it looks at all minima.
 template <std::size_t D>
 PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
-                           const Vec<D>& place);
+                           const Vec<D>& place, const PatchParameters<D>& start);
 
-extern template PatchFoot<2> nearest_point(const PlacedPatch<2>&, const std::array<bool, 2>&, const Vec<2>&);
-extern template PatchFoot<3> nearest_point(const PlacedPatch<3>&, const std::array<bool, 4>&, const Vec<3>&);
+extern template PatchFoot<2> nearest_point(const PlacedPatch<2>&, const std::array<bool, 2>&, const Vec<2>&,
+                                           const PatchParameters<2>&);
+extern template PatchFoot<3> nearest_point(const PlacedPatch<3>&, const std::array<bool, 4>&, const Vec<3>&,
+                                           const PatchParameters<3>&);
 
 }  // namespace ixos

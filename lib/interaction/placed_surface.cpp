@@ -7,6 +7,7 @@
 #include <boost/geometry/strategies/strategies.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ixos {
@@ -61,43 +62,43 @@ double angle_at(const PlacedPatch<D>& patch, const PatchParameters<D>& xi) {
 template <std::size_t D>
 struct PlacedSurface<D>::Tree {
   using Entry = std::pair<TreeBox<D>, int>;
-  explicit Tree(const std::vector<Box>& own) : boxes(own), index(entries(own)) {}
-  static std::vector<Entry> entries(const std::vector<Box>& own) {
+  explicit Tree(const std::vector<PlacedPatch<D>>& placed) : index(entries(placed)) {}
+  static std::vector<Entry> entries(const std::vector<PlacedPatch<D>>& placed) {
     std::vector<Entry> result;
-    result.reserve(own.size());
-    for (std::size_t i = 0; i < own.size(); ++i)
-      result.emplace_back(grown(own[i].low, own[i].high, 0), static_cast<int>(i));
+    result.reserve(placed.size());
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      const Box box(placed[i].hull());
+      result.emplace_back(grown(box.low, box.high, 0), static_cast<int>(i));
+    }
     return result;
   }
-  double distance(int patch, const Vec<D>& place) const {
-    const Box& box = boxes[static_cast<std::size_t>(patch)];
-    Vec<D> r;
-    for (std::size_t i = 0; i < D; ++i) r[i] = std::max({box.low[i] - place[i], 0.0, place[i] - box.high[i]});
-    return length(r);
-  }
-  std::vector<Box> boxes;
   bg::index::rtree<Entry, bg::index::quadratic<8>> index;
 };
 
 template <std::size_t D>
-typename SurfacePatch<D>::Points PlacedSurface<D>::nodes_of(int patch, const std::vector<Vec<D>>& values) const {
-  const SurfacePatch<D>& own = patches_[static_cast<std::size_t>(patch)];
-  typename SurfacePatch<D>::Points result{};
-  for (std::size_t a = 0; a < own.count; ++a) result[a] = values[static_cast<std::size_t>(own.nodes[a])];
-  return result;
+PlacedSurface<D>::PlacedSurface(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x)
+    : patches_(patches) {
+  std::vector<int> all(patches.size());
+  std::iota(all.begin(), all.end(), 0);
+  place(x, all);
+  tree_ = std::make_unique<Tree>(placed_);
 }
 
 template <std::size_t D>
-PlacedSurface<D>::PlacedSurface(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x)
-    : patches_(patches) {
-  std::vector<Box> boxes;
-  boxes.reserve(patches.size());
+PlacedSurface<D>::PlacedSurface(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x,
+                                std::shared_ptr<const PatchSubset> subset)
+    : patches_(patches), subset_(std::move(subset)) {
+  place(x, subset_->patches);
+}
+
+template <std::size_t D>
+void PlacedSurface<D>::place(const std::vector<Vec<D>>& x, const std::vector<int>& patches) {
   placed_.reserve(patches.size());
-  for (std::size_t i = 0; i < patches.size(); ++i) {
-    placed_.push_back(patches[i].placed(nodes_of(static_cast<int>(i), x)));
-    boxes.emplace_back(placed_.back().hull());
+  bounds_.reserve(patches.size());
+  for (const int i : patches) {
+    placed_.push_back(patches_[at(i)].placed(patches_[at(i)].among(x)));
+    bounds_.emplace_back(placed_.back());
   }
-  tree_ = std::make_unique<Tree>(boxes);
 }
 
 template <std::size_t D>
@@ -108,7 +109,7 @@ PlacedSurface<D>::PlacedSurface(PlacedSurface&&) noexcept = default;
 /// Goes from the foot's patch to the patches that meet it at the foot, across the sides on which the foot is.
 template <std::size_t D>
 bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const {
-  const Vec<D> place = patch(foot.patch).at(foot.xi);
+  const Vec<D>& place = foot.frame.place;
   struct Here {
     int patch;
     PatchParameters<D> xi;
@@ -121,7 +122,7 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
     normals = normals + angle_at(own, here.xi) * own.normal(here.xi);
     for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side) {
       if (here.xi[side / 2] != (side % 2 == 0 ? 0 : 1)) continue;
-      const int other = patches_[static_cast<std::size_t>(here.patch)].neighbours[side];
+      const int other = patches_[at(here.patch)].neighbours[side];
       if (other < 0) return true;
       if (std::any_of(all.begin(), all.end(), [&](const Here& known) { return known.patch == other; })) continue;
       // Finds the point on the other patch: on the side that faces this one, in either direction.
@@ -130,7 +131,7 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
       const double along = D == 3 ? here.xi[(1 - side / 2) % (D - 1)] : 0;
       for (std::size_t s = 0; s < SurfacePatch<D>::sides; ++s)
         for (const double t : {along, 1 - along}) {
-          if (patches_[static_cast<std::size_t>(other)].neighbours[s] != here.patch) continue;
+          if (patches_[at(other)].neighbours[s] != here.patch) continue;
           const PatchParameters<D> xi = on_side<D>(s, t);
           const double off = length(patch(other).at(xi) - place);
           if (!(off < least)) continue;
@@ -143,80 +144,122 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
   return inner(from_foot, normals) >= 0;
 }
 
+/// Makes the patch the best one if it is nearer; of two that are equally near, the one with the lower number counts.
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, int guess) const {
+void PlacedSurface<D>::look(int patch, const std::array<bool, SurfacePatch<D>::sides>& smooth, const Vec<D>& place,
+                            Best& best, const PatchParameters<D>* start) const {
+  const PatchBound<D>& bound = bounds_[slot(patch)];
+  if (bound.distance(place) > best.foot.distance) return;
+  const PlacedPatch<D>& own_patch = this->patch(patch);
+  const PatchParameters<D> from = start != nullptr ? *start : bound.start(place);
+  if (start == nullptr && bound.distance(place, own_patch.at(from)) > best.foot.distance) return;
+  const PatchFoot<D> own = nearest_point(own_patch, smooth, place, from);
+  const bool equal = own.distance == best.foot.distance && best.patch > patch;
+  if (!(own.distance < best.foot.distance) && !equal) return;
+  best.foot = own;
+  best.patch = patch;
+}
+
+template <std::size_t D>
+SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, int guess,
+                                         const SurfaceFoot<D>* start) const {
   namespace index = bg::index;
-  SurfaceFoot<D> foot;
-  PatchFoot<D> best;
-  best.distance = range;
-  if (patches_.empty()) return foot;
-  const auto look = [&](int i) {
-    const PatchFoot<D> own = nearest_point(patch(i), patches_[static_cast<std::size_t>(i)].smooth, place);
-    if (own.distance > best.distance || (own.distance == best.distance && (foot.patch < 0 || foot.patch <= i))) return;
-    best = own;
-    foot.patch = i;
-  };
-  if (guess >= 0) look(guess);
-  if (std::isfinite(best.distance)) {
+  Best best(range);
+  const auto look_at = [&](int i) { look(i, patches_[at(i)].smooth, place, best); };
+  if (start != nullptr && start->patch >= 0) {
+    guess = start->patch;
+    look(guess, patches_[at(guess)].smooth, place, best, &start->xi);
+  } else if (guess >= 0) {
+    look_at(guess);
+  }
+  if (std::isfinite(best.foot.distance)) {
     const auto visit = [&](const typename Tree::Entry& entry) {
-      if (entry.second != guess && tree_->distance(entry.second, place) <= best.distance) look(entry.second);
+      if (entry.second != guess) look_at(entry.second);
     };
-    tree_->index.query(index::intersects(grown(place, place, best.distance)),
+    tree_->index.query(index::intersects(grown(place, place, best.foot.distance)),
                        boost::make_function_output_iterator(visit));
   } else {
     // The query yields patches in the order of the distances of their boxes.
     const auto count = static_cast<unsigned>(patches_.size());
     for (auto entry = tree_->index.qbegin(index::nearest(point(place), count)); entry != tree_->index.qend(); ++entry) {
-      if (tree_->distance(entry->second, place) > best.distance) break;
-      look(entry->second);
+      if (bg::distance(point(place), entry->first) > best.foot.distance) break;
+      if (entry->second != guess) look_at(entry->second);
     }
   }
-  complete(
-      place, best, [](int) { return true; }, foot);
-  return foot;
+  return complete(place, best, [](int) { return true; });
 }
 
-/// Sets what follows from the foot on its patch. `counts`: whether a patch counts; beyond a side without such a
-/// neighbour is a free rim.
 template <std::size_t D>
-template <class Counts>
-void PlacedSurface<D>::complete(const Vec<D>& place, const PatchFoot<D>& best, const Counts& counts,
-                                SurfaceFoot<D>& foot) const {
-  if (foot.patch < 0) return;
-  foot.xi = best.xi;
-  foot.fixed = best.fixed;
-  const PlacedPatch<D>& own = patch(foot.patch);
-  const Vec<D> r = place - own.at(best.xi);
-  foot.normal = own.normal(best.xi);
-  foot.gap = inner(r, foot.normal);
-  if (best.distance == 0 || std::none_of(best.fixed.begin(), best.fixed.end(), [](bool fixed) { return fixed; }))
-    return;
-  bool rim = false;
-  for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
-    if (best.fixed[side / 2] && best.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
-      rim = rim || !counts(patches_[static_cast<std::size_t>(foot.patch)].neighbours[side]);
-  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.distance;
-  foot.normal = (1 / foot.gap) * r;
+SurfaceFoot<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
+                                               int guess, const SurfaceFoot<D>* start) const {
+  Best best(range);
+  const bool starts = start != nullptr && start->patch >= 0;
+  if (starts) guess = start->patch;
+  if (std::binary_search(patches.begin(), patches.end(), guess))
+    look(guess, patches_[at(guess)].smooth, place, best, starts ? &start->xi : nullptr);
+  else
+    guess = -1;
+  for (const int i : patches)
+    if (i != guess) look(i, patches_[at(i)].smooth, place, best);
+  return complete(place, best, [](int) { return true; });
+}
+
+/// From a place in the ball, the surface is not farther than from the center by more than the radius, and no patch
+/// nearer.
+template <std::size_t D>
+std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, const Vec<D>& center, double radius,
+                                           double range) const {
+  std::vector<double> bounds;
+  bounds.reserve(patches.size());
+  for (const int i : patches) bounds.push_back(bound(i, center));
+  const auto first = std::min_element(bounds.begin(), bounds.end());
+  Best best(range + radius);
+  if (first != bounds.end()) {
+    const int nearest = patches[static_cast<std::size_t>(first - bounds.begin())];
+    look(nearest, patches_[at(nearest)].smooth, center, best);
+  }
+  const double farthest = std::min(range, best.foot.distance + radius) + radius;
+  std::vector<int> result;
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    if (bounds[k] <= farthest) result.push_back(patches[k]);
+  return result;
 }
 
 template <std::size_t D>
 SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const {
-  SurfaceFoot<D> foot;
-  PatchFoot<D> best;
-  best.distance = range;
+  const auto counts = [&](int other) { return std::binary_search(patches.begin(), patches.end(), other); };
+  Best best(range);
   for (const int i : patches) {
-    if (tree_->distance(i, place) > best.distance) continue;
-    const SurfacePatch<D>& own = patches_[static_cast<std::size_t>(i)];
+    const SurfacePatch<D>& own = patches_[at(i)];
     std::array<bool, SurfacePatch<D>::sides> smooth = own.smooth;
     for (std::size_t side = 0; side < smooth.size(); ++side)
-      smooth[side] = smooth[side] && std::binary_search(patches.begin(), patches.end(), own.neighbours[side]);
-    const PatchFoot<D> found = nearest_point(patch(i), smooth, place);
-    if (!(found.distance < best.distance)) continue;
-    best = found;
-    foot.patch = i;
+      smooth[side] = smooth[side] && counts(own.neighbours[side]);
+    look(i, smooth, place, best);
   }
-  complete(
-      place, best, [&](int other) { return std::binary_search(patches.begin(), patches.end(), other); }, foot);
+  return complete(place, best, counts);
+}
+
+/// Returns the foot. `counts`: whether a patch counts; beyond a side without such a neighbour is a free rim.
+template <std::size_t D>
+template <class Counts>
+SurfaceFoot<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best& best, const Counts& counts) const {
+  SurfaceFoot<D> foot;
+  foot.patch = best.patch;
+  if (foot.patch < 0) return foot;
+  foot.xi = best.foot.xi;
+  foot.fixed = best.foot.fixed;
+  foot.frame = best.foot.frame;
+  const Vec<D> r = place - foot.frame.place;
+  foot.normal = PlacedPatch<D>::normal(foot.frame);
+  foot.gap = inner(r, foot.normal);
+  if (best.foot.distance == 0 || std::none_of(foot.fixed.begin(), foot.fixed.end(), [](bool fixed) { return fixed; }))
+    return foot;
+  bool rim = false;
+  for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
+    if (foot.fixed[side / 2] && foot.xi[side / 2] == (side % 2 == 0 ? 0 : 1))
+      rim = rim || !counts(patches_[at(foot.patch)].neighbours[side]);
+  foot.gap = (rim || is_outside(r, foot) ? 1 : -1) * best.foot.distance;
+  foot.normal = (1 / foot.gap) * r;
   return foot;
 }
 
@@ -232,9 +275,11 @@ std::vector<int> PlacedSurface<D>::near(const Box& box, double range) const {
 template <std::size_t D>
 double PlacedSurface<D>::fastest(const std::vector<Vec<D>>& ways) const {
   double result = 0;
-  for (std::size_t i = 0; i < patches_.size(); ++i)
-    for (const Vec<D>& w : patches_[i].placed(nodes_of(static_cast<int>(i), ways)).hull())
+  const auto look_at = [&](int i) {
+    for (const Vec<D>& w : patches_[at(i)].placed(patches_[at(i)].among(ways)).hull())
       result = std::max(result, length(w));
+  };
+  for (std::size_t k = 0; k < placed_.size(); ++k) look_at(subset_ ? subset_->patches[k] : static_cast<int>(k));
   return result;
 }
 
@@ -243,15 +288,15 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
                                     double fastest, double least, const std::vector<int>* among) const {
   double share = 1;
   const auto look = [&](int i) {
-    const SurfacePatch<D>& own = patches_[static_cast<std::size_t>(i)];
-    auto motion = own.placed(nodes_of(i, ways)).hull();
+    const SurfacePatch<D>& own = patches_[at(i)];
+    auto motion = own.placed(own.among(ways)).hull();
     double relative = 0;
     for (Vec<D>& w : motion) {
       w = way - w;
       relative = std::max(relative, length(w));
     }
-    if (tree_->distance(i, place) - least >= share * relative) return;
-    const PatchFoot<D> foot = nearest_point(patch(i), own.smooth, place);
+    if (bound(i, place) - least >= share * relative) return;
+    const PatchFoot<D> foot = nearest_point(patch(i), own.smooth, place, bounds_[slot(i)].start(place));
     if (!(foot.distance > 0)) {
       share = 0;
       return;

@@ -1,5 +1,8 @@
 #include "interaction/surface_patch.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/vector3.hpp"
 
 namespace ixos {
@@ -55,55 +58,60 @@ struct Tensors {
   }
 };
 
-/// Sums over the powers of a patch of N powers in each parameter, with constant bounds. `derivatives`: of which order
-/// at most.
+/// Sums over the powers of a patch of N powers in each parameter, with constant bounds.
 template <std::size_t N>
 struct Polynomial {
   using Line = std::array<double, N>;
+  /// The powers of one parameter and their first two derivatives.
+  using Lines = std::array<Line, 3>;
+  using Coefficients2 = std::array<Vec<2>, PlacedPatch<2>::most>;
+  using Coefficients3 = std::array<Vec<3>, PlacedPatch<3>::most>;
 
-  /// Returns t^0 ... t^(N-1), or their derivatives of that order.
-  static Line powers(double t, int order) {
-    const std::array<Powers, 3> all = powers_of(t, static_cast<int>(N) - 1);
+  static Line powers(double t) {
     Line line;
-    for (std::size_t k = 0; k < N; ++k) line[k] = all[static_cast<std::size_t>(order)][k];
+    line[0] = 1;
+    for (std::size_t k = 1; k < N; ++k) line[k] = t * line[k - 1];
     return line;
   }
-  static Vec<2> sum(const Line& a, const std::array<Vec<2>, PlacedPatch<2>::most>& c) {
-    Vec<2> result{};
-    for (std::size_t k = 0; k < N; ++k)
-      for (std::size_t i = 0; i < 2; ++i) result[i] += a[k] * c[k][i];
-    return result;
-  }
-  /// Returns the sums along the first parameter, by power of the second.
-  static std::array<Vec<3>, N> lines(const Line& a, const std::array<Vec<3>, PlacedPatch<3>::most>& c) {
-    std::array<Vec<3>, N> result;
-    for (std::size_t j = 0; j < N; ++j) {
-      result[j] = {};
-      for (std::size_t k = 0; k < N; ++k)
-        for (std::size_t i = 0; i < 3; ++i) result[j][i] += a[k] * c[N * j + k][i];
+  static Lines with_derivatives(double t) {
+    Lines lines{powers(t)};
+    for (std::size_t k = 1; k < N; ++k) {
+      lines[1][k] = static_cast<double>(k) * lines[0][k - 1];
+      lines[2][k] = static_cast<double>(k) * lines[1][k - 1];
     }
+    return lines;
+  }
+  template <std::size_t D, std::size_t Size>
+  static Vec<D> sum(const Line& a, const std::array<Vec<D>, Size>& c) {
+    Vec<D> result{};
+    for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t i = 0; i < D; ++i) result[i] += a[k] * c[k][i];
     return result;
   }
-  static Vec<3> across(const std::array<Vec<3>, N>& lines, const Line& b) {
-    Vec<3> result{};
+  /// Returns the sums along the second parameter, by power of the first.
+  static std::array<Vec<3>, N> across(const Line& b, const Coefficients3& c) {
+    std::array<Vec<3>, N> result{};
     for (std::size_t j = 0; j < N; ++j)
-      for (std::size_t i = 0; i < 3; ++i) result[i] += b[j] * lines[j][i];
+      for (std::size_t k = 0; k < N; ++k)
+        for (std::size_t i = 0; i < 3; ++i) result[k][i] += b[j] * c[N * j + k][i];
     return result;
   }
   static Vec<2> at(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
-    return sum(powers(xi[0], 0), patch.coefficients);
+    return sum(powers(xi[0]), patch.coefficients);
   }
   static Vec<3> at(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
-    return across(lines(powers(xi[0], 0), patch.coefficients), powers(xi[1], 0));
+    return sum(powers(xi[0]), across(powers(xi[1]), patch.coefficients));
   }
   static PlacedPatch<2>::Frame frame(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
-    return {at(patch, xi), {sum(powers(xi[0], 1), patch.coefficients)}, {sum(powers(xi[0], 2), patch.coefficients)}};
+    const Lines a = with_derivatives(xi[0]);
+    const Coefficients2& c = patch.coefficients;
+    return {sum(a[0], c), {sum(a[1], c)}, {sum(a[2], c)}};
   }
   static PlacedPatch<3>::Frame frame(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
-    const auto l0 = lines(powers(xi[0], 0), patch.coefficients), l1 = lines(powers(xi[0], 1), patch.coefficients),
-               l2 = lines(powers(xi[0], 2), patch.coefficients);
-    const Line b0 = powers(xi[1], 0), b1 = powers(xi[1], 1), b2 = powers(xi[1], 2);
-    return {across(l0, b0), {across(l1, b0), across(l0, b1)}, {across(l2, b0), across(l1, b1), across(l0, b2)}};
+    const Lines a = with_derivatives(xi[0]), b = with_derivatives(xi[1]);
+    const auto c0 = across(b[0], patch.coefficients), c1 = across(b[1], patch.coefficients),
+               c2 = across(b[2], patch.coefficients);
+    return {sum(a[0], c0), {sum(a[1], c0), sum(a[0], c1)}, {sum(a[2], c0), sum(a[1], c1), sum(a[0], c2)}};
   }
 };
 
@@ -126,6 +134,39 @@ double binomial(int n, int k) {
   double result = 1;
   for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
   return result;
+}
+
+/// From powers to Bernstein polynomials of a degree p: b_i = sum_k C(i, k)/C(p, k) c_k.
+using Conversion = std::array<Powers, most_powers>;
+
+Conversion conversion(int degree) {
+  Conversion result{};
+  for (int i = 0; i <= degree; ++i)
+    for (int k = 0; k <= i; ++k)
+      result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = binomial(i, k) / binomial(degree, k);
+  return result;
+}
+
+/// Converts the coefficients of D - 1 parameters in place.
+template <std::size_t D, class T>
+void to_bernstein(int degree, T* points) {
+  static const std::array<Conversion, most_powers> all{conversion(0), conversion(1), conversion(2), conversion(3),
+                                                       conversion(4)};
+  const Conversion& share = all[static_cast<std::size_t>(degree)];
+  const auto n = static_cast<std::size_t>(degree) + 1;
+  const auto convert = [&](T* first, std::size_t stride) {
+    for (std::size_t i = n; i-- > 0;) {  // the later ones need the earlier ones' coefficients
+      T sum = share[i][0] * first[0];
+      for (std::size_t k = 1; k <= i; ++k) sum = sum + share[i][k] * first[stride * k];
+      first[stride * i] = sum;
+    }
+  };
+  if constexpr (D == 2) {
+    convert(points, 1);
+  } else {
+    for (std::size_t i = 0; i < n; ++i) convert(points + n * i, 1);
+    for (std::size_t i = 0; i < n; ++i) convert(points + i, n);
+  }
 }
 
 }  // namespace
@@ -155,27 +196,9 @@ Vec<D> PlacedPatch<D>::normal(const Frame& frame) {
 template <std::size_t D>
 boost::container::static_vector<Vec<D>, PlacedPatch<D>::most> PlacedPatch<D>::hull() const {
   const auto n = static_cast<std::size_t>(degree) + 1;
-  // From powers to Bernstein polynomials: b_i = sum_k C(i, k)/C(p, k) c_k, along each parameter.
-  std::array<std::array<double, most_powers>, most_powers> share{};
-  for (int i = 0; i <= degree; ++i)
-    for (int k = 0; k <= i; ++k)
-      share[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = binomial(i, k) / binomial(degree, k);
   std::array<Vec<D>, most> points = coefficients;
-  const auto convert = [&](std::size_t first, std::size_t stride) {
-    std::array<Vec<D>, most_powers> line{};
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t k = 0; k <= i; ++k) line[i] = line[i] + share[i][k] * points[first + stride * k];
-    for (std::size_t i = 0; i < n; ++i) points[first + stride * i] = line[i];
-  };
-  std::size_t size = n;
-  if constexpr (D == 2) {
-    convert(0, 1);
-  } else {
-    size = n * n;
-    for (std::size_t i = 0; i < n; ++i) convert(n * i, 1);
-    for (std::size_t i = 0; i < n; ++i) convert(i, n);
-  }
-  return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(size)};
+  to_bernstein<D>(degree, points.data());
+  return {points.begin(), points.begin() + static_cast<std::ptrdiff_t>(D == 2 ? n : n * n)};
 }
 
 template <std::size_t D>
@@ -201,6 +224,13 @@ typename SurfacePatch<D>::Shape SurfacePatch<D>::shape(const PatchParameters<D>&
 }
 
 template <std::size_t D>
+typename SurfacePatch<D>::Points SurfacePatch<D>::among(const std::vector<Vec<D>>& x) const {
+  Points result{};
+  for (std::size_t a = 0; a < count; ++a) result[a] = x[static_cast<std::size_t>(nodes[a])];
+  return result;
+}
+
+template <std::size_t D>
 PlacedPatch<D> SurfacePatch<D>::placed(const Points& x) const {
   PlacedPatch<D> result;
   result.degree = degree;
@@ -209,6 +239,18 @@ PlacedPatch<D> SurfacePatch<D>::placed(const Points& x) const {
     for (std::size_t k = 0; k < size; ++k)
       for (std::size_t i = 0; i < D; ++i) result.coefficients[k][i] += coefficients[a * size + k] * x[a][i];
   return result;
+}
+
+template <std::size_t D>
+double SurfacePatch<D>::amplification() const {
+  std::vector<double> sums(powers(), 0.0);
+  for (std::size_t a = 0; a < count; ++a) {
+    const double* const own = coefficients.data() + a * sums.size();
+    std::vector<double> weights(own, own + sums.size());
+    to_bernstein<D>(degree, weights.data());
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += std::abs(weights[k]);
+  }
+  return *std::max_element(sums.begin(), sums.end());
 }
 
 template struct PlacedPatch<2>;

@@ -70,6 +70,11 @@ struct SurfacePatch {
   std::size_t powers() const { return coefficients.size() / count; }
   Weights weights(const PatchParameters<D>& xi) const;
   Shape shape(const PatchParameters<D>& xi) const;
+  /// Returns a bound on the sum of |N_a| at a point of the patch: no point moves by more than this times the largest
+  /// displacement of a node. It is the largest sum of the weights' Bernstein coefficients.
+  double amplification() const;
+  /// Returns the patch's own nodes' vectors from those of its surface.
+  Points among(const std::vector<Vec<D>>& x) const;
   /// Returns the patch at places of its nodes, in their order.
   PlacedPatch<D> placed(const Points& x) const;
 };

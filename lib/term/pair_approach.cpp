@@ -121,32 +121,59 @@ Vec<D> PairApproach<D>::interpolate(const Contact& contact, const std::vector<Ve
 }
 
 template <std::size_t D>
-double PairApproach<D>::free_step(Places x, Places ways, double share, double most) const {
-  for (auto* way : {&ways.secondary, &ways.primary})
-    for (Vec<D>& w : *way) w = (most * share) * w;
+double PairApproach<D>::free_step(const std::vector<Places>& times, const Places& ways,
+                                  const std::vector<double>& shares, double most) const {
+  const auto at_end = [&](std::size_t k) {
+    Places end = times[k];
+    advance<D>(end, most * shares[k], ways);
+    return end;
+  };
+  std::vector<Places> ends;
+  for (std::size_t k = 0; k < times.size(); ++k) ends.push_back(at_end(k));
+  const auto contacts = points_.contacts(times, PairPoints<D>::Share::Forces, -1, ends);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (shares[k] == 0 || most == 0) continue;
+    Places own = ways;
+    for (auto* way : {&own.secondary, &own.primary})
+      for (Vec<D>& w : *way) w = (most * shares[k]) * w;
+    most *= free_share((*contacts)[k], own);
+  }
+  return most;
+}
+
+template <std::size_t D>
+double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start, const Places& ways) const {
+  if (!start.primary) return 1;  // places are no numbers, which shows in the force
   std::vector<double> least;
+  double room = std::numeric_limits<double>::infinity();
+  for (const Contact& c : start.all) {
+    least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
+    room = std::min(room, gap_of(c) - least.back());
+  }
+  Places x, end = start.places;
+  advance<D>(end, 1, ways);
+  if (points_.motion(start.places, end) <= room) return 1;
+  const auto* contacts = &start;
+  std::shared_ptr<const typename PairPoints<D>::Times> later;
   double done = 0;
-  for (int part = 0; part < 8 && done < 1; ++part) {
-    const typename PairPoints<D>::Contacts contacts = points_.contacts(x, PairPoints<D>::Share::Forces);
-    if (least.empty())
-      for (const Contact& c : contacts.all)
-        least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
-    if (!contacts.primary) return most;  // places are no numbers, which shows in the force
-    const double fastest = contacts.primary->fastest(ways.primary);
+  for (int part = 0; part < 8; ++part) {
     double own = 1 - done;
-    for (std::size_t p = 0; p < contacts.all.size(); ++p) {
-      const Contact& c = contacts.all[p];
+    const double fastest = contacts->primary->fastest(ways.primary);
+    for (std::size_t p = 0; p < contacts->all.size(); ++p) {
+      const Contact& c = contacts->all[p];
       const Vec<D> way = interpolate(c, ways.secondary);
-      const double gap = c.foot.patch < 0 ? points_.law().range() : c.foot.gap;
-      if (gap - least[p] >= own * (length(way) + fastest)) continue;
+      if (gap_of(c) - least[p] >= own * (length(way) + fastest)) continue;
       own = std::min(
-          own, contacts.primary->free_share(c.place, way, ways.primary, fastest, least[p], points_.seen(c.patch)));
+          own, contacts->primary->free_share(c.place, way, ways.primary, fastest, least[p], contacts->candidates(c)));
     }
     done += own;
-    if (own == 0) break;
-    advance<D>(x, own, ways);
+    if (own == 0 || done >= 1) break;
+    x = start.places;
+    advance<D>(x, done, ways);
+    later = points_.contacts({x}, PairPoints<D>::Share::Forces, -1, {start.places, end});
+    contacts = &later->front();
   }
-  return most * std::min(done, 1.0);
+  return std::min(done, 1.0);
 }
 
 template class PairApproach<2>;

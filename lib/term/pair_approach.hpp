@@ -17,10 +17,11 @@ class PairApproach {
   /// `margin`: see PairOptions. The points must outlive it.
   PairApproach(const PairPoints<D>& points, double margin) : points_(points), margin_(margin) {}
 
-  /// Returns the largest s in [0, most] for which the gaps at places + s share ways surely have the margin. Follows the
-  /// surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound of a part does not
-  /// know the direction of the motion.
-  double free_step(Places x, Places ways, double share, double most = 1) const;
+  /// Returns the largest s in [0, most] for which the gaps at all places + s share ways surely have the margin. Follows
+  /// the surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound of a part does
+  /// not know the direction of the motion. `shares`: of each place.
+  double free_step(const std::vector<Places>& times, const Places& ways, const std::vector<double>& shares,
+                   double most = 1) const;
   /// Returns the lowest point of the surfaces, also on the straight way from `start`, if that is given: a scheme that
   /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as
   /// often as the bodies move by the longest side of a surface relative to each other, at most 10,000 times.
@@ -32,6 +33,10 @@ class PairApproach {
   /// Lowers it to the corners and middles of the patches of a surface before what they see of it.
   void lower_to_itself(const Places& x, LowestPoint& lowest) const;
   void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const;
+  /// Returns a lower bound on the point's gap.
+  double gap_of(const Contact& c) const { return c.foot.patch < 0 ? points_.law().range() : c.foot.gap; }
+  /// Returns the largest s in [0, 1] for contacts that move along the ways.
+  double free_share(const typename PairPoints<D>::Contacts& contacts, const Places& ways) const;
   /// Returns the point's place along its own patch at the given values of the surface's nodes.
   Vec<D> interpolate(const Contact& contact, const std::vector<Vec<D>>& values) const;
 

@@ -26,30 +26,34 @@ std::vector<double> PairGradient<D>::weights_of(const Contact& contact) const {
 
 template <std::size_t D>
 typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) const {
-  using Share = typename PairPoints<D>::Share;
-  Step step{points_.contacts(points_.places(segment.from), Share::Forces),
-            points_.contacts(points_.places(segment.to), Share::Forces),
-            {}};
+  using Places = typename PairPoints<D>::Places;
+  std::vector<Places> places{points_.places(segment.from), points_.places(segment.to),
+                             points_.places(segment, {1, 0.5, 0, 0.5})};
   // A point that is within the law's range at one end has a foot at the mean places, too.
   double way = 0;
   const auto grow = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) way = std::max(way, length(b[i] - a[i]));
   };
-  grow(step.start.places.secondary, step.end.places.secondary);
-  grow(step.start.places.primary, step.end.places.primary);
-  step.mean =
-      points_.contacts(points_.places(segment, {1, 0.5, 0, 0.5}), Share::Forces, points_.law().range() + 4 * way);
-  return step;
+  grow(places[0].secondary, places[1].secondary);
+  grow(places[0].primary, places[1].primary);
+  const auto times = points_.contacts(std::move(places), PairPoints<D>::Share::Forces, points_.law().range() + 4 * way);
+  return {times, (*times)[0], (*times)[1], (*times)[2]};
+}
+
+/// Returns whether the point is within the law's range.
+template <std::size_t D>
+bool PairGradient<D>::acts(const Contact& contact) const {
+  return contact.foot.patch >= 0 && !(std::abs(contact.foot.gap) >= points_.law().range());
 }
 
 /// Returns whether the point has a force.
 template <std::size_t D>
 bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& point) const {
   const Contact &start = step.start.all[number], &end = step.end.all[number], &mean = step.mean.all[number];
-  if (mean.foot.patch < 0 || (start.foot.patch < 0 && end.foot.patch < 0)) return false;
+  if (mean.foot.patch < 0 || (!acts(start) && !acts(end))) return false;
   const GapLaw& law = points_.law();
-  const double g0 = start.foot.patch < 0 ? law.range() : start.foot.gap;
-  const double g1 = end.foot.patch < 0 ? law.range() : end.foot.gap;
+  const double g0 = acts(start) ? start.foot.gap : law.range();
+  const double g1 = acts(end) ? end.foot.gap : law.range();
   point.at_end = &end;
   point.at_mean = &mean;
   point.d = end.place - start.place;
@@ -59,12 +63,11 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     const auto node = static_cast<std::size_t>(patch.nodes[a]);
     point.d = point.d - n[a] * (step.end.places.primary[node] - step.start.places.primary[node]);
   }
-  const bool acts = end.foot.patch >= 0;
   point.along = inner(mean.foot.normal, point.d);
   point.traction = law.mean_traction(g0, g1)[0];
-  point.mean_slope = acts ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
+  point.mean_slope = acts(end) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
   const double off = g1 - g0 - point.along, e = -point.traction * off;
-  point.by_gap = acts ? point.mean_slope * off - point.traction : 0.0;
+  point.by_gap = acts(end) ? point.mean_slope * off - point.traction : 0.0;
   point.size = -point.traction;
   point.rest = point.c_by_e = point.c_by_a = 0;
   point.whole = length(point.d) > 1e-5 * law.equilibrium_gap();
@@ -102,8 +105,8 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
 }
 
 template <std::size_t D>
-PairBlock PairGradient<D>::convex_block_of(const Step& step, const Point& point) const {
-  const PairGap<D> gap = points_.gap_of(step.mean, *point.at_mean);
+PairBlock PairGradient<D>::convex_block_of(const Point& point) const {
+  const PairGap<D> gap = points_.gap_of(*point.at_mean);
   PairBlock block;
   block.primary = point.at_mean->foot.patch;
   block.nodes = points_.nodes_of(*point.at_mean);
@@ -125,7 +128,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   block.primary = mean.foot.patch;
   block.nodes = points_.nodes_of(mean);
   std::vector<double> end_weights(size, 0.0);  // of the end's gap, by node of the block
-  if (end.foot.patch >= 0) {
+  if (acts(end)) {
     const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.foot.patch)];
     const std::vector<int> nodes = points_.nodes_of(end);
     const typename SurfacePatch<D>::Weights n = last.weights(end.foot.xi);
@@ -145,7 +148,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   s.resize(all, 0.0);
   const Vec<D>& m = mean.foot.normal;
   const double g = mean.foot.gap;
-  const auto frame = step.mean.primary->patch(mean.foot.patch).frame(mean.foot.xi);
+  const auto& frame = mean.foot.frame;
 
   // Changes of the free parameters, as rows over the block's degrees of freedom.
   std::vector<std::size_t> free;
@@ -226,7 +229,7 @@ void PairGradient<D>::for_each_block(const Segment& segment, Tangent kind,
   if (!step.mean.primary) return;
   for (std::size_t i = 0; i < step.mean.all.size(); ++i) {
     Point point;
-    if (evaluate(step, i, point)) visit(kind == Tangent::Convex ? convex_block_of(step, point) : block_of(step, point));
+    if (evaluate(step, i, point)) visit(kind == Tangent::Convex ? convex_block_of(point) : block_of(step, point));
   }
 }
 

@@ -34,7 +34,8 @@ class PairGradient {
   using Contacts = typename PairPoints<D>::Contacts;
   /// All points at both ends and at the mean places of the segment.
   struct Step {
-    Contacts start, end, mean;
+    std::shared_ptr<const typename PairPoints<D>::Times> times;
+    const Contacts &start, &end, &mean;
   };
   /// One point, with the quantities of the formula above.
   struct Point {
@@ -50,11 +51,12 @@ class PairGradient {
     bool whole;  ///< the displacement is not too small for C
     Vec<D> force() const { return size * at_mean->foot.normal + rest * d; }
   };
+  bool acts(const Contact& contact) const;
   Step take(const Segment& segment) const;
   bool evaluate(const Step& step, std::size_t number, Point& point) const;
   std::vector<double> weights_of(const Contact& contact) const;
   PairBlock block_of(const Step& step, const Point& point) const;
-  PairBlock convex_block_of(const Step& step, const Point& point) const;
+  PairBlock convex_block_of(const Point& point) const;
 
   const PairPoints<D>& points_;
   double stiffness_;  ///< k

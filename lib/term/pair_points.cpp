@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/vector3.hpp"
 #include "fem/quadrature.hpp"
@@ -16,13 +17,6 @@ bool any_owned(const SurfacePatch<D>& patch, const SurfacePatches<D>& surface, i
   for (std::size_t a = 0; a < patch.count; ++a)
     if (surface.nodes[static_cast<std::size_t>(patch.nodes[a])] < owned_nodes) return true;
   return false;
-}
-
-template <std::size_t D>
-typename SurfacePatch<D>::Points points_of(const SurfacePatch<D>& patch, const std::vector<Vec<D>>& x) {
-  typename SurfacePatch<D>::Points result{};
-  for (std::size_t a = 0; a < patch.count; ++a) result[a] = x[static_cast<std::size_t>(patch.nodes[a])];
-  return result;
 }
 
 /// Returns the factor at a place X with the parameters xi of a patch, whose corners' nodal factors count linearly.
@@ -56,10 +50,10 @@ template <std::size_t D>
 PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::shared_ptr<const GapLaw> law,
                           const PairOptions& options)
     : coordinates_(mesh.coordinates),
-      secondary_(std::move(surfaces.secondary)),
-      primary_(std::move(surfaces.primary)),
+      surfaces_(std::move(surfaces)),
       law_(std::move(law)),
-      range_(law_->range()) {
+      range_(law_->range()),
+      search_(surfaces_) {
   const std::size_t n = static_cast<std::size_t>(options.points > 0 ? options.points : 5);
   per_patch_ = D == 2 ? n : n * n;
   const Quadrature gauss = gauss_legendre_unit(static_cast<int>(n));
@@ -67,13 +61,13 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
   const std::vector<Vec<D>> x = places(rest.data()).secondary;
   const bool self = options.exclusion > 0;
   if (self) {
-    sight_ = std::make_unique<SelfSight<D>>(secondary_.patches, x, options.exclusion, range_);
+    sight_ = std::make_unique<SelfSight<D>>(secondary().patches, x, options.exclusion, range_);
     sight_->look(x, range_);
   }
   const bool has_primary =
-      std::any_of(primary_.nodes.begin(), primary_.nodes.end(), [&](int node) { return node < mesh.owned_nodes; });
-  for (const SurfacePatch<D>& patch : secondary_.patches) {
-    const PlacedPatch<D> own = patch.placed(points_of(patch, x));
+      std::any_of(primary().nodes.begin(), primary().nodes.end(), [&](int node) { return node < mesh.owned_nodes; });
+  for (const SurfacePatch<D>& patch : secondary().patches) {
+    const PlacedPatch<D> own = patch.placed(patch.among(x));
     for (std::size_t q = 0; q < per_patch_; ++q) {
       PatchParameters<D> xi{gauss.points[q % n]};
       double weight = gauss.weights[q % n];
@@ -83,20 +77,11 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       }
       const auto frame = own.frame(xi);
       const double area = weight * stretch(frame);
-      const double factor = factor_at(options.factor, frame.place, xi, patch, secondary_.nodes) / (self ? 2 : 1);
+      const double factor = factor_at(options.factor, frame.place, xi, patch, secondary().nodes) / (self ? 2 : 1);
       points_.push_back({patch.weights(xi), factor * area, area});
     }
-    adds_to_own_.push_back(has_primary || any_owned(patch, secondary_, mesh.owned_nodes) ? 1 : 0);
+    adds_to_own_.push_back(has_primary || any_owned(patch, secondary(), mesh.owned_nodes) ? 1 : 0);
   }
-}
-
-template <std::size_t D>
-bool PairPoints<D>::Places::is_finite() const {
-  double sum = 0;
-  for (const auto* x : {&secondary, &primary})
-    for (const Vec<D>& place : *x)
-      for (const double component : place) sum += 0 * component;
-  return sum == 0;
 }
 
 template <std::size_t D>
@@ -105,7 +90,7 @@ typename PairPoints<D>::Places PairPoints<D>::combine(
   Places result;
   for (const bool first : {true, false}) {
     std::vector<Vec<D>>& x = first ? result.secondary : result.primary;
-    const std::vector<int>& nodes = (first ? secondary_ : primary_).nodes;
+    const std::vector<int>& nodes = (first ? secondary() : primary()).nodes;
     x.reserve(nodes.size());
     for (const int node : nodes) {
       Vec<D> place{};
@@ -139,41 +124,112 @@ typename PairPoints<D>::Places PairPoints<D>::ways(const double* direction) cons
 
 template <std::size_t D>
 PlacedPatch<D> PairPoints<D>::placed(std::size_t patch, const Places& places) const {
-  const SurfacePatch<D>& own = secondary_.patches[patch];
-  return own.placed(points_of(own, places.secondary));
+  const SurfacePatch<D>& own = secondary().patches[patch];
+  return own.placed(own.among(places.secondary));
 }
 
 template <std::size_t D>
-typename PairPoints<D>::Contacts PairPoints<D>::contacts(Places places, Share share, double range) const {
+std::vector<typename PairPoints<D>::Places> PairPoints<D>::places(const Segment& segment, const Rule& rule) const {
+  std::vector<Places> result;
+  result.reserve(rule.points.size());
+  for (const RulePoint& point : rule.points) result.push_back(places(segment, point));
+  return result;
+}
+
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vector<Places>& times, double range) const {
+  if (!sight_ || !std::all_of(times.begin(), times.end(), [](const Places& x) { return x.is_finite(); }))
+    return search_.cover(times, range);
+  if (seen_version_ == sight_->version()) return seen_;
+  auto seen = std::make_shared<PairNeighbours>();
+  for (std::size_t s = 0; s < secondary().patches.size(); ++s) {
+    if (sight_->seen(s).empty()) continue;
+    seen->secondary.push_back(s);
+    seen->primary.push_back(sight_->seen(s));
+  }
+  std::vector<int> all(primary().patches.size());
+  std::iota(all.begin(), all.end(), 0);
+  seen->together = patch_subset(std::move(all), primary().patches.size());
+  seen_ = std::move(seen);
+  seen_version_ = sight_->version();
+  return seen_;
+}
+
+template <std::size_t D>
+std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std::vector<Places> times, Share share,
+                                                                             double range,
+                                                                             const std::vector<Places>& also) const {
   if (range < 0) range = range_;
-  Contacts result;
-  result.places = std::move(places);
-  if (result.places.is_finite())
-    result.primary = std::make_unique<PlacedSurface<D>>(primary_.patches, result.places.primary);
+  std::vector<Places> covered = times;
+  covered.insert(covered.end(), also.begin(), also.end());
+  const std::shared_ptr<const PairNeighbours> near = neighbours(covered, range);
+  if (share == Share::Forces && last_ && last_range_ == range && last_->size() == times.size() &&
+      std::equal(times.begin(), times.end(), last_->begin(), [&](const Places& x, const Contacts& kept) {
+        return kept.neighbours == near && kept.places.secondary == x.secondary && kept.places.primary == x.primary;
+      }))
+    return last_;
+  auto result = std::make_shared<Times>(times.size());
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    (*result)[k].places = std::move(times[k]);
+    (*result)[k].neighbours = near;
+    find_feet((*result)[k], k > 0 ? &(*result)[k - 1] : nullptr, share, range);
+    evaluate_law((*result)[k]);
+  }
+  if (share == Share::Forces) {
+    last_ = result;
+    last_range_ = range;
+  }
+  return result;
+}
+
+template <std::size_t D>
+void PairPoints<D>::find_feet(Contacts& contacts, const Contacts* before, Share share, double range) const {
+  const PairNeighbours& near = *contacts.neighbours;
+  if (contacts.places.is_finite())
+    contacts.primary =
+        near.together ? std::make_unique<PlacedSurface<D>>(primary().patches, contacts.places.primary, near.together)
+                      : std::make_unique<PlacedSurface<D>>(primary().patches, contacts.places.primary);
+  contacts.all.reserve(near.secondary.size() * per_patch_);
   int guess = -1;
-  for (std::size_t s = 0; s < secondary_.patches.size(); ++s) {
+  std::vector<Vec<D>> places(per_patch_);
+  for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
+    const std::size_t s = near.secondary[entry];
     if (share == Share::Energies ? !counts(s) : adds_to_own_[s] == 0) continue;
-    const SurfacePatch<D>& patch = secondary_.patches[s];
-    const typename SurfacePatch<D>::Points x = points_of(patch, result.places.secondary);
-    const bool far = result.primary && std::isfinite(range) &&
-                     (sight_ ? sight_->seen(s).empty() : result.primary->near(patch.placed(x).hull(), range).empty());
+    const SurfacePatch<D>& patch = secondary().patches[s];
+    const typename SurfacePatch<D>::Points x = patch.among(contacts.places.secondary);
+    Vec<D> middle{};
     for (std::size_t q = 0; q < per_patch_; ++q) {
-      Contact contact{s, q};
       const auto& weights = points_[s * per_patch_ + q].weights;
-      for (std::size_t a = 0; a < patch.count; ++a) contact.place = contact.place + weights[a] * x[a];
-      if (!result.primary) {
+      places[q] = {};
+      for (std::size_t a = 0; a < patch.count; ++a) places[q] = places[q] + weights[a] * x[a];
+      middle = middle + 1 / static_cast<double>(per_patch_) * places[q];
+    }
+    const std::vector<int>& candidates = near.primary[entry];
+    std::vector<int> nearest;
+    if (contacts.primary && !candidates.empty() && !sight_) {
+      double radius = 0;
+      for (const Vec<D>& place : places) radius = std::max(radius, length(place - middle));
+      nearest = contacts.primary->reduced(candidates, middle, radius, range);
+    }
+    for (std::size_t q = 0; q < per_patch_; ++q) {
+      Contact contact{s, q, entry, places[q]};
+      const SurfaceFoot<D>* const start = before != nullptr ? &before->all[contacts.all.size()].foot : nullptr;
+      if (!contacts.primary) {
         contact.foot.patch = 0;
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
-      } else if (!far) {
-        contact.foot = nearest(*result.primary, s, contact.place, range, guess);
-        guess = contact.foot.patch;
+        for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
+      } else if (candidates.empty()) {
+        contact.foot = contacts.primary->nearest(places[q], range, guess, start);
+      } else if (sight_) {
+        contact.foot = contacts.primary->nearest_of(candidates, places[q], range);
+      } else if (!nearest.empty()) {
+        contact.foot = contacts.primary->nearest_among(nearest, places[q], range, guess, start);
       }
-      result.all.push_back(contact);
+      guess = contact.foot.patch;
+      contacts.all.push_back(contact);
     }
   }
-  evaluate_law(result);
-  return result;
 }
 
 template <std::size_t D>
@@ -197,15 +253,9 @@ void PairPoints<D>::evaluate_law(Contacts& contacts) const {
 }
 
 template <std::size_t D>
-PairGap<D> PairPoints<D>::gap_of(const Contacts& contacts, const Contact& contact) const {
-  const SurfacePatch<D>& patch = primary_.patches[static_cast<std::size_t>(contact.foot.patch)];
-  const std::size_t count = secondary_.patches[contact.patch].count;
-  if (contacts.primary)
-    return {weights(contact), count, patch, contacts.primary->patch(contact.foot.patch), contact.foot};
-  PlacedPatch<D> none;
-  none.degree = patch.degree;
-  for (Vec<D>& coefficient : none.coefficients) coefficient.fill(nan);
-  return {weights(contact), count, patch, none, contact.foot};
+PairGap<D> PairPoints<D>::gap_of(const Contact& contact) const {
+  return {weights(contact), secondary().patches[contact.patch].count,
+          primary().patches[static_cast<std::size_t>(contact.foot.patch)], contact.foot};
 }
 
 template <std::size_t D>
@@ -215,32 +265,33 @@ std::vector<int> PairPoints<D>::nodes_of(std::size_t secondary, int primary) con
     for (std::size_t a = 0; a < patch.count; ++a)
       result.push_back(surface.nodes[static_cast<std::size_t>(patch.nodes[a])]);
   };
-  append(secondary_, secondary_.patches[secondary]);
-  append(primary_, primary_.patches[static_cast<std::size_t>(primary)]);
+  append(surfaces_.secondary, surfaces_.secondary.patches[secondary]);
+  append(surfaces_.primary, surfaces_.primary.patches[static_cast<std::size_t>(primary)]);
   return result;
 }
 
 /// The convex kind leaves out what is negative, and the gap's second derivatives inside sides, which are indefinite.
 template <std::size_t D>
-void PairPoints<D>::add(const Contacts& contacts, const Contact& contact, double factor, Tangent kind,
-                        std::vector<PairBlock>& blocks, std::size_t& used) const {
+void PairPoints<D>::add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
+                        std::size_t& used) const {
   if (contact.foot.patch < 0) return;
   double along = contact.stiffness, across = -contact.traction;
-  const PairGap<D> gap = gap_of(contacts, contact);
+  const PairGap<D> gap = gap_of(contact);
   if (kind == Tangent::Convex) {
     along = std::max(along, 0.0);
     across = gap.is_round() && across * contact.foot.gap > 0 ? across : 0;
   }
   std::size_t b = 0;
-  while (b < used && blocks[b].primary != contact.foot.patch) ++b;
+  while (b < used && blocks[b].block.primary != contact.foot.patch) ++b;
   if (b == used) {
     if (used == blocks.size()) blocks.emplace_back();
-    blocks[b].primary = contact.foot.patch;
-    blocks[b].nodes = nodes_of(contact);
-    blocks[b].k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);
+    blocks[b].block.primary = contact.foot.patch;
+    blocks[b].block.nodes = nodes_of(contact);
+    blocks[b].sums.begin(secondary().patches[contact.patch].count,
+                         primary().patches[static_cast<std::size_t>(contact.foot.patch)].count);
     ++used;
   }
-  gap.add(factor * measure(contact) * along, factor * measure(contact) * across, blocks[b].k.data());
+  blocks[b].sums.add(gap, factor * measure(contact) * along, factor * measure(contact) * across);
 }
 
 template class PairPoints<2>;

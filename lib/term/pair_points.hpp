@@ -9,8 +9,9 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/pair_gap.hpp"
 #include "term/interaction.hpp"
+#include "term/pair_search.hpp"
+#include "term/pair_sums.hpp"
 #include "term/self_sight.hpp"
-#include "term/surface_patches.hpp"
 
 namespace ixos {
 
@@ -21,19 +22,6 @@ struct PairOptions {
   /// Greater than 0: both surfaces are one, which interacts with itself. Parts nearer than this along the surface do
   /// not interact [L0]; the law must have a range. Each pair of places counts twice, so that the energy is halved.
   double exclusion = 0;
-};
-
-/// Both surfaces of a pair.
-template <std::size_t D>
-struct PairSurfaces {
-  SurfacePatches<D> secondary, primary;
-};
-
-/// The matrix of a part of both surfaces: its nodes, a node may stand twice, and D nodes rows of as many numbers.
-struct PairBlock {
-  int primary = -1;        ///< patch with the feet
-  std::vector<int> nodes;  ///< local
-  std::vector<double> k;
 };
 
 /// The secondary surface (slave), on which the law is integrated, Pi = sum of w psi(g), and the primary one (master),
@@ -51,51 +39,53 @@ class PairPoints {
 
   /// The points that a function visits: those that add to this rank's forces, or those that energies count here.
   enum class Share { Forces, Energies };
-  /// Both surfaces at one place.
-  struct Places {
-    std::vector<Vec<D>> secondary, primary;
-    bool is_finite() const;
-  };
-  /// A quadrature point at one place of the surfaces. A point beyond the law's range has no foot
-  /// and no force.
+  using Places = PairPlaces<D>;
+  /// A quadrature point at one place of the surfaces. A point beyond the law's range has no foot and no force.
   struct Contact {
     std::size_t patch, point;
+    std::size_t entry;  ///< of the patch among those with neighbours
     Vec<D> place{};
     SurfaceFoot<D> foot{};
     double traction = 0, stiffness = 0;  ///< T and -dT/dg
   };
   struct Contacts {
     Places places;
-    std::vector<Contact> all;
+    std::shared_ptr<const PairNeighbours> neighbours;
+    std::vector<Contact> all;  ///< of the secondary patches with neighbours
     double least_gap = std::numeric_limits<double>::infinity();
     std::unique_ptr<PlacedSurface<D>> primary;  ///< null if a place is no number
+    /// Returns the primary patches that a point can have its foot on; null: all.
+    const std::vector<int>* candidates(const Contact& c) const {
+      const std::vector<int>& own = neighbours->primary[c.entry];
+      return own.empty() ? nullptr : &own;
+    }
   };
+  /// The contacts at several places of the surfaces: the same points in the same order.
+  using Times = std::vector<Contacts>;
 
   Places places(const double* u) const;
   Places places(const Segment& segment, const RulePoint& point) const;
   /// Returns ways as places: a displacement without the undeformed body's coordinates.
   Places ways(const double* direction) const;
-  /// Returns the points, their gaps and what the law says. If a coordinate is NaN, all gaps and
-  /// tractions are NaN.
-  /// `range`: of gaps; negative: that of the law.
-  Contacts contacts(Places places, Share share, double range = -1) const;
+  /// Returns the places at the points of a rule.
+  std::vector<Places> places(const Segment& segment, const Rule& rule) const;
+  /// Returns the points that have neighbours at one of these places or at those of `also`, their gaps and what the law
+  /// says. If a coordinate is NaN, all gaps and tractions are NaN. `range`: of gaps; negative: that of the law. The
+  /// contacts that forces last took are kept: the tangent at the same places takes them again.
+  std::shared_ptr<const Times> contacts(std::vector<Places> times, Share share, double range = -1,
+                                        const std::vector<Places>& also = {}) const;
   /// Returns the point's gap with its derivatives; the contact must have a foot.
-  PairGap<D> gap_of(const Contacts& contacts, const Contact& contact) const;
+  PairGap<D> gap_of(const Contact& contact) const;
   /// Returns the local nodes of a contact, in the order of PairGap.
   std::vector<int> nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.foot.patch); }
   std::vector<int> nodes_of(std::size_t secondary, int primary) const;
-  /// Calls visit(block) for each matrix of the rule's tangent: one for each pair of a secondary patch and a primary one
-  /// with a foot.
+  /// Calls visit(block) for each matrix of the rule's tangent, which is symmetric: one for each pair of a secondary
+  /// patch and a primary one with a foot.
   template <class Visit>
   void for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const;
-  /// Does the same with contacts at the points of the rule, in their order.
-  template <class Visit>
-  void for_each_block(const std::vector<Contacts>& times, const Rule& rule, Tangent kind, const Visit& visit) const;
 
   /// Null unless the surface interacts with itself.
   SelfSight<D>* sight() const { return sight_.get(); }
-  /// Returns the patches that a secondary patch sees; null: all.
-  const std::vector<int>* seen(std::size_t patch) const { return sight_ ? &sight_->seen(patch) : nullptr; }
   /// Returns the nearest point of the primary surface that a secondary patch sees.
   SurfaceFoot<D> nearest(const PlacedSurface<D>& primary, std::size_t patch, const Vec<D>& place, double range,
                          int guess = -1) const {
@@ -108,9 +98,11 @@ class PairPoints {
   double measure(const Contact& c) const { return points_[index(c)].measure; }
   double area(const Contact& c) const { return points_[index(c)].area; }
   const typename SurfacePatch<D>::Weights& weights(const Contact& c) const { return points_[index(c)].weights; }
-  bool counts(std::size_t patch) const { return secondary_.owned[patch] != 0; }
-  const SurfacePatches<D>& secondary() const { return secondary_; }
-  const SurfacePatches<D>& primary() const { return primary_; }
+  bool counts(std::size_t patch) const { return secondary().owned[patch] != 0; }
+  const SurfacePatches<D>& secondary() const { return surfaces_.secondary; }
+  const SurfacePatches<D>& primary() const { return surfaces_.primary; }
+  /// Returns a bound on the change of a gap between two places.
+  double motion(const Places& from, const Places& to) const { return search_.motion(from, to); }
   const GapLaw& law() const { return *law_; }
   bool is_positive() const { return law_->domain() == GapDomain::Positive; }
   std::size_t points_of_a_patch() const { return per_patch_; }
@@ -123,43 +115,53 @@ class PairPoints {
     typename SurfacePatch<D>::Weights weights;
     double measure, area;
   };
+  /// The sum of a primary patch's matrix.
+  struct OpenBlock {
+    PairSums<D> sums;
+    PairBlock block;
+  };
   Places combine(double rest, const std::array<std::pair<double, const double*>, 3>& parts) const;
+  std::shared_ptr<const PairNeighbours> neighbours(const std::vector<Places>& times, double range) const;
+  /// `before`: the same points at places near by, or null.
+  void find_feet(Contacts& contacts, const Contacts* before, Share share, double range) const;
   void evaluate_law(Contacts& contacts) const;
-  void add(const Contacts& contacts, const Contact& contact, double factor, Tangent kind,
-           std::vector<PairBlock>& blocks, std::size_t& used) const;
+  void add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
+           std::size_t& used) const;
 
   std::vector<double> coordinates_;  ///< of the local mesh
-  SurfacePatches<D> secondary_, primary_;
+  PairSurfaces<D> surfaces_;
   std::unique_ptr<SelfSight<D>> sight_;
   std::shared_ptr<const GapLaw> law_;
   double range_;
   std::size_t per_patch_;
   std::vector<Point> points_;
   std::vector<char> adds_to_own_;  ///< by patch
+  // What was found last. It changes the time of the next search only.
+  mutable PairSearch<D> search_;
+  mutable std::shared_ptr<const PairNeighbours> seen_;
+  mutable long seen_version_ = -1;
+  mutable std::shared_ptr<const Times> last_;
+  mutable double last_range_ = 0;
 };
 
 template <std::size_t D>
 template <class Visit>
 void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const {
-  std::vector<Contacts> times;
-  for (const RulePoint& point : rule.points) times.push_back(contacts(places(segment, point), Share::Forces));
-  for_each_block(times, rule, kind, visit);
-}
-
-template <std::size_t D>
-template <class Visit>
-void PairPoints<D>::for_each_block(const std::vector<Contacts>& times, const Rule& rule, Tangent kind,
-                                   const Visit& visit) const {
-  if (times.empty()) return;
-  std::vector<PairBlock> blocks;  // the first `used` ones count; the others keep their memory
+  if (rule.points.empty()) return;
+  const auto times = contacts(places(segment, rule), Share::Forces);
+  std::vector<OpenBlock> blocks;  // the first `used` ones count; the others keep their memory
   std::size_t used = 0;
-  const std::vector<Contact>& all = times.front().all;
+  const std::vector<Contact>& all = times->front().all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = 0; k < times.size(); ++k)
+    for (std::size_t k = 0; k < times->size(); ++k)
       if (const double factor = rule.points[k].weight * rule.points[k].to; factor != 0)
-        add(times[k], times[k].all[i], factor, kind, blocks, used);
+        add((*times)[k].all[i], factor, kind, blocks, used);
+    for (std::size_t b = 0; b < used; ++b) blocks[b].sums.end_point(weights(all[i]));
     if (i + 1 < all.size() && all[i + 1].patch == all[i].patch) continue;
-    for (std::size_t b = 0; b < used; ++b) visit(blocks[b]);
+    for (std::size_t b = 0; b < used; ++b) {
+      blocks[b].sums.write(blocks[b].block.k);
+      visit(blocks[b].block);
+    }
     used = 0;
   }
 }

@@ -24,6 +24,7 @@ class PairTerm final : public Interaction {
   using Places = typename PairPoints<D>::Places;
   using Contact = typename PairPoints<D>::Contact;
   using Contacts = typename PairPoints<D>::Contacts;
+  using Times = typename PairPoints<D>::Times;
 
   PairTerm(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern, std::shared_ptr<const GapLaw> law,
            const PairOptions& options)
@@ -85,19 +86,14 @@ class PairTerm final : public Interaction {
       const double least = PairGradient<D>(points_).add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
-    return add_point_forces(
-        segment, rule, [](Contacts&&) {}, f);
-  }
-
-  std::unique_ptr<KeptPoints> create_kept() const override { return std::make_unique<Kept>(); }
-
-  bool add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints& kept, double* f) const override {
-    if (rule.mean == Mean::DiscreteGradient) return add_force(segment, rule, f);
-    check(rule);
-    std::vector<Contacts>& times = dynamic_cast<Kept&>(kept).times;
-    times.clear();
-    return add_point_forces(
-        segment, rule, [&](Contacts&& contacts) { times.push_back(std::move(contacts)); }, f);
+    double least = std::numeric_limits<double>::infinity();
+    const auto times = points_.contacts(points_.places(segment, rule), Share::Forces);
+    for (std::size_t k = 0; k < times->size(); ++k)
+      least = std::min(least, add_force((*times)[k], rule.points[k].weight, f));
+    if (!needs_positive_gaps()) return true;
+    if (!rule.has_end())
+      least = std::min(least, points_.contacts({points_.places(segment.to)}, Share::Energies)->front().least_gap);
+    return least > 0;
   }
 
   /// Leaves out nodes that are not coupled, see PairCoupling.
@@ -110,25 +106,17 @@ class PairTerm final : public Interaction {
       points_.for_each_block(segment, rule, kind, add);
   }
 
-  void add_kept_tangent(const Segment& segment, const Rule& rule, Tangent kind, const KeptPoints& kept,
-                        double* values) const override {
-    if (rule.mean == Mean::DiscreteGradient) return add_tangent(segment, rule, kind, values);
-    points_.for_each_block(dynamic_cast<const Kept&>(kept).times, rule, kind,
-                           [&](const PairBlock& block) { add_to_matrix(block, values); });
-  }
-
   std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction<D>>(points_); }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    std::vector<Contacts> end;
-    end.push_back(points_.contacts(points_.places(segment.to), Share::Forces));
-    points_.for_each_block(end, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
+    points_.for_each_block(segment, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
       const std::size_t size = D * block.nodes.size();
       for (std::size_t r = 0; r < size; ++r)
         for (std::size_t c = 0; c < size; ++c)
           sums[D * static_cast<std::size_t>(block.nodes[r / D]) + r % D] += std::abs(block.k[r * size + c]);
     });
-    return !needs_positive_gaps() || end.front().least_gap > 0;
+    return !needs_positive_gaps() ||
+           points_.contacts({points_.places(segment.to)}, Share::Forces)->front().least_gap > 0;
   }
 
   double energy(const double* u) const override {
@@ -137,12 +125,11 @@ class PairTerm final : public Interaction {
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!needs_positive_gaps()) return 1;
+    std::vector<double> shares;
+    for (const RulePoint& point : rule.points) shares.push_back(point.to);
     const Places ways = points_.ways(direction);
-    double step = approach_.free_step(points_.places(segment.to), ways, 1);
-    if (segment.from != nullptr || segment.velocity != nullptr)
-      for (const RulePoint& point : rule.points)
-        if (point.to != 0) step = approach_.free_step(points_.places(segment, point), ways, point.to, step);
-    return step;
+    return approach_.free_step({points_.places(segment.to)}, ways, {1.0},
+                               approach_.free_step(points_.places(segment, rule), ways, shares));
   }
 
   /// Throws std::logic_error: the mean over the path has no closed form.
@@ -155,15 +142,12 @@ class PairTerm final : public Interaction {
     if (!needs_positive_gaps()) return 1;
     const double near = 10 * points_.law().equilibrium_gap();
     const Segment segment{from, nullptr, to};
-    std::array<Contacts, 3> at_times;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double share = 0.5 * static_cast<double>(i);
-      at_times[i] = points_.contacts(points_.places(segment, {1, 1 - share, 0, share}), Share::Energies);
-    }
+    const auto at_times = points_.contacts(
+        {points_.places(from), points_.places(segment, {1, 0.5, 0, 0.5}), points_.places(to)}, Share::Energies);
     double largest = 1;
-    for (std::size_t p = 0; p < at_times[0].all.size(); ++p) {
+    for (std::size_t p = 0; p < at_times->front().all.size(); ++p) {
       double least = std::numeric_limits<double>::infinity(), most = 0;
-      for (const Contacts& contacts : at_times) {
+      for (const Contacts& contacts : *at_times) {
         const SurfaceFoot<D>& foot = contacts.all[p].foot;
         const double gap = std::min(foot.gap, points_.law().range());
         least = std::min(least, gap);
@@ -190,15 +174,15 @@ class PairTerm final : public Interaction {
     for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
       if (!counted.insert(points_.secondary().sides[s]).second) continue;
       for (std::size_t q = 0; q < points_.points_of_a_patch(); ++q) {
-        const Contact contact{s, q};
+        const Contact contact{s, q, 0};
         add_weighted(contact, points_.area(contact), measure);
       }
     }
   }
 
   void add_nodal_pressure(const double* u, double* force) const override {
-    const Contacts contacts = points_.contacts(points_.places(u), Share::Forces);
-    for (const Contact& contact : contacts.all)
+    const auto times = points_.contacts({points_.places(u)}, Share::Forces);
+    for (const Contact& contact : times->front().all)
       add_weighted(contact, points_.passes() * points_.measure(contact) * contact.traction, force);
   }
 
@@ -224,36 +208,25 @@ class PairTerm final : public Interaction {
   }
 
  private:
-  /// The contacts at the points of a rule.
-  struct Kept final : KeptPoints {
-    std::vector<Contacts> times;
-  };
-
-  /// Adds the forces at the rule's points, whose contacts `keep` takes. Returns whether all gaps are admissible.
-  template <class Keep>
-  bool add_point_forces(const Segment& segment, const Rule& rule, const Keep& keep, double* f) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const RulePoint& point : rule.points) {
-      Contacts contacts = points_.contacts(points_.places(segment, point), Share::Forces);
-      least = std::min(least, add_force(contacts, point.weight, f));
-      keep(std::move(contacts));
-    }
-    if (!needs_positive_gaps()) return true;
-    if (!rule.has_end()) least = std::min(least, points_.contacts(points_.places(segment.to), Share::Forces).least_gap);
-    return least > 0;
-  }
-
   /// Adds the forces times the weight. Returns the least gap.
   double add_force(const Contacts& contacts, double weight, double* f) const {
     for (const Contact& contact : contacts.all) {
       if (contact.foot.patch < 0) continue;
-      const typename PairGap<D>::Vector gradient = points_.gap_of(contacts, contact).gradient();
-      const std::vector<int> nodes = points_.nodes_of(contact);
-      const double factor = -weight * points_.measure(contact) * contact.traction;
-      for (std::size_t r = 0; r < D * nodes.size(); ++r)
-        f[D * static_cast<std::size_t>(nodes[r / D]) + r % D] += factor * gradient[r];
+      const Vec<D> force = (-weight * points_.measure(contact) * contact.traction) * contact.foot.normal;
+      const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
+      add_to_nodes(points_.secondary(), contact.patch, points_.weights(contact), force, f);
+      add_to_nodes(points_.primary(), static_cast<std::size_t>(contact.foot.patch), patch.weights(contact.foot.xi),
+                   -1 * force, f);
     }
     return contacts.least_gap;
+  }
+  static void add_to_nodes(const SurfacePatches<D>& surface, std::size_t patch,
+                           const typename SurfacePatch<D>::Weights& weights, const Vec<D>& force, double* f) {
+    const SurfacePatch<D>& own = surface.patches[patch];
+    for (std::size_t a = 0; a < own.count; ++a) {
+      double* const at_node = f + D * static_cast<std::size_t>(surface.nodes[static_cast<std::size_t>(own.nodes[a])]);
+      for (std::size_t i = 0; i < D; ++i) at_node[i] += weights[a] * force[i];
+    }
   }
 
   void add_to_matrix(const PairBlock& block, double* values) const {
@@ -277,9 +250,9 @@ class PairTerm final : public Interaction {
   /// Returns the sum of visit(contact) over the points with feet that count on this rank.
   template <class Visit>
   double sum(const double* u, const Visit& visit) const {
-    const Contacts contacts = points_.contacts(points_.places(u), Share::Energies);
+    const auto times = points_.contacts({points_.places(u)}, Share::Energies);
     double result = 0;
-    for (const Contact& contact : contacts.all)
+    for (const Contact& contact : times->front().all)
       if (contact.foot.patch >= 0) result += visit(contact);
     return result;
   }

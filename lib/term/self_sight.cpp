@@ -70,6 +70,7 @@ bool SelfSight<D>::is_excluded(std::size_t patch, int other) const {
 
 template <std::size_t D>
 void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin) {
+  ++version_;
   const PlacedSurface<D> placed(patches_, x);
   std::vector<Vec<D>> places, normals;
   for (std::size_t p = 0; p < patches_.size(); ++p) {

@@ -27,7 +27,12 @@ class SelfSight {
   /// Returns the patches that a patch sees, ascending.
   const std::vector<int>& seen(std::size_t patch) const { return seen_[patch]; }
   const std::vector<std::vector<int>>& seen() const { return seen_; }
-  void set_seen(std::vector<std::vector<int>> seen) { seen_ = std::move(seen); }
+  void set_seen(std::vector<std::vector<int>> seen) {
+    seen_ = std::move(seen);
+    ++version_;
+  }
+  /// Returns a number that changes with what is seen.
+  long version() const { return version_; }
   bool is_excluded(std::size_t patch, int other) const;
   /// Transfers lists of patches by patch, equal on all ranks: loading works on every partition. Throws InputError if
   /// they are not of this surface.
@@ -38,6 +43,7 @@ class SelfSight {
 
   const std::vector<SurfacePatch<D>>& patches_;
   double range_;
+  long version_ = 0;
   std::vector<std::vector<int>> excluded_, seen_;  ///< by patch, ascending
 };
 

@@ -4,11 +4,13 @@
     tests/bench/pair_times.py [--driver build/release/drivers/ixos] [--cells 16,10] [--steps 6] [--ranks 1]
 
 The balls have --cells core divisions and rings; the one ball has about twice as many cells. All begin at rest, a gap
-1.2 times that of equilibrium apart. The table has the seconds, the Newton iterations and the phases of an increment,
-and the ratio of two balls to one."""
+1.2 times that of equilibrium apart. The table has the processor time, the Newton iterations and the phases of an
+increment after the first one, and the ratio of two balls to one, for an increment and for a Newton iteration. Each
+number is the least of --repeats runs, in turns."""
 import argparse
 import json
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -17,6 +19,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "robustness
 from runs import ENVIRONMENT, EQUILIBRIUM, ROOT, scene_text, steps, table  # noqa: E402
 
 DIAMETER = 20.0
+PHASES = "residual", "tangent", "linear solve"
 
 
 def shape(divisions, rings, height):
@@ -47,15 +50,29 @@ def one_ball(divisions, rings):
             "Interactions/Wall/Normal": [0.0, 0.0, 1.0]}
 
 
-def run(scene, options, folder):
-    file = pathlib.Path(folder, "scene.xml")
-    file.write_text(scene_text({**scene, **steps("Average Vector Field", 1e-3, options.steps),
-                                "Time Integrator/Average Vector Field/Interaction Points": 8,
-                                "Nonlinear Solver/Tolerance": 1e-9}))
-    command = ["mpirun", "-np", str(options.ranks)] if options.ranks > 1 else []
-    subprocess.run([*command, options.driver, str(file), "--output", folder + "/results", "--overwrite", "--quiet"],
-                   env=ENVIRONMENT, check=True)
-    return json.loads(pathlib.Path(folder, "results/summary.json").read_text())
+def run(scene, options, count):
+    """Returns the processor time and the summary of a run of so many steps."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder, "scene.xml")
+        file.write_text(scene_text({**scene, **steps("Average Vector Field", 1e-3, count),
+                                    "Time Integrator/Average Vector Field/Interaction Points": 8,
+                                    "Nonlinear Solver/Tolerance": 1e-9}))
+        command = ["mpirun", "-np", str(options.ranks)] if options.ranks > 1 else []
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        subprocess.run([*command, options.driver, str(file), "--output", folder + "/results", "--overwrite", "--quiet"],
+                       env=ENVIRONMENT, check=True)
+        time = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        return time, json.loads(pathlib.Path(folder, "results/summary.json").read_text())
+
+
+def measure(scene, options):
+    """Returns what an increment after the first takes, and the summary."""
+    first, start = run(scene, options, 1)
+    last, summary = run(scene, options, 1 + options.steps)
+    numbers = {"time": last - first, "Newton": summary["newton_iterations"] - start["newton_iterations"]}
+    for phase in PHASES:
+        numbers[phase] = summary["seconds"].get(phase, 0) - start["seconds"].get(phase, 0)
+    return {name: value / options.steps for name, value in numbers.items()}, summary
 
 
 def main():
@@ -64,20 +81,23 @@ def main():
     parser.add_argument("--cells", default="16,10")
     parser.add_argument("--steps", type=int, default=6)
     parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--repeats", type=int, default=1)
     options = parser.parse_args()
     divisions, rings = map(int, options.cells.split(","))
-    rows, times = [], []
-    for name, scene in ("two balls", two_balls(divisions, rings)), ("one ball before a wall", one_ball(divisions, rings)):
-        with tempfile.TemporaryDirectory() as folder:
-            summary = run(scene, options, folder)
-        count = summary["steps"]
-        times.append(summary["wall_seconds"] / count)
-        phases = [f"{summary['seconds'].get(phase, 0) / count:.3f}" for phase in ("residual", "tangent", "linear solve")]
-        rows.append([name, str(summary["elements"]), str(summary["dofs"]), f"{times[-1]:.3f}",
-                     f"{summary['newton_iterations'] / count:.1f}", *phases])
-    print("\n".join(table(["bodies", "cells", "degrees of freedom", "s an increment", "Newton/increment", "residual",
-                           "tangent", "linear solve"], rows)))
-    print(f"ratio: {times[0] / times[1]:.2f}")
+    scenes = {"two balls": two_balls(divisions, rings), "one ball before a wall": one_ball(divisions, rings)}
+    all_runs = [{name: measure(scene, options) for name, scene in scenes.items()} for _ in range(options.repeats)]
+    rows, least = [], {}
+    for name in scenes:
+        numbers = [runs[name][0] for runs in all_runs]
+        least[name] = {key: min(n[key] for n in numbers) for key in numbers[0]}
+        summary = all_runs[0][name][1]
+        rows.append([name, f"{summary['elements']:,}", f"{summary['dofs']:,}", f"{least[name]['time']:.3f}",
+                     f"{least[name]['Newton']:.1f}", *(f"{least[name][phase]:.3f}" for phase in PHASES)])
+    print("\n".join(table(["bodies", "cells", "degrees of freedom", "an increment", "Newton iterations", *PHASES],
+                          rows)))
+    two, one = least.values()
+    print(f"ratio of an increment: {two['time'] / one['time']:.2f}, "
+          f"of a Newton iteration: {two['time'] / two['Newton'] / (one['time'] / one['Newton']):.2f}")
 
 
 if __name__ == "__main__":

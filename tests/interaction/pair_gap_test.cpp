@@ -32,7 +32,7 @@ struct Pair {
     const std::vector<Vec<D>> nodes(x.begin() + 4, x.end());
     const PlacedSurface<D> placed(all, nodes);
     const SurfaceFoot<D> foot = placed.nearest(place());
-    return {foot, PairGap<D>(weights, 4, patch, placed.patch(0), foot)};
+    return {foot, PairGap<D>(weights, 4, patch, foot)};
   }
   /// Returns the place in x of a node of the gap.
   std::size_t number(std::size_t node) const {

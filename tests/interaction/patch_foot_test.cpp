@@ -7,6 +7,7 @@
 
 #include "interaction/curve_patches.hpp"
 #include "interaction/face_patches.hpp"
+#include "interaction/patch_bound.hpp"
 
 namespace ixos {
 namespace {
@@ -26,7 +27,7 @@ TEST(PatchFootTest, TheNearestPointOfACurveIsTheLeastOfManyPoints) {
       SurfacePatch<2>::Points x{};
       for (std::size_t a = 0; a < patch.count; ++a) x[a] = nodes[static_cast<std::size_t>(patch.nodes[a])];
       const PlacedPatch<2> placed = patch.placed(x);
-      const PatchFoot<2> foot = nearest_point(placed, patch.smooth, place);
+      const PatchFoot<2> foot = nearest_point(placed, patch.smooth, place, PatchBound<2>(placed).start(place));
       double least = HUGE_VAL;
       for (int k = 0; k <= 400; ++k) least = std::min(least, length(placed.at({k / 400.0}) - place));
       EXPECT_LE(foot.distance, least + 1e-15);
@@ -76,7 +77,7 @@ TEST(PatchFootTest, TheNearestPointOfAFaceIsTheLeastOfManyPoints) {
       }
       const PlacedPatch<3> placed = patch.placed(x);
       const Vec<3> place{0.5 + number(random), 0.5 + number(random), 0.8 * number(random)};
-      const PatchFoot<3> foot = nearest_point(placed, patch.smooth, place);
+      const PatchFoot<3> foot = nearest_point(placed, patch.smooth, place, PatchBound<3>(placed).start(place));
       double least = HUGE_VAL;
       for (int k = 0; k <= 60; ++k)
         for (int l = 0; l <= 60; ++l) least = std::min(least, length(placed.at({k / 60.0, l / 60.0}) - place));

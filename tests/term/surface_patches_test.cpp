@@ -96,7 +96,8 @@ void expect_joins(const Surface& surface, double& smooth_sides, double& kink) {
         xi[1 - side / 2] = t;
         const PlacedPatch<3>& own = placed.patch(static_cast<int>(p));
         const PatchFoot<3> foot =
-            nearest_point(placed.patch(other), surface.patches()[static_cast<std::size_t>(other)].smooth, own.at(xi));
+            nearest_point(placed.patch(other), surface.patches()[static_cast<std::size_t>(other)].smooth, own.at(xi),
+                          PatchBound<3>(placed.patch(other)).start(own.at(xi)));
         EXPECT_NEAR(foot.distance, 0, 1e-12);
         const double cosine = inner(own.normal(xi), placed.patch(other).normal(foot.xi));
         if (patch.smooth[side])

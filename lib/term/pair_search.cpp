@@ -1,0 +1,112 @@
+#include "term/pair_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ixos {
+namespace {
+
+template <std::size_t D>
+double largest_amplification(const SurfacePatches<D>& surface) {
+  double result = 1;
+  for (const SurfacePatch<D>& patch : surface.patches) result = std::max(result, patch.amplification());
+  return result;
+}
+
+}  // namespace
+
+template <std::size_t D>
+bool PairPlaces<D>::is_finite() const {
+  double sum = 0;
+  for (const auto* x : {&secondary, &primary})
+    for (const Vec<D>& place : *x)
+      for (const double component : place) sum += 0 * component;
+  return sum == 0;
+}
+
+std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::size_t count) {
+  auto result = std::make_shared<PatchSubset>();
+  result->slots.assign(count, -1);
+  for (std::size_t k = 0; k < patches.size(); ++k)
+    result->slots[static_cast<std::size_t>(patches[k])] = static_cast<int>(k);
+  result->patches = std::move(patches);
+  return result;
+}
+
+template <std::size_t D>
+PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces)
+    : surfaces_(surfaces),
+      secondary_amplification_(largest_amplification(surfaces.secondary)),
+      primary_amplification_(largest_amplification(surfaces.primary)) {
+  auto all = std::make_shared<PairNeighbours>();
+  all->secondary.resize(surfaces.secondary.patches.size());
+  std::iota(all->secondary.begin(), all->secondary.end(), std::size_t{0});
+  all->primary.resize(all->secondary.size());
+  all_ = std::move(all);
+}
+
+template <std::size_t D>
+double PairSearch<D>::motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const {
+  Vec<D> mean{};
+  const auto add = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
+    for (std::size_t k = 0; k < a.size(); ++k) mean = mean + (b[k] - a[k]);
+  };
+  add(from.secondary, to.secondary);
+  add(from.primary, to.primary);
+  mean = 1 / static_cast<double>(from.secondary.size() + from.primary.size()) * mean;
+  const auto largest = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
+    double square = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const Vec<D> way = b[k] - a[k] - mean;
+      square = std::max(square, inner(way, way));
+    }
+    return std::sqrt(square);
+  };
+  return secondary_amplification_ * largest(from.secondary, to.secondary) +
+         primary_amplification_ * largest(from.primary, to.primary);
+}
+
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<PairPlaces<D>>& times, double range) {
+  const auto finite = [](const PairPlaces<D>& places) { return places.is_finite(); };
+  if (!std::isfinite(range) || !std::all_of(times.begin(), times.end(), finite)) return all_;
+  const auto farthest = [&](const PairPlaces<D>& from) {
+    double result = 0;
+    for (const PairPlaces<D>& places : times) result = std::max(result, motion(from, places));
+    return result;
+  };
+  if (last_ && range <= range_ && farthest(places_) <= skin_) return last_;
+  ++searches_;
+  places_ = times[times.size() / 2];
+  range_ = range;
+  skin_ = std::max(range / 4, 2 * farthest(places_));
+  last_ = search(places_, range_ + skin_);
+  return last_;
+}
+
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> PairSearch<D>::search(const PairPlaces<D>& places, double range) const {
+  const PlacedSurface<D> primary(surfaces_.primary.patches, places.primary);
+  auto result = std::make_shared<PairNeighbours>();
+  std::vector<int> together;
+  for (std::size_t s = 0; s < surfaces_.secondary.patches.size(); ++s) {
+    const SurfacePatch<D>& patch = surfaces_.secondary.patches[s];
+    std::vector<int> near = primary.near(patch.placed(patch.among(places.secondary)).hull(), range);
+    if (near.empty()) continue;
+    together.insert(together.end(), near.begin(), near.end());
+    result->secondary.push_back(s);
+    result->primary.push_back(std::move(near));
+  }
+  std::sort(together.begin(), together.end());
+  together.erase(std::unique(together.begin(), together.end()), together.end());
+  result->together = patch_subset(std::move(together), surfaces_.primary.patches.size());
+  return result;
+}
+
+template struct PairPlaces<2>;
+template struct PairPlaces<3>;
+template class PairSearch<2>;
+template class PairSearch<3>;
+
+}  // namespace ixos

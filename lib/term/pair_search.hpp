@@ -1,0 +1,66 @@
+/// The patches of one surface that are near those of another.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "interaction/placed_surface.hpp"
+#include "term/surface_patches.hpp"
+
+namespace ixos {
+
+/// Both surfaces of a pair.
+template <std::size_t D>
+struct PairSurfaces {
+  SurfacePatches<D> secondary, primary;
+};
+
+/// Both surfaces at one place: the nodes of each, in the order of SurfacePatches [L0].
+template <std::size_t D>
+struct PairPlaces {
+  std::vector<Vec<D>> secondary, primary;
+  bool is_finite() const;
+};
+
+/// Secondary patches, and the primary ones that their points can have feet on.
+struct PairNeighbours {
+  std::vector<std::size_t> secondary;           ///< ascending
+  std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending; empty: all
+  std::shared_ptr<const PatchSubset> together;  ///< all of these primary ones; null: all patches
+};
+
+/// Finds neighbours and keeps them as long as they hold: they were searched within a range and a skin beyond it, and
+/// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
+/// kept, as long as these contain all that are within range.
+template <std::size_t D>
+class PairSearch {
+ public:
+  /// The surfaces must outlive it.
+  explicit PairSearch(const PairSurfaces<D>& surfaces);
+
+  /// Returns neighbours within the range at all of these places and on straight ways between them. Without a finite
+  /// range, or if a place is no number, these are all patches.
+  std::shared_ptr<const PairNeighbours> cover(const std::vector<PairPlaces<D>>& times, double range);
+  /// Returns a bound on the change of a gap between two places. The mean motion of all nodes changes no gap.
+  double motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const;
+  long searches() const { return searches_; }
+
+ private:
+  std::shared_ptr<const PairNeighbours> search(const PairPlaces<D>& places, double range) const;
+
+  const PairSurfaces<D>& surfaces_;
+  double secondary_amplification_, primary_amplification_;
+  std::shared_ptr<const PairNeighbours> all_, last_;
+  PairPlaces<D> places_;  ///< of the last search
+  double range_ = 0, skin_ = 0;
+  long searches_ = 0;
+};
+
+/// Returns a subset of a surface of `count` patches. `patches`: ascending.
+std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::size_t count);
+
+extern template struct PairPlaces<2>;
+extern template struct PairPlaces<3>;
+extern template class PairSearch<2>;
+extern template class PairSearch<3>;
+
+}  // namespace ixos
