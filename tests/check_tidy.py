@@ -1,12 +1,14 @@
 #!/usr/bin/python3
 """Runs clang-tidy on the sources of lib/ and drivers/ that changed since their last clean run.
 
-    tests/check_tidy.py BUILD_FOLDER [--all]
+    tests/check_tidy.py BUILD_FOLDER [--all | --commits N]
 
 A source counts as unchanged if its text, that of each of the project's headers that it includes, its compile command,
 .clang-tidy and the version of clang-tidy are those of a clean run. The hashes of clean runs stand in
-$XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source. The
-build folder must have been built with Ninja. The exit status is 1 if clang-tidy found anything.
+$XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source.
+--commits leaves out those that, with the headers that they include, are as they were N commits ago, if the history goes
+back so far and .clang-tidy is the same. The build folder must have been built with Ninja. The exit status is 1 if
+clang-tidy found anything.
 """
 import argparse
 import concurrent.futures
@@ -42,6 +44,12 @@ def key(source, command, files, version):
     return hash_contents(ROOT, [os.path.relpath(path, ROOT) for path in own], version, command.replace(ROOT, ""))
 
 
+def changed_files(commits):
+    """Returns the files that differ from those of so many commits ago; None if that is not known."""
+    done = subprocess.run(["git", "-C", ROOT, "diff", "--name-only", "HEAD~%d" % commits], capture_output=True, text=True)
+    return {os.path.join(ROOT, name) for name in done.stdout.splitlines()} if done.returncode == 0 else None
+
+
 def tidy(source, build):
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
@@ -51,7 +59,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build")
     parser.add_argument("--all", action="store_true", help="check unchanged sources too")
+    parser.add_argument("--commits", type=int, metavar="N", help="leave out what is as it was N commits ago")
     options = parser.parse_args()
+    changed = changed_files(options.commits) if options.commits else None
+    if changed is not None and os.path.join(ROOT, ".clang-tidy") in changed:
+        changed = None
     build = os.path.abspath(options.build)
     version = subprocess.run(["clang-tidy", "--version"], capture_output=True, text=True, check=True).stdout
     with open(os.path.join(build, "compile_commands.json")) as file:
@@ -66,6 +78,8 @@ def main():
         # The object's path is what the compile command writes.
         words = entry["command"].split()
         files = seen.get(words[words.index("-o") + 1], [])
+        if changed is not None and files and not changed.intersection([source, *files]):
+            continue
         state = key(source, entry["command"], files, version)
         if options.all or not files or state not in passed:
             todo.append((source, state))

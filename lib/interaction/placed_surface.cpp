@@ -273,17 +273,6 @@ std::vector<int> PlacedSurface<D>::near(const Box& box, double range) const {
 }
 
 template <std::size_t D>
-double PlacedSurface<D>::fastest(const std::vector<Vec<D>>& ways) const {
-  double result = 0;
-  const auto look_at = [&](int i) {
-    for (const Vec<D>& w : patches_[at(i)].placed(patches_[at(i)].among(ways)).hull())
-      result = std::max(result, length(w));
-  };
-  for (std::size_t k = 0; k < placed_.size(); ++k) look_at(subset_ ? subset_->patches[k] : static_cast<int>(k));
-  return result;
-}
-
-template <std::size_t D>
 double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways,
                                     double fastest, double least, const std::vector<int>* among) const {
   double share = 1;

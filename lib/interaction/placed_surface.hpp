@@ -70,12 +70,10 @@ class PlacedSurface {
   /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
   /// surely stays at least `least`. The later of two bounds counts for each patch: the motion of the
   /// place relative to the patch's hull is as long as the distance exceeds `least`; or the hull, seen along the normal
-  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `fastest`: the largest way of a point
-  /// of the surface, see fastest(). `among`: the patches that count; null: all, searched in the tree.
+  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `fastest`: a bound on the ways of all
+  /// points of the surface. `among`: the patches that count; null: all, searched in the tree.
   double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double fastest,
                     double least, const std::vector<int>* among = nullptr) const;
-  /// Returns a bound on the ways of all points of the surface, if its nodes move along these [L0].
-  double fastest(const std::vector<Vec<D>>& ways) const;
 
  private:
   /// A bounding box.

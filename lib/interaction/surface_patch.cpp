@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/vector3.hpp"
 
@@ -81,26 +82,38 @@ struct Polynomial {
     }
     return lines;
   }
-  template <std::size_t D, std::size_t Size>
-  static Vec<D> sum(const Line& a, const std::array<Vec<D>, Size>& c) {
-    Vec<D> result{};
+  static Vec<2> sum(const Line& a, const Coefficients2& c) {
+    Vec<2> result{};
     for (std::size_t k = 0; k < N; ++k)
-      for (std::size_t i = 0; i < D; ++i) result[i] += a[k] * c[k][i];
+      for (std::size_t i = 0; i < 2; ++i) result[i] += a[k] * c[k][i];
+    return result;
+  }
+  /// The components of all powers of the first parameter, one after the other.
+  using Row = std::array<double, 3 * N>;
+  static std::array<Row, N> rows(const Coefficients3& c) {
+    std::array<Row, N> result;
+    static_assert(sizeof result == N * N * sizeof(Vec<3>));
+    std::memcpy(result.data(), c.data(), sizeof result);
     return result;
   }
   /// Returns the sums along the second parameter, by power of the first.
-  static std::array<Vec<3>, N> across(const Line& b, const Coefficients3& c) {
-    std::array<Vec<3>, N> result{};
+  static Row across(const Line& b, const std::array<Row, N>& c) {
+    Row result{};
     for (std::size_t j = 0; j < N; ++j)
-      for (std::size_t k = 0; k < N; ++k)
-        for (std::size_t i = 0; i < 3; ++i) result[k][i] += b[j] * c[N * j + k][i];
+      for (std::size_t k = 0; k < 3 * N; ++k) result[k] += b[j] * c[j][k];
+    return result;
+  }
+  static Vec<3> sum(const Line& a, const Row& c) {
+    Vec<3> result{};
+    for (std::size_t k = 0; k < N; ++k)
+      for (std::size_t i = 0; i < 3; ++i) result[i] += a[k] * c[3 * k + i];
     return result;
   }
   static Vec<2> at(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
     return sum(powers(xi[0]), patch.coefficients);
   }
   static Vec<3> at(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
-    return sum(powers(xi[0]), across(powers(xi[1]), patch.coefficients));
+    return sum(powers(xi[0]), across(powers(xi[1]), rows(patch.coefficients)));
   }
   static PlacedPatch<2>::Frame frame(const PlacedPatch<2>& patch, const PatchParameters<2>& xi) {
     const Lines a = with_derivatives(xi[0]);
@@ -109,8 +122,8 @@ struct Polynomial {
   }
   static PlacedPatch<3>::Frame frame(const PlacedPatch<3>& patch, const PatchParameters<3>& xi) {
     const Lines a = with_derivatives(xi[0]), b = with_derivatives(xi[1]);
-    const auto c0 = across(b[0], patch.coefficients), c1 = across(b[1], patch.coefficients),
-               c2 = across(b[2], patch.coefficients);
+    const auto c = rows(patch.coefficients);
+    const Row c0 = across(b[0], c), c1 = across(b[1], c), c2 = across(b[2], c);
     return {sum(a[0], c0), {sum(a[1], c0), sum(a[0], c1)}, {sum(a[2], c0), sum(a[1], c1), sum(a[0], c2)}};
   }
 };

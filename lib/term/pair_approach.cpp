@@ -152,19 +152,20 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
   }
   Places x, end = start.places;
   advance<D>(end, 1, ways);
-  if (points_.motion(start.places, end) <= room) return 1;
+  if (points_.search().motion(start.places, end) <= room) return 1;
   const auto* contacts = &start;
   std::shared_ptr<const typename PairPoints<D>::Times> later;
+  const auto [fastest_secondary, fastest_primary] = points_.search().fastest(ways);
   double done = 0;
   for (int part = 0; part < 8; ++part) {
     double own = 1 - done;
-    const double fastest = contacts->primary->fastest(ways.primary);
     for (std::size_t p = 0; p < contacts->all.size(); ++p) {
       const Contact& c = contacts->all[p];
+      if (gap_of(c) - least[p] >= own * (fastest_secondary + fastest_primary)) continue;
       const Vec<D> way = interpolate(c, ways.secondary);
-      if (gap_of(c) - least[p] >= own * (length(way) + fastest)) continue;
-      own = std::min(
-          own, contacts->primary->free_share(c.place, way, ways.primary, fastest, least[p], contacts->candidates(c)));
+      if (gap_of(c) - least[p] >= own * (length(way) + fastest_primary)) continue;
+      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, fastest_primary, least[p],
+                                                        contacts->candidates(c)));
     }
     done += own;
     if (own == 0 || done >= 1) break;

@@ -108,6 +108,7 @@ template <std::size_t D>
 PairBlock PairGradient<D>::convex_block_of(const Point& point) const {
   const PairGap<D> gap = points_.gap_of(*point.at_mean);
   PairBlock block;
+  block.secondary = point.at_mean->patch;
   block.primary = point.at_mean->foot.patch;
   block.nodes = points_.nodes_of(*point.at_mean);
   block.k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);
@@ -125,6 +126,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
   const std::size_t count = secondary.count, size = count + patch.count;
   PairBlock block;
+  block.secondary = mean.patch;
   block.primary = mean.foot.patch;
   block.nodes = points_.nodes_of(mean);
   std::vector<double> end_weights(size, 0.0);  // of the end's gap, by node of the block

@@ -285,6 +285,7 @@ void PairPoints<D>::add(const Contact& contact, double factor, Tangent kind, std
   while (b < used && blocks[b].block.primary != contact.foot.patch) ++b;
   if (b == used) {
     if (used == blocks.size()) blocks.emplace_back();
+    blocks[b].block.secondary = contact.patch;
     blocks[b].block.primary = contact.foot.patch;
     blocks[b].block.nodes = nodes_of(contact);
     blocks[b].sums.begin(secondary().patches[contact.patch].count,

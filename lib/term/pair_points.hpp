@@ -101,8 +101,7 @@ class PairPoints {
   bool counts(std::size_t patch) const { return secondary().owned[patch] != 0; }
   const SurfacePatches<D>& secondary() const { return surfaces_.secondary; }
   const SurfacePatches<D>& primary() const { return surfaces_.primary; }
-  /// Returns a bound on the change of a gap between two places.
-  double motion(const Places& from, const Places& to) const { return search_.motion(from, to); }
+  const PairSearch<D>& search() const { return search_; }
   const GapLaw& law() const { return *law_; }
   bool is_positive() const { return law_->domain() == GapDomain::Positive; }
   std::size_t points_of_a_patch() const { return per_patch_; }

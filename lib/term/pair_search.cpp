@@ -55,16 +55,24 @@ double PairSearch<D>::motion(const PairPlaces<D>& from, const PairPlaces<D>& to)
   add(from.secondary, to.secondary);
   add(from.primary, to.primary);
   mean = 1 / static_cast<double>(from.secondary.size() + from.primary.size()) * mean;
-  const auto largest = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
+  PairPlaces<D> ways = to;
+  const auto subtract = [&](const std::vector<Vec<D>>& start, std::vector<Vec<D>>& way) {
+    for (std::size_t k = 0; k < start.size(); ++k) way[k] = way[k] - start[k] - mean;
+  };
+  subtract(from.secondary, ways.secondary);
+  subtract(from.primary, ways.primary);
+  const auto [secondary, primary] = fastest(ways);
+  return secondary + primary;
+}
+
+template <std::size_t D>
+std::array<double, 2> PairSearch<D>::fastest(const PairPlaces<D>& ways) const {
+  const auto largest = [](const std::vector<Vec<D>>& own) {
     double square = 0;
-    for (std::size_t k = 0; k < a.size(); ++k) {
-      const Vec<D> way = b[k] - a[k] - mean;
-      square = std::max(square, inner(way, way));
-    }
+    for (const Vec<D>& way : own) square = std::max(square, inner(way, way));
     return std::sqrt(square);
   };
-  return secondary_amplification_ * largest(from.secondary, to.secondary) +
-         primary_amplification_ * largest(from.primary, to.primary);
+  return {secondary_amplification_ * largest(ways.secondary), primary_amplification_ * largest(ways.primary)};
 }
 
 template <std::size_t D>

@@ -42,6 +42,9 @@ class PairSearch {
   std::shared_ptr<const PairNeighbours> cover(const std::vector<PairPlaces<D>>& times, double range);
   /// Returns a bound on the change of a gap between two places. The mean motion of all nodes changes no gap.
   double motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const;
+  /// Returns a bound on the ways of all points of the secondary and of the primary surface, if their nodes move along
+  /// these [L0].
+  std::array<double, 2> fastest(const PairPlaces<D>& ways) const;
   long searches() const { return searches_; }
 
  private:

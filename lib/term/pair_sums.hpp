@@ -9,8 +9,9 @@ namespace ixos {
 
 /// The matrix of a part of both surfaces: its nodes, a node may stand twice, and D nodes rows of as many numbers.
 struct PairBlock {
-  int primary = -1;        ///< patch with the feet
-  std::vector<int> nodes;  ///< local
+  std::size_t secondary = 0;  ///< patch with the points
+  int primary = -1;           ///< patch with the feet
+  std::vector<int> nodes;     ///< local
   std::vector<double> k;
 };
 

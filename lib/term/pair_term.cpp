@@ -164,7 +164,7 @@ class PairTerm final : public Interaction {
       const double near = std::min(c.foot.gap, law.equilibrium_gap());  // a step may lead there
       const double force = points_.measure(c) *
                            (at(law.magnitude(c.foot.gap)) + std::abs(at(law.stiffness(near))) * 2 * length(c.place));
-      return force * force;
+      return 2 * force * force;  // on both surfaces
     });
   }
 

@@ -79,6 +79,14 @@ TEST(PlacedSurfaceTest, BeyondAFreeEndTheDistanceIsPositiveAndAtACornerOnItsOute
   EXPECT_DOUBLE_EQ(normal[1], -0.8);
 }
 
+/// A bound on the ways of points: the sum of the weights' sizes is below 2.
+template <std::size_t D>
+double fastest(const std::vector<Vec<D>>& ways) {
+  double result = 0;
+  for (const Vec<D>& way : ways) result = std::max(result, 2 * length(way));
+  return result;
+}
+
 /// Whatever the nodes and the point do, the distance does not fall below the least one on the free share of the way.
 TEST(PlacedSurfaceTest, TheFreeShareIsSafeAndNotShort) {
   std::mt19937 random(5);
@@ -93,7 +101,7 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeAndNotShort) {
       for (Vec<2>& w : ways) w = {way[0] + 0.8 * number(random), way[1] + 0.8 * number(random)};
       const double least = 0.2;
       const PlacedSurface<2> placed(ring.patches, ring.x);
-      const double share = placed.free_share(place, way, ways, placed.fastest(ways), least);
+      const double share = placed.free_share(place, way, ways, fastest(ways), least);
       EXPECT_GT(share, 0.1);  // the relative motion is 1.25 sqrt(2) 0.8 at most, the gap at least 0.7
       if (share < 1) ++limited;
       for (int k = 1; k <= 10; ++k) {
@@ -109,7 +117,7 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeAndNotShort) {
   const PlacedSurface<2> placed(ring.patches, ring.x);
   const auto free = [&](const Vec<2>& way, const Vec<2>& of_ring) {
     const std::vector<Vec<2>> ways(sides, of_ring);
-    return placed.free_share({4, 0}, way, ways, placed.fastest(ways), 0.2);
+    return placed.free_share({4, 0}, way, ways, fastest(ways), 0.2);
   };
   EXPECT_EQ(free({-9, 3}, {-9, 3}), 1) << "a common translation changes no gap";
   EXPECT_EQ(free({9, 0}, {-9, 0}), 1) << "they move apart";
@@ -129,6 +137,51 @@ TEST(PlacedSurfaceTest, AGuessChangesNothing) {
 }
 
 /// Before a sphere of patches: distances to the sphere within its sag, and signs.
+template <std::size_t D>
+void expect_equal(const SurfaceFoot<D>& one, const SurfaceFoot<D>& other) {
+  EXPECT_EQ(one.patch, other.patch);
+  EXPECT_EQ(one.gap, other.gap);
+  EXPECT_EQ(one.xi, other.xi);
+}
+
+/// Among patches near a ball, of a surface of these alone, a place in the ball has the same foot as of all patches.
+TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
+  const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
+  const PlacedSurface<3> all(sphere.patches(), sphere.x);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::size_t before = 0, after = 0;
+  for (int n = 0; n < 60; ++n) {
+    Vec<3> center{number(random), number(random), number(random)};
+    center = 1.3 / length(center) * center;
+    const double range = 0.5, radius = 0.05;
+    std::vector<int> near = all.near(std::vector<Vec<3>>{center}, range + radius);
+    auto subset = std::make_shared<PatchSubset>();
+    subset->patches = near;
+    subset->slots.assign(sphere.patches().size(), -1);
+    for (std::size_t k = 0; k < near.size(); ++k)
+      subset->slots[static_cast<std::size_t>(near[k])] = static_cast<int>(k);
+    const PlacedSurface<3> some(sphere.patches(), sphere.x, subset);
+    const std::vector<int> reduced = some.reduced(near, center, radius, range);
+    before += near.size();
+    after += reduced.size();
+    for (int k = 0; k < 20; ++k) {
+      const Vec<3> way{number(random), number(random), number(random)};
+      const Vec<3> place = center + radius / std::max(1.0, length(way)) * way;
+      const SurfaceFoot<3> foot = all.nearest(place, range);
+      expect_equal(some.nearest_among(near, place, range), foot);
+      expect_equal(some.nearest_among(reduced, place, range, reduced.empty() ? -1 : reduced.back()), foot);
+      const SurfaceFoot<3> beside = all.nearest(place + Vec<3>{1e-3, -2e-3, 1e-3}, range);
+      const SurfaceFoot<3> started = some.nearest_among(reduced, place, range, -1, &beside);
+      EXPECT_EQ(started.patch < 0, foot.patch < 0);
+      if (foot.patch >= 0) {
+        EXPECT_NEAR(started.gap, foot.gap, 1e-14);
+      }
+    }
+  }
+  EXPECT_LT(after, before / 3);
+}
+
 TEST(PlacedSurfaceTest, BeforeASphereGapsAreThoseOfTheSphere) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -195,7 +248,7 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeInSpace) {
     place = 5.8 / length(place) * place;
     std::vector<Vec<3>> ways(sphere.x.size());
     for (Vec<3>& w : ways) w = {0.8 * number(random), 0.8 * number(random), 0.8 * number(random)};
-    const double least = 0.2, share = placed.free_share(place, way, ways, placed.fastest(ways), least);
+    const double least = 0.2, share = placed.free_share(place, way, ways, fastest(ways), least);
     EXPECT_GT(share, 0.05);
     if (share < 1) ++limited;
     for (int k = 1; k <= 5; ++k) {

@@ -89,6 +89,32 @@ void expect_derivatives() {
 TEST(SurfacePatchTest, FramesAreDerivativesAndHullsContainCurves) { expect_derivatives<2>(); }
 TEST(SurfacePatchTest, FramesAreDerivativesAndHullsContainFaces) { expect_derivatives<3>(); }
 
+template <std::size_t D>
+void expect_amplification() {
+  for (const auto& [patch, x] : cases<D>()) {
+    double largest = 0;
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= (D == 3 ? 20 : 0); ++j) {
+        PatchParameters<D> xi{i / 20.0};
+        if constexpr (D == 3) xi[1] = j / 20.0;
+        double sum = 0;
+        for (const double weight : patch.weights(xi)) sum += std::abs(weight);
+        largest = std::max(largest, sum);
+      }
+    EXPECT_GE(patch.amplification(), largest - 1e-13);
+    EXPECT_LE(patch.amplification(), D == 2 ? 4 * largest : 16 * largest);
+  }
+}
+
+TEST(SurfacePatchTest, NoPointMovesFartherThanTheAmplificationSays) {
+  expect_amplification<2>();
+  expect_amplification<3>();
+  EXPECT_DOUBLE_EQ(straight_patch(0, 1).amplification(), 1);
+  EXPECT_DOUBLE_EQ(bilinear_patch({0, 1, 2, 3}).amplification(), 1);
+  // The inner Bernstein points of Catmull and Rom's spline are p1 + (p2 - p0)/6 and p2 - (p3 - p1)/6.
+  EXPECT_NEAR(smooth_patch({0, 1, 2, 3}, {1.0, 1.0, 1.0}).amplification(), 4.0 / 3, 1e-14);
+}
+
 TEST(SurfacePatchTest, NormalsPointAwayFromTheBody) {
   const Vec<2> n = straight_patch(0, 1).placed({{{0, 0}, {2, 0}}}).normal(PatchParameters<2>{0.5});
   EXPECT_EQ(n, (Vec<2>{0, -1}));  // the body is on the left

@@ -1,0 +1,78 @@
+#include "term/pair_action.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace ixos {
+
+template <std::size_t D>
+void PairAction<D>::linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) {
+  if (rule.mean != Mean::Points) throw std::logic_error("the action of a pair of surfaces is for rules with points");
+  blocks_.clear();
+  rows_.clear();
+  values_.clear();
+  std::vector<PairBlock> parts;  // of one secondary patch; the first `count` ones count
+  std::size_t count = 0;
+  points_.for_each_block(segment, rule, kind, [&](const PairBlock& block) {
+    if (count > 0 && parts[0].secondary != block.secondary) {
+      keep_sum(parts, count);
+      count = 0;
+    }
+    if (count == parts.size()) parts.emplace_back();
+    parts[count++] = block;
+  });
+  if (count > 0) keep_sum(parts, count);
+}
+
+template <std::size_t D>
+void PairAction<D>::keep_sum(const std::vector<PairBlock>& parts, std::size_t count) {
+  std::vector<int> nodes;
+  for (std::size_t k = 0; k < count; ++k) nodes.insert(nodes.end(), parts[k].nodes.begin(), parts[k].nodes.end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const std::size_t size = D * nodes.size();
+  blocks_.push_back({rows_.size(), values_.size(), size});
+  for (const int node : nodes)
+    for (std::size_t i = 0; i < D; ++i) rows_.push_back(D * static_cast<std::size_t>(node) + i);
+  values_.resize(values_.size() + size * size, 0.0F);
+  float* const sum = values_.data() + blocks_.back().values;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < count; ++k) {
+    places.clear();
+    for (const int node : parts[k].nodes)
+      places.push_back(D *
+                       static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin()));
+    const double* value = parts[k].k.data();
+    for (const std::size_t row : places)
+      for (std::size_t i = 0; i < D; ++i)
+        for (const std::size_t column : places)
+          for (std::size_t j = 0; j < D; ++j) sum[(row + i) * size + column + j] += static_cast<float>(*value++);
+  }
+}
+
+/// The matrices are symmetric: their rows stand for columns.
+template <std::size_t D>
+void PairAction<D>::add_product(const double* x, double* y) const {
+  std::vector<double> sum;
+  for (const Block& block : blocks_) {
+    const std::size_t* const rows = rows_.data() + block.rows;
+    sum.assign(block.size, 0.0);
+    const float* column = values_.data() + block.values;
+    for (std::size_t c = 0; c < block.size; ++c, column += block.size) {
+      const double factor = x[rows[c]];
+      for (std::size_t r = 0; r < block.size; ++r) sum[r] += factor * column[r];
+    }
+    for (std::size_t r = 0; r < block.size; ++r) y[rows[r]] += sum[r];
+  }
+}
+
+template <std::size_t D>
+void PairAction<D>::add_diagonal(double* d) const {
+  for (const Block& block : blocks_)
+    for (std::size_t r = 0; r < block.size; ++r) d[rows_[block.rows + r]] += values_[block.values + r * block.size + r];
+}
+
+template class PairAction<2>;
+template class PairAction<3>;
+
+}  // namespace ixos
