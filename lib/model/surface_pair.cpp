@@ -11,6 +11,7 @@
 #include "model/crossing.hpp"
 #include "model/surface_interaction.hpp"
 #include "term/pair_term.hpp"
+#include "term/two_passes.hpp"
 
 namespace ixos {
 namespace {
@@ -38,6 +39,10 @@ void check(const SurfacePair& pair, const LocalMesh& mesh) {
     refuse(pair, fmt::format("has the exclusion {}, which is for a surface that interacts with itself; use 0",
                              pair.exclusion));
   }
+  if (pair.passes != Passes::One && pair.secondary == pair.primary)
+    refuse(pair, "has two passes, but a surface with itself has both in one; use Passes One");
+  if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
+    refuse(pair, "has two passes and a factor, which is that of the secondary surface alone; use Passes One");
   if (pair.points < 0 || pair.points > 64)
     refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
   if (!(pair.margin > 0 && pair.margin < 1))
@@ -123,8 +128,17 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
   });
   if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
   const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
-  auto term = make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law,
-                                {pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion});
+  PairOptions options{pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion};
+  options.share = pair.passes == Passes::Two ? 0.5 : 1;
+  options.reacts = pair.passes != Passes::TwoWithoutReaction;
+  std::unique_ptr<Interaction> term;
+  if (pair.passes == Passes::One) {
+    term = make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law, options);
+  } else {
+    PairSurfaces<D> swapped{surfaces.primary, surfaces.secondary};
+    term = two_passes(make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law, options),
+                      make_pair_term<D>(mesh, std::move(swapped), model.pattern(), law, options), options.reacts);
+  }
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
   model.add_interaction(std::move(term), pair.name);
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);

@@ -12,6 +12,11 @@
 
 namespace ixos {
 
+/// How often a pair is integrated: once over the secondary surface; or over both, each with half of the law's energy,
+/// which treats both bodies alike; or over both with the whole law, each surface without the reaction of the other, as
+/// in Gautam and Sauer (2014), which conserves neither energy nor momentum.
+enum class Passes { One, Two, TwoWithoutReaction };
+
 /// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
 /// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the
 /// reaction. Choose the finer surface as the secondary one. Both may be one surface, which then interacts with itself:
@@ -33,6 +38,7 @@ struct SurfacePair {
   /// If both surfaces are one: the distance along it in the undeformed body below which its parts do not interact, > 0;
   /// about pi times the cutoff [L0]. Otherwise 0.
   double exclusion = 0;
+  Passes passes = Passes::One;  ///< One for a surface that interacts with itself, or with factors
 };
 
 /// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
@@ -40,10 +46,10 @@ struct SurfacePair {
 /// Model::update_couplings(), and Model::begin_step() for a surface that interacts with itself. Such a surface that
 /// overlaps itself at rest is not noticed. On several ranks the model's mesh must have
 /// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
-/// the mesh is axisymmetric, sides are not those of linear cells, more than two of them meet in a node (in space, in an
-/// edge), the two sets share a node, the law is missing or has a history, a number is out of range, a factor is
-/// negative or not finite somewhere, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error
-/// after Model::close(). Collective.
+/// the mesh is axisymmetric, two passes are asked for where one is allowed, sides are not those of linear cells, more
+/// than two of them meet in a node (in space, in an edge), the two sets share a node, the law is missing or has a
+/// history, a number is out of range, a factor is negative or not finite somewhere, or the surfaces at rest overlap and
+/// the law needs positive gaps; std::logic_error after Model::close(). Collective.
 void add_pair(Model& model, const SurfacePair& pair);
 
 }  // namespace ixos

@@ -88,6 +88,8 @@ void check_pairs(const std::vector<SceneInteraction>& interactions, const Table&
   const std::string why = why_no_pairs(table);
   for (const SceneInteraction& interaction : interactions)
     if (interaction.is_pair() && !why.empty()) interaction.node.refuse("Primary Side Set", why);
+  if (interaction.is_pair() && interaction.passes == Passes::TwoWithoutReaction)
+    if (const std::string lack = why_no_pairs(table, false); !lack.empty()) interaction.node.refuse("Passes", lack);
 }
 
 }  // namespace

@@ -84,9 +84,11 @@ std::string surroundings(const Simulation& simulation) {
   std::string text;
   for (const SceneInteraction& interaction : simulation.interactions()) {
     const SceneNode& node = interaction.node;
-    const std::string other = interaction.is_pair() ? "the side set \"" + interaction.primary +
-                                                          "\" of another body, smoothing " + node.text("Smoothing")
-                                                    : "a " + node.text("Obstacle");
+    const std::string other = interaction.is_pair()
+                                  ? "the side set \"" + interaction.primary + "\" of another body, smoothing " +
+                                        node.text("Smoothing") +
+                                        (interaction.passes == Passes::One ? "" : ", passes " + node.text("Passes"))
+                                  : "a " + node.text("Obstacle");
     text += fmt::format(
         "Interaction {}: {} between side set \"{}\" and {}, {} contact elements, {} Gauss points per direction\n",
         node.name(), node.text("Law"), interaction.side_set, other, name_of(interaction.element),

@@ -44,6 +44,7 @@ struct Parameters {
   std::string primary;
   Smoothing smoothing = Smoothing::CatmullRom;
   double exclusion = 0;
+  Passes passes = Passes::One;
 };
 
 const Options<MotionOptions>& motion_options() {
@@ -76,6 +77,14 @@ const Options<Parameters>& options() {
                "undeformed surface below which its parts do not interact [L0]. Take about pi times the Cutoff, which "
                "such a surface needs. Otherwise 0.",
                at_least(0))
+          .choose(
+              "Passes", &Parameters::passes,
+              std::vector<std::pair<std::string, Passes>>{
+                  {"One", Passes::One}, {"Two", Passes::Two}, {"Two Without Reaction", Passes::TwoWithoutReaction}},
+              "How a pair is integrated: over the Side Set, whose reaction the other surface takes (One); over both "
+              "surfaces, each with half the law, which treats both bodies alike and takes twice the time (Two); over "
+              "both with the whole law and without reactions, which conserves neither energy nor momentum and is "
+              "for comparison. It has no effect without a Primary Side Set.")
           .choose("Contact Element", &Parameters::element, contact_elements(),
                   "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
                   "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
@@ -141,7 +150,7 @@ void add_pair(const SceneInteraction& interaction, Model& model) {
     ixos::add_pair(
         model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
                 interaction.surface_points, interaction.margin, node.name(), interaction.smoothing, interaction.factor,
-                local_values(interaction.nodal_factor, model.mesh()), interaction.exclusion});
+                local_values(interaction.nodal_factor, model.mesh()), interaction.exclusion, interaction.passes});
   });
 }
 
@@ -209,7 +218,8 @@ std::vector<SceneInteraction> read_interactions(const SceneNode& interactions) {
                       p.friction,
                       p.primary,
                       p.smoothing,
-                      p.exclusion});
+                      p.exclusion,
+                      p.passes});
     check_pair(result.back());
   }
   return result;

@@ -35,6 +35,7 @@ struct SceneInteraction {
   std::string primary{};  ///< side set of the other body's surface; empty: the interaction is that with an obstacle
   Smoothing smoothing = Smoothing::CatmullRom;  ///< of both bodies' surfaces
   double exclusion = 0;                         ///< see SurfacePair
+  Passes passes = Passes::One;
 
   bool is_pair() const { return !primary.empty(); }
 };

@@ -53,6 +53,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       surfaces_(std::move(surfaces)),
       law_(std::move(law)),
       range_(law_->range()),
+      share_(options.share),
+      reacts_(options.reacts),
       search_(surfaces_) {
   const std::size_t n = static_cast<std::size_t>(options.points > 0 ? options.points : 5);
   per_patch_ = D == 2 ? n : n * n;
@@ -77,7 +79,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       }
       const auto frame = own.frame(xi);
       const double area = weight * stretch(frame);
-      const double factor = factor_at(options.factor, frame.place, xi, patch, secondary().nodes) / (self ? 2 : 1);
+      const double factor =
+          factor_at(options.factor, frame.place, xi, patch, secondary().nodes) * share_ / (self ? 2 : 1);
       points_.push_back({patch.weights(xi), factor * area, area});
     }
     adds_to_own_.push_back(has_primary || any_owned(patch, secondary(), mesh.owned_nodes) ? 1 : 0);

@@ -22,6 +22,8 @@ struct PairOptions {
   /// Greater than 0: both surfaces are one, which interacts with itself. Parts nearer than this along the surface do
   /// not interact [L0]; the law must have a range. Each pair of places counts twice, so that the energy is halved.
   double exclusion = 0;
+  double share = 1;    ///< of the law's energy, in (0, 1]: that of one of two passes
+  bool reacts = true;  ///< whether the primary surface takes the reaction; if not, the force is no gradient
 };
 
 /// The secondary surface (slave), on which the law is integrated, Pi = sum of w psi(g), and the primary one (master),
@@ -79,8 +81,8 @@ class PairPoints {
   /// Returns the local nodes of a contact, in the order of PairGap.
   std::vector<int> nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.foot.patch); }
   std::vector<int> nodes_of(std::size_t secondary, int primary) const;
-  /// Calls visit(block) for each matrix of the rule's tangent, which is symmetric: one for each pair of a secondary
-  /// patch and a primary one with a foot.
+  /// Calls visit(block) for each matrix of the rule's tangent, which is symmetric if the primary surface reacts: one
+  /// for each pair of a secondary patch and a primary one with a foot.
   template <class Visit>
   void for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const;
 
@@ -91,8 +93,9 @@ class PairPoints {
                          int guess = -1) const {
     return sight_ ? primary.nearest_of(sight_->seen(patch), place, range) : primary.nearest(place, range, guess);
   }
-  /// Returns 1, or 2 if the surface interacts with itself: how often the law acts on a place of the surface.
-  double passes() const { return sight_ ? 2 : 1; }
+  /// Returns how often the law, with its share, acts on a place of the surface: twice if it interacts with itself.
+  double passes() const { return (sight_ ? 2 : 1) / share_; }
+  bool reacts() const { return reacts_; }
 
   /// Returns quadrature weight times reference length or area, with and without the factor [L0^(D-1)].
   double measure(const Contact& c) const { return points_[index(c)].measure; }
@@ -131,7 +134,8 @@ class PairPoints {
   PairSurfaces<D> surfaces_;
   std::unique_ptr<SelfSight<D>> sight_;
   std::shared_ptr<const GapLaw> law_;
-  double range_;
+  double range_, share_;
+  bool reacts_;
   std::size_t per_patch_;
   std::vector<Point> points_;
   std::vector<char> adds_to_own_;  ///< by patch
@@ -158,7 +162,7 @@ void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tan
     for (std::size_t b = 0; b < used; ++b) blocks[b].sums.end_point(weights(all[i]));
     if (i + 1 < all.size() && all[i + 1].patch == all[i].patch) continue;
     for (std::size_t b = 0; b < used; ++b) {
-      blocks[b].sums.write(blocks[b].block.k);
+      blocks[b].sums.write(blocks[b].block.k, reacts_);
       visit(blocks[b].block);
     }
     used = 0;

@@ -90,9 +90,9 @@ void PairSums<D>::end_point(const typename SurfacePatch<D>::Weights& weights) {
 }
 
 template <std::size_t D>
-void PairSums<D>::write(std::vector<double>& matrix) const {
+void PairSums<D>::write(std::vector<double>& matrix, bool reacts) const {
   const std::size_t size = D * (secondary_ + primary_);
-  matrix.resize(size * size);
+  matrix.assign(size * size, 0.0);
   const auto copy = [&](const std::vector<Pack>& from, std::size_t rows, std::size_t first_row, std::size_t columns,
                         std::size_t first_column, bool twice) {
     for (std::size_t a = 0; a < rows; ++a)
@@ -108,8 +108,8 @@ void PairSums<D>::write(std::vector<double>& matrix) const {
         }
   };
   copy(among_secondary_, secondary_, 0, secondary_, 0, false);
-  copy(across_, secondary_, 0, primary_, secondary_, true);
-  copy(among_primary_, primary_, secondary_, primary_, secondary_, false);
+  copy(across_, secondary_, 0, primary_, secondary_, reacts);
+  if (reacts) copy(among_primary_, primary_, secondary_, primary_, secondary_, false);
 }
 
 template class PairSums<2>;

@@ -27,8 +27,9 @@ class PairSums {
   void add(const PairGap<D>& gap, double along, double across);
   /// Ends the point. `weights`: its own, of the nodes of its patch.
   void end_point(const typename SurfacePatch<D>::Weights& weights);
-  /// Sets the matrix to the sum. Its rows and columns: the secondary nodes, then the primary ones.
-  void write(std::vector<double>& matrix) const;
+  /// Sets the matrix to the sum. Its rows and columns: the secondary nodes, then the primary ones, whose rows are 0
+  /// unless they react.
+  void write(std::vector<double>& matrix, bool reacts = true) const;
 
  private:
   /// Blocks of D x D numbers for the nodes along a row of packs.

@@ -34,7 +34,10 @@ class PairTerm final : public Interaction {
         approach_(points_, options.margin) {}
 
   bool needs_positive_gaps() const override { return points_.is_positive(); }
-  bool follows(Mean mean) const override { return mean != Mean::Exact; }
+  bool follows(Mean mean) const override {
+    return mean != Mean::Exact && (points_.reacts() || mean != Mean::DiscreteGradient);
+  }
+  bool is_gradient(const Rule& rule) const override { return points_.reacts() && rule.is_gradient(); }
 
   bool couples_anew() const override { return true; }
   bool update_stencils(const double* u) override { return coupling_.update(points_.places(u)); }
@@ -215,6 +218,7 @@ class PairTerm final : public Interaction {
       const Vec<D> force = (-weight * points_.measure(contact) * contact.traction) * contact.foot.normal;
       const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
       add_to_nodes(points_.secondary(), contact.patch, points_.weights(contact), force, f);
+      if (!points_.reacts()) continue;
       add_to_nodes(points_.primary(), static_cast<std::size_t>(contact.foot.patch), patch.weights(contact.foot.xi),
                    -1 * force, f);
     }

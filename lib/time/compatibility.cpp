@@ -46,13 +46,19 @@ std::string why_no_branches(const Material& material, const Table& table) {
   return fmt::format("the scheme \"{}\" {}; use another scheme, such as \"Average Vector Field\"", table.name, why);
 }
 
-std::string why_no_pairs(const Table& table) {
+std::string why_no_pairs(const Table& table, bool reacts) {
   for (const Stage& stage : table.stages)
     if (stage.interaction.mean == Mean::Exact)
       return fmt::format(
           "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not have; set its "
           "Interaction Points, such as 5",
           table.name);
+  if (!reacts && needs_discrete_gradient(table))
+    return fmt::format(
+        "the scheme \"{}\" needs a discrete gradient, which passes without reaction do not have; use Passes Two, or "
+        "the "
+        "scheme \"Average Vector Field\"",
+        table.name);
   return "";
 }
 
@@ -61,7 +67,7 @@ void check_compatible(const Model& model, const Table& table) {
     if (const auto* own = dynamic_cast<const Interaction*>(named.term))
       for (const Stage& stage : table.stages)
         if (!own->follows(stage.interaction.mean))
-          throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table)));
+          throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table, false)));
   for (const Material& material : model.materials()) {
     const std::string block = " of block \"" + material.block + "\"";
     if (const std::string why = why_no_branches(material, table); !material.branches.empty() && !why.empty())

@@ -10,60 +10,21 @@
 #include "support/refusal.hpp"
 #include "support/two_bodies.hpp"
 #include "time/integrator.hpp"
+#include "verification/collision.hpp"
 
 namespace ixos {
 namespace {
 
+using test::Collision;
 using test::count;
 using test::list;
+using test::material;
 using test::number;
+using test::scene_of;
 using test::texts;
 using test::word;
 
 constexpr double work_of_adhesion_of_the_law = 0.01549567;
-
-std::string material(const std::string& block) {
-  return list(block, word("Block", block) + number("Young's Modulus", 1) + number("Poisson's Ratio", 0.2) +
-                         number("Density", 5e-7));
-}
-
-/// The scene of two bodies of the blocks first and second; `pair`: more entries of the interaction.
-Teuchos::ParameterList scene_of(const std::string& first, const std::string& second, const std::string& secondary,
-                                const std::string& primary, const std::string& time, const std::string& pair = "",
-                                const std::string& more = "") {
-  return test::scene(list("Materials", material(first) + material(second)) +
-                     list("Interactions", list("Pair", word("Side Set", secondary) + word("Primary Side Set", primary) +
-                                                           number("Gamma L", 2.5) + number("Gamma W", 25) + pair)) +
-                     time + list("Nonlinear Solver", number("Tolerance", 1e-12)) + more);
-}
-
-/// Two disks, or balls, of radius 3 that approach each other off centre.
-class Collision {
- public:
-  Collision(const std::string& scheme, double step, const std::string& options = "", const std::string& pair = "",
-            const Mesh& bodies = test::two_disks(3, {6.1, 2.4}))
-      : simulation_(scene_of("a_body", "b_body", "a_surface", "b_surface",
-                             test::time_integrator(scheme, step, 1, options), pair),
-                    bodies, test::world()) {
-    const LocalMesh& mesh = simulation_.model().mesh();
-    std::vector<double> u = test::at_rest(simulation_.model()), v = u;
-    for (std::size_t k = 0; k < v.size(); k += static_cast<std::size_t>(mesh.dimension))
-      v[k] = mesh.coordinates[k] > 3.05 ? -speed : speed;
-    simulation_.integrator().initialize(u, v, 0);
-  }
-  Simulation& simulation() { return simulation_; }
-  Momenta momenta() {
-    return simulation_.model().momenta(simulation_.integrator().state().u.data(),
-                                       simulation_.integrator().state().v.data());
-  }
-  double least_gap() {
-    return simulation_.model().interaction_report(simulation_.integrator().state().u.data()).least_gap;
-  }
-  static constexpr double speed = 15;
-
- private:
-  Simulation simulation_;
-};
 
 /// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme.
 TEST(TwoBodiesTest, LinearMomentumIsKept) {

@@ -1,0 +1,150 @@
+// Two bodies: one pass and two, and what must not matter.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "support/refusal.hpp"
+#include "verification/collision.hpp"
+
+namespace ixos {
+namespace {
+
+using test::Collision;
+using test::count;
+using test::word;
+
+constexpr double dt = 0.001;
+constexpr int steps = 45;
+const std::string points = count("Interaction Points", 5);
+const std::string two = word("Passes", "Two");
+
+/// Displacements by node of the whole mesh. Serial: the mesh's own numbers.
+std::vector<double> end_of(Collision collision) {
+  double least = 1;
+  for (int step = 0; step < steps; ++step) {
+    EXPECT_TRUE(collision.simulation().integrator().step(dt).converged);
+    least = std::min(least, collision.least_gap());
+  }
+  EXPECT_LT(least, 0.3);
+  const LocalMesh& mesh = collision.simulation().model().mesh();
+  const std::vector<double>& u = collision.simulation().integrator().state().u;
+  std::vector<double> whole(u.size());
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    whole[2 * static_cast<std::size_t>(mesh.original_ids[k / 2]) + k % 2] = u[k];
+  return whole;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, std::abs(a[k] - b[k]));
+  return largest;
+}
+
+Collision collide(const std::string& pair, const Mesh& mesh, const char* secondary = "a_surface",
+                  const char* primary = "b_surface", double angle = 0) {
+  return Collision("Average Vector Field", dt, points, pair, mesh, secondary, primary, angle);
+}
+
+const Mesh& disks() {
+  static const Mesh mesh = test::two_disks(3, {6.1, 2.4});
+  return mesh;
+}
+
+TEST(PairSymmetrySerialTest, TwoPassesTreatBothBodiesAlike) {
+  const auto there = end_of(collide(two, disks())), back = end_of(collide(two, disks(), "b_surface", "a_surface"));
+  EXPECT_LT(largest_difference(there, back), 1e-10);
+  const auto one = end_of(collide("", disks())), other = end_of(collide("", disks(), "b_surface", "a_surface"));
+  EXPECT_GT(largest_difference(one, other), 1e-7) << "one pass does not";
+}
+
+TEST(PairSymmetrySerialTest, AMovedFrameMovesTheResult) {
+  const double angle = 0.7, c = std::cos(angle), s = std::sin(angle);
+  const auto turn = [&](std::vector<double>& x) {
+    for (std::size_t k = 0; k < x.size(); k += 2) {
+      const double along = x[k], across = x[k + 1];
+      x[k] = c * along - s * across;
+      x[k + 1] = s * along + c * across;
+    }
+  };
+  Mesh turned = disks();
+  turn(turned.coordinates);
+  for (const std::string& pair : {std::string(), two}) {
+    auto plain = end_of(collide(pair, disks()));
+    turn(plain);
+    EXPECT_LT(largest_difference(plain, end_of(collide(pair, turned, "a_surface", "b_surface", angle))), 1e-9);
+  }
+}
+
+TEST(PairSymmetrySerialTest, NumbersOfNodesDoNotMatter) {
+  Mesh renumbered = disks();
+  const int last = renumbered.nodes() - 1;
+  const auto place = [&](int node) { return last - node; };
+  for (ElementBlock& block : renumbered.blocks)
+    for (int& node : block.nodes) node = place(node);
+  for (NodeSet& set : renumbered.node_sets)
+    for (int& node : set.nodes) node = place(node);
+  for (int node = 0; node <= last; ++node)
+    for (std::size_t i = 0; i < 2; ++i)
+      renumbered.coordinates[2 * static_cast<std::size_t>(place(node)) + i] =
+          disks().coordinates[2 * static_cast<std::size_t>(node) + i];
+  const auto plain = end_of(collide("", disks())), other = end_of(collide("", renumbered));
+  std::vector<double> back(other.size());
+  for (std::size_t k = 0; k < back.size(); ++k)
+    back[k] = other[2 * static_cast<std::size_t>(place(static_cast<int>(k / 2))) + k % 2];
+  EXPECT_LT(largest_difference(plain, back), 1e-10);
+}
+
+struct Errors {
+  double energy, linear, angular;
+};
+
+/// Returns the largest errors of energy, over W L0, and momenta, over the sum of m |v| (and times R), of a collision of
+/// disks whose meshes are turned against each other.
+Errors errors_of(const std::string& pair) {
+  Mesh mesh = disks();
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  for (std::size_t k = 0; k < mesh.coordinates.size(); k += 2) {
+    const double x = mesh.coordinates[k] - 6.1, y = mesh.coordinates[k + 1] - 2.4;
+    if (x < -3.05) continue;
+    mesh.coordinates[k] = 6.1 + c * x - s * y;
+    mesh.coordinates[k + 1] = 2.4 + s * x + c * y;
+  }
+  Collision collision = collide(pair, mesh);
+  const Momenta before = collision.momenta();
+  const double energy = test::total_energy(collision.simulation()), size = 2 * M_PI * 9 * 5e-7 * Collision::speed;
+  Errors largest{};
+  for (int step = 0; step < 60; ++step) {
+    EXPECT_TRUE(collision.simulation().integrator().step(dt).converged) << step;
+    const Momenta now = collision.momenta();
+    largest.energy =
+        std::max(largest.energy, std::abs(test::total_energy(collision.simulation()) - energy) / 0.01549567);
+    largest.linear = std::max(largest.linear, test::distance(now.linear, before.linear) / size);
+    largest.angular = std::max(largest.angular, test::distance(now.angular, before.angular) / (3 * size));
+  }
+  return largest;
+}
+
+/// With reactions energy and linear momentum stay. Without, the forces on both bodies differ, and neither stays.
+TEST(PairSymmetryTest, PassesWithoutReactionLoseEnergyAndMomentum) {
+  const Errors with = errors_of(two), without = errors_of(word("Passes", "Two Without Reaction"));
+  EXPECT_LT(with.energy, 1e-5);
+  EXPECT_LT(with.linear, 1e-12);
+  EXPECT_LT(with.angular, 1e-2);
+  EXPECT_GT(without.energy, 1e-2);
+  EXPECT_GT(without.linear, 1e-2);
+}
+
+TEST(PairSymmetryTest, WhatTwoPassesCannotServeIsRefused) {
+  const auto refusal = [](const std::string& scheme, const std::string& pair, const char* primary = "b_surface") {
+    return test::refusal([&] { Collision(scheme, dt, "", pair, disks(), "a_surface", primary); });
+  };
+  EXPECT_NE(refusal("Newmark", two + test::number("Exclusion", 3) + test::number("Cutoff", 1), "a_surface").find("One"),
+            std::string::npos);
+  EXPECT_NE(refusal("Newmark", two + word("Factor", "1 + 0*x")).find("Passes One"), std::string::npos);
+  EXPECT_NE(refusal("Energy-Momentum", word("Passes", "Two Without Reaction")).find("Interactions/Pair/Passes"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace ixos
