@@ -19,7 +19,9 @@ constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 History::History(Simulation& simulation)
-    : simulation_(simulation), max_energy_error_(simulation.output().energies ? 0.0 : empty) {
+    : simulation_(simulation),
+      max_energy_error_(simulation.output().energies ? 0.0 : empty),
+      contacts_(simulation.output().interaction ? simulation.model().interaction_names() : std::vector<std::string>()) {
   const Model& model = simulation.model();
   HistoryColumns columns = history_columns(simulation);
   columns_ = std::move(columns.names);
@@ -73,16 +75,19 @@ std::vector<double> History::grip_reactions() {
 }
 
 /// Returns force, moment, contact measure and least gap of each interaction that has columns.
-std::vector<double> History::single_interactions() const {
+std::vector<double> History::single_interactions() {
   const double* u = simulation_.integrator().state().u.data();
-  std::vector<double> row;
+  std::vector<double> row, measures;
   for (const InteractionGroup& interaction : interactions_) {
     const InteractionReport report = interaction.report(u);
     const std::vector<double> moment = interaction.moment(u);
     row.insert(row.end(), report.force.begin(), report.force.end());
     row.insert(row.end(), moment.begin(), moment.end());
     row.insert(row.end(), {report.measure, report.least_gap});
+    measures.push_back(report.measure);
   }
+  if (interactions_.empty()) measures.push_back(contact_measure_);
+  if (measures.size() == contacts_.times().size()) contacts_.row(simulation_.integrator().time(), measures);
   return row;
 }
 
@@ -189,6 +194,7 @@ void History::transfer(Record& record) {
   record.number("initial energy", initial_energy_);
   record.number("largest energy error", max_energy_error_);
   record.number("largest energy", largest_energy_);
+  contacts_.transfer(record);
   // A checkpoint of another scene restores only the reactions that this scene has too.
   auto count = max_forces_.size();
   record.number("reactions", count);

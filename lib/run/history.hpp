@@ -8,6 +8,7 @@
 
 #include "base/record.hpp"
 #include "io/history_file.hpp"
+#include "run/contact_events.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -47,6 +48,8 @@ class History {
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
+  /// Returns the times of each interaction's contact, if rows have contact measures.
+  const ContactEvents& contacts() const { return contacts_; }
   /// Returns the last row's contact measure; NaN if rows have none.
   double contact_measure() const { return contact_measure_; }
   /// Returns the last step's reactions by column.
@@ -60,7 +63,7 @@ class History {
  private:
   std::vector<double> reactions();
   std::vector<double> grip_reactions();
-  std::vector<double> single_interactions() const;
+  std::vector<double> single_interactions();
   std::vector<double> frictions() const;
   void keep_force(std::size_t column, double force);
 
@@ -74,8 +77,9 @@ class History {
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
   std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
-  std::vector<InteractionGroup> frictions_;     ///< those with friction
-  std::vector<std::size_t> reaction_sets_;      ///< node set numbers
+  ContactEvents contacts_;
+  std::vector<InteractionGroup> frictions_;  ///< those with friction
+  std::vector<std::size_t> reaction_sets_;   ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
   double contact_measure_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   std::vector<std::pair<std::string, double>> forces_;                 ///< of the last step

@@ -263,6 +263,7 @@ void Run::end() {
   result_.max_energy_error = files_.history().max_energy_error();
   result_.largest_energy = files_.history().largest_energy();
   result_.max_forces = files_.history().max_forces();
+  result_.contacts = files_.history().contacts().times();
   result_.checkpoint = checkpoints_.newest();
   result_.phase_seconds = clock_.phases();
   result_.findings = run_warnings(measures_.finish(files_.history()));

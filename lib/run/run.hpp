@@ -8,6 +8,7 @@
 #include "base/phase_timer.hpp"
 #include "base/warning.hpp"
 #include "checkpoint/program_state.hpp"
+#include "run/contact_events.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -58,6 +59,7 @@ struct RunResult {
   double max_energy_error = 0;                             ///< see History::max_energy_error
   double largest_energy = 0;                               ///< see History::largest_energy
   std::vector<std::pair<std::string, double>> max_forces;  ///< see History::max_forces
+  std::vector<ContactTimes> contacts;                      ///< see History::contacts
   PhaseSeconds phase_seconds{};                            ///< of rank 0
   std::string checkpoint;                                  ///< the newest one's path, or nothing
   std::vector<Warning> warnings;                           ///< that RunOptions::warn was told

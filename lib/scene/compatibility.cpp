@@ -85,11 +85,12 @@ void check_friction(const std::vector<SceneInteraction>& interactions, const Tab
 }
 
 void check_pairs(const std::vector<SceneInteraction>& interactions, const Table& table) {
-  const std::string why = why_no_pairs(table);
-  for (const SceneInteraction& interaction : interactions)
-    if (interaction.is_pair() && !why.empty()) interaction.node.refuse("Primary Side Set", why);
-  if (interaction.is_pair() && interaction.passes == Passes::TwoWithoutReaction)
-    if (const std::string lack = why_no_pairs(table, false); !lack.empty()) interaction.node.refuse("Passes", lack);
+  for (const SceneInteraction& interaction : interactions) {
+    if (!interaction.is_pair()) continue;
+    if (const std::string why = why_no_pairs(table); !why.empty()) interaction.node.refuse("Primary Side Set", why);
+    if (interaction.passes != Passes::TwoWithoutReaction) continue;
+    if (const std::string why = why_no_pairs(table, false); !why.empty()) interaction.node.refuse("Passes", why);
+  }
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ bool has_discrete_gradient(const Material& material);
 std::string why_no_branches(const Material& material, const Table& table);
 
 /// Returns why the scheme does not go with interactions of two bodies, and what to use in place; empty if it does.
+/// `reacts`: the primary surface takes the reaction.
 std::string why_no_pairs(const Table& table, bool reacts = true);
 
 /// Throws InputError, on all ranks, with the block or the interaction, if the scheme needs a discrete gradient or a

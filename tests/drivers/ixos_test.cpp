@@ -235,7 +235,7 @@ TEST_F(DriverTest, ResultFilesKeepTheirContract) {
   for (const char* key :
        {"status", "reason", "scheme", "end_time", "steps", "rejected_steps", "dofs", "elements", "ranks",
         "newton_iterations", "linear_iterations", "wall_seconds", "setup_seconds", "seconds_per_increment", "seconds",
-        "peak_memory_bytes", "max_energy_error", "largest_energy", "max_force"})
+        "peak_memory_bytes", "max_energy_error", "largest_energy", "max_force", "contacts"})
     EXPECT_NE(summary.find("\"" + std::string(key) + "\":"), std::string::npos) << key;
 }
 
