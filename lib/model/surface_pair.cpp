@@ -21,10 +21,9 @@ namespace {
       fmt::format("the interaction of the surfaces \"{}\" and \"{}\" {}", pair.secondary, pair.primary, why));
 }
 
-void check(const SurfacePair& pair, const LocalMesh& mesh) {
+void check(const SurfacePair& pair) {
   if (!pair.law) refuse(pair, "has no law");
   if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
-  if (mesh.axisymmetric) refuse(pair, "is that of two bodies, which an axisymmetric mesh cannot have yet");
   if (pair.secondary == pair.primary) {
     const double range = pair.cutoff > 0 ? std::min(pair.cutoff, pair.law->range()) : pair.law->range();
     if (!(pair.exclusion > 0))
@@ -149,7 +148,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
 
 void add_pair(Model& model, const SurfacePair& pair) {
   model.check_open();
-  check(pair, model.mesh());
+  check(pair);
   if (model.mesh().dimension == 2)
     add_pair_of_dimension<2>(model, pair);
   else

@@ -46,7 +46,7 @@ struct SurfacePair {
 /// Model::update_couplings(), and Model::begin_step() for a surface that interacts with itself. Such a surface that
 /// overlaps itself at rest is not noticed. On several ranks the model's mesh must have
 /// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
-/// the mesh is axisymmetric, two passes are asked for where one is allowed, sides are not those of linear cells, more
+/// two passes are asked for where one is allowed, sides are not those of linear cells, more
 /// than two of them meet in a node (in space, in an edge), the two sets share a node, the law is missing or has a
 /// history, a number is out of range, a factor is negative or not finite somewhere, or the surfaces at rest overlap and
 /// the law needs positive gaps; std::logic_error after Model::close(). Collective.

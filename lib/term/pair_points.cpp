@@ -6,6 +6,7 @@
 
 #include "base/vector3.hpp"
 #include "fem/quadrature.hpp"
+#include "fem/revolved.hpp"
 
 namespace ixos {
 namespace {
@@ -78,7 +79,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
         weight *= gauss.weights[q / n];
       }
       const auto frame = own.frame(xi);
-      const double area = weight * stretch(frame);
+      double area = weight * stretch(frame);
+      if (mesh.axisymmetric) area *= circumference(frame.place[0]);
       const double factor =
           factor_at(options.factor, frame.place, xi, patch, secondary().nodes) * share_ / (self ? 2 : 1);
       points_.push_back({patch.weights(xi), factor * area, area});

@@ -97,7 +97,8 @@ class PairPoints {
   double passes() const { return (sight_ ? 2 : 1) / share_; }
   bool reacts() const { return reacts_; }
 
-  /// Returns quadrature weight times reference length or area, with and without the factor [L0^(D-1)].
+  /// Returns quadrature weight times reference length or area, of the ring in a body of revolution, with and without the
+  /// factor [L0^(D-1)].
   double measure(const Contact& c) const { return points_[index(c)].measure; }
   double area(const Contact& c) const { return points_[index(c)].area; }
   const typename SurfacePatch<D>::Weights& weights(const Contact& c) const { return points_[index(c)].weights; }

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "interaction/curve_patches.hpp"
+#include "mesh/meridian.hpp"
 #include "term/lagrange_patches.hpp"
 #include "term/surface_patches.hpp"
 
@@ -37,6 +38,7 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
                                      const std::string& name) {
   SurfacePatches<2> surface = surface_of_sides<2>(mesh, sides, name);
   const Chains chains(mesh, sides, name);
+  const std::vector<bool> on_axis = mesh.axisymmetric ? nodes_on_axis(mesh) : std::vector<bool>();
   const auto node_of = [&](int side, std::size_t end) { return sides[static_cast<std::size_t>(side)].nodes[end]; };
   const auto along = [&](int side) {
     return reference_place<2>(mesh, node_of(side, 1)) - reference_place<2>(mesh, node_of(side, 0));
@@ -71,6 +73,10 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
       patch = straight_patch(four[1], four[2]);
     }
     patch.neighbours = {before, after};
+    // On the axis of a body of revolution the curve goes on as its own mirror image, not to a free end.
+    for (const std::size_t end : {0U, 1U})
+      if (!on_axis.empty() && patch.neighbours[end] < 0 && on_axis[static_cast<std::size_t>(node_of(own, end))])
+        patch.neighbours[end] = own;
     surface.patches.push_back(patch);
   }
   return surface;

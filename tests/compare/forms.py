@@ -103,7 +103,7 @@ def scene_forms(schemes):
     for operator in ("Matrix-Free", "Assembled"):
         yield f"block-on-wall, MueLu, {operator}", "block-on-wall", [
             *SMALL_BLOCK, *BLOCK, *solver("Preconditioner Type=MueLu", "Operator=" + operator)]
-    for scene, short in (("hertz", HERTZ), ("jkr", JKR), ("waviness", WAVES)):
+    for scene, short in (("hertz", HERTZ), ("jkr", JKR), ("jkr-spheres", [FINAL + "0.05"]), ("waviness", WAVES)):
         yield scene, scene, short
     yield "spatula", "spatula", SPATULA
     yield "spatula-stiff", "spatula-stiff", SPATULA

@@ -27,6 +27,12 @@ class JkrTest(unittest.TestCase):
         run, pull = recipe.run("jkr", {}, self.folder.name), STUDY.sphere(1.0, 1.0, self.folder.name + "/same")
         self.assertAlmostEqual(-run["contact_force_y"].min() / pull.pull_off, 1, delta=1e-3)
 
+    def test_two_spheres_are_one_of_half_the_radius_and_half_the_modulus(self):
+        known = next(row for row in recipe.reference("jkr") if row["tabor"] == 1)
+        pull = STUDY.spheres(1.0, 1.0, self.folder.name)
+        self.assertAlmostEqual(2 * pull.pull_off / STUDY.UNIT / known["pull_off"], 1, delta=0.006)
+        self.assertAlmostEqual(pull.pull_off_radius / (known["radius"] / 2 ** 0.5), 1, delta=0.03)
+
     def test_a_cylinder_of_tabor_number_5_is_one_of_johnson_kendall_and_roberts(self):
         known, pull = STUDY.jkr_cylinder(5.0), STUDY.cylinder(5.0, 1.0, self.folder.name)
         self.assertAlmostEqual(pull.pull_off / known[0], 1, delta=0.01)

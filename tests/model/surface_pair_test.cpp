@@ -61,10 +61,6 @@ TEST(SurfacePairTest, RefusesWhatPairsDoNotHave) {
   bad = good;
   bad.factor = [](const std::array<double, 3>& x) { return 1 - x[0]; };
   expect_refusal(mesh, bad, "has the factor -");
-  Mesh around = mesh;
-  around.axisymmetric = true;
-  for (std::size_t k = 0; k < around.coordinates.size(); k += 2) around.coordinates[k] += 0.2;
-  expect_refusal(around, good, "axisymmetric");
   if (test::world()->getSize() > 1) expect_refusal(mesh, good, "each needs all sides", {});
 }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Runs xml/jkr.xml over Tabor numbers, meshes and geometries. Prints the tables of jkr.md and draws jkr.png.
+"""Runs xml/jkr.xml over Tabor numbers, meshes and geometries, and xml/jkr-spheres.xml over Tabor numbers. Prints the
+tables of jkr.md and draws jkr.png.
 
     docs/cookbook/jkr/study.py [--results FOLDER]"""
 import pathlib
@@ -55,6 +56,22 @@ def cylinder(tabor, cell, folder):
     return Pull(run, tabor, 2 * run["contact_force_y"], run["contact_measure"])
 
 
+def spheres(tabor, cell, folder):
+    """Runs two spheres of the radius and twice the modulus that a sphere of half the radius on a wall would have, and
+    returns their Pull."""
+    gap, way = travel(tabor)
+    surface = f"({recipe.EQUILIBRIUM_GAP + gap!r})/2 + (x < 70 ? x : 65 + 5*exp((x - 70)/5))^2/2000"
+    changes = {"Histories/Down and Up/Table/Values": [0.0, -way / 2, 0.0],
+               "Histories/Up and Down/Table/Values": [0.0, way / 2, 0.0],
+               "Mesh/Parts/upper/Map/Y": f"{surface} + 5*(exp(y/5) - 1)",
+               "Mesh/Parts/lower/Map/Y": f"-({surface}) - 5*(exp(-y/5) - 1)", "Output/Checkpoint/Keep": 0}
+    for part, body in ("upper", "Upper"), ("lower", "Lower"):
+        changes[f"Mesh/Parts/{part}/Box/Divisions"] = [round(92 / cell), round(22 / cell)]
+        changes[f"Materials/{body}/Young's Modulus"] = 2 ** 0.5 * modulus(tabor) * (1 - POISSON ** 2)
+    run = recipe.run("jkr-spheres", changes, folder)
+    return Pull(run, tabor, run["contact_force_y"], np.sqrt(run["contact_measure"] / np.pi))
+
+
 def jkr(tabor):
     """Returns approach, force over pi R W and contact radius of the theory, from the instability on."""
     stiffness = modulus(tabor)
@@ -101,6 +118,17 @@ def main():
     recipe.table(["Tabor number", "reference", "cells of 2 nm", "1 nm", "0.5 nm", "difference (1 nm)",
                   "contact radius, reference [nm]", "measured (1 nm)"], rows)
     draw(pulls)
+    print("\nTwo spheres\n")
+    rows = []
+    for known in recipe.reference("jkr"):
+        if not 0.5 <= known["tabor"] <= 3:
+            continue
+        run, radius = spheres(known["tabor"], 1.0, results / f"spheres-{known['tabor']:g}"), known["radius"] / 2 ** 0.5
+        rows.append([f"{known['tabor']:g}", f"{known['pull_off']:.4f}", f"{2 * run.pull_off / UNIT:.4f}",
+                     recipe.deviation(2 * run.pull_off / UNIT, known["pull_off"]), f"{radius:.2f}",
+                     f"{run.pull_off_radius:.2f}"])
+    recipe.table(["Tabor number", "reference", "measured", "difference", "contact radius, reference [nm]", "measured"],
+                 rows)
     print("\nCylinder, plane strain\n")
     rows = []
     for tabor in 1.0, 3.0, 5.0:
