@@ -137,8 +137,13 @@ TEST(PairTermTest, NetForceAndNetMomentVanish) {
 /// A flat primary surface at rest is the rigid wall: the forces on the secondary one are those of the flat term. Smooth
 /// surfaces distribute the same sums over more nodes.
 TEST(PairTermTest, BeforeAFlatSurfaceItIsTheWall) {
-  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
-    const Bodies bodies(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
+  Mesh plane = test::two_blocks(0.3), around = plane;
+  around.axisymmetric = true;
+  for (std::size_t k = 0; k < around.coordinates.size(); k += 2) around.coordinates[k] += 0.5;
+  for (const auto& [blocks, smoothing] :
+       {std::pair{plane, Smoothing::None}, std::pair{plane, Smoothing::CatmullRom}, std::pair{around, Smoothing::None},
+        std::pair{around, Smoothing::CatmullRom}}) {
+    const Bodies bodies(blocks, "upper_bottom", "lower_top", smoothing);
     const LocalMesh& mesh = bodies.model->mesh();
     HalfSpace wall;
     wall.normal = {0, 1, 0};
