@@ -127,6 +127,7 @@ def scene_forms(schemes):
     yield "t-peel", "t-peel", T_PEEL
     yield "stamp", "stamp", [FINAL + "0.5"]
     yield "cylinders", "cylinders", CYLINDERS
+    yield "crossed-cylinders", "crossed-cylinders", [FINAL + "0.08"]
     yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
     yield "spring-block", "spring-block", [FINAL + "0.5"]
     yield "restitution", "restitution", BALL_ON_WALL
