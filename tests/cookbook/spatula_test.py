@@ -88,7 +88,15 @@ class Measures(unittest.TestCase):
         lift = np.arange(0, 200, 0.5)
         run = History({"time": lift, "force": (1 + lift / 1e3 + 0.1 * np.sin(2 * np.pi * lift / 4)) / study.NANONEWTONS})
         mean = 1 + np.mean(convergence.BETWEEN) / 1e3
-        self.assertAlmostEqual(convergence.ripple(run, 1), 0.1 / np.sqrt(2) / mean, delta=2e-3)
+        expected = 0.1 / np.sqrt(2) / mean
+        self.assertAlmostEqual(convergence.ripple(run, 1), expected, delta=0.1 * expected)
+
+    def test_the_smooth_peak_is_that_of_the_curve_on_which_a_ripple_lies(self):
+        lift = np.arange(0, 200, 0.5)
+        force = 4 - ((lift - 150) / 100)**2 + 0.1 * np.sin(2 * np.pi * lift / 3)
+        peak, place = convergence.smooth_peak(History({"time": lift, "force": force}), 1)
+        self.assertAlmostEqual(peak, 4 * study.NANONEWTONS, delta=0.02)
+        self.assertAlmostEqual(place, 150, delta=5)
 
 
 if __name__ == "__main__":

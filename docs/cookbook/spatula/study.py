@@ -112,18 +112,18 @@ COLUMNS = ["first peak [nN]", "at [nm]", "least between [nN]", "late peak [nN]",
            "work [E0 L0^3]"]
 
 
-def compare_shapes(folder, scales, finished):
+def compare_shapes(folder, scales, step, finished):
     """Prints the table of shapes. Returns the curves at the first scale."""
     rows, curves = [], {}
     for name, shape in SHAPES.items():
         rows.append([name, "beam, full size", *cells(predicted(name)), "", ""])
         for scale in scales:
-            path = folder / f"{name}-{scale:g}"
+            path = folder / (f"{name}-{scale:g}" + (f"-step-{step:g}" if step != 0.5 else ""))
             if predicted(name, scale) and scale != 1:
                 rows.append([name, f"beam, scale {scale:g}", *cells(predicted(name, scale)), "", ""])
             if finished and not is_finished(path):
                 continue
-            run = peel(shape, scale, path)
+            run = peel(shape, scale, path, step=step)
             found = measured(run, scale, shape)
             rows.append([name, f"Ixos, scale {scale:g}", *cells(found), f"{100 * found['balance']:.2f} %",
                          f"{found['iterations']:.1f}"])
@@ -220,10 +220,11 @@ def main():
     parser.add_argument("--only", choices=["shapes", "parameters", "ends"], help="one part")
     parser.add_argument("--scales", type=float, nargs="+", default=[0.25], choices=list(MESHES),
                         help="sizes of the pads that compare the shapes (default: 0.25)")
+    parser.add_argument("--step", type=float, default=0.5, help="time step that compares the shapes (default: 0.5)")
     parser.add_argument("--finished", action="store_true", help="no new runs: only those that are finished")
     arguments = parser.parse_args()
     if arguments.only in (None, "shapes"):
-        draw_curves(compare_shapes(arguments.results, arguments.scales, arguments.finished))
+        draw_curves(compare_shapes(arguments.results, arguments.scales, arguments.step, arguments.finished))
     if arguments.only in (None, "parameters"):
         draw_parameters(*compare_parameters(arguments.results, arguments.finished))
     if arguments.only in (None, "ends"):
