@@ -115,9 +115,15 @@ def compare_stresses(folder, scale, times):
     recipe.table(["time [T0]", "least", "largest", "cells beyond the paper's colours"], rows)
 
 
+def has_ended(folder):
+    """Returns whether a folder has a run that reached its end or diverged."""
+    summary = folder / "summary.json"
+    return study.is_finished(folder) or summary.exists() and '"diverged"' in summary.read_text(encoding="utf-8")
+
+
 def outcome(folder, settings):
     """Runs settings unless the folder has a run. Returns where it ended, and its Newton iterations an increment."""
-    if not (folder / "summary.json").exists():
+    if not has_ended(folder):
         try:
             recipe.run("spatula", settings, folder)
         except RuntimeError:
@@ -141,7 +147,7 @@ def compare_iterations(folder, finished, scale=0.25):
                 for name, changes in ITERATIONS.items():
                     path = folder / "iterations" / named(scheme, f"{name.split()[-1].lower()}-{faces:g}-{step:g}")
                     settings = study.settings(LATE, scale, step, (study.cohesive_zone(scale) / faces, across))
-                    if finished and not (path / "summary.json").exists():
+                    if finished and not has_ended(path):
                         rows[-1].append("not run")
                         continue
                     rows[-1].append(outcome(path, {**settings, "Time Integrator/Type": scheme, **changes}))
