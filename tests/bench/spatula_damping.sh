@@ -1,13 +1,14 @@
 #!/bin/bash
 # Free vibration of the spatula for several dampings: the bent state, then each run from its release to 250 T0. Finished
 # runs are not repeated. CELLS is the mesh's Target Cells; 1500 take six minutes on one core.
-#   tests/bench/spatula_damping.sh FOLDER [CELLS] [IXOS]
+#   tests/bench/spatula_damping.sh FOLDER [CELLS [IXOS [ARGUMENTS]]]      ARGUMENTS: further ones of ixos, as of --set
 # Folders: bent, Newmark-0 to Newmark-6, Bathe-0 and Bathe-0.004.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=${1:?"usage: spatula_damping.sh FOLDER [CELLS] [IXOS]"}
+folder=${1:?"usage: spatula_damping.sh FOLDER [CELLS [IXOS [ARGUMENTS]]]"}
 cells=${2:-14300}
 ixos=${3:-$root/build/release/drivers/ixos}
+arguments=("${@:4}")
 export OPENBLAS_NUM_THREADS=1
 mkdir -p "$folder"
 
@@ -16,7 +17,7 @@ run() {  # name, further arguments
   shift
   grep -qs '"status": "completed"' "$folder/$name/summary.json" && return
   "$ixos" "$root/xml/spatula-vibration.xml" --quiet --output "$folder/$name" --set "Mesh/Spatula/Target Cells=$cells" \
-    "$@" >"$folder/$name.log" 2>&1 || cat "$folder/$name.log"
+    "${arguments[@]}" "$@" >"$folder/$name.log" 2>&1 || cat "$folder/$name.log"
   echo "$name"
 }
 

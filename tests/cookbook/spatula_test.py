@@ -9,11 +9,29 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
+import numpy as np
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "docs/cookbook"))
 import recipe  # noqa: E402
 
 study = recipe.study("spatula")
 beam = study.beam
+import convergence  # noqa: E402 (beside the study)
+import schemes  # noqa: E402
+
+
+class History(dict):
+    """Columns of a run that are given by formulas."""
+
+    def energy_error(self):
+        return self["error"]
+
+    def reaction(self):
+        return "reaction_shaft end_z", self["time"], self["force"]
+
+    @staticmethod
+    def applied(times):
+        return times
 
 
 class PullOffForce(unittest.TestCase):
@@ -54,6 +72,31 @@ class PullOffForce(unittest.TestCase):
                 expected, _ = study.predicted(name)[peak]
                 self.assertLess(abs(study.NANONEWTONS * found[peak][0] / expected - 1), 2e-3)
             self.assertEqual(found["first"][0] < found["late"][0], name == "late")
+
+
+class Measures(unittest.TestCase):
+    def test_energies_count_from_the_moment_when_the_wall_lets_go(self):
+        time = np.arange(0, 71.0)
+        run = History({"time": time, "kinetic_energy": np.where(time == 12, 99, time), "contact_measure": time < 10,
+                       "error": np.where(time < 10, 1e-3, 4.0), "external_work": time})
+        free, top, place, soon, late, before, whole = schemes.swung(run, 1)
+        self.assertEqual((free, top, place, late), ("10.0", "99.0", "12.0", "60.00"))
+        self.assertAlmostEqual(float(soon), 20 + 87 / 20, places=2)
+        self.assertEqual((before, whole), ("1e-05", "6e-02"))
+
+    def test_a_sine_upon_a_slope_ripples_by_its_amplitude(self):
+        lift = np.arange(0, 200, 0.5)
+        run = History({"time": lift, "force": (1 + lift / 1e3 + 0.1 * np.sin(2 * np.pi * lift / 4)) / study.NANONEWTONS})
+        mean = 1 + np.mean(convergence.BETWEEN) / 1e3
+        expected = 0.1 / np.sqrt(2) / mean
+        self.assertAlmostEqual(convergence.ripple(run, 1), expected, delta=0.1 * expected)
+
+    def test_the_smooth_peak_is_that_of_the_curve_on_which_a_ripple_lies(self):
+        lift = np.arange(0, 200, 0.5)
+        force = 4 - ((lift - 150) / 100)**2 + 0.1 * np.sin(2 * np.pi * lift / 3)
+        peak, place = convergence.smooth_peak(History({"time": lift, "force": force}), 1)
+        self.assertAlmostEqual(peak, 4 * study.NANONEWTONS, delta=0.02)
+        self.assertAlmostEqual(place, 150, delta=5)
 
 
 if __name__ == "__main__":

@@ -24,9 +24,17 @@ MESHES = {0.25: (0.7, 12), 0.5: (1.0, 16), 1.0: (1.4, 20)}
 SHAPES = {name: beam.SHAPES[name] for name in ("stiff", "thin", "narrow", "late")}
 
 
-def settings(shape, scale, step=0.5):
-    """Returns the settings of a run until the pad is free. shape: of the full size; lengths are scaled here."""
-    face, columns = MESHES[scale]
+def cohesive_zone(scale):
+    """Returns the length of the cohesive zone of a scaled pad [nm]: that of 5 nm is 5 s^(2/3) nm thick."""
+    return 4.4 * scale**0.5
+
+
+def settings(shape, scale, step=0.5, mesh=None):
+    """Returns the settings of a run until the pad is free.
+
+    shape: of the full size; lengths are scaled here. mesh: length of a contact face [nm] and cells across, if they are
+    not those of MESHES."""
+    face, columns = mesh or MESHES[scale]
     small = beam.scaled(shape, scale)
     along = small["Pad Length"] + small["Transition Length"] * math.log(GROWTH) / (GROWTH - 1) \
         + small["Shaft Length"] / GROWTH
@@ -45,11 +53,11 @@ def is_finished(folder):
     return summary.exists() and json.loads(summary.read_text(encoding="utf-8"))["status"] in ("completed", "stopped")
 
 
-def peel(shape, scale, folder, changes=None, step=0.5):
+def peel(shape, scale, folder, changes=None, step=0.5, mesh=None):
     """Runs a shape, unless the folder has the finished run."""
     if is_finished(folder):
         return recipe.results.Run(folder)
-    return recipe.run("spatula", {**settings(shape, scale, step), **(changes or {})}, folder)
+    return recipe.run("spatula", {**settings(shape, scale, step, mesh), **(changes or {})}, folder)
 
 
 def freed(end, shape, scale):
@@ -65,10 +73,9 @@ def freed(end, shape, scale):
 
 
 def curve(run, scale):
-    """Returns lift [nm] and force [nN] of a run as those of the full pad. The forces are means over the steps."""
-    column = next(name for name in run.columns if name.startswith("reaction_") and name.endswith("_z"))
-    lift, force = run.applied(run["time"]), run[column]
-    return np.append(0, (lift[1:] + lift[:-1]) / 2) / scale, NANONEWTONS * force / scale
+    """Returns lift [nm] and force [nN] of a run as those of the full pad. A step's mean force has the step's middle."""
+    _, times, force = run.reaction()
+    return run.applied(times) / scale, NANONEWTONS * force / scale
 
 
 def measured(run, scale, shape):
@@ -105,18 +112,18 @@ COLUMNS = ["first peak [nN]", "at [nm]", "least between [nN]", "late peak [nN]",
            "work [E0 L0^3]"]
 
 
-def compare_shapes(folder, scales, finished):
+def compare_shapes(folder, scales, step, finished):
     """Prints the table of shapes. Returns the curves at the first scale."""
     rows, curves = [], {}
     for name, shape in SHAPES.items():
         rows.append([name, "beam, full size", *cells(predicted(name)), "", ""])
         for scale in scales:
-            path = folder / f"{name}-{scale:g}"
+            path = folder / (f"{name}-{scale:g}" + (f"-step-{step:g}" if step != 0.5 else ""))
             if predicted(name, scale) and scale != 1:
                 rows.append([name, f"beam, scale {scale:g}", *cells(predicted(name, scale)), "", ""])
             if finished and not is_finished(path):
                 continue
-            run = peel(shape, scale, path, step=1.0 if scale == 1 else 0.5)
+            run = peel(shape, scale, path, step=step)
             found = measured(run, scale, shape)
             rows.append([name, f"Ixos, scale {scale:g}", *cells(found), f"{100 * found['balance']:.2f} %",
                          f"{found['iterations']:.1f}"])
@@ -213,10 +220,11 @@ def main():
     parser.add_argument("--only", choices=["shapes", "parameters", "ends"], help="one part")
     parser.add_argument("--scales", type=float, nargs="+", default=[0.25], choices=list(MESHES),
                         help="sizes of the pads that compare the shapes (default: 0.25)")
+    parser.add_argument("--step", type=float, default=0.5, help="time step that compares the shapes (default: 0.5)")
     parser.add_argument("--finished", action="store_true", help="no new runs: only those that are finished")
     arguments = parser.parse_args()
     if arguments.only in (None, "shapes"):
-        draw_curves(compare_shapes(arguments.results, arguments.scales, arguments.finished))
+        draw_curves(compare_shapes(arguments.results, arguments.scales, arguments.step, arguments.finished))
     if arguments.only in (None, "parameters"):
         draw_parameters(*compare_parameters(arguments.results, arguments.finished))
     if arguments.only in (None, "ends"):
