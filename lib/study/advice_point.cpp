@@ -27,7 +27,7 @@ std::string description_of(const AdviceDirections& directions, const AdvicePoint
   const auto add = [&text](const std::string& more) { text += (text.empty() || more.empty() ? "" : ", ") + more; };
   for (std::size_t d = 0; d < point.size(); ++d) {
     const AdviceDirection& direction = directions.all[d];
-    if (!direction.converges && point[d].branch == 0) continue;
+    if (d > mesh_direction && point[d] == AdvicePlace{0, direction.scene_level}) continue;
     const AdviceLevel& level = level_at(directions, point, d);
     if (direction.converges) {
       add(branch_at(directions, point, d).label);
