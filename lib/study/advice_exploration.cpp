@@ -7,6 +7,7 @@ namespace ixos {
 namespace {
 
 constexpr double saving_of_a_choice = 0.25;
+constexpr double least_share = 0.25;  ///< of the tolerance, that counts as left for a direction
 
 bool was_run(const std::vector<AdviceSample>& samples, const AdvicePoint& point) {
   return std::any_of(samples.begin(), samples.end(), [&](const AdviceSample& sample) { return sample.point == point; });
@@ -43,6 +44,15 @@ bool next_level(const std::vector<AdviceSample>& samples, const AdviceErrors& er
   return !was_run(samples, trial.point);
 }
 
+/// Returns what the other directions of the plan leave of the tolerance to one direction; at least a part of it.
+double share(const AdviceErrors& errors, const AdvicePoint& plan, std::size_t d, double tolerance) {
+  const AdviceEstimate estimate = errors.estimate(plan);
+  double left = tolerance;
+  for (std::size_t q = 0; q < estimate.errors.size(); ++q)
+    left = std::min(left, tolerance - (estimate.errors[q] - estimate.parts[q][d]));
+  return std::max(left, least_share * tolerance);
+}
+
 }  // namespace
 
 std::vector<AdviceTrial> explorations(const AdviceDirections& directions, const AdvicePoint& base,
@@ -63,7 +73,7 @@ std::vector<AdviceTrial> explorations(const AdviceDirections& directions, const 
         const std::size_t end = b == 0 ? direction.scene_level : direction.branches[b].levels.size();
         for (place.level = 0; place.level < end; ++place.level)
           if (!was_run(samples, trial.point)) trials.push_back(trial);
-      } else if (b > 0 && next_level(samples, errors, d, plan[d].level, tolerance, trial)) {
+      } else if (b > 0 && next_level(samples, errors, d, plan[d].level, share(errors, plan, d, tolerance), trial)) {
         trials.push_back(trial);
       }
     }

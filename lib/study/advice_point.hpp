@@ -45,6 +45,9 @@ Assignments settings_of(const AdviceDirections& directions, const AdvicePoint& p
 /// but for scheme, step, element and mesh.
 std::string description_of(const AdviceDirections& directions, const AdvicePoint& point);
 
+/// Returns the choice of a point in a direction: "Newmark, time step 0.4", "surface points 3".
+std::string place_label(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d);
+
 /// Returns a name for the folder of the point's run, of plain letters, digits, dots and dashes. Points have different
 /// names.
 std::string name_of(const AdviceDirections& directions, const AdvicePoint& point);
