@@ -279,6 +279,8 @@ bool AdviceSearch::examine_suspects() {
 /// Refines until settings keep the tolerance.
 AdviceStatus AdviceSearch::refine() {
   for (std::size_t round = 0; round < most_rounds; ++round) {
+    // Chaos may show on finer meshes, or with some steps, only.
+    if (needs_perturbation(base_) && !is_predictable(base_)) return AdviceStatus::Chaotic;
     if (!has_line(time_direction) || !has_line(mesh_direction)) {
       if (extend(has_line(time_direction) ? mesh_direction : time_direction)) continue;
       return AdviceStatus::Unreachable;
