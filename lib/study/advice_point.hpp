@@ -24,7 +24,7 @@ struct AdviceSample {
   std::vector<double> values;   ///< of the quantities, in their order
   bool refused = false;         ///< whether ixos took the scene for bad input
   double seconds = 0;           ///< of processor time
-  double seconds_per_step = 0;  ///< of wall-clock time, without what a run does before its first step
+  double seconds_per_step = 0;  ///< at most, without what a run does before its first step if the machine is idle
   double steps = 0, dofs = 0;
 };
 

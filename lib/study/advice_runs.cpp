@@ -73,7 +73,9 @@ AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run
   sample.reason = result.reason;
   sample.refused = result.refused;
   sample.seconds = result.cpu_seconds;
-  sample.seconds_per_step = result.wall_seconds / static_cast<double>(std::max(1L, result.steps));
+  // Wall-clock time leaves out the start, processor time leaves out the waiting of a busy machine.
+  const double seconds = std::min(result.wall_seconds, result.cpu_seconds);
+  sample.seconds_per_step = seconds / static_cast<double>(std::max(1L, result.steps));
   sample.dofs = static_cast<double>(result.dofs);
   sample.steps = static_cast<double>(result.steps + result.rejected_steps);
   if (!result.reached_its_end()) return sample;

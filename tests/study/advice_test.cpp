@@ -85,6 +85,45 @@ TEST_F(AdviceTest, KeepsTheToleranceOfASmoothScene) {
   EXPECT_EQ(advised.sublist("Time Integrator").sublist("Time Step Control").get<double>("Final Time"), 10);
 }
 
+TEST_F(AdviceTest, OnlyTheRecommendedRunIsFineInBothDirections) {
+  const Advice found = advice("3 * (1 + 4 * dt**2 + 0.08 * h**2)", 0.01);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  double work = 0;
+  for (const AdviceSample& sample : found.samples) {
+    work += sample.steps * sample.dofs;
+    if (sample.point == found.best.point) continue;
+    EXPECT_FALSE(level_at(found.directions, sample.point, time_direction).size <= dt &&
+                 level_at(found.directions, sample.point, mesh_direction).size <= h)
+        << description_of(found.directions, sample.point);
+  }
+  const auto best = std::find_if(found.samples.begin(), found.samples.end(),
+                                 [&](const AdviceSample& sample) { return sample.point == found.best.point; });
+  ASSERT_NE(best, found.samples.end());
+  EXPECT_LE(work, 8 * best->steps * best->dofs) << told_;
+}
+
+TEST_F(AdviceTest, ALooseToleranceOfNewtonsMethodIsMeasured) {
+  question_.common = {"Nonlinear Solver/Tolerance=1e-3"};
+  const Advice found = advice("1 + 10 * tolerance + 0.1 * dt**2 + 0.0001 * h**2", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  ASSERT_EQ(found.directions.all[2].name, "Newton tolerance");
+  EXPECT_NEAR(found.exact[0], 1, 1e-3);
+  EXPECT_GE(found.best.estimate.parts[0][2], found.best.point[2].level == 0 ? 0.0099 : 0.000099);
+}
+
+TEST_F(AdviceTest, ChoicesAreToldWithTheirErrors) {
+  const Advice found = advice("1 + 4 * dt**2 + 0.08 * h**2 + (0.03 if tolerance == 1e-6 else 0)", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  for (const AdviceChoice& choice : found.choices) {
+    EXPECT_FALSE(choice.label.empty());
+    if (choice.label == "Newton tolerance 1e-06") {
+      EXPECT_NEAR(choice.errors[0], 0.03, 0.001);
+    }
+  }
+  EXPECT_EQ(found.sample_errors.size(), found.samples.size());
+}
+
 TEST_F(AdviceTest, FinishedRunsAreReused) {
   const std::string formula = "3 * (1 + 4 * dt**2 + 0.08 * h**2)";
   const Advice first = advice(formula, 0.05);
@@ -109,6 +148,13 @@ TEST_F(AdviceTest, ChaosIsCalledChaos) {
   EXPECT_EQ(found.status, AdviceStatus::Chaotic);
   EXPECT_NE(found.problem.find("The scene is chaotic for final force"), std::string::npos) << found.problem;
   EXPECT_FALSE(std::ifstream(options_.folder + "/advised.xml").good());
+}
+
+TEST_F(AdviceTest, ChaosIsFoundAtALaterBase) {
+  // The finest of the first three steps amplifies the perturbation a thousand times, the base's own without limit.
+  const Advice found =
+      advice("1 + dt**2 + 0.001 * h**2 + (1e3 * change if dt < 0.03 else 0.1 * sin(1e12 * change))", 0.01);
+  EXPECT_EQ(found.status, AdviceStatus::Chaotic) << told_;
 }
 
 TEST_F(AdviceTest, AToleranceThatNothingReaches) {
