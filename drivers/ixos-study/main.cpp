@@ -6,11 +6,9 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -31,14 +29,6 @@
 #include "study/study_runner.hpp"
 
 namespace {
-
-/// Lets the runs, which are processes without mpirun, start without a daemon of Open MPI and without its networks: that
-/// takes 0.3 s of each. What the user has set is kept.
-void start_runs_without_a_daemon() {
-  for (const auto& [name, value] : {std::pair("OMPI_MCA_ess_singleton_isolated", "1"), std::pair("OMPI_MCA_pml", "ob1"),
-                                    std::pair("OMPI_MCA_btl", "self")})
-    setenv(name, value, 0);
-}
 
 struct Arguments {
   std::string study;
@@ -213,7 +203,6 @@ int answer(int argc, char** argv) {
 
 int parse_and_run(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
-  start_runs_without_a_daemon();
   const int status = answer(argc, argv);
   const std::string lost = ixos::console::lost();
   if (status != 0 || lost.empty()) return status;

@@ -45,7 +45,7 @@ class AdviceSearch {
   AdviceStatus refine();
   void improve();
   AdvicePoint own_plan(const std::vector<AdviceCandidate>& all) const;
-  bool try_one(const std::vector<AdviceTrial>& trials, const std::vector<double>& allowance);
+  bool try_best(std::vector<AdviceTrial> trials, const std::vector<double>& allowance);
   bool try_before(std::size_t d);
   bool confirm_order(const AdviceCandidate& plan, double least);
   bool pays(double seconds, const AdviceCandidate& plan) const;

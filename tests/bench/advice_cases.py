@@ -295,7 +295,7 @@ def main():
     parser.add_argument("--cases", type=int, default=100)
     parser.add_argument("--minutes", type=float, default=1e9, help="begin no case after so many minutes")
     parser.add_argument("--grid", type=int, default=5, help="advised cases whose full grid is run")
-    parser.add_argument("--budget", type=float, default=15, help="seconds of processor time of an advice")
+    parser.add_argument("--budget", type=float, default=20, help="seconds of processor time of an advice")
     parser.add_argument("--reference", type=float, default=15, help="seconds that a reference should take at most")
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("advice-cases.results"))
     parser.add_argument("--drivers", type=pathlib.Path, default=ROOT / "build/release/drivers")
