@@ -19,7 +19,8 @@ using AdvicePoint = std::vector<AdvicePlace>;
 /// A run that an advice carried out.
 struct AdviceSample {
   AdvicePoint point;
-  bool good = false;            ///< whether it reached its end and has all quantities
+  bool reached_end = false;     ///< whether the run ended as it should
+  bool good = false;            ///< whether it did, and has all quantities
   std::string reason;           ///< why not
   std::vector<double> values;   ///< of the quantities, in their order
   bool refused = false;         ///< whether ixos took the scene for bad input

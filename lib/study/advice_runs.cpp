@@ -78,7 +78,8 @@ AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run
   sample.seconds_per_step = seconds / static_cast<double>(std::max(1L, result.steps));
   sample.dofs = static_cast<double>(result.dofs);
   sample.steps = static_cast<double>(result.steps + result.rejected_steps);
-  if (!result.reached_its_end()) return sample;
+  sample.reached_end = result.reached_its_end();
+  if (!sample.reached_end) return sample;
   try {
     const RunHistory history(pool_.folder(run));
     for (const AskedQuantity& quantity : question_.quantities) sample.values.push_back(quantity.value(history));

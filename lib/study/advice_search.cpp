@@ -97,21 +97,31 @@ AdviceStatus AdviceSearch::find() {
 bool AdviceSearch::start() {
   for (; base_[mesh_direction].level < levels(mesh_direction); ++base_[mesh_direction].level) {
     std::vector<AdvicePoint> batch;
-    for (std::size_t level = 0; level < std::min(least_points, levels(time_direction)); ++level)
+    double seconds = 0;
+    for (std::size_t level = 0; level < std::min(least_points, levels(time_direction)); ++level) {
       batch.push_back(moved(time_direction, level));
+      seconds += runs_.sample(batch.back()) == nullptr ? costs().seconds(batch.back()) : 0;
+    }
+    if (!runs_.affords(seconds)) break;
     runs_.carry_out(batch);
+    const bool lack_quantities = std::all_of(batch.begin(), batch.end(), [&](const AdvicePoint& point) {
+      const AdviceSample* sample = runs_.sample(point);
+      return sample->reached_end && !sample->good;
+    });
+    if (lack_quantities) {
+      problem_ = "The runs end as they should, but do not give the quantities: " + runs_.sample(batch.back())->reason;
+      return false;
+    }
     for (std::size_t level = least_points; level < levels(time_direction); ++level) {
       const AdvicePoint next = moved(time_direction, level);
       if (errors().tested(time_direction, 0) > 0 || !runs_.affords(costs().seconds(next))) break;
       runs_.carry_out({next});
     }
-    const AdviceErrors known = errors();
-    if (known.tested(time_direction, 0) > 0) {
-      base_[time_direction].level = known.finest(time_direction, 0);
-      coarsest_mesh_ = base_[mesh_direction].level;
-      return true;
-    }
-    if (!runs_.affords(0)) break;
+    const std::vector<std::size_t> good = errors().levels(time_direction, 0);
+    if (good.empty()) continue;
+    base_[time_direction].level = good.back();
+    coarsest_mesh_ = base_[mesh_direction].level;
+    return true;
   }
   problem_ = "No run gave the quantities within the budget. The last one: " + runs_.samples().back().reason + ".";
   return false;

@@ -144,6 +144,16 @@ TEST_F(AdviseDriverTest, BadQuestionsAreRefused) {
   expect_refused(advise, "an advice needs a quantity");
   expect_refused(advise + "--quantity 'peek P_uy'", "\"peek P_uy\": this is no quantity. Quantities are:");
   expect_refused(advise + "--quantity 'mean P_uy [3, 4]'", "the window holds no rows: the run is from 0 to 2 T0");
+  const Outcome early =
+      run("--advise block.xml --quantity 'mean P_uy [0, 1.9]' --output early --set 'Time Integrator/Stop/S/"
+          "Type=Probe' --set 'Time Integrator/Stop/S/Probe/Name=P' --set 'Time "
+          "Integrator/Stop/S/Probe/Quantity=uy' --set 'Time Integrator/Stop/S/Probe/Limit=0.1'");
+  EXPECT_EQ(early.status, 3) << early.output;
+  EXPECT_NE(
+      early.output.find("The runs end as they should, but do not give the quantities: \"mean P_uy [0, 1.9]\": the "
+                        "run ended at "),
+      std::string::npos)
+      << early.output;
   expect_refused(advise + "--quantity 'peak P_uu'", "column \"P_uu\" does not exist; did you mean \"P_u");
   expect_refused(advise + "--quantity 'peak P_uy' --tolerance much", "--tolerance: \"much\" is no tolerance");
   expect_refused(advise + "--quantity 'peak P_uy' --tolerance 0", "is no tolerance");

@@ -46,7 +46,7 @@ class AdviceTest : public testing::Test {
     setenv("IXOS_FORMULA", formula.c_str(), 1);
     question_.quantities = {AskedQuantity(quantity)};
     question_.tolerance = tolerance;
-    const Advice found = advise(question_, options_);
+    Advice found = advise(question_, options_);
     write_advice(question_, found, options_.folder, "command", "1");
     return found;
   }
