@@ -88,7 +88,7 @@ def answer(advice):
 
 
 def quantities(advice):
-    """What is known of each quantity."""
+    """The errors of each quantity and their parts."""
     rows = []
     for each in advice["quantities"]:
         for name, part in each.get("parts", {}).items():
@@ -101,7 +101,7 @@ def quantities(advice):
 
 
 def choices(advice):
-    """What other choices cost."""
+    """The errors and times of other choices."""
     rows = [(False, [text(each["choice"]), *(text(percent(error), "number") for error in each["errors"]),
                      number(each["seconds"])]) for each in advice["choices"]]
     names = [f"error of {each['name']}" for each in advice["quantities"]]
@@ -111,7 +111,7 @@ def choices(advice):
 
 
 def tolerances(advice):
-    """What other tolerances cost."""
+    """The settings for other tolerances."""
     rows = []
     for each in advice["other_tolerances"]:
         found = each["settings"]

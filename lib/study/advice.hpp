@@ -29,7 +29,7 @@ struct AdviceOptions {
   std::function<bool()> interrupted;             ///< called between polls; may be empty
 };
 
-/// What another choice in one direction costs in accuracy.
+/// Another choice in one direction, and the error that it causes.
 struct AdviceChoice {
   std::string direction, label;
   std::vector<double> errors;  ///< by quantity, relative: of this direction alone

@@ -1,4 +1,4 @@
-/// What an advice may change beside scheme, step, elements and mesh.
+/// The settings that an advice may change beside scheme, step, elements and mesh.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <vector>

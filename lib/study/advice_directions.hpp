@@ -32,7 +32,7 @@ struct AdviceDirection {
   /// Whether refinement leads to the exact solution. If not, the scene's own branch counts as exact, and the direction
   /// is a choice of the model.
   bool converges = true;
-  /// Of directions after step and mesh: whether the next level must be run because the scene's own may be inaccurate.
+  /// Whether, in a direction after step and mesh, the next level must be run because the scene's own may be inaccurate.
   /// Otherwise the scene's own counts as exact.
   bool suspect = false;
 };

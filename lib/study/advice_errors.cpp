@@ -10,7 +10,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double order_of_schemes = 2;
-/// Of an uncertainty, that is left if one more level confirms the order of three.
+/// The part of an uncertainty that is left if one more level confirms the order of three.
 constexpr double hoped_part = 0.25;
 
 template <class Range>
