@@ -223,6 +223,13 @@ std::string AdviceErrors::reason(std::size_t direction, std::size_t quantity) co
   return lines_[direction][0].errors[quantity].reason;
 }
 
+bool AdviceErrors::has_order(std::size_t direction) const {
+  const std::vector<SequenceErrors>& errors = lines_[direction][0].errors;
+  for (std::size_t q = 0; q < errors.size(); ++q)
+    if (!is_error_[q] && errors[q].order == 0 && errors[q].limit_uncertainty > 0) return false;
+  return true;
+}
+
 std::size_t AdviceErrors::tested(std::size_t direction, std::size_t branch) const {
   return lines_[direction][branch].levels.size();
 }

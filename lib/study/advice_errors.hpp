@@ -46,6 +46,9 @@ class AdviceErrors {
   /// Returns the errors to hope for if a direction is refined once more and the sequence turns out to be asymptotic.
   AdviceErrors hopeful(std::size_t direction) const;
 
+  /// Returns whether the scene's own sequence in a direction has an order for all quantities that have one.
+  bool has_order(std::size_t direction) const;
+
   /// Returns the number of good runs on a line, their levels, and the finest level among them.
   std::size_t tested(std::size_t direction, std::size_t branch) const;
   const std::vector<std::size_t>& levels(std::size_t direction, std::size_t branch) const;

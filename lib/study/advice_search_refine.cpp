@@ -99,12 +99,13 @@ double AdviceSearch::finest_part(std::size_t d) const {
   return most;
 }
 
-/// Refines a direction once more. If the last refinement did not help, its sequence does not converge at this base:
-/// then it is measured at a base that is finer in the other direction.
+/// Refines a direction once more. If its sequence has no order, or the last refinement did not help, it does not
+/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction.
 bool AdviceSearch::refine_line(std::size_t d) {
   const double part = finest_part(d);
-  const bool futile = part > helpful * last_part_[d];
-  if (futile && d <= mesh_direction && move_base({d == time_direction ? mesh_direction : time_direction})) {
+  const bool irregular = !errors().has_order(d), futile = part > helpful * last_part_[d];
+  if ((irregular || futile) && d <= mesh_direction &&
+      move_base({d == time_direction ? mesh_direction : time_direction})) {
     last_part_[d] = std::numeric_limits<double>::infinity();
     return true;
   }
