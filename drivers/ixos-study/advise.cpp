@@ -61,6 +61,10 @@ void declare_advice(CLI::App& app, AdviceArguments& arguments) {
                    "compare the recommended settings with half the step on a finer mesh"));
 }
 
+std::string advice_folder(const AdviceArguments& arguments, const std::string& output) {
+  return output.empty() ? std::filesystem::path(arguments.scene).stem().string() + "-advice.results" : output;
+}
+
 double read_tolerance(const std::string& text) {
   std::string digits = trimmed(text);
   const bool percent = !digits.empty() && digits.back() == '%';
@@ -80,7 +84,7 @@ int advise(const AdviceArguments& arguments, const std::string& output, const st
                           arguments.budget, arguments.verify};
   for (const std::string& quantity : arguments.quantities) question.quantities.emplace_back(quantity);
   AdviceOptions options;
-  options.folder = output.empty() ? std::filesystem::path(arguments.scene).stem().string() + "-advice.results" : output;
+  options.folder = advice_folder(arguments, output);
   options.driver = driver;
   options.version = IXOS_VERSION;
   options.jobs = arguments.jobs;

@@ -59,10 +59,10 @@ std::string how_to_begin() {
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
-/// The script that draws the plots and writes the report. It is in the folder of the script that the link ixos-plot
+/// Returns a script that draws plots and writes a report. It is in the folder of the script that the link ixos-plot
 /// beside this program points to.
-std::string report_script() {
-  return (std::filesystem::weakly_canonical(own_folder() / "ixos-plot").parent_path() / "study.py").string();
+std::string report_script(const char* name) {
+  return (std::filesystem::weakly_canonical(own_folder() / "ixos-plot").parent_path() / name).string();
 }
 
 void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t total, const std::string& measure,
@@ -76,9 +76,9 @@ void print_run(const ixos::StudyResult& result, std::size_t done, std::size_t to
   std::fflush(stdout);
 }
 
-int make_report(const std::string& folder, bool quiet) {
-  const std::string log = folder + "/report.log";
-  ixos::ChildProcess script({report_script(), folder}, log);
+int make_report(const char* name, const std::string& data, const std::string& folder, bool quiet) {
+  const std::string script_file = report_script(name), log = folder + "/report.log";
+  ixos::ChildProcess script({script_file, folder}, log);
   ixos::ChildOutcome outcome;
   while (!script.ended(outcome)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (outcome.exit_status == 0) {
@@ -87,16 +87,23 @@ int make_report(const std::string& folder, bool quiet) {
     return 0;
   }
   ixos::console::complain(
-      "ixos-study: study.csv is complete, but the script for plots and report failed; {} has its messages (it needs "
+      "ixos-study: {} is complete, but the script for plots and report failed; {} has its messages (it needs "
       "python3 with matplotlib). To repeat it: {} {}\n",
-      ixos::printable(log), report_script(), ixos::printable(folder));
+      data, ixos::printable(log), script_file, ixos::printable(folder));
   return 4;
 }
 
+int run_advice(const Arguments& arguments) {
+  const std::string folder = ixos::advice_folder(arguments.advice, arguments.output);
+  const int status = ixos::advise(arguments.advice, arguments.output, (own_folder() / "ixos").string(),
+                                  arguments.overwrite, arguments.quiet);
+  if (status != 0 && status != 3) return status;
+  const int written = make_report("advice.py", "advice.json", folder, arguments.quiet);
+  return status != 0 ? status : written;
+}
+
 int run(const Arguments& arguments) {
-  if (!arguments.advice.scene.empty())
-    return ixos::advise(arguments.advice, arguments.output, (own_folder() / "ixos").string(), arguments.overwrite,
-                        arguments.quiet);
+  if (!arguments.advice.scene.empty()) return run_advice(arguments);
   const ixos::Study study = ixos::read_study(arguments.study);
   if (arguments.list) {
     for (const ixos::StudyRun& run : study.runs)
@@ -129,7 +136,7 @@ int run(const Arguments& arguments) {
     return 5;
   }
   if (!arguments.quiet) ixos::console::say("{}\n", ixos::printable(outcome.recommendation));
-  return make_report(options.folder, arguments.quiet);
+  return make_report("study.py", "study.csv", options.folder, arguments.quiet);
 }
 
 int guarded(const Arguments& arguments) {

@@ -1,4 +1,4 @@
-"""A study's report.html, one file that needs no other."""
+"""The report.html of a study, one file that needs no other, and what the report of an advice shares with it."""
 import base64
 import collections
 import html
@@ -182,21 +182,24 @@ def origin(study):
             paragraph(f"Version {data['version']}. All numbers: study.csv.", "soft")]
 
 
-def write_report(study, pictures):
-    """Writes report.html; pictures: SVG as bytes by measure."""
-    counts = collections.Counter(run["status"] for run in study.runs.values())
-    told = ", ".join(f"{counts[name]} {name}" for name in GOOD + FAILED + OPEN if counts[name])
-    axes = [name for name, labels in study.axes.items() if len(labels) > 1]
-    name = html.escape(study.data["name"])
-    parts = [f"<h1>{name}</h1>", paragraph(f"{study.data['scene']} · {len(study.runs)} runs: {told}", "soft"),
-             advice(study), *plots(study, pictures), *usability(study), *pareto(study, axes), *all_runs(study, axes),
-             *origin(study)]
+def write_page(path, name, parts):
+    """Writes a page that needs no other file; parts: HTML below the heading."""
+    name = html.escape(name)
     head = ('<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
             '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-            f"<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n")
-    path = study.folder / "report.html"
+            f"<title>{name}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n<h1>{name}</h1>\n")
     try:
         path.write_text(head + "\n".join(parts) + "\n</body>\n</html>\n", encoding="utf-8")
     except OSError as error:
         raise ResultsError(f"{path} cannot be written: {error.strerror}") from None
     print(path)
+
+
+def write_report(study, pictures):
+    """Writes report.html; pictures: SVG as bytes by measure."""
+    counts = collections.Counter(run["status"] for run in study.runs.values())
+    told = ", ".join(f"{counts[name]} {name}" for name in GOOD + FAILED + OPEN if counts[name])
+    axes = [name for name, labels in study.axes.items() if len(labels) > 1]
+    parts = [paragraph(f"{study.data['scene']} · {len(study.runs)} runs: {told}", "soft"), advice(study),
+             *plots(study, pictures), *usability(study), *pareto(study, axes), *all_runs(study, axes), *origin(study)]
+    write_page(study.folder / "report.html", study.data["name"], parts)

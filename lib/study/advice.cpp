@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -17,6 +18,28 @@ namespace {
 
 constexpr std::array<double, 5> other_tolerances{10, 3, 1, 1.0 / 3, 0.1};
 constexpr std::size_t extrapolated_levels = 3;
+
+/// Returns what the places off the recommended point contribute to the errors: of step and mesh, other branches at
+/// their finest tested level.
+std::vector<AdviceChoice> choices(const AdviceDirections& directions, const AdvicePoint& best,
+                                  const AdviceErrors& known, const AdviceCosts& cost) {
+  std::vector<AdviceChoice> all;
+  for (std::size_t d = 0; d < best.size(); ++d)
+    for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b) {
+      if (known.tested(d, b) == 0 || (d <= mesh_direction && b == best[d].branch)) continue;
+      std::vector<std::size_t> levels = known.levels(d, b);
+      if (d <= mesh_direction) levels = {levels.back()};
+      for (std::size_t level : levels) {
+        AdvicePoint point = best;
+        point[d] = {b, level};
+        if (point == best) continue;
+        AdviceChoice found{directions.all[d].name, place_label(directions, point, d), {}, cost.seconds(point)};
+        for (const std::vector<double>& parts : known.estimate(point).parts) found.errors.push_back(parts[d]);
+        if (std::isfinite(found.errors.front())) all.push_back(found);
+      }
+    }
+  return all;
+}
 
 /// Fills in the answer, and what the runs tell beside it.
 void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advice) {
@@ -34,6 +57,9 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
     return;
   }
   advice.best = *best;
+  for (const AdviceSample& each : search.runs().samples())
+    advice.sample_errors.push_back(known.estimate(each.point).largest());
+  advice.choices = choices(advice.directions, best->point, known, cost);
   const AdviceSample* sample = search.runs().sample(best->point);
   advice.confirmed = sample != nullptr && sample->good;
   advice.trades = best_trades(tested);
@@ -96,6 +122,7 @@ Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
     advice.status = AdviceStatus::Interrupted;
   }
   advice.samples = search.runs().samples();
+  advice.sample_errors.resize(advice.samples.size(), std::numeric_limits<double>::infinity());
   advice.spent = search.runs().spent();
   advice.budget = search.runs().budget();
   return advice;

@@ -29,6 +29,13 @@ struct AdviceOptions {
   std::function<bool()> interrupted;             ///< called between polls; may be empty
 };
 
+/// Another choice in one direction, and the error that it causes.
+struct AdviceChoice {
+  std::string direction, label;
+  std::vector<double> errors;  ///< by quantity, relative: of this direction alone
+  double seconds = 0;          ///< of the recommended settings with this choice, to expect
+};
+
 /// Chaotic: a quantity depends on perturbations of 1e-10. Unreachable: no settings keep the tolerance that the budget
 /// could find. NoRun: no run reached its end.
 enum class AdviceStatus { Advised, Chaotic, Unreachable, NoRun, Interrupted };
@@ -37,8 +44,10 @@ struct Advice {
   AdviceStatus status = AdviceStatus::Interrupted;
   AdviceDirections directions;
   std::vector<AdviceSample> samples;
-  std::vector<Sensitivity> sensitivities;         ///< by quantity; empty if they were not measured
-  std::vector<double> exact;                      ///< by quantity: its estimated exact value
+  std::vector<double> sample_errors;       ///< by sample: the largest error of the quantities; infinite if unknown
+  std::vector<AdviceChoice> choices;       ///< that were tried beside the recommended ones
+  std::vector<Sensitivity> sensitivities;  ///< by quantity; empty if they were not measured
+  std::vector<double> exact;               ///< by quantity: its estimated exact value
   std::vector<std::vector<std::string>> reasons;  ///< by direction and quantity: how the errors are known
   /// The recommended settings; if there are none, those of the smallest error, or without a point if none is known.
   AdviceCandidate best;

@@ -9,8 +9,20 @@ namespace {
 /// The steps of an adaptive run grow as its tolerance falls, with this power: that of a scheme of second order.
 constexpr double adaptive_power = 1.0 / 3;
 
-bool is_the_scenes_own(const AdvicePoint& point) {
-  return std::all_of(point.begin(), point.end(), [](const AdvicePlace& place) { return place.branch == 0; });
+/// Returns whether a place has the scene's own cost but for its steps and degrees of freedom.
+bool is_own(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {
+  return point[d].branch == 0 && (d <= mesh_direction || point[d].level == directions.all[d].scene_level);
+}
+
+/// Returns in how many directions a point is not the scene's own; the last of them is `direction`.
+std::size_t others(const AdviceDirections& directions, const AdvicePoint& point, std::size_t& direction) {
+  std::size_t count = 0;
+  for (std::size_t d = 0; d < point.size(); ++d) {
+    if (is_own(directions, point, d)) continue;
+    direction = d;
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace
@@ -21,23 +33,32 @@ AdviceCosts::AdviceCosts(const AdviceDirections& directions, const std::vector<A
   for (const AdviceSample& sample : samples) {
     if (!(sample.steps > 0 && sample.dofs > 0 && sample.seconds > 0)) continue;
     samples_.push_back(sample);
-    if (is_the_scenes_own(sample.point)) own.push_back({sample.steps, sample.dofs, sample.seconds});
+    std::size_t direction = 0;
+    if (others(directions, sample.point, direction) == 0) own.push_back({sample.steps, sample.dofs, sample.seconds});
   }
   model_ = fit_costs(own);
-  for (std::size_t d = 0; d < directions.all.size(); ++d) {
-    std::vector<double>& factors = factors_.emplace_back(directions.all[d].branches.size(), 1);
-    for (std::size_t b = 1; b < factors.size(); ++b) {
-      double sum = 0, count = 0;
-      for (const AdviceSample& sample : samples_) {
-        AdvicePoint without = sample.point;
-        without[d].branch = 0;
-        if (sample.point[d].branch != b || !is_the_scenes_own(without)) continue;
-        sum += std::log(sample.seconds / model_.seconds(sample.steps, sample.dofs));
-        ++count;
-      }
-      if (count > 0) factors[b] = std::exp(sum / count);
-    }
+  // Geometric means of the runs that differ from the scene's own in one choice.
+  std::vector<std::vector<std::vector<double>>> counts;
+  for (const AdviceDirection& direction : directions.all) {
+    factors_.emplace_back();
+    for (const AdviceBranch& branch : direction.branches) factors_.back().emplace_back(branch.levels.size(), 0);
   }
+  counts = factors_;
+  for (const AdviceSample& sample : samples_) {
+    std::size_t d = 0;
+    if (others(directions, sample.point, d) != 1) continue;
+    const std::size_t level = d <= mesh_direction ? 0 : sample.point[d].level, branch = sample.point[d].branch;
+    factors_[d][branch][level] += std::log(sample.seconds / model_.seconds(sample.steps, sample.dofs));
+    ++counts[d][branch][level];
+  }
+  for (std::size_t d = 0; d < factors_.size(); ++d)
+    for (std::size_t b = 0; b < factors_[d].size(); ++b)
+      for (std::size_t level = 0; level < factors_[d][b].size(); ++level)
+        factors_[d][b][level] = std::exp(factors_[d][b][level] / std::max(1.0, counts[d][b][level]));
+}
+
+double AdviceCosts::factor(const AdvicePoint& point, std::size_t d) const {
+  return factors_[d][point[d].branch][d <= mesh_direction ? 0 : point[d].level];
 }
 
 const AdviceSample* AdviceCosts::nearest(const AdvicePoint& point, std::size_t d) const {
@@ -74,7 +95,7 @@ double AdviceCosts::seconds(const AdvicePoint& point) const {
   for (const AdviceSample& sample : samples_)
     if (sample.good && sample.point == point) return sample.seconds;
   double seconds = model_.seconds(steps(point), dofs(point));
-  for (std::size_t d = 0; d < point.size(); ++d) seconds *= factors_[d][point[d].branch];
+  for (std::size_t d = 0; d < point.size(); ++d) seconds *= factor(point, d);
   return seconds;
 }
 

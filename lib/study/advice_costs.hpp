@@ -8,7 +8,7 @@
 namespace ixos {
 
 /// Costs of points from those of the runs: steps and degrees of freedom by the model that is fitted to the runs, and a
-/// factor for each branch that is not the scene's own.
+/// factor for each choice that is not the scene's own.
 class AdviceCosts {
  public:
   AdviceCosts(const AdviceDirections& directions, const std::vector<AdviceSample>& samples);
@@ -21,13 +21,15 @@ class AdviceCosts {
  private:
   double steps(const AdvicePoint& point) const;
   double dofs(const AdvicePoint& point) const;
+  double factor(const AdvicePoint& point, std::size_t d) const;
   /// Returns the sample whose level in a direction is the nearest to the point's, of the same branch if there is one.
   const AdviceSample* nearest(const AdvicePoint& point, std::size_t d) const;
 
   const AdviceDirections& directions_;
   std::vector<AdviceSample> samples_;
   CostModel model_;
-  std::vector<std::vector<double>> factors_;  ///< by direction and branch
+  /// By direction, branch and level; of step and mesh, the first level stands for all.
+  std::vector<std::vector<std::vector<double>>> factors_;
 };
 
 }  // namespace ixos

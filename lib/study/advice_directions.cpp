@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parameters/parameter_entries.hpp"
 #include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
+#include "study/advice_choices.hpp"
+#include "study/advice_lists.hpp"
 #include "study/advice_mesh.hpp"
 #include "time/catalogue.hpp"
 
@@ -21,33 +22,6 @@ constexpr int coarser_steps = 4, finer_steps = 5;
 constexpr double perturbation_size = 1e-10;
 
 const char* const control_path = "Time Integrator/Time Step Control/";
-const char* const linear_material = "Linear Elastic";
-
-/// Returns the names of the sublists whose paths a setting can name.
-std::vector<std::string> names_of(const List& lists) {
-  std::vector<std::string> names;
-  for (const auto& [name, entry] : entries(lists))
-    if (entry.isList() && name.find_first_of("=/") == std::string::npos) names.push_back(name);
-  return names;
-}
-
-/// Returns the setting of a parameter in all of these lists.
-Assignments in_all(const std::string& path, const std::vector<std::string>& names, const std::string& setting) {
-  Assignments result;
-  result.reserve(names.size());
-  for (const std::string& name : names) result.push_back(fmt::format("{}/{}/{}", path, name, setting));
-  return result;
-}
-
-/// Returns whether a text has the same value in all of these lists, and that value is one of the words.
-bool all_are(const List& lists, const std::vector<std::string>& names, const char* entry,
-             const std::vector<std::string>& words) {
-  return !names.empty() && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    const std::string value = lists.sublist(name).get<std::string>(entry);
-    return value == lists.sublist(names.front()).get<std::string>(entry) &&
-           std::find(words.begin(), words.end(), value) != words.end();
-  });
-}
 
 AdviceDirection time_steps(const List& integrator, bool& adaptive) {
   const List& control = integrator.sublist("Time Step Control");
@@ -68,10 +42,12 @@ AdviceDirection time_steps(const List& integrator, bool& adaptive) {
   const std::string& own = integrator.get<std::string>("Type");
   direction.branches.push_back({own, {}, levels});
   if (own == "Static" || own == "Central Difference" || own == "Custom") return direction;
-  for (const char* name : {"Newmark", "Bathe Composite", "Generalized-Alpha", "Average Vector Field", "Energy-Momentum",
+  // The ones first that are most often the cheapest.
+  for (const char* name : {"Generalized-Alpha", "Bathe Composite", "Average Vector Field", "Newmark", "Energy-Momentum",
                            "Gautam-Sauer Composite", "Static"})
     if (name != own)
-      direction.branches.push_back({name, {std::string("Time Integrator/Type=") + scheme(name).name}, levels});
+      direction.branches.push_back(
+          {name, {std::string("Time Integrator/Type=") + scheme(name).name}, levels, name != std::string("Static")});
   return direction;
 }
 
@@ -79,8 +55,8 @@ AdviceDirection time_steps(const List& integrator, bool& adaptive) {
 AdviceDirection meshes(const List& scene, const MeshLevels& found) {
   AdviceDirection direction{"mesh", {}, found.scene_level, true};
   const List &interactions = scene.sublist("Interactions"), &materials = scene.sublist("Materials");
-  const std::vector<std::string> walls = names_of(interactions), bodies = names_of(materials);
-  const std::vector<std::string> elements{"Q1C1", "Q1C2", "Q1C4", "Q1CH"};
+  const std::vector<std::string> walls = list_names(interactions), bodies = list_names(materials);
+  const std::vector<std::string> elements{"Q1C4", "Q1CH", "Q1C2", "Q1C1"};
   const bool linear = scene.sublist("Mesh").get<int>("Cell Order") == 1;
   const bool contact = linear && all_are(interactions, walls, "Contact Element", elements);
   const bool formulation = linear && all_are(materials, bodies, "Element Formulation", {"Standard", "Enhanced"});
@@ -88,11 +64,6 @@ AdviceDirection meshes(const List& scene, const MeshLevels& found) {
   const std::string own_formulation =
       formulation ? materials.sublist(bodies.front()).get<std::string>("Element Formulation") : "";
   direction.branches.push_back({own, {}, found.levels});
-  if (contact)
-    for (const std::string& element : elements)
-      if (element != own)
-        direction.branches.push_back(
-            {element, in_all("Interactions", walls, "Contact Element=" + element), found.levels});
   if (formulation) {
     const std::string other = own_formulation == "Standard" ? "Enhanced" : "Standard";
     direction.branches.push_back(
@@ -103,13 +74,14 @@ AdviceDirection meshes(const List& scene, const MeshLevels& found) {
     quadratic.emplace_back("Mesh/Cell Order=2");
     direction.branches.push_back({"quadratic cells", quadratic, found.levels});
   }
-  return direction;
-}
-
-/// Returns a direction whose branches have one level each: the scene's own, then others.
-AdviceDirection choice(const std::string& name, const std::string& own, const std::vector<AdviceBranch>& others) {
-  AdviceDirection direction{name, {{own, {}, {{"", 1, {}}}}}, 0, false};
-  for (const AdviceBranch& other : others) direction.branches.push_back({other.label, other.settings, {{"", 1, {}}}});
+  // The richer ones come first.
+  bool richer = true;
+  for (const std::string& element : elements) {
+    if (contact && element != own)
+      direction.branches.push_back(
+          {element, in_all("Interactions", walls, "Contact Element=" + element), found.levels, true, richer});
+    richer = richer && element != own;
+  }
   return direction;
 }
 
@@ -122,24 +94,11 @@ AdviceDirections advice_directions(const List& complete) {
   result.dimension = found.dimension;
   result.mesh_note = found.note;
   result.all.push_back(meshes(complete, found));
-  const List &materials = complete.sublist("Materials"), &interactions = complete.sublist("Interactions");
-  const std::vector<std::string> bodies = names_of(materials), walls = names_of(interactions);
-  for (const std::string& body : bodies)
+  for (AdviceDirection& direction : advice_choices(complete)) result.all.push_back(std::move(direction));
+  const List& materials = complete.sublist("Materials");
+  for (const std::string& body : list_names(materials))
     result.perturbation.push_back(fmt::format(
         "Materials/{}/Density={}", body, materials.sublist(body).get<double>("Density") * (1 + perturbation_size)));
-  const double tolerance = complete.sublist("Nonlinear Solver").get<double>("Tolerance");
-  std::vector<AdviceBranch> looser;
-  for (double value : {1e-8, 1e-6})
-    if (value > 2 * tolerance)
-      looser.push_back({fmt::format("{:g}", value), {fmt::format("Nonlinear Solver/Tolerance={:g}", value)}, {}});
-  if (!looser.empty()) result.all.push_back(choice("Newton tolerance", fmt::format("{:g}", tolerance), looser));
-  if (all_are(materials, bodies, "Model", {"Neo-Hooke", "Saint Venant-Kirchhoff"}))
-    result.all.push_back(
-        choice("material", materials.sublist(bodies.front()).get<std::string>("Model"),
-               {{linear_material, in_all("Materials", bodies, std::string("Model=") + linear_material), {}}}));
-  if (!walls.empty())
-    result.all.push_back(
-        choice("surface points", "as given", {{"3 per side", in_all("Interactions", walls, "Surface Points=3"), {}}}));
   return result;
 }
 

@@ -20,6 +20,8 @@ struct AdviceBranch {
   std::string label;
   Assignments settings;
   std::vector<AdviceLevel> levels;  ///< the coarsest first; at least one
+  bool same_limit = true;           ///< whether refinement leads to the solution that the first branch leads to, too
+  bool may_be_better = true;        ///< whether the branch may be more accurate than the first at the same level
 };
 
 /// Branches that exclude each other. The first one is the scene's own.
@@ -28,8 +30,11 @@ struct AdviceDirection {
   std::vector<AdviceBranch> branches;
   std::size_t scene_level = 0;  ///< the level of the scene as it is
   /// Whether refinement leads to the exact solution. If not, the scene's own branch counts as exact, and the direction
-  /// is a choice of the model, of a tolerance, or of quadrature.
+  /// is a choice of the model.
   bool converges = true;
+  /// Whether, in a direction after step and mesh, the next level must be run because the scene's own may be inaccurate.
+  /// Otherwise the scene's own counts as exact.
+  bool suspect = false;
 };
 
 /// Everything that an advice may change. The first two directions are the time step and the mesh.

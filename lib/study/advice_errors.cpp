@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ixos {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double order_of_schemes = 2;
+/// The part of an uncertainty that is left if one more level confirms the order of three.
+constexpr double hoped_part = 0.25;
 
 template <class Range>
 std::size_t place_of_largest(const Range& values) {
@@ -34,10 +37,10 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
   exact_ = base_values_;
   for (std::size_t d = 0; d < directions.all.size(); ++d) {
     std::vector<Line>& lines = lines_.emplace_back();
-    const bool by_pairs = !directions.all[d].converges;
-    for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b)
-      lines.push_back(by_pairs ? pairs(d, b, samples) : line(d, b, samples));
-    if (by_pairs) continue;
+    const Line direct = line(d, 0, {}, samples);  // there is nothing to compare with elsewhere
+    lines.push_back(line(d, 0, direct, samples));
+    for (std::size_t b = 1; b < directions.all[d].branches.size(); ++b)
+      lines.push_back(line(d, b, lines.front(), samples));
     for (std::size_t q = 0; q < quantities; ++q) judge(d, q);
   }
   for (std::size_t q = 0; q < quantities; ++q)
@@ -45,65 +48,25 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
   measure_interaction(samples);
 }
 
-/// Returns the good runs of a branch with everything else at the base, the coarsest first.
-AdviceErrors::Line AdviceErrors::line(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const {
-  Line line;
-  line.points.resize(is_error_.size());
-  const AdviceBranch& branch = directions_.all[d].branches[b];
-  for (std::size_t level = 0; level < branch.levels.size(); ++level) {
-    AdvicePoint point = base_;
-    point[d] = {b, level};
-    for (const AdviceSample& sample : samples) {
-      if (!sample.good || sample.point != point) continue;
-      line.levels.push_back(level);
-      for (std::size_t q = 0; q < is_error_.size(); ++q)
-        line.points[q].push_back({branch.levels[level].size, sample.values[q]});
-      break;
-    }
-  }
-  return line;
-}
-
-/// Returns the largest differences of runs that differ in the branch of a direction alone.
-AdviceErrors::Line AdviceErrors::pairs(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const {
-  Line line;
-  line.errors.resize(is_error_.size());
-  for (SequenceErrors& errors : line.errors) {
-    errors.errors = {0};
-    errors.reason = "the scene's own counts as exact";
-  }
-  if (b == 0) line.levels = {0};
-  for (const AdviceSample& sample : samples) {
-    if (!sample.good || b == 0 || sample.point[d].branch != b) continue;
-    AdvicePoint twin = sample.point;
-    twin[d] = {0, 0};
-    for (const AdviceSample& other : samples) {
-      if (!other.good || other.point != twin) continue;
-      line.levels = {0};
-      for (std::size_t q = 0; q < is_error_.size(); ++q) {
-        double& largest = line.errors[q].errors[0];
-        largest = std::max(largest, std::abs(sample.values[q] - other.values[q]));
-      }
-    }
-  }
-  return line;
-}
-
 /// Judges the branches of a direction for a quantity, and moves the exact value by what the direction adds.
 void AdviceErrors::judge(std::size_t d, std::size_t q) {
   std::vector<Line>& lines = lines_[d];
   SequenceErrors own;
   const std::vector<SequencePoint>& points = lines[0].points[q];
-  const bool refined = directions_.all[d].converges && directions_.all[d].branches[0].levels.size() > 1;
+  const AdviceDirection& direction = directions_.all[d];
+  const bool refined = direction.converges && direction.branches[0].levels.size() > 1;
+  const bool unexamined = d > mesh_direction && finest(d, 0) <= direction.scene_level;
   if (is_error_[q] && d == time_direction) {
     own.errors = errors_against(points, 0, 0);
     own.reason = "the quantity is an error itself";
-  } else if (is_error_[q] || !refined) {
+  } else if (is_error_[q] || !refined || unexamined) {
     own.limit = base_values_[q];
     own.errors = errors_against(points, own.limit, 0);
-    own.reason = is_error_[q] ? "changes of the base" : "not examined";
+    const bool is_choice = !direction.converges || (d > mesh_direction && points.size() > 1);
+    own.reason = is_choice ? "the scene's own counts as exact" : is_error_[q] ? "changes of the base" : "not examined";
   } else if (points.size() > 1) {
     own = sequence_errors(points);
+    share_limit(d, q, own);
     exact_[q] += own.limit - base_values_[q];
   } else {
     own.limit = base_values_[q];
@@ -113,6 +76,31 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
   }
   lines[0].errors.push_back(own);
   for (std::size_t b = 1; b < lines.size(); ++b) judge_branch(d, b, q);
+}
+
+/// Replaces the limit of the scene's own branch by that of another branch with the same exact solution that knows it
+/// better. If limits differ by more than their uncertainties, the uncertainty grows by the rest.
+void AdviceErrors::share_limit(std::size_t d, std::size_t q, SequenceErrors& own) const {
+  const std::vector<Line>& lines = lines_[d];
+  std::vector<std::pair<double, double>> limits{{own.limit_uncertainty, own.limit}};
+  std::size_t best = 0;
+  for (std::size_t b = 1; b < lines.size(); ++b) {
+    if (!directions_.all[d].branches[b].same_limit || lines[b].levels.size() < 3) continue;
+    const SequenceErrors other = sequence_errors(lines[b].points[q]);
+    if (other.order == 0) continue;
+    limits.emplace_back(other.limit_uncertainty, other.limit);
+    if (other.limit_uncertainty < own.limit_uncertainty) best = b;
+    own.limit_uncertainty = std::min(own.limit_uncertainty, other.limit_uncertainty);
+  }
+  if (best == 0) return;
+  const auto [least, limit] = *std::min_element(limits.begin(), limits.end());
+  double uncertainty = least;
+  for (const auto& [other_uncertainty, other_limit] : limits)
+    uncertainty = std::max(uncertainty, std::abs(other_limit - limit) - other_uncertainty);
+  own.limit = limit;
+  own.limit_uncertainty = uncertainty;
+  own.errors = errors_against(lines[0].points[q], limit, uncertainty);
+  own.reason += "; the limit is that of " + directions_.all[d].branches[best].label;
 }
 
 /// Compares another branch with the limit of the scene's own. Its errors count as falling at most with the order of the
@@ -140,7 +128,7 @@ double AdviceErrors::part(std::size_t d, std::size_t q, const AdvicePlace& place
   return error_at(line.points[q], line.errors[q], direction.branches[place.branch].levels[place.level].size);
 }
 
-/// Compares the runs off the lines with the sums of the changes in step and mesh.
+/// Compares the runs off the lines with the sums of the changes along the lines.
 void AdviceErrors::measure_interaction(const std::vector<AdviceSample>& samples) {
   for (const AdviceSample& sample : samples) {
     if (!sample.good || distance(sample.point, base_) < 2) continue;
@@ -151,7 +139,7 @@ void AdviceErrors::measure_interaction(const std::vector<AdviceSample>& samples)
         if (sample.point[d] == base_[d]) continue;
         const Line& line = lines_[d][sample.point[d].branch];
         const auto found = std::find(line.levels.begin(), line.levels.end(), sample.point[d].level);
-        if (found == line.levels.end() || !directions_.all[d].converges)
+        if (found == line.levels.end())
           sum = std::numeric_limits<double>::quiet_NaN();
         else
           sum += line.points[q][static_cast<std::size_t>(found - line.levels.begin())].value - base_values_[q];
@@ -164,19 +152,40 @@ void AdviceErrors::measure_interaction(const std::vector<AdviceSample>& samples)
   }
 }
 
+/// Returns whether a point is in every direction on the same branch as another, on the same side of the base, and at
+/// least as far from it.
+bool AdviceErrors::is_farther(const AdvicePoint& far, const AdvicePoint& near) const {
+  for (std::size_t d = 0; d < base_.size(); ++d) {
+    const auto offset = [&](const AdvicePoint& point) {
+      return static_cast<int>(point[d].level) - static_cast<int>(base_[d].level);
+    };
+    const int a = offset(far), b = offset(near);
+    if (far[d].branch != near[d].branch || (b < 0 && a > b) || (b > 0 && a < b)) return false;
+  }
+  return true;
+}
+
 double AdviceErrors::interaction(const AdvicePoint& point, std::size_t quantity) const {
   if (distance(point, base_) < 2) return 0;
-  double largest = 0, smallest_of_coarser = unknown;
+  double largest = 0, smallest_of_farther = unknown;
   for (const Defect& defect : defects_) {
     const double here = defect.relative[quantity];
     if (defect.point == point) return here;
     largest = std::max(largest, here);
-    bool coarser = true;
-    for (std::size_t d = 0; d < point.size(); ++d)
-      coarser = coarser && defect.point[d].branch == point[d].branch && defect.point[d].level <= point[d].level;
-    if (coarser) smallest_of_coarser = std::min(smallest_of_coarser, here);
+    if (is_farther(defect.point, point)) smallest_of_farther = std::min(smallest_of_farther, here);
   }
-  return std::isfinite(smallest_of_coarser) ? smallest_of_coarser : largest;
+  return std::isfinite(smallest_of_farther) ? smallest_of_farther : largest;
+}
+
+AdviceErrors AdviceErrors::hopeful(std::size_t direction) const {
+  AdviceErrors result = *this;
+  Line& line = result.lines_[direction][0];
+  for (std::size_t q = 0; q < line.errors.size(); ++q) {
+    SequenceErrors& own = line.errors[q];
+    own.limit_uncertainty *= hoped_part;
+    own.errors = errors_against(line.points[q], own.limit, own.limit_uncertainty);
+  }
+  return result;
 }
 
 AdviceEstimate AdviceErrors::estimate(const AdvicePoint& point) const {
@@ -214,8 +223,19 @@ std::string AdviceErrors::reason(std::size_t direction, std::size_t quantity) co
   return lines_[direction][0].errors[quantity].reason;
 }
 
+bool AdviceErrors::has_order(std::size_t direction) const {
+  const std::vector<SequenceErrors>& errors = lines_[direction][0].errors;
+  for (std::size_t q = 0; q < errors.size(); ++q)
+    if (!is_error_[q] && errors[q].order == 0 && errors[q].limit_uncertainty > 0) return false;
+  return true;
+}
+
 std::size_t AdviceErrors::tested(std::size_t direction, std::size_t branch) const {
   return lines_[direction][branch].levels.size();
+}
+
+const std::vector<std::size_t>& AdviceErrors::levels(std::size_t direction, std::size_t branch) const {
+  return lines_[direction][branch].levels;
 }
 
 std::size_t AdviceErrors::finest(std::size_t direction, std::size_t branch) const {

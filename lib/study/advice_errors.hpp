@@ -19,10 +19,11 @@ struct AdviceEstimate {
   std::size_t worst_direction() const;  ///< of the worst quantity
 };
 
-/// Adds the errors of all directions. Those of step and mesh are measured with everything else at a base; a choice of
-/// the model is measured by any pair of runs that differ in it alone. Runs that differ from the base in several
-/// directions measure the interaction of directions, which the sum leaves out. interaction() returns that of the
-/// point's own run, or else the smallest one of the coarser runs, or else the largest one of all.
+/// Adds the errors of all directions. Each is measured with everything else at a base, which may be much coarser than
+/// the point; differences that were measured elsewhere count where the base has none. Runs that differ from the base in
+/// several directions measure the interaction of directions, which the sum leaves out. interaction() returns that of
+/// the point's own run, or else the smallest one of the runs that are farther from the base in every direction, or else
+/// the largest one of all.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
@@ -42,8 +43,15 @@ class AdviceErrors {
   /// Returns what the sequence of a direction tells of a quantity, as "asymptotic, of order 2".
   std::string reason(std::size_t direction, std::size_t quantity) const;
 
-  /// Returns the number of good runs on a line, and the finest level among them.
+  /// Returns the errors to hope for if a direction is refined once more and the sequence turns out to be asymptotic.
+  AdviceErrors hopeful(std::size_t direction) const;
+
+  /// Returns whether the scene's own sequence in a direction has an order for all quantities that have one.
+  bool has_order(std::size_t direction) const;
+
+  /// Returns the number of good runs on a line, their levels, and the finest level among them.
   std::size_t tested(std::size_t direction, std::size_t branch) const;
+  const std::vector<std::size_t>& levels(std::size_t direction, std::size_t branch) const;
   std::size_t finest(std::size_t direction, std::size_t branch) const;
 
   /// Returns the largest relative error, over the quantities, of the finest run on a line; infinite without one.
@@ -61,13 +69,19 @@ class AdviceErrors {
     AdvicePoint point;
     std::vector<double> relative;
   };
-  Line line(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
-  Line pairs(std::size_t d, std::size_t b, const std::vector<AdviceSample>& samples) const;
+  Line line(std::size_t d, std::size_t b, const Line& own, const std::vector<AdviceSample>& samples) const;
+  std::vector<double> at_base(std::size_t d, const AdvicePlace& place, const std::vector<AdviceSample>& samples) const;
+  std::vector<double> from_elsewhere(std::size_t d, const AdvicePlace& place, const Line& own,
+                                     const std::vector<AdviceSample>& samples) const;
+  static double levels_between(std::size_t d, const AdvicePoint& a, const AdvicePoint& b);
+  static double levels_of(const AdvicePlace& a, const AdvicePlace& b);
   void judge(std::size_t d, std::size_t q);
+  void share_limit(std::size_t d, std::size_t q, SequenceErrors& own) const;
   void judge_branch(std::size_t d, std::size_t b, std::size_t q);
   double part(std::size_t d, std::size_t q, const AdvicePlace& place) const;
   double scale(std::size_t q) const;
   void measure_interaction(const std::vector<AdviceSample>& samples);
+  bool is_farther(const AdvicePoint& far, const AdvicePoint& near) const;
 
   const AdviceDirections& directions_;
   AdvicePoint base_;

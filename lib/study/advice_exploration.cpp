@@ -1,40 +1,84 @@
 #include "study/advice_exploration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ixos {
 namespace {
+
+constexpr double saving_of_a_choice = 0.25;
+constexpr double least_share = 0.25;  ///< of the tolerance, that counts as left for a direction
 
 bool was_run(const std::vector<AdviceSample>& samples, const AdvicePoint& point) {
   return std::any_of(samples.begin(), samples.end(), [&](const AdviceSample& sample) { return sample.point == point; });
 }
 
+/// Returns the largest relative error that a place adds to that of a point.
+double error_of(const AdviceErrors& errors, AdvicePoint point, std::size_t d, const AdvicePlace& place) {
+  if (place.branch > 0 && errors.tested(d, place.branch) == 1) return errors.finest_error(d, place.branch);
+  point[d] = place;
+  double most = 0;
+  for (const std::vector<double>& parts : errors.estimate(point).parts) most = std::max(most, parts[d]);
+  return most;
+}
+
+/// Fills in the level at which a branch of step or mesh is tried next, and what it promises. Returns whether there is
+/// one.
+bool next_level(const std::vector<AdviceSample>& samples, const AdviceErrors& errors, std::size_t d,
+                std::size_t planned, double tolerance, AdviceTrial& trial) {
+  AdvicePlace& place = trial.point[d];
+  const std::vector<std::size_t>& levels = errors.levels(d, place.branch);
+  place.level = planned - std::min<std::size_t>(planned, 2);
+  if (!levels.empty()) {
+    const std::size_t coarsest = levels.front(), finest = levels.back();
+    const double error = error_of(errors, trial.point, d, {place.branch, finest});
+    const double own = error_of(errors, trial.point, d, {0, finest});
+    const bool coarser = coarsest > 0 && error_of(errors, trial.point, d, {place.branch, coarsest}) <= tolerance;
+    // One run may be accurate by coincidence; runs that are not good enough may still tell the limit.
+    const bool finer =
+        finest < planned && error <= std::max(own, tolerance) && (levels.size() == 1 || error > tolerance);
+    if (!coarser && !finer) return false;
+    place.level = coarser ? coarsest - 1 : finest + 1;
+    trial.promise = own / std::max(error, tolerance / 100);
+  }
+  return !was_run(samples, trial.point);
+}
+
+/// Returns what the other directions of the plan leave of the tolerance to one direction; at least a part of it.
+double share(const AdviceErrors& errors, const AdvicePoint& plan, std::size_t d, double tolerance) {
+  const AdviceEstimate estimate = errors.estimate(plan);
+  double left = tolerance;
+  for (std::size_t q = 0; q < estimate.errors.size(); ++q)
+    left = std::min(left, tolerance - (estimate.errors[q] - estimate.parts[q][d]));
+  return std::max(left, least_share * tolerance);
+}
+
 }  // namespace
 
-AdvicePoint next_exploration(const AdviceDirections& directions, const AdvicePoint& base,
-                             const std::vector<AdviceSample>& samples, const AdviceErrors& errors, double tolerance) {
-  for (std::size_t d = directions.all.size(); d-- > 0;) {  // single runs first
+std::vector<AdviceTrial> explorations(const AdviceDirections& directions, const AdvicePoint& base,
+                                      const AdvicePoint& plan, const std::vector<AdviceSample>& samples,
+                                      const AdviceErrors& errors, double tolerance) {
+  std::vector<AdviceTrial> trials;
+  for (std::size_t d = 0; d < directions.all.size(); ++d) {
     const AdviceDirection& direction = directions.all[d];
     // Nothing is known of other elements if the mesh cannot be refined.
-    if (direction.converges && errors.tested(d, 0) < 2) continue;
-    for (std::size_t b = 1; b < direction.branches.size(); ++b) {
-      AdvicePoint point = base;
-      point[d].branch = b;
-      if (!direction.converges) point[d].level = 0;
-      std::size_t& level = point[direction.converges ? d : time_direction].level;
-      level -= std::min<std::size_t>(level, direction.converges ? 1 : 2);
-      if (!was_run(samples, point)) return point;
-      if (!direction.converges || level == 0 || errors.tested(d, b) == 0) continue;
-      AdvicePoint own = base;
-      own[d].level = level;
-      double most = tolerance;
-      for (const std::vector<double>& parts : errors.estimate(own).parts) most = std::max(most, parts[d]);
-      if (!(errors.finest_error(d, b) <= most)) continue;
-      --level;
-      if (!was_run(samples, point)) return point;
+    if (d <= mesh_direction && errors.tested(d, 0) < 2) continue;
+    const double coarser = 1 - std::pow(2.0, d == mesh_direction ? -directions.dimension : -1);
+    for (std::size_t b = 0; b < direction.branches.size(); ++b) {
+      AdviceTrial trial{base, d, d > mesh_direction ? saving_of_a_choice : coarser, 1};
+      AdvicePlace& place = trial.point[d];
+      place.branch = b;
+      if (d > mesh_direction) {
+        // Levels finer than the scene's own save nothing.
+        const std::size_t end = b == 0 ? direction.scene_level : direction.branches[b].levels.size();
+        for (place.level = 0; place.level < end; ++place.level)
+          if (!was_run(samples, trial.point)) trials.push_back(trial);
+      } else if (b > 0 && next_level(samples, errors, d, plan[d].level, share(errors, plan, d, tolerance), trial)) {
+        trials.push_back(trial);
+      }
     }
   }
-  return {};
+  return trials;
 }
 
 }  // namespace ixos

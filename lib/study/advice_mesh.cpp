@@ -15,6 +15,7 @@ using List = Teuchos::ParameterList;
 
 constexpr int coarser_levels = 3, finer_levels = 3;
 constexpr int most_cells_along_an_edge = 20000;
+constexpr int fewest_cells = 2;  ///< along an edge, in steps of the number: one cell cannot bend
 
 /// A number of cells that a generator takes, and its place.
 struct CellCount {
@@ -65,8 +66,9 @@ AdviceLevel level(const std::vector<CellCount>& counts, int k) {
       const double scaled = number * std::pow(2.0, k * count.power);
       const bool volume = count.power > 1;
       const double rounded = volume ? std::round(scaled) : scaled;
-      if (rounded != std::floor(rounded) || rounded < (volume ? 200 : 1) ||
-          rounded > (volume ? 2e7 : most_cells_along_an_edge) || std::fmod(rounded, count.step) != 0)
+      const double least = volume ? 200 : std::min(count.step * fewest_cells, number);
+      if (rounded != std::floor(rounded) || rounded < least || rounded > (volume ? 2e7 : most_cells_along_an_edge) ||
+          std::fmod(rounded, count.step) != 0)
         return {"", 0, {}};
       numbers.push_back(static_cast<int>(rounded));
     }

@@ -16,9 +16,11 @@ void add_points(const AdviceDirections& directions, const AdviceErrors& errors, 
   }
   const AdviceDirection& direction = directions.all[d];
   for (std::size_t b = 0; b < direction.branches.size(); ++b) {
-    if (errors.tested(d, b) == 0 && (b > 0 || direction.converges)) continue;
-    const std::size_t last = std::min(errors.finest(d, b) + beyond, direction.branches[b].levels.size() - 1);
-    for (std::size_t level = 0; level <= last; ++level) {
+    std::vector<std::size_t> levels = errors.levels(d, b);
+    const std::size_t most = direction.branches[b].levels.size();
+    if (d <= mesh_direction && !levels.empty())
+      for (std::size_t k = 0; k < beyond && levels.back() + 1 < most; ++k) levels.push_back(levels.back() + 1);
+    for (std::size_t level : levels) {
       point[d] = {b, level};
       add_points(directions, errors, beyond, d + 1, point, points);
     }

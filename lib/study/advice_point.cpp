@@ -22,19 +22,20 @@ Assignments settings_of(const AdviceDirections& directions, const AdvicePoint& p
   return settings;
 }
 
+std::string place_label(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {
+  const AdviceDirection& direction = directions.all[d];
+  const std::string &branch = branch_at(directions, point, d).label, &level = level_at(directions, point, d).label;
+  if (!direction.converges) return direction.name + " " + branch;
+  const std::string refined = level.empty() ? "" : direction.name + " " + level;
+  return branch + (branch.empty() || refined.empty() ? "" : ", ") + refined;
+}
+
 std::string description_of(const AdviceDirections& directions, const AdvicePoint& point) {
   std::string text;
-  const auto add = [&text](const std::string& more) { text += (text.empty() || more.empty() ? "" : ", ") + more; };
   for (std::size_t d = 0; d < point.size(); ++d) {
-    const AdviceDirection& direction = directions.all[d];
-    if (!direction.converges && point[d].branch == 0) continue;
-    const AdviceLevel& level = level_at(directions, point, d);
-    if (direction.converges) {
-      add(branch_at(directions, point, d).label);
-      if (!level.label.empty()) add(direction.name + " " + level.label);
-    } else {
-      add(direction.name + " " + branch_at(directions, point, d).label);
-    }
+    if (d > mesh_direction && point[d] == AdvicePlace{0, directions.all[d].scene_level}) continue;
+    const std::string label = place_label(directions, point, d);
+    text += (text.empty() || label.empty() ? "" : ", ") + label;
   }
   return text;
 }

@@ -19,12 +19,13 @@ using AdvicePoint = std::vector<AdvicePlace>;
 /// A run that an advice carried out.
 struct AdviceSample {
   AdvicePoint point;
-  bool good = false;            ///< whether it reached its end and has all quantities
+  bool reached_end = false;     ///< whether the run ended as it should
+  bool good = false;            ///< whether it did, and has all quantities
   std::string reason;           ///< why not
   std::vector<double> values;   ///< of the quantities, in their order
   bool refused = false;         ///< whether ixos took the scene for bad input
   double seconds = 0;           ///< of processor time
-  double seconds_per_step = 0;  ///< of wall-clock time, without what a run does before its first step
+  double seconds_per_step = 0;  ///< at most, without what a run does before its first step if the machine is idle
   double steps = 0, dofs = 0;
 };
 
@@ -44,6 +45,9 @@ Assignments settings_of(const AdviceDirections& directions, const AdvicePoint& p
 /// Returns the point as "Newmark, time step 0.4, Q1C4, mesh 160 x 8"; choices that are the scene's own are left out,
 /// but for scheme, step, element and mesh.
 std::string description_of(const AdviceDirections& directions, const AdvicePoint& point);
+
+/// Returns the choice of a point in a direction: "Newmark, time step 0.4", "surface points 3".
+std::string place_label(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d);
 
 /// Returns a name for the folder of the point's run, of plain letters, digits, dots and dashes. Points have different
 /// names.

@@ -78,6 +78,18 @@ std::string tolerance_lines(const Advice& advice) {
   return text;
 }
 
+std::string choice_lines(const Advice& advice) {
+  std::string text;
+  for (const AdviceChoice& choice : advice.choices) {
+    const double error = *std::max_element(choice.errors.begin(), choice.errors.end());
+    text += fmt::format("  {}: error {}, {:.2g} s\n", choice.label, percent(error), choice.seconds);
+  }
+  return text.empty() ? "" : "Other choices, each alone, and what the recommended run would take with it:\n" + text;
+}
+
+/// Returns null in place of a number that is not finite.
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json json_of(const Advice& advice, const AdviceCandidate& candidate) {
   if (candidate.point.empty()) return nullptr;
   return {{"settings", settings_of(advice.directions, candidate.point)},
@@ -135,7 +147,7 @@ std::string advice_text(const AdviceQuestion& question, const Advice& advice) {
     if (advice.verified >= 0)
       text += fmt::format("Verified: half the step on the next finer mesh changes the quantities by at most {}.\n",
                           percent(advice.verified));
-    text += tolerance_lines(advice);
+    text += choice_lines(advice) + tolerance_lines(advice);
   }
   return text + fmt::format("The advice took {:.3g} s of processor time, of a budget of {:.3g} s.\n", advice.spent,
                             advice.budget);
@@ -171,12 +183,23 @@ void write_advice(const AdviceQuestion& question, const Advice& advice, const st
   for (const auto& [tolerance, candidate] : advice.other_tolerances)
     json["other_tolerances"].push_back({{"tolerance", tolerance}, {"settings", json_of(advice, candidate)}});
   json["runs"] = Json::array();
-  for (const AdviceSample& sample : advice.samples)
-    json["runs"].push_back({{"name", name_of(advice.directions, sample.point)},
-                            {"good", sample.good},
-                            {"reason", sample.reason},
-                            {"values", sample.values},
-                            {"seconds", sample.seconds}});
+  for (std::size_t i = 0; i < advice.samples.size(); ++i) {
+    const AdviceSample& sample = advice.samples[i];
+    json["runs"].push_back(
+        {{"name", name_of(advice.directions, sample.point)},
+         {"description", description_of(advice.directions, sample.point)},
+         {"good", sample.good},
+         {"reason", sample.reason},
+         {"values", sample.values},
+         {"seconds", sample.seconds},
+         {"error", i < advice.sample_errors.size() ? number_or_null(advice.sample_errors[i]) : nullptr}});
+  }
+  json["choices"] = Json::array();
+  for (const AdviceChoice& choice : advice.choices)
+    json["choices"].push_back({{"direction", choice.direction},
+                               {"choice", choice.label},
+                               {"errors", choice.errors},
+                               {"seconds", choice.seconds}});
   if (advice.status == AdviceStatus::Advised)
     write_scene(question, advice, folder + "/advised.xml");
   else

@@ -11,9 +11,8 @@
 namespace ixos {
 namespace {
 
-/// A run may take this much longer than the budget that is left: clocks of a busy machine run faster than its
-/// processors.
-constexpr double grace_factor = 3, grace_seconds = 10;
+/// A run may take this much more processor time than the budget has left, before it is ended.
+constexpr double grace_factor = 1.5, grace_seconds = 2;
 
 /// Settings of all runs: nothing but the history is needed.
 const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time Interval=0"};
@@ -24,7 +23,8 @@ AdviceRuns::AdviceRuns(const AdviceQuestion& question, const AdviceOptions& opti
     : question_(question),
       options_(options),
       directions_(directions),
-      pool_({options.folder + "/runs", question.scene, options.driver, options.version, 0, options.interrupted}) {}
+      pool_({options.folder + "/runs", question.scene, options.driver, options.version, 0, options.interrupted, true}) {
+}
 
 StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
   StudyRun run{name_of(directions_, point), {description_of(directions_, point)}, question_.common};
@@ -73,10 +73,13 @@ AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run
   sample.reason = result.reason;
   sample.refused = result.refused;
   sample.seconds = result.cpu_seconds;
-  sample.seconds_per_step = result.wall_seconds / static_cast<double>(std::max(1L, result.steps));
+  // Wall-clock time leaves out the start, processor time leaves out the waiting of a busy machine.
+  const double seconds = std::min(result.wall_seconds, result.cpu_seconds);
+  sample.seconds_per_step = seconds / static_cast<double>(std::max(1L, result.steps));
   sample.dofs = static_cast<double>(result.dofs);
   sample.steps = static_cast<double>(result.steps + result.rejected_steps);
-  if (!result.reached_its_end()) return sample;
+  sample.reached_end = result.reached_its_end();
+  if (!sample.reached_end) return sample;
   try {
     const RunHistory history(pool_.folder(run));
     for (const AskedQuantity& quantity : question_.quantities) sample.values.push_back(quantity.value(history));

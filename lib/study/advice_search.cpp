@@ -4,22 +4,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.hpp"
-#include "study/advice_exploration.hpp"
 
 namespace ixos {
 namespace {
 
-constexpr double times_the_scene = 8;    ///< the budget over the expected cost of the scene, or of the recommended run
+constexpr double times_the_scene = 8;    ///< the budget over the expected cost of the scene
 constexpr double least_budget = 60;      ///< seconds; a process takes a part of one to start
-constexpr std::size_t coarser_runs = 3;  ///< of each line through the base
 constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
 /// Power of the number of cells in the expected cost of the scene: less than that of large runs, because a part of the
 /// cost of the coarsest run does not grow.
 constexpr double budget_power = 0.85;
-constexpr double cross_cost = 1.75;  ///< of a new base with the coarser runs around it, over that of the base
-constexpr double worthwhile = 0.5;   ///< cost of a trial over that of the settings that it may improve
+/// Change by a perturbation of 1e-10 below which finer runs are not perturbed, too: they will not amplify it as much
+/// as a tolerance needs.
+constexpr double calm = 1e-8;
 constexpr std::size_t most_rounds = 100;
 
 }  // namespace
@@ -31,7 +31,9 @@ AdviceSearch::AdviceSearch(const AdviceQuestion& question, const AdviceOptions& 
       directions_(directions),
       runs_(question, options, directions),
       base_(scene_point(directions)),
-      noise_(question.quantities.size(), 0) {
+      noise_(question.quantities.size(), 0),
+      tried_(directions.all.size(), 0),
+      last_part_(directions.all.size(), std::numeric_limits<double>::infinity()) {
   base_[time_direction].level = base_[mesh_direction].level = 0;
   for (const AskedQuantity& quantity : question.quantities) is_error_.push_back(quantity.is_error());
 }
@@ -70,10 +72,13 @@ void AdviceSearch::begin(const Teuchos::ParameterList& control) {
 AdviceStatus AdviceSearch::find() {
   if (!start()) return AdviceStatus::NoRun;
   if (!is_predictable(base_)) return AdviceStatus::Chaotic;
+  // Lines have a level finer than the base.
+  const std::vector<std::size_t> steps = errors().levels(time_direction, 0);
+  base_[time_direction].level = steps[steps.size() - std::min<std::size_t>(steps.size(), 2)];
   for (std::size_t round = 0; round < most_rounds; ++round) {
     const AdviceStatus status = refine();
     if (status != AdviceStatus::Advised) return status;
-    explore();
+    improve();
     const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
     const AdviceCandidate* plan = cheapest_within(all, question_.tolerance);
     if (plan == nullptr) continue;
@@ -82,34 +87,50 @@ AdviceStatus AdviceSearch::find() {
       runs_.carry_out({plan->point});
       continue;
     }
-    if (std::find(perturbed_.begin(), perturbed_.end(), plan->point) != perturbed_.end()) break;
+    if (!needs_perturbation(plan->point)) break;
     if (!is_predictable(plan->point)) return AdviceStatus::Chaotic;
   }
   return AdviceStatus::Advised;
 }
 
-/// Runs coarse steps until one reaches its end, on the coarsest mesh on which any does, and a few finer ones.
+/// Runs coarse steps until some reach their end, on the coarsest mesh on which any do, and chooses the base.
 bool AdviceSearch::start() {
   for (; base_[mesh_direction].level < levels(mesh_direction); ++base_[mesh_direction].level) {
     std::vector<AdvicePoint> batch;
-    for (std::size_t level = 0; level < std::min(least_points, levels(time_direction)); ++level)
+    double seconds = 0;
+    for (std::size_t level = 0; level < std::min(least_points, levels(time_direction)); ++level) {
       batch.push_back(moved(time_direction, level));
+      seconds += runs_.sample(batch.back()) == nullptr ? costs().seconds(batch.back()) : 0;
+    }
+    if (!runs_.affords(seconds)) break;
     runs_.carry_out(batch);
+    const bool lack_quantities = std::all_of(batch.begin(), batch.end(), [&](const AdvicePoint& point) {
+      const AdviceSample* sample = runs_.sample(point);
+      return sample->reached_end && !sample->good;
+    });
+    if (lack_quantities) {
+      problem_ = "The runs end as they should, but do not give the quantities: " + runs_.sample(batch.back())->reason;
+      return false;
+    }
     for (std::size_t level = least_points; level < levels(time_direction); ++level) {
       const AdvicePoint next = moved(time_direction, level);
       if (errors().tested(time_direction, 0) > 0 || !runs_.affords(costs().seconds(next))) break;
       runs_.carry_out({next});
     }
-    const AdviceErrors known = errors();
-    if (known.tested(time_direction, 0) > 0) {
-      base_[time_direction].level = known.finest(time_direction, 0);
-      coarsest_mesh_ = base_[mesh_direction].level;
-      return true;
-    }
-    if (!runs_.affords(0)) break;
+    const std::vector<std::size_t> good = errors().levels(time_direction, 0);
+    if (good.empty()) continue;
+    base_[time_direction].level = good.back();
+    coarsest_mesh_ = base_[mesh_direction].level;
+    return true;
   }
   problem_ = "No run gave the quantities within the budget. The last one: " + runs_.samples().back().reason + ".";
   return false;
+}
+
+bool AdviceSearch::needs_perturbation(const AdvicePoint& point) const {
+  const bool is_calm = std::all_of(sensitivities_.begin(), sensitivities_.end(),
+                                   [](const Sensitivity& found) { return found.change <= calm; });
+  return !is_calm && std::find(perturbed_.begin(), perturbed_.end(), point) == perturbed_.end();
 }
 
 /// Runs a point once more, perturbed. Returns whether all quantities can be predicted.
@@ -133,92 +154,6 @@ bool AdviceSearch::is_predictable(const AdvicePoint& point) {
                                                : "Means over a long window and the energy error can be predicted.");
   }
   return predictable;
-}
-
-/// Runs the coarser steps and meshes around the base, as far as the budget goes.
-void AdviceSearch::complete_cross() {
-  std::vector<AdvicePoint> batch;
-  double seconds = 0;
-  const AdviceCosts cost = costs();
-  for (std::size_t d : {time_direction, mesh_direction})
-    for (std::size_t k = 1; k <= coarser_runs && k <= base_[d].level; ++k) {
-      const AdvicePoint point = moved(d, base_[d].level - k);
-      if (runs_.sample(point) != nullptr || (d == mesh_direction && point[d].level < coarsest_mesh_)) continue;
-      seconds += cost.seconds(point);
-      if (runs_.affords(seconds)) batch.push_back(point);
-    }
-  runs_.carry_out(batch);
-}
-
-/// Returns whether the lines through the base have enough points, where the directions have as many levels.
-bool AdviceSearch::has_lines() const {
-  const AdviceErrors known = errors();
-  return known.tested(time_direction, 0) >= std::min(least_points, levels(time_direction)) &&
-         known.tested(mesh_direction, 0) >= std::min(least_points, levels(mesh_direction) - coarsest_mesh_);
-}
-
-bool AdviceSearch::move_base(std::size_t d) {
-  if (base_[d].level + 1 >= levels(d)) return false;
-  const AdvicePoint next = moved(d, base_[d].level + 1);
-  const AdviceSample* known = runs_.sample(next);
-  if (known == nullptr) {
-    if (!runs_.affords(cross_cost * costs().seconds(next))) return false;
-    runs_.carry_out({next});
-    known = runs_.sample(next);
-  }
-  if (!known->good) return false;
-  base_ = next;
-  return true;
-}
-
-/// Moves the base to the next finer level of the direction that limits its accuracy, or of the other one if that may
-/// help.
-bool AdviceSearch::move_base() {
-  const AdviceErrors known = errors();
-  if (known.tested(mesh_direction, 0) < std::min(least_points, levels(mesh_direction) - coarsest_mesh_))
-    return move_base(mesh_direction) || move_base(time_direction);
-  const AdviceEstimate estimate = known.estimate(base_);
-  const std::size_t worst = estimate.worst_direction();
-  const bool lines = known.tested(time_direction, 0) >= std::min(least_points, levels(time_direction));
-  if (!lines || worst > mesh_direction) return move_base(time_direction) || move_base(mesh_direction);
-  if (move_base(worst)) return true;
-  const bool alone = estimate.parts[estimate.worst_quantity()][worst] > question_.tolerance;
-  return !alone && move_base(worst == time_direction ? mesh_direction : time_direction);
-}
-
-/// Refines until settings keep the tolerance.
-AdviceStatus AdviceSearch::refine() {
-  AdvicePoint known = base_;  // the last one whose errors are known
-  for (std::size_t round = 0; round < most_rounds; ++round) {
-    complete_cross();
-    if (has_lines()) {
-      known = base_;
-      const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
-      if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
-    }
-    if (!move_base()) break;
-  }
-  base_ = known;
-  return AdviceStatus::Unreachable;
-}
-
-/// Tries other choices while their runs cost little beside the settings found, and all runs at most the budget: the
-/// user's, or a multiple of the cost of these settings.
-void AdviceSearch::explore() {
-  for (std::size_t round = 0; round < most_rounds; ++round) {
-    const AdviceErrors known = errors();
-    const AdviceCosts cost = costs();
-    const std::vector<AdviceCandidate> all = candidates(directions_, known, cost, 0);
-    const AdviceCandidate* plan = cheapest_within(all, question_.tolerance);
-    const AdvicePoint next = next_exploration(directions_, base_, runs_.samples(), known, question_.tolerance);
-    if (plan == nullptr || next.empty()) return;
-    const double seconds = cost.seconds(next);
-    const double most = question_.budget > 0 ? runs_.budget() : times_the_scene * plan->seconds;
-    if (seconds > worthwhile * plan->seconds || runs_.spent() + seconds + plan->seconds > most ||
-        !runs_.affords(seconds + plan->seconds))
-      return;
-    runs_.carry_out({next});
-  }
 }
 
 }  // namespace ixos

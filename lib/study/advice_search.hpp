@@ -4,13 +4,14 @@
 #include <vector>
 
 #include "study/advice.hpp"
+#include "study/advice_exploration.hpp"
 #include "study/advice_runs.hpp"
 
 namespace ixos {
 
-/// Searches the cheapest settings within the tolerance. A base of a step and a mesh moves from coarse to fine, each
-/// time in the direction that limits its accuracy; coarser runs around the base give its error. Most runs therefore
-/// cost little beside the last ones.
+/// Searches the cheapest settings within the tolerance. All directions are refined from one coarse base, each with
+/// everything else at the base, so that only the recommended run itself is fine in all of them. That run then measures
+/// how far the directions add up; if they do not, the base moves towards it.
 class AdviceSearch {
  public:
   AdviceSearch(const AdviceQuestion& question, const AdviceOptions& options, const AdviceDirections& directions);
@@ -31,13 +32,25 @@ class AdviceSearch {
  private:
   bool start();
   bool is_predictable(const AdvicePoint& point);
-  void complete_cross();
-  bool has_lines() const;
-  bool move_base();
-  bool move_base(std::size_t d);
+  bool needs_perturbation(const AdvicePoint& point) const;
+  bool extend(std::size_t d);
+  bool has_line(std::size_t d) const;
+  bool is_base_coarse(std::size_t d) const;
+  AdvicePoint finer_base(std::size_t d) const;
+  bool move_base(const std::vector<std::size_t>& directions);
+  double finest_part(std::size_t d) const;
+  bool refine_line(std::size_t d);
+  bool sharpen();
+  bool examine_suspects();
   AdviceStatus refine();
-  void explore();
+  void improve();
+  AdvicePoint own_plan(const std::vector<AdviceCandidate>& all) const;
+  bool try_best(std::vector<AdviceTrial> trials, const std::vector<double>& allowance);
+  bool try_before(std::size_t d);
+  bool confirm_order(const AdviceCandidate& plan, double least);
+  bool pays(double seconds, const AdviceCandidate& plan) const;
   AdvicePoint moved(std::size_t d, std::size_t level) const;
+  std::vector<AdvicePoint> missing_line(const AdvicePoint& base, std::size_t d) const;
   std::size_t levels(std::size_t d) const { return directions_.all[d].branches[0].levels.size(); }
 
   const AdviceQuestion& question_;
@@ -48,6 +61,8 @@ class AdviceSearch {
   std::size_t coarsest_mesh_ = 0;  ///< that ixos accepts
   std::vector<bool> is_error_;
   std::vector<double> noise_;
+  std::vector<double> tried_;      ///< seconds of the trials of each direction
+  std::vector<double> last_part_;  ///< of each direction: its part before the last refinement
   std::vector<Sensitivity> sensitivities_;
   std::vector<AdvicePoint> perturbed_;
   std::string problem_;

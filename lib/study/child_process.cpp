@@ -6,10 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -29,6 +33,9 @@ std::vector<char*> environment() {
         !begins("OMPI_MCA_orte_") && !begins("OMPI_MCA_ess"))
       result.push_back(*variable);
   }
+  static std::array<std::string, 3> alone{"OMPI_MCA_ess_singleton_isolated=1", "OMPI_MCA_pml=ob1", "OMPI_MCA_btl=self"};
+  const bool chosen = getenv("OMPI_MCA_pml") != nullptr || getenv("OMPI_MCA_btl") != nullptr;
+  for (std::size_t i = 0; i < (chosen ? 1 : alone.size()); ++i) result.push_back(alone[i].data());
   result.push_back(nullptr);
   return result;
 }
@@ -90,6 +97,18 @@ void ChildProcess::send(int signal) const {
 
 double ChildProcess::age() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+double ChildProcess::processor_seconds() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
+  std::string text;
+  std::getline(file, text);
+  // The name in parentheses may hold spaces; the 12th and 13th fields after it are the user's and the system's ticks.
+  std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  return fields >> user >> system ? (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK)) : 0;
 }
 
 std::string last_line(const std::string& log) {

@@ -110,7 +110,8 @@ RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::str
 bool RunPool::ended(Active& child, const StudyRun& run) const {
   ChildOutcome outcome;
   if (!child.process.ended(outcome)) {
-    if (options_.time_limit > 0 && child.process.age() > options_.time_limit) {
+    const double spent = options_.limits_processor_time ? child.process.processor_seconds() : child.process.age();
+    if (options_.time_limit > 0 && spent > options_.time_limit) {
       child.timed_out = true;
       child.process.send(SIGKILL);
     }

@@ -15,8 +15,9 @@ struct PoolOptions {
   std::string scene;   ///< path of the scene's file
   std::string driver;  ///< path of the program ixos
   std::string version;
-  double time_limit = 0;              ///< wall clock of one run [s]; 0: none
-  std::function<bool()> interrupted;  ///< called between polls; may be empty
+  double time_limit = 0;               ///< of one run [s]; 0: none
+  std::function<bool()> interrupted;   ///< called between polls; may be empty
+  bool limits_processor_time = false;  ///< whether the limit is one of processor time; else of the wall clock
 };
 
 /// Carries out runs. A run is done when its record, run.json, stands in its folder; that is written last. A run whose
@@ -31,7 +32,7 @@ class RunPool {
 
   std::string folder(const StudyRun& run) const { return options_.folder + "/" + run.name; }
 
-  /// Limits the wall clock of the runs that start from now on.
+  /// Limits the time of the runs that start from now on.
   void limit_time(double seconds) { options_.time_limit = seconds; }
 
   /// Carries out those runs that are not done, `jobs` at a time. Returns false if interrupted. Throws InputError if a

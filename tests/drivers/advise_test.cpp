@@ -87,6 +87,28 @@ TEST_F(AdviseDriverTest, TheAdvisedSceneKeepsTheTolerance) {
   EXPECT_EQ(reused, runs) << second.output;
 }
 
+TEST_F(AdviseDriverTest, SeveralQuantitiesTwoJobsAndAReport) {
+  const Outcome one = run("--advise block.xml --quantity 'final P_uy' --tolerance 5% --output one");
+  const Outcome two =
+      run("--advise block.xml --quantity 'final P_uy' --quantity 'peak P_ux' --tolerance 5% --jobs 2 --output two");
+  ASSERT_EQ(one.status, 0) << one.output;
+  ASSERT_EQ(two.status, 0) << two.output;
+  for (const char* quantity : {"  final P_uy: about ", "  peak P_ux: about "})
+    EXPECT_NE(two.output.find(quantity), std::string::npos) << two.output;
+  EXPECT_NE(two.output.find("Plots and report: two/report.html"), std::string::npos) << two.output;
+  const std::string page = contents(folder_ + "/two/report.html");
+  for (const char* part : {"Recommendation", "Errors to expect", "final P_uy", "peak P_ux", "All runs"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  // Both quantities keep the tolerance, against a much finer run.
+  ASSERT_EQ(shell("'" IXOS_DRIVER "' two/advised.xml --quiet --output advised", folder_).status, 0);
+  ASSERT_EQ(shell("'" IXOS_DRIVER "' block.xml --quiet --output fine --set 'Mesh/Box/Divisions={48, 32}' --set 'Time "
+                  "Integrator/Time Step Control/Time Step=0.0025'",
+                  folder_)
+                .status,
+            0);
+  EXPECT_NEAR(last("advised", "P_uy") / last("fine", "P_uy"), 1, 0.05);
+}
+
 TEST_F(AdviseDriverTest, AChaoticSceneIsCalledChaotic) {
   // The ball bounces twenty times or so.
   const Outcome outcome = run("--advise '" IXOS_XML_DIRECTORY
@@ -122,6 +144,16 @@ TEST_F(AdviseDriverTest, BadQuestionsAreRefused) {
   expect_refused(advise, "an advice needs a quantity");
   expect_refused(advise + "--quantity 'peek P_uy'", "\"peek P_uy\": this is no quantity. Quantities are:");
   expect_refused(advise + "--quantity 'mean P_uy [3, 4]'", "the window holds no rows: the run is from 0 to 2 T0");
+  const Outcome early =
+      run("--advise block.xml --quantity 'mean P_uy [0, 1.9]' --output early --set 'Time Integrator/Stop/S/"
+          "Type=Probe' --set 'Time Integrator/Stop/S/Probe/Name=P' --set 'Time "
+          "Integrator/Stop/S/Probe/Quantity=uy' --set 'Time Integrator/Stop/S/Probe/Limit=0.1'");
+  EXPECT_EQ(early.status, 3) << early.output;
+  EXPECT_NE(
+      early.output.find("The runs end as they should, but do not give the quantities: \"mean P_uy [0, 1.9]\": the "
+                        "run ended at "),
+      std::string::npos)
+      << early.output;
   expect_refused(advise + "--quantity 'peak P_uu'", "column \"P_uu\" does not exist; did you mean \"P_u");
   expect_refused(advise + "--quantity 'peak P_uy' --tolerance much", "--tolerance: \"much\" is no tolerance");
   expect_refused(advise + "--quantity 'peak P_uy' --tolerance 0", "is no tolerance");

@@ -121,7 +121,6 @@ elsewhere = {
     "study/advice_runs.hpp": ("study/advice_test.cpp", "runs of advices, reused, failed and perturbed"),
     "study/advice_search.hpp": ("study/advice_test.cpp", "searches on formulas"),
     "study/run_pool.hpp": ("drivers/study_test.cpp", "whole studies; advice_test.cpp has those of advices"),
-    "study/child_process.hpp": ("drivers/study_test.cpp", "time limits and failures of runs"),
     "study/history_table.hpp": ("study/study_test.cpp", "tables read back"),
     "study/study_result.hpp": ("study/study_test.cpp", "recommendation and files"),
     "study/results_folder.hpp": ("drivers/study_test.cpp", "ResultsOfAnotherStudyStay; two processes in one folder"),

@@ -119,5 +119,52 @@ TEST_F(AdviceErrorsTest, RunsThatFailedAreNoChoice) {
   EXPECT_TRUE(std::isinf(errors(samples).estimate(point).largest()));
 }
 
+TEST_F(AdviceErrorsTest, DifferencesMeasuredElsewhereCount) {
+  // The time steps on the coarsest mesh, the meshes at another base; nothing interacts.
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 0, smooth);
+  const AdvicePoint finer{{0, 2}, {0, 1}, {0, 0}};
+  for (const AdviceSample& sample : cross(directions_, finer, 2, 3, smooth)) samples.push_back(sample);
+  const AdviceErrors found(directions_, finer, samples, {false}, {0.0});
+  EXPECT_EQ(found.levels(time_direction, 0), (std::vector<std::size_t>{0, 1, 2, 3})) << "the last one from elsewhere";
+  EXPECT_NEAR(found.exact(0), exact, 1e-9);
+}
+
+TEST_F(AdviceErrorsTest, ABetterElementTellsTheLimit) {
+  // The scene's own element converges with the ripple of its mesh, the other one with second order.
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    const double ripple = 0.05 * h * std::sin(40 * h);
+    return exact * (1 + 0.1 * dt * dt - (point[1].branch == 1 ? 0.02 * h * h : 0.2 * h * h + ripple));
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 3, formula);
+  const double before = errors(samples).estimate({{0, 2}, {0, 3}, {0, 0}}).parts[0][mesh_direction];
+  for (std::size_t level = 0; level < 4; ++level)
+    samples.push_back(sample_of(directions_, {{0, 2}, {1, level}, {0, 0}}, formula));
+  const AdviceErrors found = errors(samples);
+  EXPECT_NEAR(found.exact(0), exact, 1e-4);
+  const double after = found.estimate({{0, 2}, {0, 3}, {0, 0}}).parts[0][mesh_direction];
+  EXPECT_LT(after, before);
+  EXPECT_GE(after, std::abs(0.2 / 64 + 0.05 / 8 * std::sin(5.0)) * 0.99);
+  EXPECT_NE(found.reason(mesh_direction, 0).find("the limit is that of Q2"), std::string::npos);
+}
+
+TEST_F(AdviceErrorsTest, LimitsThatContradictAreUncertain) {
+  // The other element converges to another value.
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    return smooth(dt, h, point) + (point[1].branch == 1 ? 0.1 * exact + 0.199 * exact * h * h : 0);
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 3, 3, formula);
+  for (std::size_t level = 0; level < 4; ++level)
+    samples.push_back(sample_of(directions_, {{0, 2}, {1, level}, {0, 0}}, formula));
+  EXPECT_GE(errors(samples).estimate({{0, 2}, {0, 3}, {0, 0}}).parts[0][mesh_direction], 0.09);
+}
+
+TEST_F(AdviceErrorsTest, HopeReducesAnUncertainty) {
+  const AdviceErrors found = errors(cross(directions_, base_, 3, 2, smooth));
+  const AdvicePoint point{{0, 2}, {0, 2}, {0, 0}};
+  EXPECT_NEAR(found.hopeful(mesh_direction).estimate(point).parts[0][mesh_direction], 1.5 * 0.0125, 1e-3);
+  EXPECT_EQ(found.hopeful(mesh_direction).estimate(point).parts[0][time_direction],
+            found.estimate(point).parts[0][time_direction]);
+}
+
 }  // namespace
 }  // namespace ixos

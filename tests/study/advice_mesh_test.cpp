@@ -32,10 +32,17 @@ TEST(AdviceMeshTest, OddNumbersAreNotHalved) {
 }
 
 TEST(AdviceMeshTest, ADiskKeepsAnEvenCore) {
-  const MeshLevels found = levels("ball.xml");  // 4 core divisions, 2 rings
-  EXPECT_EQ(found.scene_level, 1U);
-  EXPECT_EQ(found.levels[0].settings, (Assignments{"Mesh/Disk/Core Divisions=2", "Mesh/Disk/Rings=1"}));
-  EXPECT_EQ(found.levels[2].settings, (Assignments{"Mesh/Disk/Core Divisions=8", "Mesh/Disk/Rings=4"}));
+  const MeshLevels found = levels("ball.xml", {"Mesh/Disk/Core Divisions=8", "Mesh/Disk/Rings=4"});
+  EXPECT_EQ(found.scene_level, 1U) << "one ring is too few";
+  EXPECT_EQ(found.levels[0].settings, (Assignments{"Mesh/Disk/Core Divisions=4", "Mesh/Disk/Rings=2"}));
+  EXPECT_EQ(found.levels[2].settings, (Assignments{"Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=8"}));
+  EXPECT_EQ(levels("ball.xml", {"Mesh/Disk/Core Divisions=2", "Mesh/Disk/Rings=1"}).scene_level, 0U);
+}
+
+TEST(AdviceMeshTest, OneCellAcrossIsTooFewUnlessTheSceneHasIt) {
+  EXPECT_EQ(levels("strip.xml", {"Mesh/Box/Divisions={80, 2}"}).scene_level, 0U);
+  EXPECT_EQ(levels("strip.xml", {"Mesh/Box/Divisions={80, 1}"}).levels.front().settings,
+            Assignments{"Mesh/Box/Divisions={80, 1}"});
 }
 
 TEST(AdviceMeshTest, ASpatulaIsAVolume) {

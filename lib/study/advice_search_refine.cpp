@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "study/advice_search.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
+constexpr std::size_t most_points = 3;   ///< of a line that moves with the base
+constexpr double helpful = 0.9;          ///< largest part of an error that a refinement which helps leaves of it
+constexpr std::size_t most_rounds = 100;
+
+/// Returns the largest error of a base. Two relative errors interact by about their product, which should be a part of
+/// the tolerance.
+double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
+
+}  // namespace
+
+/// Runs the next finer level of a direction at the base. Returns whether it reached its end.
+bool AdviceSearch::extend(std::size_t d) {
+  const std::size_t level = errors().finest(d, 0) + 1;
+  if (level >= levels(d)) return false;
+  const AdvicePoint next = moved(d, level);
+  if (const AdviceSample* known = runs_.sample(next); known != nullptr) return false;  // it failed
+  if (!runs_.affords(costs().seconds(next))) return false;
+  runs_.carry_out({next});
+  return runs_.sample(next)->good;
+}
+
+/// Returns whether the line of a direction has enough points, as far as there are levels.
+bool AdviceSearch::has_line(std::size_t d) const {
+  const std::size_t first = d == mesh_direction ? coarsest_mesh_ : 0;
+  return errors().tested(d, 0) >= std::min(least_points, levels(d) - first);
+}
+
+/// Returns whether the error of a direction at the base is so large that it may change those of other directions.
+bool AdviceSearch::is_base_coarse(std::size_t d) const {
+  for (const std::vector<double>& parts : errors().estimate(base_).parts)
+    if (!(parts[d] <= largest_base_error(question_.tolerance))) return true;
+  return false;
+}
+
+/// Returns the runs that the line of a direction through another base needs, and that were not carried out: the base
+/// and the finest levels that the present line has.
+std::vector<AdvicePoint> AdviceSearch::missing_line(const AdvicePoint& base, std::size_t d) const {
+  std::vector<std::size_t> wanted = errors().levels(d, 0);
+  wanted.erase(wanted.begin(), wanted.end() - static_cast<long>(std::min(most_points, wanted.size())));
+  wanted.push_back(base[d].level);
+  std::vector<AdvicePoint> missing;
+  for (std::size_t level : wanted) {
+    AdvicePoint point = base;
+    point[d].level = level;
+    if (runs_.sample(point) == nullptr) missing.push_back(point);
+  }
+  return missing;
+}
+
+/// Returns the next finer base in a direction; none if the line does not reach it.
+AdvicePoint AdviceSearch::finer_base(std::size_t d) const {
+  const AdvicePoint next = moved(d, base_[d].level + 1);
+  if (next[d].level > errors().finest(d, 0)) return {};
+  const AdviceSample* sample = runs_.sample(next);
+  return sample != nullptr && sample->good ? next : AdvicePoint();
+}
+
+/// Moves the base to the next finer level of one of some directions, whichever needs the cheaper runs. Returns whether
+/// it moved.
+bool AdviceSearch::move_base(const std::vector<std::size_t>& directions) {
+  const AdviceCosts cost = costs();
+  std::vector<AdvicePoint> cheapest;
+  AdvicePoint best;
+  double least = 0;
+  for (std::size_t d : directions) {
+    const AdvicePoint next = finer_base(d);
+    if (next.empty()) continue;
+    const std::vector<AdvicePoint> missing = missing_line(next, d == time_direction ? mesh_direction : time_direction);
+    double seconds = 0;
+    for (const AdvicePoint& point : missing) seconds += cost.seconds(point);
+    if (!best.empty() && seconds >= least) continue;
+    best = next;
+    cheapest = missing;
+    least = seconds;
+  }
+  if (best.empty() || !runs_.affords(least)) return false;
+  runs_.carry_out(cheapest);
+  base_ = best;
+  return true;
+}
+
+/// Returns the largest part of the error that a direction has at its finest level.
+double AdviceSearch::finest_part(std::size_t d) const {
+  const AdviceErrors known = errors();
+  double most = 0;
+  for (const std::vector<double>& parts : known.estimate(moved(d, known.finest(d, 0))).parts)
+    most = std::max(most, parts[d]);
+  return most;
+}
+
+/// Refines a direction once more. If its sequence has no order, or the last refinement did not help, it does not
+/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction.
+bool AdviceSearch::refine_line(std::size_t d) {
+  const double part = finest_part(d);
+  const bool irregular = !errors().has_order(d), futile = part > helpful * last_part_[d];
+  if ((irregular || futile) && d <= mesh_direction &&
+      move_base({d == time_direction ? mesh_direction : time_direction})) {
+    last_part_[d] = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  last_part_[d] = part;
+  return extend(d);
+}
+
+/// Reduces the largest part of the error that the finest settings of all lines have. Returns whether anything changed.
+bool AdviceSearch::sharpen() {
+  const AdviceErrors known = errors();
+  AdvicePoint corner = base_;
+  for (std::size_t d = 0; d < corner.size(); ++d) corner[d].level = known.finest(d, 0);
+  const AdviceEstimate estimate = known.estimate(corner);
+  const std::size_t q = estimate.worst_quantity();
+  const std::vector<double>& parts = estimate.parts[q];
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
+  if (known.interaction(corner, q) > parts[order.front()] && move_base({time_direction, mesh_direction})) return true;
+  for (std::size_t d : order) {
+    if (!directions_.all[d].converges) continue;
+    if (d <= mesh_direction && try_before(d)) return true;
+    if (refine_line(d)) return true;
+    if (parts[d] > question_.tolerance) return false;
+  }
+  return false;
+}
+
+/// Runs the next level of a direction whose error must be measured. Returns whether there was one.
+bool AdviceSearch::examine_suspects() {
+  const AdviceErrors known = errors();
+  for (std::size_t d = mesh_direction + 1; d < directions_.all.size(); ++d)
+    if (directions_.all[d].suspect && known.finest(d, 0) == directions_.all[d].scene_level && extend(d)) return true;
+  return false;
+}
+
+/// Refines until settings keep the tolerance.
+AdviceStatus AdviceSearch::refine() {
+  for (std::size_t round = 0; round < most_rounds; ++round) {
+    // Chaos may show on finer meshes, or with some steps, only.
+    if (needs_perturbation(base_) && !is_predictable(base_)) return AdviceStatus::Chaotic;
+    if (!has_line(time_direction) || !has_line(mesh_direction)) {
+      if (extend(has_line(time_direction) ? mesh_direction : time_direction)) continue;
+      return AdviceStatus::Unreachable;
+    }
+    if (examine_suspects()) continue;
+    if (is_base_coarse(mesh_direction) && move_base({mesh_direction})) continue;
+    if (is_base_coarse(time_direction) && move_base({time_direction})) continue;
+    const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
+    if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
+    if (!sharpen()) break;
+  }
+  return AdviceStatus::Unreachable;
+}
+
+}  // namespace ixos
