@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "solve/nox_vector.hpp"
@@ -21,6 +22,11 @@ struct End {
 
 /// Number of times that a step is shortened at most if there is no potential.
 constexpr int shortenings = 6;
+
+/// Number of times that a step is lengthened at most, the least and the largest factor, and the share of the first
+/// slope above which it is.
+constexpr int lengthenings = 4;
+constexpr double least_factor = 1.3, largest_factor = 3, steep = 0.2;
 
 /// Returns the place in [0, 1] of the minimum of the cubic through both ends, kept within [0.1, 0.6].
 double valley(const End& start, const End& end) {
@@ -57,6 +63,10 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
       step *= std::clamp(slope / (slope - end_slope), 0.1, 0.6);
       continue;
     }
+    if (trial == 0 && step == 1 && end_slope < steep * slope) {
+      step = lengthened(group, old, direction, {slope, end_slope});
+      return true;
+    }
     if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
     if (!start) start = problem_.potential(*from);
     const Potential end = problem_.potential(*tpetra(group.getX()));
@@ -66,6 +76,44 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
   }
   step = 0;  // tells NOX that the search failed
   return false;
+}
+
+double AdmissibleLineSearch::lengthened(NOX::Abstract::Group& group, const NOX::Abstract::Group& old,
+                                        const NOX::Abstract::Vector& direction, Slopes slopes) {
+  const auto along = tpetra(direction), from = tpetra(old.getX());
+  Vector way(*along, Teuchos::Copy);
+  double step = 1, before = 0, reached = 1;
+  // Returns NaN if the step is not possible.
+  const auto slope_at = [&](double next) {
+    way.update(next, *along, 0.0);
+    if (problem_.admissible_step(*from, way) < 1) return std::numeric_limits<double>::quiet_NaN();
+    reached = next;
+    group.computeX(old, direction, next);
+    const bool done = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
+    return done ? inner_product(*tpetra(group.getF()), *along) : std::numeric_limits<double>::quiet_NaN();
+  };
+  double slope_before = slopes.start, slope = slopes.end;
+  for (int i = 0; i < lengthenings && slope < steep * slopes.start; ++i) {
+    double next = largest_factor * step;
+    if (slope > slope_before)
+      next = std::clamp(step - slope * (step - before) / (slope - slope_before), least_factor * step, next);
+    double next_slope = slope_at(next);
+    if (next_slope > -0.2 * slopes.start) {  // beyond the minimum
+      next = step + (next - step) * std::clamp(slope / (slope - next_slope), 0.1, 0.9);
+      next_slope = slope_at(next);
+      if (std::isfinite(next_slope)) return next;
+    }
+    if (!std::isfinite(next_slope)) break;
+    before = step;
+    slope_before = slope;
+    step = next;
+    slope = next_slope;
+  }
+  if (reached != step) {
+    group.computeX(old, direction, step);
+    group.computeF();
+  }
+  return step;
 }
 
 }  // namespace ixos

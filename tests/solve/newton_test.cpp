@@ -34,16 +34,34 @@ class Equations final : public test::DiagonalProblem {
 
 constexpr int unknowns = Equations::unknowns;
 
+/// x = 3 as the minimum of (x - 3)^2/2, with a tangent that is too stiff.
+class StiffSprings final : public test::DiagonalProblem {
+ public:
+  explicit StiffSprings(double stiffness) : stiffness_(stiffness) {}
+  bool is_gradient() const override { return true; }
+  Potential potential(const Vector& x) override {
+    double mine = 0, all = 0;
+    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < view.extent(0); ++i) mine += (view(i, 0) - 3) * (view(i, 0) - 3) / 2;
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, &mine, &all);
+    return {all, all};
+  }
+
+ private:
+  double value(double, double x) const override { return x - 3; }
+  double slope(double, double) const override { return stiffness_; }
+
+  double stiffness_;
+};
+
 struct Ending {
   NewtonResult result;
   std::vector<double> x;  ///< by unknown
 };
 
-/// Solves from x = start on.
-Ending solve(const Equation& equation, double start, const NewtonOptions& options, bool kinks = false) {
+Ending solve(test::DiagonalProblem& problem, double start, const NewtonOptions& options) {
   Teuchos::ParameterList list;
   list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
-  Equations problem(equation, kinks);
   NewtonSolver newton(problem, LinearSolverFactory(list), options);
   Vector x(problem.map());
   x.putScalar(start);
@@ -53,6 +71,12 @@ Ending solve(const Equation& equation, double start, const NewtonOptions& option
   for (std::size_t i = 0; i < view.extent(0); ++i) mine[static_cast<std::size_t>(problem.id(i))] = view(i, 0);
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, unknowns, mine.data(), ending.x.data());
   return ending;
+}
+
+/// Solves from x = start on.
+Ending solve(const Equation& equation, double start, const NewtonOptions& options, bool kinks = false) {
+  Equations problem(equation, kinks);
+  return solve(problem, start, options);
 }
 
 // The force of a slip that sticks up to 0.1 and slides beyond: from x = 10, full steps lead to -10 and back.
@@ -120,6 +144,21 @@ TEST(NewtonTest, AStepIntoTheInadmissibleIsHalved) {
   for (; std::sqrt(double{unknowns}) * std::abs(1 - 1 / x) > 1e-12; ++iterations) x = 2 * x - x * x;
   EXPECT_EQ(ending.result.iterations, iterations);
   for (double found : ending.x) EXPECT_NEAR(found, 1, 1e-12);
+}
+
+// With twice the stiffness, the secant finds the minimum. With ten times, the first step is lengthened to 3 and to 9
+// times, where a tenth of the slope is left.
+TEST(NewtonTest, StepsAreLengthenedWhileThePotentialFallsSteeply) {
+  StiffSprings twice(2), ten_times(10);
+  const Ending at_once = solve(twice, 0, {1e-10, 100, {}});
+  EXPECT_TRUE(at_once.result.converged) << at_once.result.reason;
+  EXPECT_EQ(at_once.result.iterations, 1);
+  const Ending ending = solve(ten_times, 0, {1e-10, 100, {}});
+  EXPECT_TRUE(ending.result.converged) << ending.result.reason;
+  int iterations = 0;
+  for (double error = 3; std::sqrt(double{unknowns}) * error > 1e-10; error /= 10) ++iterations;
+  EXPECT_EQ(ending.result.iterations, iterations);
+  for (double found : ending.x) EXPECT_NEAR(found, 3, 1e-10);
 }
 
 // Full steps for arctan x = 0 diverge from 3 on: the first one leads to 3 - 10 arctan 3 = -9.49. NOX's line searches

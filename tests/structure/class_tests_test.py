@@ -102,7 +102,7 @@ elsewhere = {
     "scene/scene_facts.hpp": ("scene/warnings_test.cpp", "the facts behind each warning"),
     "scene/simulation.hpp": ("scenes/ball_test.cpp", "the tests of scenes construct it"),
     "scene/stop.hpp": ("run/run_test.cpp", "runs that a criterion ends"),
-    "solve/admissible_line_search.hpp": ("solve/newton_test.cpp", "a step into the inadmissible is halved"),
+    "solve/admissible_line_search.hpp": ("solve/newton_test.cpp", "steps that are halved, and steps that are lengthened"),
     "solve/assemblable_operator.hpp": ("solve/tangent_operator_test.cpp", "an interface of TangentOperator"),
     "solve/chebyshev_polynomial.hpp": ("solve/chebyshev_test.cpp", "the best polynomial of its degree"),
     "solve/chebyshev_preconditioner.hpp": ("solve/chebyshev_test.cpp", "the polynomial"),
