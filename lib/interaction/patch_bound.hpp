@@ -4,8 +4,8 @@
 
 namespace ixos {
 
-/// What is known of a patch at one place without a search for its nearest point: a box around it, with its axes along
-/// the tangent plane and the normal at its middle; its hull; and the tangent plane itself.
+/// Bounds that need no search for the nearest point. They use a box around the patch, with its axes along the tangent
+/// plane and the normal at its middle, the patch's hull, and the tangent plane.
 template <std::size_t D>
 class PatchBound {
  public:

@@ -47,10 +47,11 @@ class PlacedSurface {
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
   /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `guess`: a patch that is
-  /// likely near, or -1; it changes the time of the search only. So does `start`, but for rounding: the nearest point
-  /// of a place near by, or null; its patch is the guess, if it has one. The gap is positive on the outer side. At a
-  /// kink, the sum of the normals of the patches that meet there, weighted by their angles, tells the outer side
-  /// (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in the tree.
+  /// likely near, or -1; it changes the time of the search only. `start`: the nearest point of a place near by, or
+  /// null; it changes the result by rounding errors at most, and its patch replaces the guess, if it has one. The gap
+  /// is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
+  /// angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in
+  /// the tree.
   SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(), int guess = -1,
                          const SurfaceFoot<D>* start = nullptr) const;
   /// Does the same among these patches, ascending, which must contain all patches that are nearer than `range`.

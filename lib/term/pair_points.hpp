@@ -97,8 +97,8 @@ class PairPoints {
   double passes() const { return (sight_ ? 2 : 1) / share_; }
   bool reacts() const { return reacts_; }
 
-  /// Returns quadrature weight times reference length or area, of the ring in a body of revolution, with and without the
-  /// factor [L0^(D-1)].
+  /// Returns quadrature weight times reference length or area, of the ring in a body of revolution, with and without
+  /// the factor [L0^(D-1)].
   double measure(const Contact& c) const { return points_[index(c)].measure; }
   double area(const Contact& c) const { return points_[index(c)].area; }
   const typename SurfacePatch<D>::Weights& weights(const Contact& c) const { return points_[index(c)].weights; }
@@ -140,7 +140,7 @@ class PairPoints {
   std::size_t per_patch_;
   std::vector<Point> points_;
   std::vector<char> adds_to_own_;  ///< by patch
-  // What was found last. It changes the time of the next search only.
+  // The results of the last search and of the last evaluation save time. Results do not depend on them.
   mutable PairSearch<D> search_;
   mutable std::shared_ptr<const PairNeighbours> seen_;
   mutable long seen_version_ = -1;

@@ -73,7 +73,7 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
       patch = straight_patch(four[1], four[2]);
     }
     patch.neighbours = {before, after};
-    // On the axis of a body of revolution the curve goes on as its own mirror image, not to a free end.
+    // A curve of a body of revolution does not end freely at the axis: its mirror image continues it.
     for (const std::size_t end : {0U, 1U})
       if (!on_axis.empty() && patch.neighbours[end] < 0 && on_axis[static_cast<std::size_t>(node_of(own, end))])
         patch.neighbours[end] = own;
