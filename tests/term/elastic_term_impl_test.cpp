@@ -172,6 +172,31 @@ TEST(ElasticTermTest, ForceAndTangentAreDerivatives) {
   EXPECT_NEAR(body.dot(body.times(body.tangent(*term, u), v), w), test::derivative(power), 1e-7);
 }
 
+// Long steps are not kept as sums over the points in time, but computed again.
+TEST(ElasticTermTest, KeptTangentsAreThoseOfTheSegment) {
+  const Body body;
+  const std::vector<double> u = body.noise(0.05, 0.3);
+  const auto term = body.term(neo_hooke(lame));
+  const auto kept = term->create_kept();
+  const std::vector<double> velocity = body.noise(0.01, 2.0);
+  ASSERT_NE(kept, nullptr);
+  for (double change : {1e-3, 0.05}) {
+    const std::vector<double> start = body.sum(u, 1.0, body.noise(change, 1.4));
+    Segment step = end(u);
+    step.from = start.data();
+    step.velocity = velocity.data();
+    for (const Rule& rule : {end_rule(), gauss_rule(4), gauss_rule(3, Path::Kinematic)}) {
+      std::vector<double> f = body.zeros(), matrix(static_cast<std::size_t>(body.pattern.pairs()) * 4, 0.0),
+                          expected = matrix;
+      EXPECT_TRUE(term->add_force_and_keep(step, rule, *kept, f.data()));
+      body.expect_near(f, body.force(*term, step, rule), 1e-15);
+      term->add_kept_tangent(step, rule, Tangent::Exact, *kept, matrix.data());
+      term->add_tangent(step, rule, Tangent::Exact, expected.data());
+      for (std::size_t k = 0; k < matrix.size(); ++k) EXPECT_NEAR(matrix[k], expected[k], 1e-13) << k;
+    }
+  }
+}
+
 TEST(ElasticTermTest, DiagonalAndRowSumsAreThoseOfTheTangent) {
   for (bool one_cell : {true, false}) {
     const Body body(one_cell ? std::array<int, 3>{1, 1, 1} : std::array<int, 3>{5, 3, 1});
