@@ -243,6 +243,28 @@ TEST(ElasticTermTest, ProductsWithoutAMatrixAreThoseOfTheTangents) {
   }
 }
 
+// Halving the step quarters the difference, until single precision shows.
+TEST(ElasticTermTest, ProductsOfMeansOverAPathAreThoseOfTheTangentToSecondOrder) {
+  const Body body;
+  const std::vector<double> u = body.noise(0.05, 0.3), v = body.noise(0.2, 1.1), change = body.noise(0.05, 1.4);
+  const auto term = body.term(neo_hooke(lame));
+  const auto action = term->create_action();
+  const auto difference = [&](double share) {
+    const std::vector<double> start = Body::sum(u, share, change);
+    Segment step = end(u);
+    step.from = start.data();
+    std::vector<double> matrix(static_cast<std::size_t>(body.pattern.pairs()) * 4, 0.0), product = body.zeros();
+    term->add_tangent(step, gauss_rule(4), Tangent::Exact, matrix.data());
+    action->linearize(step, gauss_rule(4), Tangent::Exact, {});
+    action->add_product(v.data(), product.data());
+    const std::vector<double> rest = Body::sum(product, -1, body.times(matrix, v));
+    return std::sqrt(body.dot(rest, rest));
+  };
+  const double whole = difference(1.0);
+  EXPECT_GT(whole, 1e-4);
+  EXPECT_NEAR(whole / difference(0.5), 4.0, 0.5);
+}
+
 // A translation meets no stiffness: x . W x is the factor times the mass of unit density times |x|^2.
 TEST(ElasticTermTest, ProductsWithoutAMatrixIncludeAMassOfTheDefaultPoints) {
   const Body body;
