@@ -43,7 +43,7 @@ class NeoHookePath {
   static constexpr std::size_t degrees = D;  // the cofactors are of degree D - 1
 
  public:
-  /// What moduli() needs. F^-T J and its change follow from the gradients.
+  /// The sums that moduli() needs, and the path. The cofactors follow from the path.
   struct Sums {
     Small<T, D> start, change;            ///< H0, H1 - H0
     double weight = 0;                    ///< sum of the weights of the moduli

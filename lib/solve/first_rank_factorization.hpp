@@ -5,8 +5,8 @@
 
 namespace ixos {
 
-/// A factorisation of a matrix that is collected on the first rank, which can run whole Krylov solves without a message,
-/// see collected_cg().
+/// A factorisation of a matrix that is collected on the first rank, which can run whole Krylov solves without a
+/// message, see collected_cg().
 class FirstRankFactorization : public Factorization {
  public:
   /// Returns the matrix. factor() gives it the values of the time; until the next factor(), others may refresh it.
