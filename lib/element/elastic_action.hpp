@@ -203,10 +203,14 @@ struct ElasticAction {
   [[gnu::always_inline]] static void multiply_point(const std::vector<double>& volume_moduli, const Kept* data,
                                                     Small<T, D>& gradient, std::array<T, D>* value) {
     const Small<T, D> g = gradient;
-    multiply_metric(data, g, gradient);
+    Small<T, D> t;
+    multiply_metric(data, g, t);
     data += metric_size;
-    for (std::size_t p = 0; p < volume_moduli.size(); ++p, data += time_point_size)
-      add_time_point(data, volume_moduli[p], g, gradient);
+    add_time_point(data, volume_moduli[0], g, t);
+    data += time_point_size;
+    for (std::size_t p = 1; p < volume_moduli.size(); ++p, data += time_point_size)
+      add_time_point(data, volume_moduli[p], g, t);
+    gradient = t;
     if constexpr (HasMass)
       for (T& v : *value) v *= widen<T>(*data);
   }

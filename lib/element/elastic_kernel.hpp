@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "base/pack.hpp"
@@ -12,8 +13,15 @@
 #include "element/node_pairs.hpp"
 #include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
+#include "fem/straight_points.hpp"
 
 namespace ixos {
+
+/// Whether a law has a Path, which sums over points of a straight path at once (see NeoHookePath).
+template <class Law, class = void>
+struct HasPath : std::false_type {};
+template <class Law>
+struct HasPath<Law, std::void_t<typename Law::template Path<2, double>>> : std::true_type {};
 
 /// Isoparametric displacement element with a hyperelastic material. T is double, Pack, or an AD type. Nodal arrays are
 /// [node][component]; the tangent is [node D + component][node D + component].
@@ -38,6 +46,8 @@ struct ElasticKernel {
   static constexpr bool has_discrete_gradient = true;
   /// Whether add_force() can keep what add_kept_tangent() needs.
   static constexpr bool keeps_points = Material::keeps_state;
+  /// Whether the law sums over points of a straight path at once. Rings are evaluated point by point.
+  static constexpr bool has_path = HasPath<Material>::value && !revolved;
 
   template <class T>
   using Nodal = Small<T, N, D>;
@@ -98,11 +108,17 @@ struct ElasticKernel {
         geometry.points, [&](std::size_t q) { return gradient(u, shape_gradients(geometry, q)); }, value);
   }
 
+  /// Returns whether the law sums over the points of the rule at once. Then nothing is kept.
+  static bool sums_along_path(const Rule& rule) {
+    return has_path && rule.mean == Mean::Points && has_straight_points(rule);
+  }
+
   /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane
   /// by lane.
   template <class T>
   static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
                      Nodal<T>& f) {
+    if (sums_along_path(rule)) return add_path_force<T, char>(material, geometry, segment, rule, f, nullptr);
     return add_force_with(material, geometry, segment, rule, f,
                           [&](std::size_t, const Small<T, G>& h, Small<T, G>& p) { return material.stress(h, p); });
   }
@@ -129,30 +145,26 @@ struct ElasticKernel {
                                    [&](std::size_t, const Nodal<T>& dn, Small<T, D>& inverse) {
                                      return material.spatial_tangent(Ends<T>(segment, dn).at(rule.points[0]), inverse);
                                    });
+    if (sums_along_path(rule)) return add_path_tangent(material, geometry, segment, rule, k);
+    const auto moduli = [&](std::size_t q, const Gradients<T>& dn, Small<T, C>& sum) {
+      const Ends<T> ends(segment, dn);
+      sum = {};
+      add_point_moduli(material, ends, rule, sum);
+      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient_moduli(ends.from, ends.to, sum);
+      for (std::size_t r = 0; r < C; ++r)
+        for (std::size_t c = 0; c < C; ++c) sum[r][c] *= geometry.points[q].weight;
+    };
+    if (rule.is_gradient()) return add_symmetric_tangent(geometry, moduli, k);
     for (std::size_t q = 0; q < geometry.points.size(); ++q) {
       const Gradients<T> dn = shape_gradients(geometry, q);
-      const Ends<T> ends(segment, dn);
-      Small<T, C> mean{};
-      for (const RulePoint& point : rule.points) {
-        Small<T, G> p;
-        Small<T, C> moduli;
-        material.stress_and_moduli(ends.at(point), p, moduli);
-        const double weight = point.weight * point.to;
-        for (std::size_t r = 0; r < C; ++r)
-          for (std::size_t c = 0; c < C; ++c) mean[r][c] += weight * moduli[r][c];
-      }
-      if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient_moduli(ends.from, ends.to, mean);
-      for (std::size_t r = 0; r < C; ++r)
-        for (std::size_t c = 0; c < C; ++c) mean[r][c] *= geometry.points[q].weight;
-      if (rule.is_gradient())
-        add_contraction<true>(dn, dn, mean, k);
-      else
-        add_contraction<false>(dn, dn, mean, k);
+      Small<T, C> sum;
+      moduli(q, dn, sum);
+      add_contraction<false>(dn, dn, sum, k);
     }
   }
 
-  /// Adds the tangent at the place of the add_force() that kept `kept`. Only if keeps_points; not for discrete
-  /// gradients.
+  /// Adds the tangent at the place of the add_force() that kept `kept`. Only if keeps_points; neither for discrete
+  /// gradients nor if sums_along_path().
   template <class T, class Kept>
   static void add_kept_tangent(const Material& material, const Geometry<T>& geometry, const Rule& rule,
                                const Kept* kept, Tangent<T>& k) {
@@ -163,14 +175,36 @@ struct ElasticKernel {
                                      inverse = kept[q].g;
                                      return material.spatial_tangent(kept[q]);
                                    });
-    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-      Small<T, C> mean{};
-      for (std::size_t i = 0; i < rule.points.size(); ++i)
-        material.add_moduli(kept[q * rule.points.size() + i],
-                            T(geometry.points[q].weight * (rule.points[i].weight * rule.points[i].to)), mean);
-      const Gradients<T> dn = shape_gradients(geometry, q);
-      add_contraction<true>(dn, dn, mean, k);
-    }
+    add_symmetric_tangent(
+        geometry,
+        [&](std::size_t q, const Gradients<T>&, Small<T, C>& sum) {
+          sum = {};
+          for (std::size_t i = 0; i < rule.points.size(); ++i)
+            material.add_moduli(kept[q * rule.points.size() + i],
+                                T(geometry.points[q].weight * (rule.points[i].weight * rule.points[i].to)), sum);
+        },
+        k);
+  }
+
+  /// Does what add_force() does, if sums_along_path(), and keeps sums[point] for the tangent at that place.
+  template <class T, class Sums>
+  static T add_force_and_sums(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                              const Rule& rule, Nodal<T>& f, Sums* sums) {
+    return add_path_force(material, geometry, segment, rule, f, sums);
+  }
+  /// Adds that tangent. Returns false, with nothing added, if the points of the rule must be evaluated one by one.
+  template <class T, class Sums>
+  static bool add_summed_tangent(const Material& material, const Geometry<T>& geometry, const Sums* sums,
+                                 Tangent<T>& k) {
+    for (std::size_t q = 0; q < geometry.points.size(); ++q)
+      if (!sums[q].is_near) return false;
+    add_symmetric_tangent(
+        geometry,
+        [&](std::size_t q, const Gradients<T>&, Small<T, C>& sum) {
+          Material::template Path<G, T>::moduli(material, sums[q], geometry.points[q].weight, sum);
+        },
+        k);
+    return true;
   }
 
   /// Displacement gradients at the ends of the segment.
@@ -260,17 +294,140 @@ struct ElasticKernel {
       for (std::size_t k = 0; k < rule.points.size(); ++k) {
         const RulePoint& point = rule.points[k];
         Small<T, G> p;
-        least_jacobian = smaller(least_jacobian, stress(q * rule.points.size() + k, ends.at(point), p));
+        least_jacobian = lesser(least_jacobian, stress(q * rule.points.size() + k, ends.at(point), p));
         for (std::size_t i = 0; i < G; ++i)
           for (std::size_t j = 0; j < G; ++j) mean[i][j] += point.weight * p[i][j];
       }
       if (rule.mean == Mean::DiscreteGradient) material.discrete_gradient(ends.from, ends.to, mean);
-      if constexpr (Material::can_invert) least_jacobian = smaller(least_jacobian, admissibility(material, ends.to));
+      if constexpr (Material::can_invert) least_jacobian = lesser(least_jacobian, admissibility(material, ends.to));
       for (std::size_t i = 0; i < G; ++i)
         for (std::size_t j = 0; j < G; ++j) mean[i][j] *= geometry.points[q].weight;
       add_nodal_forces(mean, dn, f);
     }
     return least_jacobian;
+  }
+
+  /// Adds the force if sums_along_path(). `sums`: see add_force_and_sums(), or null.
+  template <class T, class Sums>
+  static T add_path_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                          const Rule& rule, Nodal<T>& f, Sums* sums) {
+    T least_jacobian(1e300);
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const Gradients<T> dn = shape_gradients(geometry, q);
+      const Ends<T> ends(segment, dn);
+      const T& weight = geometry.points[q].weight;
+      Small<T, G> sum;
+      if (!sum_stresses(material, ends, rule, weight, sum, least_jacobian, sums != nullptr ? sums + q : nullptr)) {
+        sum = {};
+        for (const RulePoint& point : rule.points) {
+          Small<T, G> p;
+          least_jacobian = lesser(least_jacobian, material.stress(ends.at(point), p));
+          const T share = point.weight * weight;
+          for (std::size_t i = 0; i < G; ++i)
+            for (std::size_t j = 0; j < G; ++j) sum[i][j] += share * p[i][j];
+        }
+      }
+      if constexpr (Material::can_invert) least_jacobian = lesser(least_jacobian, admissibility(material, ends.to));
+      add_nodal_forces(sum, dn, f);
+    }
+    return least_jacobian;
+  }
+
+  /// Returns the smaller of two numbers. A call among the time points would spill all registers of vectors.
+  template <class T>
+  [[gnu::always_inline]] static T lesser(const T& a, const T& b) {
+    if constexpr (std::is_same_v<T, Pack>)
+      return std::experimental::min(a, b);
+    else
+      return smaller(a, b);
+  }
+
+  /// Adds the moduli of the time points by the end of the segment.
+  template <class T>
+  [[gnu::always_inline]] static void add_point_moduli(const Material& material, const Ends<T>& ends, const Rule& rule,
+                                                      Small<T, C>& sum) {
+    for (const RulePoint& point : rule.points) {
+      Small<T, G> p;
+      Small<T, C> moduli;
+      material.stress_and_moduli(ends.at(point), p, moduli);
+      const double share = point.weight * point.to;
+      for (std::size_t r = 0; r < C; ++r)
+        for (std::size_t c = 0; c < C; ++c) sum[r][c] += share * moduli[r][c];
+    }
+  }
+
+  /// Adds the tangent if sums_along_path().
+  template <class T>
+  static void add_path_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                               const Rule& rule, Tangent<T>& k) {
+    add_symmetric_tangent(
+        geometry,
+        [&](std::size_t q, const Gradients<T>& dn, Small<T, C>& sum) {
+          const Ends<T> ends(segment, dn);
+          const T& weight = geometry.points[q].weight;
+          if (sum_moduli(material, ends, rule, weight, sum)) return;
+          sum = {};
+          add_point_moduli(material, ends, rule, sum);
+          for (std::size_t r = 0; r < C; ++r)
+            for (std::size_t c = 0; c < C; ++c) sum[r][c] *= weight;
+        },
+        k);
+  }
+
+  /// Calls moduli(point, dN/dX, sum), which computes symmetric moduli times the weight, and adds their tangent.
+  template <class T, class Moduli>
+  [[gnu::always_inline]] static void add_symmetric_tangent(const Geometry<T>& geometry, const Moduli& moduli,
+                                                           Tangent<T>& k) {
+    if constexpr (D == 3) {
+      for (std::size_t q = 0; q < geometry.points.size(); q += contractions_at_once) {
+        const std::size_t count = std::min(contractions_at_once, geometry.points.size() - q);
+        std::array<ModuliPoint<T, N, D>, contractions_at_once> points;
+        for (std::size_t i = 0; i < count; ++i) {
+          points[i].gradients = shape_gradients(geometry, q + i);
+          moduli(q + i, points[i].gradients, points[i].moduli);
+        }
+        add_contractions(points, count, k);
+      }
+    } else {
+      for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+        const Gradients<T> dn = shape_gradients(geometry, q);
+        Small<T, C> sum;
+        moduli(q, dn, sum);
+        add_contraction<true>(dn, dn, sum, k);
+      }
+    }
+  }
+
+  /// Sets `sum` to the sum of the rule's stresses, times a factor, lowers `least_jacobian`, and keeps `kept` unless it
+  /// is null. Returns false, with nothing but `kept` done, if the points must be evaluated one by one. Only if
+  /// sums_along_path().
+  template <class T, class Sums>
+  [[gnu::always_inline]] static bool sum_stresses(const Material& material, const Ends<T>& ends, const Rule& rule,
+                                                  const T& factor, Small<T, G>& sum, T& least_jacobian, Sums* kept) {
+    constexpr bool keeps = !std::is_same_v<Sums, char>;
+    if constexpr (has_path) {
+      typename Material::template Path<G, T> path(material, ends.from, ends.to);
+      T least = least_jacobian;
+      for (const RulePoint& point : rule.points)
+        least = lesser(least, path.template add_stress<keeps>(point.weight, point.to));
+      if constexpr (keeps) *kept = path.sums();
+      if (!path.is_near()) return false;
+      sum = path.stress(factor);
+      least_jacobian = least;
+    }
+    return has_path;
+  }
+  /// Does the same with the moduli by the end of the segment.
+  template <class T>
+  [[gnu::always_inline]] static bool sum_moduli(const Material& material, const Ends<T>& ends, const Rule& rule,
+                                                const T& factor, Small<T, C>& sum) {
+    if constexpr (has_path) {
+      typename Material::template Path<G, T> path(material, ends.from, ends.to);
+      for (const RulePoint& point : rule.points) path.add_moduli(point.weight * point.to, point.to);
+      if (!path.is_near()) return false;
+      path.moduli(factor, sum);
+    }
+    return has_path;
   }
 
   /// `linearize`(point, dN/dX, F^-1) sets F^-1 and returns the moduli in the deformed body.

@@ -112,4 +112,46 @@ inline void add_products(const std::array<SpatialPoint<T, N, D>, points_at_once>
   }
 }
 
+/// The tangent at one quadrature point: shape gradients and symmetric moduli times the weight.
+template <class T, std::size_t N, std::size_t D>
+struct ModuliPoint {
+  Small<T, N, D> gradients;
+  Small<T, D * D> moduli;
+};
+
+/// Number of points that add_contractions() takes at once.
+constexpr std::size_t contractions_at_once = 4;
+
+/// Does what add_contraction<true>() does for each point, node pairs in the outer loop as in add_products().
+template <class T, std::size_t N, std::size_t D>
+inline void add_contractions(const std::array<ModuliPoint<T, N, D>, contractions_at_once>& points, std::size_t count,
+                             Small<T, N * D>& k) {
+  for (std::size_t b = 0; b < N; ++b) {
+    std::array<Small<T, D * D, D>, contractions_at_once> product;  // A_iJkL dN_b,L
+    for (std::size_t q = 0; q < count; ++q) {
+      const auto& right = points[q].gradients[b];
+      for (std::size_t r = 0; r < D * D; ++r)
+        for (std::size_t c = 0; c < D; ++c) {
+          T sum = points[q].moduli[r][c * D] * right[0];
+          for (std::size_t l = 1; l < D; ++l) sum += points[q].moduli[r][c * D + l] * right[l];
+          product[q][r][c] = sum;
+        }
+    }
+    for (std::size_t a = 0; a <= b; ++a) {
+      Small<T, D> sum{};
+      for (std::size_t q = 0; q < count; ++q) {
+        const auto& left = points[q].gradients[a];
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t c = 0; c < D; ++c)
+            for (std::size_t j = 0; j < D; ++j) sum[i][c] += left[j] * product[q][i * D + j][c];
+      }
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t c = 0; c < D; ++c) {
+          k[a * D + i][b * D + c] += sum[i][c];
+          if (a != b) k[b * D + c][a * D + i] += sum[i][c];
+        }
+    }
+  }
+}
+
 }  // namespace ixos

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "fem/quadrature.hpp"
+#include "fem/straight_points.hpp"
 
 namespace ixos {
 
@@ -41,10 +42,9 @@ bool Rule::uses_start() const {
 
 bool Rule::is_path_mean() const {
   if (mean != Mean::Points) return true;
-  if (points.size() < 2 || kept_weight != 0) return false;
+  if (!has_straight_points(*this) || kept_weight != 0) return false;
   double sums[3] = {-1, -1.0 / 2, -1.0 / 3};
   for (const RulePoint& point : points) {
-    if (point.velocity != 0 || std::abs(point.from + point.to - 1) > 1e-14) return false;
     sums[0] += point.weight;
     sums[1] += point.weight * point.to;
     sums[2] += point.weight * point.to * point.to;

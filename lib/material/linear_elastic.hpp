@@ -86,6 +86,39 @@ struct LinearElastic {
       for (std::size_t j = 0; j < D; ++j) inverse_deformation[i][j] = T(i == j ? 1.0 : 0.0);
     return {T(lame.mu), T(lame.mu), T(lame.lambda)};
   }
+
+  /// See NeoHookePath. The sum of the stresses is that of the weighted displacement gradients.
+  template <std::size_t D, class T>
+  class Path {
+   public:
+    Path(const LinearElastic& law, const Small<T, D>& h0, const Small<T, D>& h1) : law_(law), from_(h0), to_(h1) {}
+    template <bool = false>
+    T add_stress(double weight, double t) {
+      from_weight_ += weight * (1 - t);
+      to_weight_ += weight * t;
+      return T(1.0);
+    }
+    void add_moduli(double weight, double t) { add_stress(weight, t); }
+    static constexpr bool is_near() { return true; }
+    Small<T, D> stress(const T& factor) const {
+      Small<T, D> h, p;
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) h[i][j] = factor * (from_weight_ * from_[i][j] + to_weight_ * to_[i][j]);
+      law_.stress(h, p);
+      return p;
+    }
+    void moduli(const T& factor, Small<T, D * D>& a) const {
+      Small<T, D> p;
+      law_.stress_and_moduli(to_, p, a);
+      for (auto& row : a)
+        for (T& value : row) value *= factor * (from_weight_ + to_weight_);
+    }
+
+   private:
+    const LinearElastic& law_;
+    const Small<T, D>&from_, &to_;
+    double from_weight_ = 0, to_weight_ = 0;
+  };
 };
 
 }  // namespace ixos

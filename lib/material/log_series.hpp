@@ -13,13 +13,28 @@ T log_one_plus(const T& x) {
   using std::log1p;
   return log1p(x);
 }
-[[gnu::noinline]] inline Pack log_one_plus_by_lanes(const Pack& x) { return std::experimental::log1p(x); }
-[[gnu::always_inline]] inline Pack log_one_plus(const Pack& x) {
-  if (!all_of(std::experimental::abs(x) < 0.3)) return log_one_plus_by_lanes(x);
-  const Pack s = x / (2.0 + x), square = s * s;
+/// Returns 2 artanh(s) by its series.
+[[gnu::always_inline]] inline Pack twice_artanh(const Pack& s) {
+  const Pack square = s * s;
   Pack sum = 1.0 / 21;
   for (int k = 19; k >= 1; k -= 2) sum = sum * square + 1.0 / k;
   return 2.0 * s * sum;
+}
+[[gnu::noinline]] inline Pack log_one_plus_by_lanes(const Pack& x) { return std::experimental::log1p(x); }
+[[gnu::always_inline]] inline Pack log_one_plus(const Pack& x) {
+  if (!all_of(std::experimental::abs(x) < 0.3)) return log_one_plus_by_lanes(x);
+  return twice_artanh(x / (2.0 + x));
+}
+
+/// Computes ln(1 + x) and 1/(1 + x) by their series, for |x| up to the limit: the rest is 2e-17.
+constexpr double log_and_inverse_limit = 0.01;
+template <class T>
+[[gnu::always_inline]] inline void log_and_inverse(const T& x, T& log, T& inverse) {
+  const T square = x * x;
+  inverse = (1.0 - x) * ((1.0 + square) * (1.0 + square * square));
+  T sum = T(-1.0 / 8);
+  for (int k = 7; k >= 1; --k) sum = sum * x + (k % 2 == 0 ? -1.0 : 1.0) / k;
+  log = sum * x;
 }
 
 /// Returns ln(1 + x), also for x close to -1: given sqrt(1 + x), which has more correct digits unless |x| is small.

@@ -5,6 +5,7 @@
 #include "material/discrete_neo_hooke.hpp"
 #include "material/lame.hpp"
 #include "material/log_series.hpp"
+#include "material/neo_hooke_path.hpp"
 #include "material/spatial_tangent.hpp"
 #include "material/strain.hpp"
 
@@ -23,6 +24,9 @@ struct NeoHooke {
   static constexpr bool has_discrete_gradient = true;
   static constexpr bool has_spatial_tangent = true;
   static constexpr bool keeps_state = true;
+  /// Sums stresses and moduli over points of a straight path.
+  template <std::size_t D, class T>
+  using Path = NeoHookePath<D, T>;
   Lame lame;
 
   /// The part of a state that moduli need, F^-1 and L. With it, stress and tangent at one place compute it once.

@@ -7,13 +7,12 @@
 #include <utility>
 
 #include "base/memory.hpp"
-#include "solve/collected_matrix.hpp"
-#include "solve/factorization.hpp"
+#include "solve/first_rank_factorization.hpp"
 
 namespace ixos {
 namespace {
 
-class Cholmod final : public Factorization {
+class Cholmod final : public FirstRankFactorization {
  public:
   Cholmod() {
     cholmod_start(&common_);
@@ -58,12 +57,11 @@ class Cholmod final : public Factorization {
     require(matrix_->agreed(status), "factor");
   }
 
-  void solve(const MultiVector& b, MultiVector& x) override {
-    matrix_->solve(b, x, [this](const double* rhs) {
-      // It fails only if memory runs out; an agreement on that would cost a message in every Krylov iteration.
-      if (!solve_column(rhs)) require(CHOLMOD_OUT_OF_MEMORY, "solve with");
-      return static_cast<const double*>(solution_->x);
-    });
+  CollectedMatrix& collected() override { return *matrix_; }
+  const double* solve_collected(const double* b) override {
+    // It fails only if memory runs out; an agreement on that would cost a message in every Krylov iteration.
+    if (!solve_column(b)) require(CHOLMOD_OUT_OF_MEMORY, "solve with");
+    return static_cast<const double*>(solution_->x);
   }
 
   const FactorizationMemory& memory() const override { return memory_; }

@@ -90,6 +90,11 @@ int CollectedMatrix::agreed(int status) const {
   return status;
 }
 
+std::array<double, 3> CollectedMatrix::agreed(std::array<double, 3> numbers) const {
+  if (size_ > 1) MPI_Bcast(numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, 0, comm_);
+  return numbers;
+}
+
 void CollectedMatrix::solve(const MultiVector& b, MultiVector& x,
                             const std::function<const double*(const double*)>& solve) {
   const auto source = b.getLocalViewHost(Tpetra::Access::ReadOnly);

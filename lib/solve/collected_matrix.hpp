@@ -2,6 +2,7 @@
 #pragma once
 #include <mpi.h>
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -20,7 +21,9 @@ class CollectedMatrix {
 
   /// Collects the present values.
   void refresh();
-  bool root() const { return rank_ == 0; }  ///< Not collective.
+  bool root() const { return rank_ == 0; }                   ///< Not collective.
+  bool single() const { return size_ == 1; }                 ///< Returns whether there is one rank. Not collective.
+  const CrsMatrix* source() const { return matrix_.get(); }  ///< Not collective.
 
   // The following are valid on the first rank, and not collective: compressed rows, columns sorted. The arrays belong
   // to this object or to the matrix; sequential libraries take them without const.
@@ -30,8 +33,9 @@ class CollectedMatrix {
   int* columns() { return single() ? local_columns_ : columns_.data(); }
   double* values() { return single() ? local_values_ : values_.data(); }
 
-  /// Returns the first rank's status on all ranks.
+  /// Return the first rank's status, or numbers, on all ranks.
   int agreed(int status) const;
+  std::array<double, 3> agreed(std::array<double, 3> numbers) const;
   /// Solves for each column of b. On the first rank, `solve` gets the whole right-hand side and returns the whole
   /// solution; every rank gets its part in x.
   void solve(const MultiVector& b, MultiVector& x, const std::function<const double*(const double*)>& solve);
@@ -41,7 +45,6 @@ class CollectedMatrix {
     int mine = 0;
     std::vector<int> count, start;
   };
-  bool single() const { return size_ == 1; }
   Counts counts(int mine) const;
   void collect(const Counts& counts, const void* mine, void* all, MPI_Datatype type) const;
   void collect_pattern();

@@ -8,12 +8,13 @@ namespace ixos {
 namespace {
 
 /// y = alpha A^-1 x + beta y by a factorisation.
-class Inverse final : public TpetraPreconditioner {
+class Inverse final : public TpetraPreconditioner, public CollectedInverse {
  public:
   KeptFactorization factorization;
 
   void set_operator(const Teuchos::RCP<const Thyra::LinearOpBase<double>>& op) { op_ = op; }
   void transfer(Record& record) override { factorization.transfer(record); }
+  FirstRankFactorization* on_first_rank() const override { return factorization.on_first_rank(); }
 
  private:
   void precondition(const MultiVector& x, MultiVector& y, double alpha, double beta) const override {

@@ -2,8 +2,18 @@
 #pragma once
 #include <Thyra_PreconditionerFactoryBase.hpp>
 
+#include "solve/factorization.hpp"
 #include "solve/factorization_list.hpp"
+
 namespace ixos {
+
+/// A preconditioner that may be a factorisation on the first rank.
+class CollectedInverse {
+ public:
+  virtual ~CollectedInverse() = default;
+  /// Returns it; null if several ranks apply it.
+  virtual FirstRankFactorization* on_first_rank() const = 0;
+};
 
 /// A factory that makes the inverse of the matrix itself the preconditioner. With LaggedSolverFactory, a factorisation
 /// thereby outlives Newton steps and time steps: a Krylov iteration costs a product and a triangular solve, a small

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "parameters/one_of.hpp"
+#include "solve/first_rank_factorization.hpp"
 
 namespace ixos {
 
@@ -35,6 +36,10 @@ void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const
     factorization_ = std::move(factorization);
   }
   factorization_->factor();
+}
+
+FirstRankFactorization* KeptFactorization::on_first_rank() const {
+  return dynamic_cast<FirstRankFactorization*>(factorization_.get());
 }
 
 void KeptFactorization::transfer(Record& record) {

@@ -19,6 +19,8 @@ struct FactorizationMemory {
   }
 };
 
+class FirstRankFactorization;
+
 /// A factorisation of one matrix, whose sparsity stays: analyze() once, factor() for each set of values.
 class Factorization {
  public:
@@ -69,6 +71,9 @@ class KeptFactorization {
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type);
   /// Sets x = A^-1 b for each column.
   void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }
+
+  /// Returns the factorisation if the first rank applies it alone, else null. Not collective.
+  FirstRankFactorization* on_first_rank() const;
 
   /// Writes or reads the state for checkpoints. A loaded state takes effect with the next matrix. The present
   /// factorisation stays if its state is the one that a record in memory has. Collective.

@@ -9,13 +9,12 @@
 #include <vector>
 
 #include "base/memory.hpp"
-#include "solve/collected_matrix.hpp"
-#include "solve/factorization.hpp"
+#include "solve/first_rank_factorization.hpp"
 
 namespace ixos {
 namespace {
 
-class Klu final : public Factorization {
+class Klu final : public FirstRankFactorization {
  public:
   Klu() {
     klu_defaults(&common_);
@@ -55,13 +54,12 @@ class Klu final : public Factorization {
     require(done, "factor");
   }
 
+  CollectedMatrix& collected() override { return *matrix_; }
   /// KLU expects columns and gets the matrix's rows: it factors the transpose, and solves with the transpose of that.
-  void solve(const MultiVector& b, MultiVector& x) override {
-    matrix_->solve(b, x, [this](const double* rhs) {
-      std::copy_n(rhs, solution_.size(), solution_.begin());
-      klu_tsolve(symbolic_, numeric_, matrix_->size(), 1, solution_.data(), &common_);
-      return static_cast<const double*>(solution_.data());
-    });
+  const double* solve_collected(const double* b) override {
+    std::copy_n(b, solution_.size(), solution_.begin());
+    klu_tsolve(symbolic_, numeric_, matrix_->size(), 1, solution_.data(), &common_);
+    return solution_.data();
   }
 
   const FactorizationMemory& memory() const override { return memory_; }

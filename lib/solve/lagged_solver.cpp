@@ -12,6 +12,9 @@
 #include <vector>
 
 #include "base/phase_timer.hpp"
+#include "solve/collected_cg.hpp"
+#include "solve/direct_preconditioner.hpp"
+#include "solve/first_rank_factorization.hpp"
 #include "solve/kept_preconditioner.hpp"
 #include "solve/thyra.hpp"
 
@@ -23,9 +26,27 @@ using Status = Thyra::SolveStatus<double>;
 
 constexpr int unknown = std::numeric_limits<int>::max() / 2;  ///< more iterations than any solve takes
 
+/// CG found that the matrix is not positive definite.
+class NegativeCurvature : public std::runtime_error {
+ public:
+  NegativeCurvature() : std::runtime_error("the matrix of the linear system is not positive definite") {}
+};
+
 /// Belos' CG reports this in the message only.
 bool shows_negative_curvature(const std::exception& error) {
-  return std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
+  return dynamic_cast<const NegativeCurvature*>(&error) != nullptr ||
+         std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
+}
+
+/// Returns the tolerance of a solve whose criteria are the residual's norm relative to that of the right-hand side, or
+/// of the first residual, which is the same from x = 0; else 0.
+double relative_tolerance(const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) {
+  if (criteria.is_null() || criteria->requestedTol == Thyra::SolveCriteria<double>::unspecifiedTolerance()) return 0;
+  const auto& measure = criteria->solveMeasureType;
+  const bool relative = measure.numerator == Thyra::SOLVE_MEASURE_NORM_RESIDUAL &&
+                        (measure.denominator == Thyra::SOLVE_MEASURE_NORM_RHS ||
+                         measure.denominator == Thyra::SOLVE_MEASURE_NORM_INIT_RESIDUAL);
+  return relative ? criteria->requestedTol : 0;
 }
 
 int iterations(const Status& status) {
@@ -54,6 +75,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source) {
     source_ = source;
     given_ = Teuchos::null;
+    collected_ = false;
     fresh_ = false;
     preconditioner_.rebuild(source_, stale_);
     if (stale_) return renew();
@@ -140,7 +162,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
       if (old && indefinite && !refused_) {
         refused_ = true;
         stale_ = false;
-        throw std::runtime_error("the matrix of the linear system is not positive definite");
+        throw NegativeCurvature();
       }
       if (!old) return refined_or_broken(error, b, x, criteria);
     }
@@ -197,9 +219,43 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Status counted(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                  const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const TimedScope timed(Phase::LinearSolve);
+    FirstRankFactorization* const inverse = first_rank_inverse();
+    const double tolerance = inverse != nullptr ? relative_tolerance(criteria) : 0;
+    if (tolerance > 0 && b.domain()->dim() == 1) return solved_on_first_rank(*inverse, b, x, tolerance);
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     statistics_->iterations += iterations(status);
+    return status;
+  }
+
+  /// Returns the preconditioner if the first of several ranks applies it alone and collects the present matrix, so that
+  /// it can iterate without messages; else null.
+  FirstRankFactorization* first_rank_inverse() const {
+    if (options_.collected_iterations == 0 || nonnull(given_)) return nullptr;
+    const auto inverse =
+        Teuchos::rcp_dynamic_cast<const CollectedInverse>(preconditioner_.get()->getUnspecifiedPrecOp());
+    FirstRankFactorization* const result = inverse.is_null() ? nullptr : inverse->on_first_rank();
+    if (result == nullptr || result->collected().single()) return nullptr;
+    const auto matrix = Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source_->getOp()));
+    return matrix.get() == result->collected().source() ? result : nullptr;
+  }
+  Status solved_on_first_rank(FirstRankFactorization& inverse, const Thyra::MultiVectorBase<double>& b,
+                              const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x, double tolerance) const {
+    if (!collected_) inverse.collected().refresh();
+    collected_ = true;
+    const CollectedSolve solve = collected_cg(
+        inverse.collected(), [&inverse](const double* r) { return inverse.solve_collected(r); },
+        *Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
+        *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)), tolerance, options_.collected_iterations);
+    statistics_->iterations += solve.iterations;
+    if (solve.status == CollectedSolve::NegativeCurvature) throw NegativeCurvature();
+    if (solve.status == CollectedSolve::NotFinite) throw std::runtime_error("a number of the iteration is not finite");
+    Status status;
+    status.achievedTol = solve.residual;
+    status.solveStatus =
+        solve.status == CollectedSolve::Converged ? Thyra::SOLVE_STATUS_CONVERGED : Thyra::SOLVE_STATUS_UNCONVERGED;
+    status.extraParameters = Teuchos::parameterList();
+    status.extraParameters->set("Iteration Count", solve.iterations);
     return status;
   }
 
@@ -229,6 +285,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   /// The caller's preconditioner, or null.
   Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;
 
+  mutable bool collected_ = false;             ///< the first rank has the present matrix
   mutable bool stale_ = true;                  ///< renew before the next matrix
   mutable bool fresh_ = false;                 ///< renewed, and not used since
   mutable std::vector<int> least_iterations_;  ///< of the solves with this preconditioner, by family

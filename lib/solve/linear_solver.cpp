@@ -59,6 +59,24 @@ double take_setup_cost(Teuchos::ParameterList& list) {
   return reuse.isParameter("Setup Cost") ? reuse.get<double>("Setup Cost") : 20.0;
 }
 
+/// Returns the largest number of iterations of collected_cg(); 0 if the list asks for another method than CG, or for
+/// more of CG than that offers.
+int collected_iterations(const Teuchos::ParameterList& list) {
+  const auto is = [](const Teuchos::ParameterList& l, const char* name, const std::string& value) {
+    return l.isType<std::string>(name) && l.get<std::string>(name) == value;
+  };
+  const std::string cg = "Pseudo Block CG";
+  Teuchos::ParameterList copy(list);  // asking it for a list that is not there adds one
+  const Teuchos::ParameterList& belos = copy.sublist("Linear Solver Types").sublist("Belos");
+  if (!is(list, "Linear Solver Type", "Belos") || !is(belos, "Solver Type", cg)) return 0;
+  const Teuchos::ParameterList settings =
+      copy.sublist("Linear Solver Types").sublist("Belos").sublist("Solver Types").sublist(cg);
+  for (const auto& [name, entry] : entries(settings))
+    if (name != "Maximum Iterations" && !(name == "Verbosity" && entry.isType<int>() && settings.get<int>(name) == 0))
+      return 0;
+  return settings.isType<int>("Maximum Iterations") ? settings.get<int>("Maximum Iterations") : 0;
+}
+
 }  // namespace
 
 struct LinearSolverFactory::Implementation : std::enable_shared_from_this<Implementation> {
@@ -99,6 +117,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   self.lagged.factorizes = preconditioner == "Direct";
   self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
+  if (self.lagged.factorizes) self.lagged.collected_iterations = collected_iterations(list);
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
     muelu.set("Nullspace", rigid_body_modes(*model));

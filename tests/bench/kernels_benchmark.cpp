@@ -74,8 +74,12 @@ struct Fixture {
         model(ixos::localize(mesh, ixos::partition_nodes(mesh, 1), 0, 1), comm,
               {{"body", law, 1.0, 0, 0, 0, 0, formulation, branches}}),
         u(static_cast<std::size_t>(model.space().local())),
+        before(u.size()),
         f(u.size()) {
-    for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.01 * std::sin(0.37 * static_cast<double>(i));
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      u[i] = 0.01 * std::sin(0.37 * static_cast<double>(i));
+      before[i] = 0.9 * u[i];
+    }
     const ixos::LocalMesh& local = model.mesh();
     for (auto& term :
          ixos::make_surface_terms(local, local.side_sets[local.side_set("bottom")], model.pattern(),
@@ -85,11 +89,15 @@ struct Fixture {
     matrix = model.pattern().create_matrix(model.space());
   }
   ixos::Segment here() const { return {u.data(), nullptr, u.data()}; }
+  /// A step that ends here; without its start if the rule has one point, its end.
+  ixos::Segment step_of(const ixos::Rule& rule) const {
+    return {rule.uses_start() ? before.data() : nullptr, nullptr, u.data()};
+  }
 
   ixos::Comm comm;
   ixos::Mesh mesh;
   ixos::Model model;
-  std::vector<double> u, f;
+  std::vector<double> u, before, f;
   Teuchos::RCP<ixos::CrsMatrix> matrix;
 };
 
@@ -97,18 +105,38 @@ ixos::Formulation formulation(const benchmark::State& state) { return static_cas
 
 int divisions(const benchmark::State& state) { return state.range(0) == 2 ? 100 : 22; }
 
+ixos::Rule time_points(const benchmark::State& state) {
+  return state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
+}
+
 void elastic_force(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
-  const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
-  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(ixos::Part::Elastic, x.here(), rule, x.f.data()));
+  const ixos::Rule rule = time_points(state);
+  const ixos::Segment step = x.step_of(rule);
+  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(ixos::Part::Elastic, step, rule, x.f.data()));
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
 void elastic_tangent(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
-  const ixos::Rule rule = state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)));
+  const ixos::Rule rule = time_points(state);
+  const ixos::Segment step = x.step_of(rule);
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  for (auto _ : state) x.model.add_tangent(ixos::Part::Elastic, x.here(), rule, ixos::Tangent::Exact, values);
+  for (auto _ : state) x.model.add_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, values);
+  state.SetItemsProcessed(state.iterations() * x.mesh.cells());
+}
+
+/// Force and assembled tangent as an iteration of Newton's method needs them, see interaction_kept().
+void elastic_kept(benchmark::State& state) {
+  Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
+  const ixos::Rule rule = time_points(state);
+  const ixos::Segment step = x.step_of(rule);
+  double* values = x.matrix->getLocalMatrixHost().values.data();
+  ixos::KeptForces kept = x.model.create_kept();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(x.model.force_and_keep(ixos::Part::Elastic, step, rule, kept, x.f.data()));
+    x.model.add_kept_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, kept, values);
+  }
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -162,7 +190,7 @@ struct BranchFixture : Fixture {
       : Fixture(static_cast<int>(state.range(0)), divisions(state), ixos::Formulation::Standard, 0,
                 ixos::neo_hooke(ixos::lame_constants(1, 0.3)),
                 std::vector<ixos::MaxwellBranch>(static_cast<std::size_t>(state.range(2)), {0.3, 0.1})),
-        rule(state.range(1) == 1 ? ixos::end_rule() : ixos::gauss_rule(static_cast<int>(state.range(1)))) {
+        rule(time_points(state)) {
     for (const ixos::NamedForceTerm& named : model.force_terms())
       if (dynamic_cast<const ixos::Viscoelasticity*>(named.term) != nullptr) term = named.term;
     ixos::StageStart start;
@@ -233,6 +261,7 @@ void interaction_kept(benchmark::State& state) {
 
 BENCHMARK(elastic_force)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(elastic_tangent)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
+BENCHMARK(elastic_kept)->ArgNames({"D", "points", "formulation"})->ArgsProduct({{2, 3}, {1, 4}, {0, 1, 2}});
 BENCHMARK(law_force)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
 BENCHMARK(law_tangent)->ArgNames({"D", "law"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}});
 BENCHMARK(law_product)->ArgNames({"D", "law", "order"})->ArgsProduct({{2, 3}, {0, 1, 2, 3, 4, 5, 6}, {1, 2}});

@@ -1,8 +1,8 @@
-// W x of a distorted block's tangent with mass, as a matrix, matrix-free, and matrix-free with stiffness damping, in
-// turns, and the exchange of ghosts alone, which is in the first three: what overlap with work could hide at most; on
-// as many ranks as it is started on: product_times [divisions] [rounds]. Least and median time, degrees of freedom in
-// the least time, and how many times faster than the matrix. First for linear cells, then for quadratic ones with the
-// same nodes.
+// W x of a distorted block's tangent with mass, as a matrix, matrix-free, matrix-free with stiffness damping and with
+// four points in time, in turns, and the exchange of ghosts alone, which is in all of them: what overlap with work
+// could hide at most; on as many ranks as it is started on: product_times [divisions] [rounds]. Least and median time,
+// degrees of freedom in the least time, and how many times faster than the matrix. First for linear cells, then for
+// quadratic ones with the same nodes.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -39,21 +39,26 @@ ixos::Mesh distorted_block(int divisions, int order) {
   return mesh;
 }
 
-/// The tangent at a small deformation; the model keeps what it was taken of.
+/// The tangent at the end of a step to a small deformation; the model keeps what it was taken of.
 class Product {
  public:
-  Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping)
-      : model_(ixos::localize(mesh, ixos::partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()),
+  Product(const ixos::Comm& comm, const ixos::Mesh& mesh, double damping, const ixos::Rule& rule = ixos::end_rule())
+      : rule_(rule),
+        model_(ixos::localize(mesh, ixos::partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()),
                comm, {{"body", ixos::neo_hooke(ixos::lame_constants(1, 0.3)), 1.0, 0, damping}}),
         u_(static_cast<std::size_t>(model_.space().local())),
+        start_(u_.size()),
         tangent_(model_, [this](double* values) {
-          model_.add_tangent(ixos::Part::Elastic, {nullptr, nullptr, u_.data()}, rule_, ixos::Tangent::Exact, values);
+          model_.add_tangent(ixos::Part::Elastic, step(), rule_, ixos::Tangent::Exact, values);
           model_.mass()->add_to(4.0, values);
         }) {
     model_.do_without_matrices();
-    for (std::size_t i = 0; i < u_.size(); ++i) u_[i] = 0.01 * std::sin(model_.mesh().coordinates[i]);
+    for (std::size_t i = 0; i < u_.size(); ++i) {
+      u_[i] = 0.01 * std::sin(model_.mesh().coordinates[i]);
+      start_[i] = 0.9 * u_[i];
+    }
     ixos::TangentPoint point;
-    point.elastic = point.interaction = {nullptr, nullptr, u_.data()};
+    point.elastic = point.interaction = step();
     point.elastic_rule = point.interaction_rule = &rule_;
     point.mass = 4.0;
     point.damping = 2.0;
@@ -63,15 +68,17 @@ class Product {
   const ixos::DofSpace& space() const { return model_.space(); }
 
  private:
+  ixos::Segment step() const { return {start_.data(), nullptr, u_.data()}; }
+
+  const ixos::Rule rule_;
   ixos::Model model_;
-  std::vector<double> u_;
-  const ixos::Rule rule_ = ixos::end_rule();
+  std::vector<double> u_, start_;
   ixos::TangentOperator tangent_;
 };
 
 void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
   const ixos::Mesh mesh = distorted_block(divisions, order);
-  const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01);
+  const Product plain(comm, mesh, 0), damped(comm, mesh, 0.01), mean(comm, mesh, 0, ixos::gauss_rule(4));
   const Teuchos::RCP<ixos::CrsMatrix> matrix = plain.tangent().matrix();
   ixos::Vector in(matrix->getDomainMap()), out(matrix->getRangeMap());
   in.randomize();
@@ -81,9 +88,10 @@ void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
     std::function<void()> apply;
     std::vector<double> seconds;
   };
-  std::array<Way, 4> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
+  std::array<Way, 5> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
                            {"matrix-free", [&] { plain.tangent().apply(in, out); }, {}},
                            {"matrix-free, stiffness damping", [&] { damped.tangent().apply(in, out); }, {}},
+                           {"matrix-free, four points in time", [&] { mean.tangent().apply(in, out); }, {}},
                            {"ghosts alone", [&] { plain.space().import(in, local.data()); }, {}}}};
   for (int round = 0; round < rounds; ++round)
     for (Way& way : ways) {

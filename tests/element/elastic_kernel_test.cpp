@@ -140,6 +140,43 @@ TYPED_TEST(ElasticKernelTest, TangentIsTheSymmetricDerivativeOfTheForce) {
   }
 }
 
+/// The motion that starts at `share` of the step before its end.
+template <class Motion>
+Motion shortened(Motion m, double share) {
+  for (std::size_t a = 0; a < m.to.size(); ++a)
+    for (std::size_t d = 0; d < m.to[a].size(); ++d) m.from[a][d] = m.to[a][d] + share * (m.from[a][d] - m.to[a][d]);
+  return m;
+}
+
+// Short steps are summed at once, longer ones point by point.
+TYPED_TEST(ElasticKernelTest, StraightPathsGiveTheSumsOfTheirPoints) {
+  const TypeParam body{};
+  const Rule rule = gauss_rule(4);
+  for (double share : {0.01, 0.3, 1.0}) {
+    const auto m = shortened(TypeParam::motion(0.0), share);
+    typename TypeParam::template Nodal<double> force{};
+    Small<double, TypeParam::N * TypeParam::D> tangent{};
+    for (const RulePoint& point : rule.points) {
+      auto there = m;
+      for (std::size_t a = 0; a < TypeParam::N; ++a)
+        for (std::size_t d = 0; d < TypeParam::D; ++d)
+          there.to[a][d] = point.from * m.from[a][d] + point.to * m.to[a][d];
+      const auto f = body.force(there, end_rule());
+      const auto k = body.tangent(there, end_rule());
+      for (std::size_t a = 0; a < TypeParam::N; ++a)
+        for (std::size_t d = 0; d < TypeParam::D; ++d) force[a][d] += point.weight * f[a][d];
+      for (std::size_t r = 0; r < k.size(); ++r)
+        for (std::size_t c = 0; c < k.size(); ++c) tangent[r][c] += point.weight * point.to * k[r][c];
+    }
+    const auto f = body.force(m, rule);
+    const auto k = body.tangent(m, rule);
+    for (std::size_t a = 0; a < TypeParam::N; ++a)
+      for (std::size_t d = 0; d < TypeParam::D; ++d) EXPECT_NEAR(f[a][d], force[a][d], 1e-14) << share;
+    for (std::size_t r = 0; r < k.size(); ++r)
+      for (std::size_t c = 0; c < k.size(); ++c) EXPECT_NEAR(k[r][c], tangent[r][c], 1e-13) << share;
+  }
+}
+
 TYPED_TEST(ElasticKernelTest, DiscreteGradientDoesTheWorkOfTheEnergyAndHasItsTangent) {
   const TypeParam body{};
   const auto m = TypeParam::motion(0.0);
@@ -212,6 +249,35 @@ TYPED_TEST(ElasticKernelTest, ConstantStressIsInEquilibriumOnADistortedElement) 
       EXPECT_NEAR(moment, stress[i][j] * volume, 1e-14);
     }
   }
+}
+
+template <class B>
+void expect_kept_sums() {
+  using Kernel = typename B::Kernel;
+  const B body{};
+  const Rule rule = gauss_rule(4);
+  for (double share : {0.01, 1.0}) {
+    const auto m = shortened(B::motion(0.0), share);
+    const auto geometry = Kernel::geometry(B::table(), m.x);
+    std::vector<typename NeoHooke::Path<B::D, double>::Sums> sums(B::table().size());
+    typename B::template Nodal<double> f{};
+    const double least = Kernel::add_force_and_sums(body.material, geometry,
+                                                    typename Kernel::template Segment<double>{&m.from, nullptr, &m.to},
+                                                    rule, f, sums.data());
+    EXPECT_EQ(least, body.least_jacobian(m, rule));
+    EXPECT_EQ(f, body.force(m, rule));
+    Small<double, B::N * B::D> k{};
+    ASSERT_EQ(Kernel::add_summed_tangent(body.material, geometry, sums.data(), k), share < 1);
+    const auto expected = body.tangent(m, rule);
+    for (std::size_t r = 0; r < k.size(); ++r)
+      for (std::size_t c = 0; c < k.size(); ++c) EXPECT_NEAR(k[r][c], share < 1 ? expected[r][c] : 0.0, 1e-14);
+  }
+}
+
+TEST(NeoHookeElementTest, AForceKeepsTheSumsOfItsTangentOverAStraightPath) {
+  expect_kept_sums<Body<Quad4, NeoHooke>>();
+  expect_kept_sums<Body<Hex8, NeoHooke>>();
+  expect_kept_sums<Body<Hex27, NeoHooke>>();
 }
 
 /// Frobenius norm of the difference of the tangent and the force's central difference quotients with step h.

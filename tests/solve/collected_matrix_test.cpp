@@ -77,6 +77,8 @@ TEST(CollectedMatrixTest, RefreshCollectsThePresentValues) {
 TEST(CollectedMatrixTest, AllRanksLearnTheFirstRanksStatus) {
   const CollectedMatrix whole(cyclic(11));
   EXPECT_EQ(whole.agreed(40 + world()->getRank()), 40);
+  const double mine = world()->getRank();
+  EXPECT_EQ(whole.agreed({mine, mine + 0.5, 2.0}), (std::array<double, 3>{0.0, 0.5, 2.0}));
 }
 
 TEST(CollectedMatrixTest, TheFirstRankSolvesForAllRanksColumnByColumn) {

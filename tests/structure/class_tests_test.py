@@ -21,6 +21,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 
 # By header: the test, as a path below tests, and what that test shows of the header.
 elsewhere = {
+    "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "both of its kinds solve"),
     "interaction/slip_response.hpp": ("interaction/elastic_slip_test.cpp", "responses of a slip"),
     "term/friction_points.hpp": ("term/friction_term_test.cpp", "points that stick, slide and are accepted"),
     "term/point_matrices.hpp": ("term/curved_surface_term_test.cpp", "products of actions"),

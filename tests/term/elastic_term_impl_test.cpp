@@ -172,6 +172,31 @@ TEST(ElasticTermTest, ForceAndTangentAreDerivatives) {
   EXPECT_NEAR(body.dot(body.times(body.tangent(*term, u), v), w), test::derivative(power), 1e-7);
 }
 
+// Long steps are not kept as sums over the points in time, but computed again.
+TEST(ElasticTermTest, KeptTangentsAreThoseOfTheSegment) {
+  const Body body;
+  const std::vector<double> u = body.noise(0.05, 0.3);
+  const auto term = body.term(neo_hooke(lame));
+  const auto kept = term->create_kept();
+  const std::vector<double> velocity = body.noise(0.01, 2.0);
+  ASSERT_NE(kept, nullptr);
+  for (double change : {1e-3, 0.05}) {
+    const std::vector<double> start = body.sum(u, 1.0, body.noise(change, 1.4));
+    Segment step = end(u);
+    step.from = start.data();
+    step.velocity = velocity.data();
+    for (const Rule& rule : {end_rule(), gauss_rule(4), gauss_rule(3, Path::Kinematic)}) {
+      std::vector<double> f = body.zeros(), matrix(static_cast<std::size_t>(body.pattern.pairs()) * 4, 0.0),
+                          expected = matrix;
+      EXPECT_TRUE(term->add_force_and_keep(step, rule, *kept, f.data()));
+      body.expect_near(f, body.force(*term, step, rule), 1e-15);
+      term->add_kept_tangent(step, rule, Tangent::Exact, *kept, matrix.data());
+      term->add_tangent(step, rule, Tangent::Exact, expected.data());
+      for (std::size_t k = 0; k < matrix.size(); ++k) EXPECT_NEAR(matrix[k], expected[k], 1e-13) << k;
+    }
+  }
+}
+
 TEST(ElasticTermTest, DiagonalAndRowSumsAreThoseOfTheTangent) {
   for (bool one_cell : {true, false}) {
     const Body body(one_cell ? std::array<int, 3>{1, 1, 1} : std::array<int, 3>{5, 3, 1});
@@ -216,6 +241,28 @@ TEST(ElasticTermTest, ProductsWithoutAMatrixAreThoseOfTheTangents) {
     term->add_diagonal(end(zeros), rest_diagonal.data());
     body.expect_near(diagonal, Body::sum(exact_diagonal, rest, rest_diagonal), 1e-5);
   }
+}
+
+// Halving the step quarters the difference, until single precision shows.
+TEST(ElasticTermTest, ProductsOfMeansOverAPathAreThoseOfTheTangentToSecondOrder) {
+  const Body body;
+  const std::vector<double> u = body.noise(0.05, 0.3), v = body.noise(0.2, 1.1), change = body.noise(0.05, 1.4);
+  const auto term = body.term(neo_hooke(lame));
+  const auto action = term->create_action();
+  const auto difference = [&](double share) {
+    const std::vector<double> start = Body::sum(u, share, change);
+    Segment step = end(u);
+    step.from = start.data();
+    std::vector<double> matrix(static_cast<std::size_t>(body.pattern.pairs()) * 4, 0.0), product = body.zeros();
+    term->add_tangent(step, gauss_rule(4), Tangent::Exact, matrix.data());
+    action->linearize(step, gauss_rule(4), Tangent::Exact, {});
+    action->add_product(v.data(), product.data());
+    const std::vector<double> rest = Body::sum(product, -1, body.times(matrix, v));
+    return std::sqrt(body.dot(rest, rest));
+  };
+  const double whole = difference(1.0);
+  EXPECT_GT(whole, 1e-4);
+  EXPECT_NEAR(whole / difference(0.5), 4.0, 0.5);
 }
 
 // A translation meets no stiffness: x . W x is the factor times the mass of unit density times |x|^2.
