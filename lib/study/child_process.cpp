@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -33,9 +32,6 @@ std::vector<char*> environment() {
         !begins("OMPI_MCA_orte_") && !begins("OMPI_MCA_ess"))
       result.push_back(*variable);
   }
-  static std::array<std::string, 3> alone{"OMPI_MCA_ess_singleton_isolated=1", "OMPI_MCA_pml=ob1", "OMPI_MCA_btl=self"};
-  const bool chosen = getenv("OMPI_MCA_pml") != nullptr || getenv("OMPI_MCA_btl") != nullptr;
-  for (std::size_t i = 0; i < (chosen ? 1 : alone.size()); ++i) result.push_back(alone[i].data());
   result.push_back(nullptr);
   return result;
 }

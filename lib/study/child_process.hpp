@@ -15,8 +15,8 @@ struct ChildOutcome {
 };
 
 /// A child process without a shell, one BLAS thread unless the environment says otherwise; its output goes to a file. A
-/// child of a rank of mpirun is no rank of that job. It starts without a daemon of Open MPI, which would take 0.3 s,
-/// and without networks, unless the environment chooses some. The child ends with its parent, however the parent ends.
+/// child of a rank of mpirun is no rank of that job.
+/// The child ends with its parent, however the parent ends.
 class ChildProcess {
  public:
   /// Throws FileError if no process can be made.

@@ -157,9 +157,9 @@ def measure(case, folder, study, driver, options):
     result["recommended"], result["seconds"] = recommended, advice["recommended"]["seconds"]
     result["promised"] = advice["recommended"]["error"]
     own = complete(case, recommended)
-    # With the scene's own scheme, element and material.
-    plain = complete(case, {name: own[name] for name in own if name == STEP or name.startswith("Mesh/") and
-                            "Cell Order" not in name})
+    # With the advised element and scheme, which have the same exact solution, but the scene's own model and tolerances.
+    plain = complete(case, {name: value for name, value in recommended.items() if value != "Static" and
+                            not name.endswith(("/Model", "Damping", "/Cutoff", "/Surface Points", "Solver/Tolerance"))})
     dimensions = 3 if case["kind"] == "block" else 2
     cells = 4 if 4 * 4**dimensions * max(0.05, result["seconds"] - START) <= options.reference else 2
     values = {}

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <functional>
 #include <thread>
 
-#include "support/files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace ixos {
@@ -51,20 +51,6 @@ TEST_F(ChildProcessTest, ProcessorTimeGrowsWithWorkOnly) {
   EXPECT_LT(idle.processor_seconds(), 0.3);
   idle.send(SIGKILL);
   outcome(idle);
-}
-
-TEST_F(ChildProcessTest, RunsAloneWithoutADaemonUnlessTheUserChoosesNetworks) {
-  const auto told = [&] {
-    ChildProcess child = shell("echo $OMPI_MCA_ess_singleton_isolated $OMPI_MCA_pml $OMPI_MCA_btl");
-    outcome(child);
-    return test::contents(folder_.path() + "/log");
-  };
-  unsetenv("OMPI_MCA_pml");
-  unsetenv("OMPI_MCA_btl");
-  EXPECT_EQ(told(), "1 ob1 self\n");
-  setenv("OMPI_MCA_btl", "tcp,self", 1);
-  EXPECT_EQ(told(), "1 tcp,self\n");
-  unsetenv("OMPI_MCA_btl");
 }
 
 }  // namespace
