@@ -74,7 +74,11 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
       return;
     }
     const Segment start{nullptr, nullptr, from_->data(), time};
-    admissible = model_.force(part, start, end_rule(), force.data()) && admissible;
+    // By the same function as in a step, whose rounding other ones do not repeat.
+    const bool found = kept_points_.empty()
+                           ? model_.force(part, start, end_rule(), force.data())
+                           : model_.force_and_keep(part, start, end_rule(), kept_points_, force.data());
+    admissible = found && admissible;
     residual_of_ = kept_of_ = imported_for_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
