@@ -18,6 +18,7 @@ SHORT_STEPS = [STEPS + "Time Step=0.005", RAMP + "0.1", FINAL + "0.1"]  # Automa
 HERTZ = ["Mesh/Box/Divisions={62, 46}"]
 WAVES = ["Mesh/Box/Divisions={50, 16}", STEPS + "Time Step=0.05"]
 JKR = ["Mesh/Box/Divisions={46, 11}", STEPS + "Time Step=0.05"]
+CROSSED_CYLINDERS = [FINAL + "0.2", *("Mesh/Parts/" + part + "/Box/Divisions={12, 12, 1}" for part in ("upper", "lower"))]
 SPATULA = ["Mesh/Spatula/Target Cells=4000", RAMP + "2", FINAL + "3"]
 BEND = ["Mesh/Spatula/Target Cells=4000", FINAL + "0", "Boundary Conditions/Bend/Node Set=tip",
         "Boundary Conditions/Bend/Components=z", "Boundary Conditions/Bend/History=Bend", "Output/Reactions={tip}"]
@@ -127,7 +128,7 @@ def scene_forms(schemes):
     yield "t-peel", "t-peel", T_PEEL
     yield "stamp", "stamp", [FINAL + "0.5"]
     yield "cylinders", "cylinders", CYLINDERS
-    yield "crossed-cylinders", "crossed-cylinders", [FINAL + "0.08"]
+    yield "crossed-cylinders", "crossed-cylinders", CROSSED_CYLINDERS
     yield "gecko-drag", "gecko-drag", [STEPS + "Time Step=1", "Histories/Up/Rate Ramp/Start=2", FINAL + "8"]
     yield "spring-block", "spring-block", [FINAL + "0.5"]
     yield "restitution", "restitution", BALL_ON_WALL
