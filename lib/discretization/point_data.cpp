@@ -16,8 +16,8 @@ constexpr double sides_of_a_cell = 6, cells_of_a_block = 4294967296.0;
 std::vector<double> numbers_of(const LocalMesh& mesh, const std::vector<LocalSide>& sides) {
   std::vector<double> numbers;
   for (const LocalSide& side : sides) {
-    const int cell =
-        mesh.blocks[static_cast<std::size_t>(side.block)].original_cells[static_cast<std::size_t>(side.cell)];
+    const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const int cell = side.cell < 0 ? -1 - side.cell : block.original_cells[static_cast<std::size_t>(side.cell)];
     numbers.push_back((side.block * cells_of_a_block + cell) * sides_of_a_cell + side.side);
   }
   return numbers;

@@ -15,7 +15,7 @@ class PointData {
  public:
   /// Those of a block's local cells; `numbers`: at each point.
   PointData(const LocalBlock& block, std::size_t points, std::size_t numbers);
-  /// Those of sides of the local cells.
+  /// Those of sides of the local cells, or of a whole side set.
   PointData(const LocalMesh& mesh, const std::vector<LocalSide>& sides, std::size_t points, std::size_t numbers);
 
   Pack& operator()(std::size_t batch, std::size_t point, std::size_t number = 0) {

@@ -206,6 +206,7 @@ struct ElasticAction {
     Small<T, D> t;
     multiply_metric(data, g, t);
     data += metric_size;
+    // A rule has at least one point. With that one in the loop, a product with a single point takes 15 % longer.
     add_time_point(data, volume_moduli[0], g, t);
     data += time_point_size;
     for (std::size_t p = 1; p < volume_moduli.size(); ++p, data += time_point_size)

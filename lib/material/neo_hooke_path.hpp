@@ -45,10 +45,10 @@ class NeoHookePath {
  public:
   /// The sums that moduli() needs, and the path. The cofactors follow from the path.
   struct Sums {
-    Small<T, D> start, change;            ///< H0, H1 - H0
-    double weight = 0;                    ///< sum of the weights of the moduli
     std::array<T, D == 3 ? 2 : 1> q{};    ///< sums of q t^k
     std::array<T, 2 * degrees - 1> dq{};  ///< sums of dq/dJ t^k
+    Small<T, D> start, change;            ///< H0, H1 - H0
+    double weight = 0;                    ///< sum of the weights of the moduli
     bool is_near = true;
   };
 
@@ -232,15 +232,15 @@ class NeoHookePath {
       sum -= value;
   }
 
-  Lame lame_;
   Sums sums_;
-  QuadraticCofactors<D, T> cofactors_;  ///< of H
   std::array<T, 2> trace_;
   std::array<T, 4> higher_;
   T middle_, middle_log_, middle_inverse_;  ///< J - 1, ln J and 1/J at t = 1/2
-  double weight_ = 0, weighted_t_ = 0;
   T mean_ = T(0.0);
   std::array<T, degrees> coefficient_{};  ///< sums of q t^k
+  Lame lame_;
+  double weight_ = 0, weighted_t_ = 0;
+  QuadraticCofactors<D, T> cofactors_;  ///< of H
 };
 
 }  // namespace ixos

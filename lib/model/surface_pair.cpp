@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "model/crossing.hpp"
 #include "model/surface_interaction.hpp"
+#include "term/pair_friction.hpp"
 #include "term/pair_term.hpp"
 #include "term/two_passes.hpp"
 
@@ -42,6 +43,14 @@ void check(const SurfacePair& pair) {
     refuse(pair, "has two passes, but a surface with itself has both in one; use Passes One");
   if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
     refuse(pair, "has two passes and a factor, which is that of the secondary surface alone; use Passes One");
+  if (pair.friction.type != FrictionType::None) {
+    if (pair.secondary == pair.primary)
+      refuse(pair, "has friction, which a surface with itself cannot have yet; use the type None");
+    if (pair.passes == Passes::TwoWithoutReaction)
+      refuse(pair, "has friction and passes without reaction; use Passes One or Two");
+    if (pair.friction.current)
+      refuse(pair, "has friction with the current threshold, which two bodies cannot have yet; use the lagged one");
+  }
   if (pair.points < 0 || pair.points > 64)
     refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
   if (!(pair.margin > 0 && pair.margin < 1))
@@ -130,16 +139,21 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
   PairOptions options{pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion};
   options.share = pair.passes == Passes::Two ? 0.5 : 1;
   options.reacts = pair.passes != Passes::TwoWithoutReaction;
-  std::unique_ptr<Interaction> term;
-  if (pair.passes == Passes::One) {
-    term = make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law, options);
-  } else {
-    PairSurfaces<D> swapped{surfaces.primary, surfaces.secondary};
-    term = two_passes(make_pair_term<D>(mesh, std::move(surfaces), model.pattern(), law, options),
-                      make_pair_term<D>(mesh, std::move(swapped), model.pattern(), law, options), options.reacts);
-  }
+  std::vector<std::unique_ptr<Interaction>> frictions;
+  const auto pass = [&](const PairSurfaces<D>& own, const std::string& secondary) {
+    if (pair.friction.type != FrictionType::None) {
+      const FrictionLaw friction(pair.friction, law);
+      const std::vector<LocalSide>& sides = all_sides(mesh, comm, secondary);
+      frictions.push_back(make_pair_friction<D>(mesh, own, sides, model.pattern(), law, friction, options));
+    }
+    return make_pair_term<D>(mesh, own, model.pattern(), law, options);
+  };
+  std::unique_ptr<Interaction> term = pass(surfaces, pair.secondary);
+  if (pair.passes != Passes::One)
+    term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}, pair.primary), options.reacts);
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
   model.add_interaction(std::move(term), pair.name);
+  for (std::unique_ptr<Interaction>& friction : frictions) model.add_interaction(std::move(friction), pair.name);
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   model.update_couplings(rest.data());
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "interaction/friction_law.hpp"
 #include "interaction/gap_law.hpp"
 #include "model/model.hpp"
 #include "term/surface_patches.hpp"
@@ -39,6 +40,9 @@ struct SurfacePair {
   /// about pi times the cutoff [L0]. Otherwise 0.
   double exclusion = 0;
   Passes passes = Passes::One;  ///< One for a surface that interacts with itself, or with factors
+  /// Along the primary surface, scaled by the factor like the law; with two passes each has half of it. None for a
+  /// surface that interacts with itself and for passes without reaction; the threshold is that of the step's start.
+  Friction friction{};
 };
 
 /// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
@@ -48,8 +52,9 @@ struct SurfacePair {
 /// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
 /// two passes are asked for where one is allowed, sides are not those of linear cells, more
 /// than two of them meet in a node (in space, in an edge), the two sets share a node, the law is missing or has a
-/// history, a number is out of range, a factor is negative or not finite somewhere, or the surfaces at rest overlap and
-/// the law needs positive gaps; std::logic_error after Model::close(). Collective.
+/// history, a number is out of range, a factor is negative or not finite somewhere, the friction is not allowed or does
+/// not fit the law, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after
+/// Model::close(). Collective.
 void add_pair(Model& model, const SurfacePair& pair);
 
 }  // namespace ixos

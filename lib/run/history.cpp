@@ -19,9 +19,7 @@ constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 History::History(Simulation& simulation)
-    : simulation_(simulation),
-      max_energy_error_(simulation.output().energies ? 0.0 : empty),
-      contacts_(simulation.output().interaction ? simulation.model().interaction_names() : std::vector<std::string>()) {
+    : simulation_(simulation), max_energy_error_(simulation.output().energies ? 0.0 : empty) {
   const Model& model = simulation.model();
   HistoryColumns columns = history_columns(simulation);
   columns_ = std::move(columns.names);
@@ -29,7 +27,9 @@ History::History(Simulation& simulation)
   forces_ = max_forces_;
   for (const std::string& set : simulation.output().reactions) reaction_sets_.push_back(model.mesh().node_set(set));
   const bool single = has_interaction_columns(simulation.output(), simulation.interactions().size());
-  for (const std::string& name : model.interaction_names()) {
+  const std::vector<std::string> names = model.interaction_names();
+  if (single || (simulation.output().interaction && names.size() == 1)) contacts_ = ContactEvents(names);
+  for (const std::string& name : names) {
     if (single) interactions_.push_back(model.interaction(name));
     if (model.interaction(name).has_friction()) frictions_.push_back(model.interaction(name));
   }
@@ -87,7 +87,7 @@ std::vector<double> History::single_interactions() {
     measures.push_back(report.measure);
   }
   if (interactions_.empty()) measures.push_back(contact_measure_);
-  if (measures.size() == contacts_.times().size()) contacts_.row(simulation_.integrator().time(), measures);
+  contacts_.row(simulation_.integrator().time(), measures);
   return row;
 }
 

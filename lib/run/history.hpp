@@ -48,7 +48,7 @@ class History {
   const std::vector<std::pair<std::string, double>>& max_forces() const { return max_forces_; }
   /// Returns the last row's energy less external work plus dissipation [E0 L0^D]; NaN without energies.
   double balance() const { return balance_; }
-  /// Returns the times of each interaction's contact, if rows have contact measures.
+  /// Returns the times of each interaction's contact; of none if rows do not have the contact measure of each.
   const ContactEvents& contacts() const { return contacts_; }
   /// Returns the last row's contact measure; NaN if rows have none.
   double contact_measure() const { return contact_measure_; }
@@ -77,7 +77,7 @@ class History {
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
   std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
-  ContactEvents contacts_;
+  ContactEvents contacts_{{}};
   std::vector<InteractionGroup> frictions_;  ///< those with friction
   std::vector<std::size_t> reaction_sets_;   ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;

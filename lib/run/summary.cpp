@@ -21,11 +21,6 @@ double peak_memory() {
   return 0;
 }
 
-/// Returns null for a number that is none.
-nlohmann::ordered_json or_null(double value) {
-  return std::isnan(value) ? nlohmann::ordered_json() : nlohmann::ordered_json(value);
-}
-
 /// Returns, for each kind of result, the symbol of its unit, its value in SI units and the SI unit.
 nlohmann::ordered_json to_json(const std::vector<ResultUnit>& units) {
   nlohmann::ordered_json json;
@@ -69,13 +64,14 @@ void write_summary(const Simulation& simulation, const RunResult& result, const 
   json["seconds"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < phase_names.size(); ++i) json["seconds"][phase_names[i]] = result.phase_seconds[i];
   json["peak_memory_bytes"] = static_cast<long long>(memory);
-  json["max_energy_error"] = or_null(result.max_energy_error);
+  // Numbers that are not finite are written as null.
+  json["max_energy_error"] = result.max_energy_error;
   json["largest_energy"] = result.largest_energy;
   json["max_force"] = nlohmann::ordered_json::object();
   for (const auto& [reaction, force] : result.max_forces) json["max_force"][reaction] = force;
   json["contacts"] = nlohmann::ordered_json::object();
   for (const ContactTimes& own : result.contacts)
-    json["contacts"][own.interaction] = {{"first", or_null(own.first)}, {"released", or_null(own.released)}};
+    json["contacts"][own.interaction] = {{"first", own.first}, {"released", own.released}};
   json["dissipated"] = nlohmann::ordered_json::object();
   const std::vector<double>& dissipations = simulation.integrator().dissipations();
   for (std::size_t i = 0; i < dissipations.size(); ++i)

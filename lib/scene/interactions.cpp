@@ -119,8 +119,8 @@ const Options<Parameters>& options() {
                    "Motion of the obstacle as a rigid body. Its parameters describe it before the motion. If all "
                    "entries are empty, it rests.")
           .sublist("Friction", &Parameters::friction, friction_options(),
-                   "Resistance to slip along the obstacle, scaled by Factor like the law. On an axisymmetric mesh the "
-                   "slip is that in the meridional plane.");
+                   "Resistance to slip along the obstacle or the primary surface, scaled by Factor like the law. On an "
+                   "axisymmetric mesh the slip is that in the meridional plane.");
   return all;
 }
 
@@ -147,10 +147,10 @@ void add_pair(const SceneInteraction& interaction, Model& model) {
   const SceneNode& node = interaction.node;
   at(node.path_of("Side Set"), [&] { return model.mesh().side_set(interaction.side_set); });
   at(node.path(), [&] {
-    ixos::add_pair(
-        model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
-                interaction.surface_points, interaction.margin, node.name(), interaction.smoothing, interaction.factor,
-                local_values(interaction.nodal_factor, model.mesh()), interaction.exclusion, interaction.passes});
+    ixos::add_pair(model, {interaction.side_set, interaction.primary, interaction.law, interaction.cutoff,
+                           interaction.surface_points, interaction.margin, node.name(), interaction.smoothing,
+                           interaction.factor, local_values(interaction.nodal_factor, model.mesh()),
+                           interaction.exclusion, interaction.passes, interaction.friction});
   });
 }
 
@@ -160,8 +160,14 @@ void check_pair(const SceneInteraction& own) {
   if (own.law->has_history())
     own.node.refuse("Law", "\"" + own.node.text("Law") +
                                "\" has a history, which surfaces of two bodies cannot have yet; use a law without one");
-  if (own.friction.type != FrictionType::None)
-    own.node.refuse("Friction/Type", "there is no friction between two bodies yet; use \"None\"");
+  if (own.friction.type != FrictionType::None) {
+    if (own.side_set == own.primary)
+      own.node.refuse("Friction/Type", "a surface that interacts with itself has no friction yet; use \"None\"");
+    if (own.passes == Passes::TwoWithoutReaction)
+      own.node.refuse("Friction/Type", "passes without reaction have no friction; use \"None\", or other Passes");
+    if (own.friction.current)
+      own.node.refuse("Friction/Threshold", "\"Current\" is not there between two bodies yet; use \"Lagged\"");
+  }
   if (!own.motion.histories().empty())
     own.node.refuse("Motion", "moves an obstacle, and an interaction with a Primary Side Set has none; leave it empty");
 }

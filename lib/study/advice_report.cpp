@@ -87,9 +87,6 @@ std::string choice_lines(const Advice& advice) {
   return text.empty() ? "" : "Other choices, each alone, and what the recommended run would take with it:\n" + text;
 }
 
-/// Returns null in place of a number that is not finite.
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json json_of(const Advice& advice, const AdviceCandidate& candidate) {
   if (candidate.point.empty()) return nullptr;
   return {{"settings", settings_of(advice.directions, candidate.point)},
@@ -182,7 +179,7 @@ void write_advice(const AdviceQuestion& question, const Advice& advice, const st
   json["other_tolerances"] = Json::array();
   for (const auto& [tolerance, candidate] : advice.other_tolerances)
     json["other_tolerances"].push_back({{"tolerance", tolerance}, {"settings", json_of(advice, candidate)}});
-  json["runs"] = Json::array();
+  json["runs"] = Json::array();  // an unknown error, which is infinite, is written as null
   for (std::size_t i = 0; i < advice.samples.size(); ++i) {
     const AdviceSample& sample = advice.samples[i];
     json["runs"].push_back(
@@ -192,7 +189,7 @@ void write_advice(const AdviceQuestion& question, const Advice& advice, const st
          {"reason", sample.reason},
          {"values", sample.values},
          {"seconds", sample.seconds},
-         {"error", i < advice.sample_errors.size() ? number_or_null(advice.sample_errors[i]) : nullptr}});
+         {"error", i < advice.sample_errors.size() ? Json(advice.sample_errors[i]) : Json(nullptr)}});
   }
   json["choices"] = Json::array();
   for (const AdviceChoice& choice : advice.choices)

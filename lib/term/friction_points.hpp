@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "discretization/point_data.hpp"
-#include "interaction/elastic_slip.hpp"
-#include "interaction/friction_law.hpp"
+#include "interaction/friction_step.hpp"
 #include "interaction/obstacle.hpp"
-#include "interaction/smoothed_slip.hpp"
 #include "term/curved_sides.hpp"
 #include "term/interaction.hpp"
 
@@ -30,8 +28,7 @@ class FrictionPoints {
   static constexpr std::size_t D = Sides::D, N = Sides::N;
   using Vector = std::array<Pack, D>;
   using Response = SlipResponse<Pack, D>;
-  /// Evaluated at a displacement, or averaged over the straight path from the step's start to it.
-  enum class Kind { At, Mean };
+  using Step = FrictionStep<Pack, D>;
 
   FrictionPoints(const LocalMesh& mesh, const std::vector<LocalSide>& sides, const Pattern& pattern,
                  const FrictionLaw& law, std::shared_ptr<const Obstacle> obstacle, int points)
@@ -66,13 +63,12 @@ class FrictionPoints {
   /// Returns the response at a point's displacement. The exact stiffness has the unsymmetric part of a current
   /// threshold, the convex one has it not.
   template <SlipPart part>
-  Response respond(std::size_t b, std::size_t q, const Vector& u, Kind kind, Tangent tangent = Tangent::Convex) const;
+  Response respond(std::size_t b, std::size_t q, const Vector& u, SlipKind kind,
+                   Tangent tangent = Tangent::Convex) const;
   /// Returns the potential of the step per area. Between steps it is the energy that the elastic slip stores.
   Pack energy(std::size_t b, std::size_t q, const Vector& u) const;
   /// Returns the potential of the mean traction, zero at the step's start.
   Pack mean_potential(std::size_t b, std::size_t q, const Vector& u) const;
-  /// Returns a stiffness that acts, or more: at most eps, T_s/|q| at a slip q beyond T_s/eps, 0 without a threshold
-  /// [E0/L0].
   Pack acting_stiffness(std::size_t b, std::size_t q, const Vector& u) const;
   /// Returns a bound of the stiffness in a step that begins at u, with the elastic slip's eps and the part of a current
   /// threshold [E0/L0].
@@ -102,18 +98,10 @@ class FrictionPoints {
     return result;
   }
   const Start& start(std::size_t b, std::size_t q) const { return starts_[b * sides_.quadrature().size() + q]; }
-  bool is_smoothed() const { return law_.friction().type == FrictionType::Smoothed; }
   Vector stored_traction(std::size_t b, std::size_t q) const {
     Vector t;
     for (std::size_t i = 0; i < D; ++i) t[i] = stored_(b, q, i);
     return t;
-  }
-  /// Returns the elastic slip at the step's start; smoothed friction has none.
-  Vector elastic_slip(std::size_t b, std::size_t q) const {
-    if (is_smoothed()) return {};
-    Vector e = stored_traction(b, q);
-    for (Pack& component : e) component = component / law_.friction().stiffness;
-    return e;
   }
   Contact contact_at(const PackPoint& x) const;
   PackPoint place(std::size_t b, std::size_t q, const Vector& u) const;
@@ -122,8 +110,9 @@ class FrictionPoints {
   }
   /// Returns the slip since the step's start.
   Vector slip_since(const Start& start, const Vector& u) const;
-  /// Returns the argument of the potential: that slip, and the elastic slip of the start.
-  Vector potential_slip(std::size_t b, std::size_t q, const Vector& u) const;
+  Step step(std::size_t b, std::size_t q, const Vector& u) const {
+    return {law_.friction(), creep_length_, stored_traction(b, q), threshold(b, q, u)};
+  }
   Pack accept(std::size_t b, std::size_t q, const Vector& u, const Contact& end);
 
   FrictionLaw law_;

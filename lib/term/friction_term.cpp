@@ -18,7 +18,6 @@ class FrictionTerm final : public Interaction {
   using Sides = typename Points::Sides;
   using Vector = typename Points::Vector;
   using Vectors = typename Sides::Vectors;
-  using Kind = typename Points::Kind;
   using Response = typename Points::Response;
   using Matrix = Small<Pack, Points::D>;
   static constexpr std::size_t D = Points::D, N = Points::N;
@@ -144,7 +143,7 @@ class FrictionTerm final : public Interaction {
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     sum_over_points(u, [&](std::size_t b, std::size_t q, const Vector& at, const Pack& weight) {
-      const Vector traction = points_.template respond<SlipPart::Traction>(b, q, at, Kind::At).traction;
+      const Vector traction = points_.template respond<SlipPart::Traction>(b, q, at, SlipKind::At).traction;
       for (std::size_t i = 0; i < D; ++i) report.force[i] -= total(Pack(weight * traction[i]));
       return Pack(0.0);
     });
@@ -211,7 +210,7 @@ class FrictionTerm final : public Interaction {
   Response respond(const Ends& ends, std::size_t b, std::size_t q, const Rule& asked, Tangent tangent) const {
     const Rule& rule = followed(asked);
     Response sum;
-    const auto add = [&](const Vector& u, Kind kind, double weight, double slope_weight) {
+    const auto add = [&](const Vector& u, SlipKind kind, double weight, double slope_weight) {
       const Response here = points_.template respond<part>(b, q, u, kind, tangent);
       for (std::size_t i = 0; i < D; ++i) {
         sum.traction[i] += (weight * sides_.measure(b)[q]) * here.traction[i];
@@ -220,7 +219,7 @@ class FrictionTerm final : public Interaction {
       }
     };
     const Vector to = points_.at(q, ends.to);
-    if (rule.mean != Mean::Points) add(to, Kind::Mean, 1, 1);
+    if (rule.mean != Mean::Points) add(to, SlipKind::Mean, 1, 1);
     for (const RulePoint& point : rule.points) {
       Vector u;
       for (std::size_t i = 0; i < D; ++i) u[i] = point.to * to[i];
@@ -231,7 +230,7 @@ class FrictionTerm final : public Interaction {
       };
       add_share(point.from, ends.from);
       add_share(point.velocity, ends.velocity);
-      add(u, Kind::At, point.weight, point.weight * point.to);
+      add(u, SlipKind::At, point.weight, point.weight * point.to);
     }
     return sum;
   }

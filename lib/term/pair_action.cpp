@@ -1,19 +1,17 @@
 #include "term/pair_action.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace ixos {
 
 template <std::size_t D>
 void PairAction<D>::linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) {
-  if (rule.mean != Mean::Points) throw std::logic_error("the action of a pair of surfaces is for rules with points");
   blocks_.clear();
   rows_.clear();
   values_.clear();
   std::vector<PairBlock> parts;  // of one secondary patch; the first `count` ones count
   std::size_t count = 0;
-  points_.for_each_block(segment, rule, kind, [&](const PairBlock& block) {
+  tangent_(segment, rule, kind, [&](const PairBlock& block) {
     if (count > 0 && parts[0].secondary != block.secondary) {
       keep_sum(parts, count);
       count = 0;

@@ -1,20 +1,20 @@
 /// The tangent of two surfaces applied without a matrix.
 #pragma once
 #include <cstddef>
+#include <utility>
 #include <vector>
 
-#include "term/pair_points.hpp"
+#include "term/pair_block.hpp"
 
 namespace ixos {
 
-/// Keeps the matrix of each secondary patch and all primary ones before it, in single precision. The points must
-/// outlive it.
+/// Keeps the matrix of each secondary patch and all primary ones before it, in single precision.
 template <std::size_t D>
 class PairAction final : public TangentAction {
  public:
-  explicit PairAction(const PairPoints<D>& points) : points_(points) {}
+  /// `blocks`: the symmetric matrices of a tangent; those of a secondary patch follow each other.
+  explicit PairAction(PairBlocks blocks) : tangent_(std::move(blocks)) {}
 
-  /// Throws std::logic_error unless the rule has points.
   void linearize(const Segment& segment, const Rule& rule, Tangent kind, const LinearPart&) override;
   void add_product(const double* x, double* y) const override;
   void add_diagonal(double* d) const override;
@@ -26,7 +26,7 @@ class PairAction final : public TangentAction {
   };
   void keep_sum(const std::vector<PairBlock>& parts, std::size_t count);
 
-  const PairPoints<D>& points_;
+  PairBlocks tangent_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> rows_;  ///< degrees of freedom, each once in a block
   std::vector<float> values_;

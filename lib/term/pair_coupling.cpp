@@ -36,12 +36,12 @@ PairCoupling<D>::PairCoupling(const PairPoints<D>& points)
 template <std::size_t D>
 std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename PairPoints<D>::Places& places,
                                                                double range) const {
-  const PlacedSurface<D> primary(points_.primary().patches, places.primary);
+  const auto near = find_neighbours(points_.surfaces(), places, range);
   std::vector<Pair> result;
-  for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s)
-    for (const int p : primary.near(points_.placed(s, places).hull(), range))
-      if (points_.sight() == nullptr || !points_.sight()->is_excluded(s, p))
-        result.emplace_back(static_cast<int>(s), p);
+  for (std::size_t k = 0; k < near->secondary.size(); ++k)
+    for (const int p : near->primary[k])
+      if (points_.sight() == nullptr || !points_.sight()->is_excluded(near->secondary[k], p))
+        result.emplace_back(static_cast<int>(near->secondary[k]), p);
   return result;
 }
 

@@ -128,12 +128,6 @@ typename PairPoints<D>::Places PairPoints<D>::ways(const double* direction) cons
 }
 
 template <std::size_t D>
-PlacedPatch<D> PairPoints<D>::placed(std::size_t patch, const Places& places) const {
-  const SurfacePatch<D>& own = secondary().patches[patch];
-  return own.placed(own.among(places.secondary));
-}
-
-template <std::size_t D>
 std::vector<typename PairPoints<D>::Places> PairPoints<D>::places(const Segment& segment, const Rule& rule) const {
   std::vector<Places> result;
   result.reserve(rule.points.size());
@@ -199,7 +193,7 @@ void PairPoints<D>::find_feet(Contacts& contacts, const Contacts* before, Share 
   std::vector<Vec<D>> places(per_patch_);
   for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
     const std::size_t s = near.secondary[entry];
-    if (share == Share::Energies ? !counts(s) : adds_to_own_[s] == 0) continue;
+    if ((share == Share::Energies && !counts(s)) || (share == Share::Forces && adds_to_own_[s] == 0)) continue;
     const SurfacePatch<D>& patch = secondary().patches[s];
     const typename SurfacePatch<D>::Points x = patch.among(contacts.places.secondary);
     Vec<D> middle{};

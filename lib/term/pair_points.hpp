@@ -9,6 +9,7 @@
 #include "interaction/gap_law.hpp"
 #include "interaction/pair_gap.hpp"
 #include "term/interaction.hpp"
+#include "term/pair_block.hpp"
 #include "term/pair_search.hpp"
 #include "term/pair_sums.hpp"
 #include "term/self_sight.hpp"
@@ -39,8 +40,8 @@ class PairPoints {
   PairPoints(const PairPoints&) = delete;
   PairPoints& operator=(const PairPoints&) = delete;
 
-  /// The points that a function visits: those that add to this rank's forces, or those that energies count here.
-  enum class Share { Forces, Energies };
+  /// The points that a function visits: those that add to this rank's forces, those that energies count here, or all.
+  enum class Share { Forces, Energies, All };
   using Places = PairPlaces<D>;
   /// A quadrature point at one place of the surfaces. A point beyond the law's range has no foot and no force.
   struct Contact {
@@ -89,9 +90,8 @@ class PairPoints {
   /// Null unless the surface interacts with itself.
   SelfSight<D>* sight() const { return sight_.get(); }
   /// Returns the nearest point of the primary surface that a secondary patch sees.
-  SurfaceFoot<D> nearest(const PlacedSurface<D>& primary, std::size_t patch, const Vec<D>& place, double range,
-                         int guess = -1) const {
-    return sight_ ? primary.nearest_of(sight_->seen(patch), place, range) : primary.nearest(place, range, guess);
+  SurfaceFoot<D> nearest(const PlacedSurface<D>& primary, std::size_t patch, const Vec<D>& place, double range) const {
+    return sight_ ? primary.nearest_of(sight_->seen(patch), place, range) : primary.nearest(place, range);
   }
   /// Returns how often the law, with its share, acts on a place of the surface: twice if it interacts with itself.
   double passes() const { return (sight_ ? 2 : 1) / share_; }
@@ -103,6 +103,7 @@ class PairPoints {
   double area(const Contact& c) const { return points_[index(c)].area; }
   const typename SurfacePatch<D>::Weights& weights(const Contact& c) const { return points_[index(c)].weights; }
   bool counts(std::size_t patch) const { return secondary().owned[patch] != 0; }
+  const PairSurfaces<D>& surfaces() const { return surfaces_; }
   const SurfacePatches<D>& secondary() const { return surfaces_.secondary; }
   const SurfacePatches<D>& primary() const { return surfaces_.primary; }
   const PairSearch<D>& search() const { return search_; }
@@ -110,8 +111,6 @@ class PairPoints {
   bool is_positive() const { return law_->domain() == GapDomain::Positive; }
   std::size_t points_of_a_patch() const { return per_patch_; }
   std::size_t index(const Contact& c) const { return c.patch * per_patch_ + c.point; }
-  /// Returns the secondary patch at places of the surface.
-  PlacedPatch<D> placed(std::size_t patch, const Places& places) const;
 
  private:
   struct Point {

@@ -35,6 +35,26 @@ std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::s
 }
 
 template <std::size_t D>
+std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                      double range) {
+  const PlacedSurface<D> primary(surfaces.primary.patches, places.primary);
+  auto result = std::make_shared<PairNeighbours>();
+  std::vector<int> together;
+  for (std::size_t s = 0; s < surfaces.secondary.patches.size(); ++s) {
+    const SurfacePatch<D>& patch = surfaces.secondary.patches[s];
+    std::vector<int> near = primary.near(patch.placed(patch.among(places.secondary)).hull(), range);
+    if (near.empty()) continue;
+    together.insert(together.end(), near.begin(), near.end());
+    result->secondary.push_back(s);
+    result->primary.push_back(std::move(near));
+  }
+  std::sort(together.begin(), together.end());
+  together.erase(std::unique(together.begin(), together.end()), together.end());
+  result->together = patch_subset(std::move(together), surfaces.primary.patches.size());
+  return result;
+}
+
+template <std::size_t D>
 PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces)
     : surfaces_(surfaces),
       secondary_amplification_(largest_amplification(surfaces.secondary)),
@@ -89,29 +109,12 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<Pai
   places_ = times[times.size() / 2];
   range_ = range;
   skin_ = std::max(range / 4, 2 * farthest(places_));
-  last_ = search(places_, range_ + skin_);
+  last_ = find_neighbours(surfaces_, places_, range_ + skin_);
   return last_;
 }
 
-template <std::size_t D>
-std::shared_ptr<const PairNeighbours> PairSearch<D>::search(const PairPlaces<D>& places, double range) const {
-  const PlacedSurface<D> primary(surfaces_.primary.patches, places.primary);
-  auto result = std::make_shared<PairNeighbours>();
-  std::vector<int> together;
-  for (std::size_t s = 0; s < surfaces_.secondary.patches.size(); ++s) {
-    const SurfacePatch<D>& patch = surfaces_.secondary.patches[s];
-    std::vector<int> near = primary.near(patch.placed(patch.among(places.secondary)).hull(), range);
-    if (near.empty()) continue;
-    together.insert(together.end(), near.begin(), near.end());
-    result->secondary.push_back(s);
-    result->primary.push_back(std::move(near));
-  }
-  std::sort(together.begin(), together.end());
-  together.erase(std::unique(together.begin(), together.end()), together.end());
-  result->together = patch_subset(std::move(together), surfaces_.primary.patches.size());
-  return result;
-}
-
+template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);
+template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double);
 template struct PairPlaces<2>;
 template struct PairPlaces<3>;
 template class PairSearch<2>;

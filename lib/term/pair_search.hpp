@@ -28,6 +28,11 @@ struct PairNeighbours {
   std::shared_ptr<const PatchSubset> together;  ///< all of these primary ones; null: all patches
 };
 
+/// Returns the secondary patches whose bounding boxes are nearer than `range` to those of primary patches, with these.
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                      double range);
+
 /// Finds neighbours and keeps them as long as they hold: they were searched within a range and a skin beyond it, and
 /// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
 /// kept, as long as these contain all that are within range.
@@ -48,8 +53,6 @@ class PairSearch {
   long searches() const { return searches_; }
 
  private:
-  std::shared_ptr<const PairNeighbours> search(const PairPlaces<D>& places, double range) const;
-
   const PairSurfaces<D>& surfaces_;
   double secondary_amplification_, primary_amplification_;
   std::shared_ptr<const PairNeighbours> all_, last_;
@@ -61,6 +64,10 @@ class PairSearch {
 /// Returns a subset of a surface of `count` patches. `patches`: ascending.
 std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::size_t count);
 
+extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&,
+                                                                      double);
+extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&,
+                                                                      double);
 extern template struct PairPlaces<2>;
 extern template struct PairPlaces<3>;
 extern template class PairSearch<2>;

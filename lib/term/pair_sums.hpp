@@ -7,14 +7,6 @@
 
 namespace ixos {
 
-/// The matrix of a part of both surfaces: its nodes, a node may stand twice, and D nodes rows of as many numbers.
-struct PairBlock {
-  std::size_t secondary = 0;  ///< patch with the points
-  int primary = -1;           ///< patch with the feet
-  std::vector<int> nodes;     ///< local
-  std::vector<double> k;
-};
-
 /// Sums PairGap's matrices over the points of a secondary patch with feet on one primary patch. The weights of the
 /// point's own patch are the same for all times, so that they multiply the sum over the times: a matrix of the feet's
 /// patch is all that each time takes.

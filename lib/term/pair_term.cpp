@@ -102,22 +102,26 @@ class PairTerm final : public Interaction {
   /// Leaves out nodes that are not coupled, see PairCoupling.
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     check(rule);
-    const auto add = [&](const PairBlock& block) { add_to_matrix(block, values); };
+    const auto add = [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); };
     if (rule.mean == Mean::DiscreteGradient)
       PairGradient<D>(points_).for_each_block(segment, kind, add);
     else
       points_.for_each_block(segment, rule, kind, add);
   }
 
-  std::unique_ptr<TangentAction> create_action() const override { return std::make_unique<PairAction<D>>(points_); }
+  /// Its linearize() throws std::logic_error unless the rule has points.
+  std::unique_ptr<TangentAction> create_action() const override {
+    return std::make_unique<PairAction<D>>(
+        [this](const Segment& segment, const Rule& rule, Tangent kind, const auto& visit) {
+          if (rule.mean != Mean::Points)
+            throw std::logic_error("the action of a pair of surfaces is for rules with points");
+          points_.for_each_block(segment, rule, kind, visit);
+        });
+  }
 
   bool add_row_sums(const Segment& segment, double* sums) const override {
-    points_.for_each_block(segment, end_rule(), Tangent::Exact, [&](const PairBlock& block) {
-      const std::size_t size = D * block.nodes.size();
-      for (std::size_t r = 0; r < size; ++r)
-        for (std::size_t c = 0; c < size; ++c)
-          sums[D * static_cast<std::size_t>(block.nodes[r / D]) + r % D] += std::abs(block.k[r * size + c]);
-    });
+    points_.for_each_block(segment, end_rule(), Tangent::Exact,
+                           [&](const PairBlock& block) { ixos::add_row_sums<D>(block, sums); });
     return !needs_positive_gaps() ||
            points_.contacts({points_.places(segment.to)}, Share::Forces)->front().least_gap > 0;
   }
@@ -231,20 +235,6 @@ class PairTerm final : public Interaction {
       double* const at_node = f + D * static_cast<std::size_t>(surface.nodes[static_cast<std::size_t>(own.nodes[a])]);
       for (std::size_t i = 0; i < D; ++i) at_node[i] += weights[a] * force[i];
     }
-  }
-
-  void add_to_matrix(const PairBlock& block, double* values) const {
-    const std::size_t size = D * block.nodes.size();
-    for (std::size_t a = 0; a < block.nodes.size(); ++a)
-      for (std::size_t b = 0; b < block.nodes.size(); ++b) {
-        const int offset = pattern_.coupled_offset(block.nodes[a], block.nodes[b]);
-        if (offset < 0) continue;
-        const int stride = pattern_.stride(block.nodes[a]);
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j)
-            values[offset + static_cast<int>(i) * stride + static_cast<int>(j)] +=
-                block.k[(D * a + i) * size + D * b + j];
-      }
   }
 
   static void check(const Rule& rule) {

@@ -29,6 +29,8 @@ FILM_FRICTION = ["Interactions/Wall/Friction/" + setting
 BALL_ON_WALL = ["Mesh/Disk/Core Divisions=16", "Mesh/Disk/Rings=6", FINAL + "10"]
 BALL_BRANCH = ["Materials/Ball/Maxwell Branches/" + setting for setting in ("Relaxation Times={3}", "Moduli={0.3}")]
 TWO_BALLS = [FINAL + "0.3"]
+BALLS_FRICTION = ["Interactions/Contact/Friction/" + setting
+                  for setting in ("Type=Extended Amontons", "Coefficient=0.5")]
 TWO_SPHERES = [STEPS + "Time Step=0.004", FINAL + "0.06"]
 HAIRPIN = [FINAL + "0.12"]
 CYLINDERS = ["Mesh/Parts/upper/Box/Divisions={36, 11}", "Mesh/Parts/lower/Box/Divisions={36, 11}",
@@ -123,7 +125,10 @@ def scene_forms(schemes):
     yield "two-balls", "two-balls", TWO_BALLS
     yield "two-balls, two ranks", "two-balls", TWO_BALLS, 2
     yield "two-balls, Energy-Momentum", "two-balls", TWO_BALLS + [SCHEME + "Energy-Momentum"]
+    yield "two-balls, friction", "two-balls", TWO_BALLS + BALLS_FRICTION
+    yield "two-balls, friction, two ranks", "two-balls", TWO_BALLS + BALLS_FRICTION + [SCHEME + "Newmark"], 2
     yield "two-spheres", "two-spheres", TWO_SPHERES, 2
+    yield "two-spheres, friction", "two-spheres", TWO_SPHERES + BALLS_FRICTION + ["Interactions/Contact/Passes=Two"]
     yield "hairpin", "hairpin", HAIRPIN
     yield "t-peel", "t-peel", T_PEEL
     yield "stamp", "stamp", [FINAL + "0.5"]

@@ -4,7 +4,7 @@
     IXOS_DRIVER=build/release/drivers/ixos tests/scenes/restarts_test.py [--all] [NAME]
 
 NAME takes the forms whose names have it in them. The short forms are those of tests/compare/forms.py; a file of xml/
-without one is an error. The script takes the first form of each scene, two forms on two ranks, and the last run of each
+without one is an error. The script takes the first form of each scene, three forms on two ranks, and the last run of each
 study. With --all it takes every form with every scheme, and every run of every study. ixos-study must stand beside ixos.
 """
 import argparse
@@ -23,6 +23,7 @@ from forms import STUDIES, XML, forgotten_files, scene_forms, write_short_study 
 
 DRIVER = os.environ.get("IXOS_DRIVER", str(ROOT / "build/release/drivers/ixos"))
 KILLS = 2
+ALSO = "ball, two ranks", "strip, two ranks", "two-balls, friction, two ranks"
 
 
 def output(*command):
@@ -34,7 +35,7 @@ def scene_runs(every):
     schemes = re.findall(r"^\S.*", output(DRIVER, "--list-schemes"), re.MULTILINE)
     scenes = set()
     for name, scene, settings, *ranks in scene_forms(schemes if every else ["Average Vector Field"]):
-        if every or scene not in scenes or name in ("ball, two ranks", "strip, two ranks"):
+        if every or scene not in scenes or name in ALSO:
             yield name, scene, settings, ranks[0] if ranks else 1
         scenes.add(scene)
 

@@ -23,6 +23,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 elsewhere = {
     "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "both of its kinds solve"),
     "interaction/slip_response.hpp": ("interaction/elastic_slip_test.cpp", "responses of a slip"),
+    "interaction/friction_step.hpp": ("term/friction_term_test.cpp", "steps that stick, slide and end"),
     "term/friction_points.hpp": ("term/friction_term_test.cpp", "points that stick, slide and are accepted"),
     "term/point_matrices.hpp": ("term/curved_surface_term_test.cpp", "products of actions"),
     "interaction/law_history.hpp": ("interaction/damage_law_test.cpp", "traits; a law with a history"),
@@ -33,6 +34,7 @@ elsewhere = {
     "term/rate_term.hpp": ("term/viscous_term_test.cpp", "an interface; viscosity behind it"),
     "term/branch_points.hpp": ("term/maxwell_term_test.cpp", "branches of blocks of all dimensions"),
     "term/kept_action.hpp": ("term/maxwell_term_test.cpp", "products and diagonals against the matrix"),
+    "term/pair_slip.hpp": ("term/pair_friction_test.cpp", "slips, forces, and bodies that turn as one"),
     "term/pair_action.hpp": ("term/pair_term_test.cpp", "products and diagonals against the matrix"),
     "term/pair_approach.hpp": ("term/pair_term_test.cpp", "admissible steps and lowest points"),
     "term/pair_points.hpp": ("term/pair_term_test.cpp", "points of both surfaces in forces and tangents"),

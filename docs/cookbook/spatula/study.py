@@ -22,6 +22,8 @@ GROWTH = 5.0  # cell length in the shaft over that in the pad
 # Length of a contact face and cells across, by scale: at least three faces in the cohesive zone.
 MESHES = {0.25: (0.7, 12), 0.5: (1.0, 16), 1.0: (1.4, 20)}
 SHAPES = {name: beam.SHAPES[name] for name in ("stiff", "thin", "narrow", "late")}
+# A pad of a quarter of the size is thick for its length: its transition would sink below the underside.
+MISFIT = "Fillet Radius", 1.2
 
 
 def cohesive_zone(scale):
@@ -148,8 +150,8 @@ def compare_parameters(folder, finished, scale=0.25):
         rows.append([key[0] + (f" {100 * key[1] - 100:+.0f} %" if key[1] != 1 else ""),
                      *(f"{model[key][peak]:.2f}" for peak in ("first", "late")),
                      *(f"{row[column]:.0f}" for column in ("late_lift", "work"))])
-        if finished and not is_finished(changed(folder, *key)):
-            rows[-1] += ["not run"] + 3 * [""]
+        if key == MISFIT or finished and not is_finished(changed(folder, *key)):
+            rows[-1] += ["does not fit" if key == MISFIT else "not run"] + 3 * [""]
             continue
         pad = measured(peel(shapes[key], scale, changed(folder, *key), step=1.0), scale, shapes[key])
         found[key] = {peak: pad[peak][0] for peak in ("first", "late")}

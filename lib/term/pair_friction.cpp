@@ -1,0 +1,226 @@
+#include "term/pair_friction.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "term/pair_action.hpp"
+#include "term/pair_slip.hpp"
+
+namespace ixos {
+namespace {
+
+template <std::size_t D>
+class PairFriction final : public Interaction {
+  using Point = typename PairSlip<D>::Point;
+  using Response = SlipResponse<double, D>;
+
+ public:
+  PairFriction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std::vector<LocalSide>& sides,
+               const Pattern& pattern, std::shared_ptr<const GapLaw> law, const FrictionLaw& friction,
+               const PairOptions& options)
+      : pattern_(pattern), slip_(mesh, std::move(surfaces), sides, std::move(law), friction, options) {}
+
+  // The life over steps.
+  bool dissipates() const override { return true; }
+  bool has_state() const override { return true; }
+  bool has_history() const override { return true; }
+  void initialize(const KnownState&) override { slip_.clear(); }
+  void begin_step(const KnownState& start, double, double dt) override { slip_.begin(start.u, dt); }
+  void begin_stage(const StageStart& start) override { slip_.set_length(start.length); }
+  double accept(const AcceptedStep& step) override {
+    slip_.set_length(step.dt);
+    return slip_.accept(step.states.back().u);
+  }
+  void transfer(Record& record) override { slip_.transfer(record); }
+
+  // Force and tangent.
+  bool is_gradient(const Rule&) const override { return true; }
+  const Rule& followed(const Rule& rule) const override {
+    static const Rule mean = exact_rule();
+    return rule.is_path_mean() ? mean : rule;
+  }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    const auto points = slip_.acting(segment.to);
+    for (const Point& point : *points)
+      slip_.add_force(point, respond<SlipPart::Traction>(point, segment, rule).traction, f);
+    return true;
+  }
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
+    for_each_block(segment, rule, [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); });
+  }
+  std::unique_ptr<TangentAction> create_action() const override {
+    return std::make_unique<PairAction<D>>([this](const Segment& segment, const Rule& rule, Tangent,
+                                                  const auto& visit) { for_each_block(segment, rule, visit); });
+  }
+
+  /// Throws InputError for smoothed friction, whose stiffness follows from the length of the step.
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    const Friction& friction = slip_.friction().friction();
+    if (friction.type == FrictionType::Smoothed)
+      throw InputError("smoothed friction has no longest stable step; use an implicit scheme");
+    Small<double, D> spring{};
+    for (std::size_t i = 0; i < D; ++i) spring[i][i] = friction.stiffness;
+    for (const Point& point : slip_.near(segment.to)) {
+      PairBlock block = empty_block(point);
+      slip_.add_stiffness(point, spring, block.k);
+      ixos::add_row_sums<D>(block, sums);
+    }
+    return true;
+  }
+
+  double energy(const double* u) const override {
+    return sum(u, [&](const Point& point) {
+      const auto step = slip_.step(point);
+      return slip_.in_step() ? step.energy(slip_.slip(point, u)) : step.stored_energy();
+    });
+  }
+  double mean_potential(const Segment& segment) const override {
+    return sum(segment.to,
+               [&](const Point& point) { return slip_.step(point).mean_potential(slip_.slip(point, segment.to)); });
+  }
+
+  // Friction limits no step, and gaps are the other term's.
+  bool needs_positive_gaps() const override { return slip_.points().is_positive(); }
+  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
+  double gap_ratio(const double*, const double*) const override { return 1; }
+  LowestPoint lowest_point(const double*) const override { return {}; }
+  void add_nodal_pressure(const double*, double*) const override {}
+  void lower_nodal_gap(const double*, double*) const override {}
+  void set_nodal_normal(const double*, double*) const override {}
+
+  double rounding(const double* u) const override {
+    if (!slip_.in_step()) return 0;  // the traction is constant
+    return sum(u, [&](const Point& point) {
+      const double stiffness = slip_.step(point).acting_stiffness(slip_.slip(point, u));
+      double square = 0;
+      for (std::size_t a = 0; a < point.nodes.size(); ++a) {
+        const double* const own = u + D * static_cast<std::size_t>(point.nodes[a]);
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) square += std::pow(point.slips[a][i][j] * own[j], 2);
+      }
+      return slip_.points().measure(point.contact) * stiffness * stiffness * square;  // sum() has the other measure
+    });
+  }
+
+  void report(const double* u, InteractionReport& report) const override {
+    report.force.resize(D, 0.0);
+    sum(u, [&](const Point& point) {
+      const Vec<D> traction = respond<SlipPart::Traction>(point, {nullptr, nullptr, u}, end_rule()).traction;
+      for (std::size_t i = 0; i < D; ++i) report.force[i] -= slip_.points().measure(point.contact) * traction[i];
+      return 0.0;
+    });
+  }
+
+  void add_nodal_measure(CountedSides& counted, double* measure) const override {
+    const PairPoints<D>& points = slip_.points();
+    for (std::size_t s = 0; s < points.secondary().patches.size(); ++s)
+      if (counted.insert(points.secondary().sides[s]).second)
+        for_each_point(s, [&](const Contact& contact) { add_weighted(contact, points.area(contact), measure); });
+  }
+
+  bool has_friction() const override { return true; }
+  void add_nodal_friction(FrictionNumber number, double* by_node) const override {
+    const PairPoints<D>& points = slip_.points();
+    const bool is_work = number == FrictionNumber::Dissipated;  // the interaction's factor scales it
+    for (std::size_t s = 0; s < points.secondary().patches.size(); ++s)
+      for_each_point(s, [&](const Contact& contact) {
+        const double weight = is_work ? points.measure(contact) : points.area(contact);
+        add_weighted(contact, weight * slip_.number(s, contact.point, number), by_node);
+      });
+  }
+  void report_friction(const double* u, FrictionReport& report) const override { slip_.report(u, report); }
+
+ private:
+  using Contact = typename PairPoints<D>::Contact;
+
+  template <class Visit>
+  void for_each_point(std::size_t patch, const Visit& visit) const {
+    for (std::size_t q = 0; q < slip_.points().points_of_a_patch(); ++q) visit(Contact{patch, q, 0});
+  }
+  void add_weighted(const Contact& contact, double value, double* by_node) const {
+    const SurfacePatches<D>& surface = slip_.points().secondary();
+    const SurfacePatch<D>& patch = surface.patches[contact.patch];
+    for (std::size_t a = 0; a < patch.count; ++a)
+      by_node[surface.nodes[static_cast<std::size_t>(patch.nodes[a])]] += slip_.points().weights(contact)[a] * value;
+  }
+
+  /// Returns the sum of measure times visit(point) over the points that count on this rank.
+  template <class Visit>
+  double sum(const double* u, const Visit& visit) const {
+    const auto points = slip_.acting(u);
+    double result = 0;
+    for (const Point& point : *points)
+      if (slip_.points().counts(point.contact.patch)) result += slip_.points().measure(point.contact) * visit(point);
+    return result;
+  }
+
+  static PairBlock empty_block(const Point& point) {
+    return {point.contact.patch, point.contact.foot.patch, point.nodes,
+            std::vector<double>(D * D * point.nodes.size() * point.nodes.size(), 0.0)};
+  }
+
+  /// Calls visit(block) for each pair of patches with points that friction acts on.
+  void for_each_block(const Segment& segment, const Rule& rule,
+                      const std::function<void(const PairBlock&)>& visit) const {
+    const auto points = slip_.acting(segment.to);
+    PairBlock block;
+    for (const Point& point : *points) {
+      if (block.nodes.empty() || block.secondary != point.contact.patch || block.primary != point.contact.foot.patch) {
+        if (!block.nodes.empty()) visit(block);
+        block = empty_block(point);
+      }
+      slip_.add_stiffness(point, respond<SlipPart::All>(point, segment, rule).stiffness, block.k);
+    }
+    if (!block.nodes.empty()) visit(block);
+  }
+
+  /// Returns traction and stiffness by the rule that friction follows.
+  template <SlipPart part>
+  Response respond(const Point& point, const Segment& segment, const Rule& asked) const {
+    const Rule& rule = followed(asked);
+    Response result;
+    const auto step = slip_.step(point);
+    const auto add = [&](const Vec<D>& slip, SlipKind kind, double weight, double slope_weight) {
+      Response here{point.traction, {}, {}};
+      if (slip_.in_step()) here = step.template respond<part>(slip, point.plane, kind);
+      result.traction = result.traction + weight * here.traction;
+      for (std::size_t i = 0; i < D; ++i) result.stiffness[i] = result.stiffness[i] + slope_weight * here.stiffness[i];
+    };
+    const Vec<D> to = slip_.relative(point, segment.to);
+    if (rule.mean != Mean::Points) add(to - point.start, SlipKind::Mean, 1, 1);
+    for (const RulePoint& at : rule.points) {
+      Vec<D> moved = at.to * to;
+      if (at.from != 0) moved = moved + at.from * slip_.relative(point, segment.from);
+      if (at.velocity != 0) moved = moved + at.velocity * slip_.relative(point, segment.velocity);
+      add(moved - point.start, SlipKind::At, at.weight, at.weight * at.to);
+    }
+    return result;
+  }
+
+  const Pattern& pattern_;
+  PairSlip<D> slip_;
+};
+
+}  // namespace
+
+template <std::size_t D>
+std::unique_ptr<Interaction> make_pair_friction(const LocalMesh& mesh, PairSurfaces<D> surfaces,
+                                                const std::vector<LocalSide>& sides, const Pattern& pattern,
+                                                std::shared_ptr<const GapLaw> law, const FrictionLaw& friction,
+                                                const PairOptions& options) {
+  return std::make_unique<PairFriction<D>>(mesh, std::move(surfaces), sides, pattern, std::move(law), friction,
+                                           options);
+}
+
+template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<2>,
+                                                         const std::vector<LocalSide>&, const Pattern&,
+                                                         std::shared_ptr<const GapLaw>, const FrictionLaw&,
+                                                         const PairOptions&);
+template std::unique_ptr<Interaction> make_pair_friction(const LocalMesh&, PairSurfaces<3>,
+                                                         const std::vector<LocalSide>&, const Pattern&,
+                                                         std::shared_ptr<const GapLaw>, const FrictionLaw&,
+                                                         const PairOptions&);
+
+}  // namespace ixos
