@@ -9,8 +9,8 @@ template <std::size_t D>
 PairGradient<D>::PairGradient(const PairPoints<D>& points) : points_(points) {
   const GapLaw& law = points.law();
   const double equilibrium = law.equilibrium_gap();
-  stiffness_ = std::abs(law.stiffness(equilibrium)[0]);
-  if (stiffness_ == 0) stiffness_ = law.magnitude(equilibrium)[0] / equilibrium;
+  stiffness_ = 10 * std::abs(law.stiffness(equilibrium)[0]);
+  if (stiffness_ == 0) stiffness_ = 10 * law.magnitude(equilibrium)[0] / equilibrium;
 }
 
 /// Returns S, in the order of the contact's nodes.
@@ -63,29 +63,39 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     const auto node = static_cast<std::size_t>(patch.nodes[a]);
     point.d = point.d - n[a] * (step.end.places.primary[node] - step.start.places.primary[node]);
   }
-  point.along = inner(mean.foot.normal, point.d);
+  // The foot's way is that of its weights.
+  const Vec<D> foot_way = end.place - start.place - point.d;
+  const SurfacePatch<D>& own = points_.secondary().patches[mean.patch];
+  point.size = point.v = 0;
+  for (std::size_t k = 0; k < corners; ++k) {
+    const auto node = static_cast<std::size_t>(own.nodes[k]);
+    const Vec<D>& before = step.start.places.secondary[node];
+    Corner& corner = point.corner[k];
+    corner.r = step.mean.places.secondary[node] - mean.foot.frame.place;
+    corner.d = step.end.places.secondary[node] - before - foot_way;
+    corner.w = inner(corner.r, corner.d);
+    point.size += inner(before - start.place, before - start.place);
+    point.v += corner.w * corner.w;
+  }
+  point.v /= point.size;
   point.traction = law.mean_traction(g0, g1)[0];
   point.mean_slope = acts(end) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
-  const double off = g1 - g0 - point.along, e = -point.traction * off;
+  const double off = g1 - g0 - inner(mean.foot.normal, point.d), e = -point.traction * off;
   point.by_gap = acts(end) ? point.mean_slope * off - point.traction : 0.0;
-  point.size = -point.traction;
-  point.rest = point.c_by_e = point.c_by_a = 0;
-  point.whole = length(point.d) > 1e-5 * law.equilibrium_gap();
-  if (!point.whole || e == 0) return true;
-  const double a = point.along, k = stiffness_;
-  double c;
-  if (k * a * a >= std::abs(e)) {
-    c = e / a;
-    point.c_by_e = 1 / a;
-    point.c_by_a = -e / (a * a);
+  point.c = point.rest = point.c_by_e = point.c_by_v = 0;
+  if (e == 0 || length(point.d) <= 1e-5 * law.equilibrium_gap()) return true;
+  const double k = stiffness_, v = point.v;
+  if (k * v >= std::abs(e)) {
+    point.c = e / v;
+    point.c_by_e = 1 / v;
+    point.c_by_v = -e / (v * v);
   } else {
-    const double sign = e > 0 ? 1 : -1, ratio = k * a * a / e;
-    c = k * a * (2 * sign - ratio);
-    point.c_by_e = k * a * ratio / e;
-    point.c_by_a = k * (2 * sign - 3 * ratio);
-    point.rest = (e - c * a) / inner(point.d, point.d);
+    const double sign = e > 0 ? 1 : -1, ratio = k * v / e;
+    point.c = k * (2 * sign - ratio);
+    point.c_by_e = k * ratio / e;
+    point.c_by_v = -k * k / e;
+    point.rest = (e - point.c * v) / inner(point.d, point.d);
   }
-  point.size += c;
   return true;
 }
 
@@ -97,9 +107,18 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
     if (!evaluate(step, i, point)) continue;
     const std::vector<int> nodes = points_.nodes_of(*point.at_mean);
     const std::vector<double> s = weights_of(*point.at_mean);
-    const Vec<D> t = points_.measure(*point.at_mean) * point.force();
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      for (std::size_t k = 0; k < D; ++k) f[D * static_cast<std::size_t>(nodes[a]) + k] += s[a] * t[k];
+    const double w = points_.measure(*point.at_mean);
+    const std::size_t count = points_.secondary().patches[point.at_mean->patch].count;
+    const auto add = [&](std::size_t a, const Vec<D>& force) {
+      for (std::size_t j = 0; j < D; ++j) f[D * static_cast<std::size_t>(nodes[a]) + j] += w * force[j];
+    };
+    const Vec<D> own = point.force();
+    Vec<D> all = own;
+    for (std::size_t k = 0; k < corners; ++k) {
+      add(k, point.force(k));
+      all = all + point.force(k);
+    }
+    for (std::size_t a = 0; a < nodes.size(); ++a) add(a, s[a] * (a < count ? own : all));
   }
   return step.end.least_gap;
 }
@@ -118,7 +137,8 @@ PairBlock PairGradient<D>::convex_block_of(const Point& point) const {
 
 /// With the force w s_I t at node I, its derivative is w (ds_I t + s_I dt). Mean places move half as far as the end's.
 /// With the parameters' changes dxi at the mean places and the position r = g m of the point from its foot, dr = S du/2
-/// - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step.
+/// - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step. Corners
+/// have dr and dd likewise, with their own weight in place of the point's.
 template <std::size_t D>
 PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const {
   const Contact &mean = *point.at_mean, &end = *point.at_end;
@@ -187,27 +207,49 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
           slide[k] + shape.slopes[free[k]][b] * (step.end.places.primary[node] - step.start.places.primary[node]);
     }
   const Vec<D> t = point.force();
+  Vec<D> on_foot = t;
+  for (std::size_t k = 0; k < corners; ++k) on_foot = on_foot + point.force(k);
   const double square = inner(point.d, point.d);
-  std::array<std::vector<double>, D> dt;
-  for (auto& row : dt) row.assign(columns, 0.0);
+  std::vector<Vec<D>> dt(columns), d_on_foot(columns);
+  std::array<std::vector<Vec<D>>, corners> d_corner;
+  for (auto& row : d_corner) row.resize(columns);
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t node = c / D, i = c % D;
-    Vec<D> dr{}, dd{};
-    dr[i] = s[node] / 2;
-    dd[i] = s[node];
-    for (std::size_t k = 0; k < free.size(); ++k) {
-      dr = dr - dxi[k][c] * frame.tangents[free[k]];
-      dd = dd - dxi[k][c] * slide[k];
-    }
+    // Changes of a relative position at the mean places and of its way in the step, by the weight of the node.
+    const auto change = [&](double weight) {
+      std::array<Vec<D>, 2> result{};
+      result[0][i] = weight / 2;
+      result[1][i] = weight;
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        result[0] = result[0] - dxi[k][c] * frame.tangents[free[k]];
+        result[1] = result[1] - dxi[k][c] * slide[k];
+      }
+      return result;
+    };
+    const auto [dr, dd] = change(s[node]);
     const Vec<D> dm = g == 0 ? Vec<D>{} : 1 / g * (dr - inner(m, dr) * m);
     const double dg = end_weights[node] * end.foot.normal[i], da = inner(m, dd) + inner(point.d, dm);
-    const double de = point.by_gap * dg + point.traction * da, dc = point.c_by_e * de + point.c_by_a * da;
+    const double de = point.by_gap * dg + point.traction * da;
+    std::array<std::array<Vec<D>, 2>, corners> at_corner;
+    std::array<double, corners> dw{};
+    double dv = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+      at_corner[k] = change(node < count ? (node == k ? 1.0 : 0.0) : s[node]);
+      const Corner& corner = point.corner[k];
+      dw[k] = inner(corner.d, at_corner[k][0]) + inner(corner.r, at_corner[k][1]);
+      dv += 2 * corner.w * dw[k] / point.size;
+    }
+    const double dc = point.c_by_e * de + point.c_by_v * dv;
     double drest = 0;
-    if (point.rest != 0)
-      drest =
-          (de - (point.size + point.traction) * da - point.along * dc - 2 * point.rest * inner(point.d, dd)) / square;
-    for (std::size_t j = 0; j < D; ++j)
-      dt[j][c] = (point.mean_slope * dg + dc) * m[j] + point.size * dm[j] + drest * point.d[j] + point.rest * dd[j];
+    if (point.rest != 0) drest = (de - dc * point.v - point.c * dv - 2 * point.rest * inner(point.d, dd)) / square;
+    dt[c] = (point.mean_slope * dg) * m - point.traction * dm + drest * point.d + point.rest * dd;
+    d_on_foot[c] = dt[c];
+    for (std::size_t k = 0; k < corners; ++k) {
+      const Corner& corner = point.corner[k];
+      d_corner[k][c] =
+          1 / point.size * ((dc * corner.w + point.c * dw[k]) * corner.r + point.c * corner.w * at_corner[k][0]);
+      d_on_foot[c] = d_on_foot[c] + d_corner[k][c];
+    }
   }
   const double w = points_.measure(mean);
   block.k.assign(columns * columns, 0.0);
@@ -215,9 +257,11 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
     for (std::size_t i = 0; i < D; ++i) {
       double* const row = block.k.data() + (D * node + i) * columns;
       for (std::size_t c = 0; c < columns; ++c) {
-        double sum = s[node] * dt[i][c];
+        double sum = s[node] * (node < count ? dt[c][i] : d_on_foot[c][i]);
+        if (node < corners) sum += d_corner[node][c][i];
         if (node >= count)
-          for (std::size_t k = 0; k < free.size(); ++k) sum -= shape.slopes[free[k]][node - count] * t[i] * dxi[k][c];
+          for (std::size_t k = 0; k < free.size(); ++k)
+            sum -= shape.slopes[free[k]][node - count] * on_foot[i] * dxi[k][c];
         row[c] = w * sum;
       }
     }

@@ -1,5 +1,6 @@
 /// The discrete gradient of the energy of two surfaces.
 #pragma once
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -8,15 +9,18 @@
 namespace ixos {
 
 /// At each point, with the foot, the normal m and the weights S of the relative position at the mean of both ends'
-/// places, d = S dx, a = m . d and the mean T of the traction over the gaps g0 to g1, the force is S t with
+/// places, d = S dx, a = m . d and the mean T of the traction over the gaps g0 to g1, the force is S (-T m), and what
+/// lacks of the work, e = psi(g1) - psi(g0) + T a, is done by forces between the foot y and the corners z_k of the
+/// point's own side,
 ///
-///   t = (-T + C) m + (e - C a)/(d . d) d,   e = psi(g1) - psi(g0) + T a.
+///   c w_k/R^2 (z_k - y),   w_k = (z_k - y) . (dz_k - dy),   c = e/v,   v = sum of w_k^2/R^2,
 ///
-/// Its work in the step is the change of the energy, and its net force vanishes. C = e/a makes the net moment about the
-/// mean places vanish, too (Sauer and De Lorenzis 2013). That has a pole where a point slides along the other surface,
-/// a = 0. Where a^2 < |e|/k, with the law's stiffness k at its equilibrium gap, C is therefore 2 k a sign(e) - k^2
-/// a^3/e, and Gonzalez' (1996) vector along d does the rest of the work; its moment is of second order in d.
-/// Displacements below 1e-5 of the equilibrium gap take t = -T m.
+/// with R^2 = sum of |z_k - x|^2 at the start. They point along the line between both places, so that the force does
+/// the change of the energy as its work, and its net force and its net moment about the mean places vanish. The side of
+/// a point never changes, so the force is continuous where the foot changes its patch. A foot that rolls keeps its
+/// distances to the corners, v = 0. Where v < |e|/k, with k ten times the law's stiffness at its equilibrium gap, c is
+/// therefore 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work.
+/// Displacements below 1e-5 of the equilibrium gap take -T m alone.
 template <std::size_t D>
 class PairGradient {
  public:
@@ -30,6 +34,7 @@ class PairGradient {
   void for_each_block(const Segment& segment, Tangent kind, const std::function<void(const PairBlock&)>& visit) const;
 
  private:
+  static constexpr std::size_t corners = D == 2 ? 2 : 4;  ///< of a patch, its first nodes
   using Contact = typename PairPoints<D>::Contact;
   using Contacts = typename PairPoints<D>::Contacts;
   /// All points at both ends and at the mean places of the segment.
@@ -37,19 +42,26 @@ class PairGradient {
     std::shared_ptr<const typename PairPoints<D>::Times> times;
     const Contacts &start, &end, &mean;
   };
+  /// A corner of a point's side.
+  struct Corner {
+    Vec<D> r, d;  ///< z - y, its change in the step
+    double w;
+  };
   /// One point, with the quantities of the formula above.
   struct Point {
     const Contact *at_end, *at_mean;
     Vec<D> d;
-    double along;       ///< a
-    double size;        ///< of t along m, -T + C
-    double rest;        ///< (e - C a)/(d . d)
+    std::array<Corner, corners> corner;
+    double size;        ///< R^2
+    double v, c;        ///< of the formula
+    double rest;        ///< (e - c v)/(d . d)
+    double traction;    ///< T
     double mean_slope;  ///< derivative of -T by g1
     double by_gap;      ///< derivative of e by g1; that by a is T
-    double traction;    ///< T
-    double c_by_e, c_by_a;
-    bool whole;  ///< the displacement is not too small for C
-    Vec<D> force() const { return size * at_mean->foot.normal + rest * d; }
+    double c_by_e, c_by_v;
+    Vec<D> force() const { return rest * d - traction * at_mean->foot.normal; }
+    /// Returns the force of a corner on the foot's other side.
+    Vec<D> force(std::size_t k) const { return c * corner[k].w / size * corner[k].r; }
   };
   bool acts(const Contact& contact) const;
   Step take(const Segment& segment) const;

@@ -70,31 +70,8 @@ std::array<double, 2> net(const Bodies& bodies) {
   return {force / sums[4], std::abs(sums[3]) / (5 * sums[4])};
 }
 
-TEST(PairGradientTest, ItsNetForceVanishesAndItsNetMomentIsSmall) {
+TEST(PairGradientTest, ItsNetForceAndItsNetMomentVanish) {
   for (const Bodies& bodies : cases()) {
-    const auto [force, moment] = net(bodies);
-    EXPECT_LT(force, 1e-13);
-    EXPECT_LT(moment, 1e-3);
-  }
-}
-
-/// Where no point slides without coming nearer or going away, both momenta are kept.
-TEST(PairGradientTest, BodiesThatApproachKeepBothMomenta) {
-  for (const int dimension : {2, 3}) {
-    Bodies bodies =
-        dimension == 2
-            ? Bodies(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::CatmullRom, 1.0)
-            : Bodies(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::CatmullRom, 1.0);
-    const auto& x = bodies.model->mesh().coordinates;
-    const auto d = static_cast<std::size_t>(dimension);
-    const std::vector<double> way =
-        dimension == 2 ? std::vector<double>{-0.05, -0.036} : std::vector<double>{-0.024, -0.02, -0.029};
-    for (std::size_t k = 0; k < x.size(); k += d) {
-      double side = 0;
-      for (std::size_t i = 0; i < d; ++i) side += x[k + i] * way[i];
-      for (std::size_t i = 0; i < d; ++i)
-        bodies.to[k + i] = bodies.from[k + i] + (side < (dimension == 2 ? -0.19 : -0.09) ? way[i] : 0);
-    }
     const auto [force, moment] = net(bodies);
     EXPECT_LT(force, 1e-13);
     EXPECT_LT(moment, 1e-13);
