@@ -9,8 +9,8 @@ template <std::size_t D>
 PairGradient<D>::PairGradient(const PairPoints<D>& points) : points_(points) {
   const GapLaw& law = points.law();
   const double equilibrium = law.equilibrium_gap();
-  stiffness_ = 10 * std::abs(law.stiffness(equilibrium)[0]);
-  if (stiffness_ == 0) stiffness_ = 10 * law.magnitude(equilibrium)[0] / equilibrium;
+  stiffness_ = 3 * std::abs(law.stiffness(equilibrium)[0]);
+  if (stiffness_ == 0) stiffness_ = 3 * law.magnitude(equilibrium)[0] / equilibrium;
 }
 
 /// Returns S, in the order of the contact's nodes.

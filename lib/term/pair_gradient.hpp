@@ -18,8 +18,8 @@ namespace ixos {
 /// with R^2 = sum of |z_k - x|^2 at the start. They point along the line between both places, so that the force does
 /// the change of the energy as its work, and its net force and its net moment about the mean places vanish. The side of
 /// a point never changes, so the force is continuous where the foot changes its patch. A foot that rolls keeps its
-/// distances to the corners, v = 0. Where v < |e|/k, with k ten times the law's stiffness at its equilibrium gap, c is
-/// therefore 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work.
+/// distances to the corners, v = 0. Where v < |e|/k, with k three times the law's stiffness at its equilibrium gap, c
+/// is therefore 2 k sign(e) - k^2 v/e, and Gonzalez' (1996) vector (e - c v)/(d . d) S d does the rest of the work.
 /// Displacements below 1e-5 of the equilibrium gap take -T m alone.
 template <std::size_t D>
 class PairGradient {
