@@ -282,14 +282,8 @@ void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
     own.element = at(own.node.path_of("Contact Element"), [&] { return fitting_element(mesh, set, own.element); });
     if (own.is_pair()) {
       at(own.node.path_of("Primary Side Set"), [&] { return &side_set_named(mesh, own.primary); });
-      const bool in_plane = mesh.dimension == 2 && own.element != ContactElement::Q1CH;
-      const bool offered = own.element == ContactElement::Q1C1 || own.element == ContactElement::Q2C2 ||
-                           (in_plane && own.element != ContactElement::Q2C4);
-      if (!offered)
-        own.node.refuse("Contact Element",
-                        fmt::format("{} is not there for surfaces of two bodies in {} dimensions yet; "
-                                    "use Q1C1, or quadratic cells with Q2C2",
-                                    name_of(own.element), mesh.dimension));
+      if (own.element == ContactElement::Q1CH)
+        own.node.refuse("Contact Element", "Q1CH is not there for surfaces of two bodies yet; use another one");
     }
     if (own.element == ContactElement::Q2C2 && own.bulk_points > 0)
       own.node.refuse("Bulk Points", fmt::format("{} has no effect on Q2C2, the side of quadratic cells as it is; "

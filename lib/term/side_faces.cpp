@@ -140,9 +140,9 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
       patch = smooth ? smooth_face(grid, f) : bilinear_patch(c);
     } else {
       std::vector<int> own;
-      for (const int node : sides[static_cast<std::size_t>(f)].nodes)
-        own.push_back(surface_number(surface.nodes, node, mesh));
-      patch = lagrange_patch<3>(own);
+      const LocalSide& side = sides[static_cast<std::size_t>(f)];
+      for (const int node : side.nodes) own.push_back(surface_number(surface.nodes, node, mesh));
+      patch = lagrange_patch<3>(own, tied_nodes(mesh.blocks[static_cast<std::size_t>(side.block)], side.side));
     }
     const std::array<std::array<int, 2>, 4> edges{{{c[0], c[3]}, {c[1], c[2]}, {c[0], c[1]}, {c[3], c[2]}}};
     for (std::size_t s = 0; s < 4; ++s) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "fem/cell_type.hpp"
+#include "term/lagrange_patches.hpp"
 
 namespace ixos {
 
@@ -22,18 +24,19 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
   SurfacePatches<D> surface;
   for (const LocalSide& side : sides) {
     const LocalBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    if (is_enriched(block.type) && (is_hermite(block.type) || is_quadratic(block.type) || block.tied != 0))
-      throw InputError(fmt::format(
-          "the surface \"{}\" has sides that surfaces of two bodies cannot have yet: {}; use Q1C1, or quadratic cells "
-          "with Q2C2",
-          name,
-          block.tied != 0 ? "enriched faces beside cells that are not enriched" : "Contact Element Q1CH or Q2C4"));
+    if (is_hermite(block.type))
+      throw InputError(
+          fmt::format("the surface \"{}\" has sides of the Contact Element Q1CH, which surfaces of two bodies "
+                      "cannot have yet; use another one",
+                      name));
     if (side.nodes.size() != sides.front().nodes.size())
       throw InputError(
           fmt::format("the surface \"{}\" has sides of {} and of {} nodes; surfaces of two bodies need "
                       "sides of one kind",
                       name, sides.front().nodes.size(), side.nodes.size()));
-    surface.nodes.insert(surface.nodes.end(), side.nodes.begin(), side.nodes.end());
+    std::vector<int> nodes = side.nodes;
+    for (const InnerNode& inner : tied_nodes(block, side.side)) nodes[inner.node] = -1;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(surface.nodes), [](int node) { return node >= 0; });
     surface.owned.push_back(side.owned ? 1 : 0);
     surface.sides.push_back({side.block, side.cell, side.side});
   }

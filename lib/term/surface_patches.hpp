@@ -26,10 +26,9 @@ struct SurfacePatches {
 };
 
 /// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
-/// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Throws InputError with `name` if a
-/// side is of another kind (Q1CH, Q2C4, an enriched face that is tied to a cell without one), if sides are of several
-/// kinds, if more than two sides meet in a corner in the plane or in an edge in space, or if neighbours in space have
-/// opposite directions.
+/// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Nodes on tied edges are left out.
+/// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if more than two
+/// sides meet in a corner in the plane or in an edge in space, or if neighbours in space have opposite directions.
 template <std::size_t D>
 SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                   const std::string& name);
