@@ -15,13 +15,25 @@ constexpr std::size_t least_runs = 3;   ///< two may agree by coincidence
 constexpr std::size_t most_runs = 10;
 constexpr int most_failures = 3;
 constexpr double refinement = 1.25;     ///< least ratio of the mean steps of runs that count as different
-constexpr double progress = 0.7;        ///< largest ratio of errors that counts as an improvement
+constexpr double progress = 0.7;        ///< largest ratio of changes that counts as an improvement
 constexpr int most_without_progress = 2;
 
 /// Returns the error as a part of the exact value, if that is away from 0.
 double relative(double error, double limit) {
   if (error == 0) return 0;
   return error < std::abs(limit) ? error / std::abs(limit) : std::numeric_limits<double>::infinity();
+}
+
+/// Returns the largest change between neighbours, each reduced in proportion to the steps, over the last value. Unlike
+/// an extrapolated error, it cannot be small by coincidence in one run and large again in the next.
+double relative_change(const std::vector<AccuracyRun>& runs, std::size_t quantity) {
+  const AccuracyRun& last = runs.back();
+  double largest = 0;
+  for (std::size_t i = 1; i < runs.size(); ++i)
+    largest = std::max(largest, std::abs(runs[i].values[quantity] - runs[i - 1].values[quantity]) * last.mean_step /
+                                    runs[i].mean_step);
+  if (largest == 0) return 0;
+  return largest / std::abs(last.values[quantity]);  // infinite for a last value of 0
 }
 
 double largest_error(const std::vector<AchievedAccuracy>& achieved) {
@@ -51,19 +63,20 @@ class Sequence {
   /// Judges the last run. Returns what ended the refinement; empty if it may go on.
   std::string judge(std::vector<AchievedAccuracy>& achieved) {
     achieved = achieved_accuracy(question_, runs_);
-    const double error = largest_error(achieved);
-    const bool improves = std::isfinite(error) && error <= progress * best_;
-    without_progress_ = improves ? 0 : without_progress_ + 1;
-    best_ = std::min(best_, error);
-    const int patience = std::isfinite(best_) ? most_without_progress : 2 * most_without_progress;
-    if (without_progress_ < patience) return "";
+    double change = 0;
+    for (std::size_t q = 0; q < achieved.size(); ++q)
+      if (achieved[q].error > question_.accuracy)
+        change = std::max(change, question_.quantities[q].is_error() ? achieved[q].error : relative_change(runs_, q));
+    without_progress_ = change < progress * least_change_ ? 0 : without_progress_ + 1;
+    least_change_ = std::min(least_change_, change);
+    if (without_progress_ < most_without_progress) return "";
     return "shorter steps no longer reduce the error: the motion may be chaotic, or the quantity may jump or be 0";
   }
 
  private:
   const AccuracyQuestion& question_;
   std::vector<AccuracyRun> runs_;
-  double best_ = std::numeric_limits<double>::infinity();
+  double least_change_ = std::numeric_limits<double>::infinity();
   int without_progress_ = 0;
 };
 

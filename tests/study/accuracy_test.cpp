@@ -109,6 +109,24 @@ TEST(AccuracyTest, AValueThatDoesNotConvergeEndsTheRuns) {
   test::expect_contains(result.limit, "shorter steps no longer reduce the error");
 }
 
+TEST(AccuracyTest, AChangeOfSignIsNoReasonToGiveUp) {
+  // The third run seems to have an order; the fourth shows that it has none.
+  const std::vector<double> errors{-0.012, -0.0016, -0.0002, -0.0003, 0, 0, 0, 0, 0, 0};
+  std::size_t number = 0;
+  const AccuracyResult result = run_to_accuracy(question(1e-3), coarse(), [&](const AccuracySettings& settings) {
+    return run(settings, {1 + errors[number++]});
+  });
+  EXPECT_EQ(result.status, AccuracyStatus::Kept);
+  EXPECT_GT(result.runs.size(), 4u);
+}
+
+TEST(AccuracyTest, AnErrorThatStaysEndsTheRuns) {
+  const AccuracyResult result = run_to_accuracy(
+      question(1e-3, {"energy error"}), coarse(), [](const AccuracySettings& settings) { return run(settings, {0.1}); });
+  EXPECT_EQ(result.status, AccuracyStatus::Missed);
+  EXPECT_LT(result.runs.size(), 8u);
+}
+
 TEST(AccuracyTest, AValueThatTendsToZeroHasNoRelativeError) {
   const AccuracyResult result = run_to_accuracy(question(1e-2), coarse(), [](const AccuracySettings& settings) {
     return run(settings, {settings.longest_step});
