@@ -67,7 +67,7 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
   for (const AccuracyRun& run : result.runs) seconds += run.seconds;
   for (std::size_t q = 0; q < result.achieved.size(); ++q) {
     const AchievedAccuracy& own = result.achieved[q];
-    text += fmt::format("  {} = {:.7g}, error at most {} ({})\n", question.quantities[q].text(), own.value,
+    text += fmt::format("  {} = {:.7g}, estimated error {} ({})\n", question.quantities[q].text(), own.value,
                         percent(own.error), own.reason);
   }
   return text + fmt::format(

@@ -83,7 +83,8 @@ TEST_F(AccuracyDriverTest, RefusesWhatItCannotDo) {
     arguments.insert(arguments.end(), {"--output", "out"});
     expect_refused(2, arguments, message);
   };
-  refused({test::ball, "--accuracy", "1%"}, "Output/Quantities: --accuracy needs quantities; name them in the scene");
+  refused({test::ball, "--accuracy", "1%", "--set", "Output/Quantities={}"},
+          "Output/Quantities: --accuracy needs quantities; name them in the scene");
   refused({oscillator, "--accuracy", "0"}, "--accuracy: \"0\" is no tolerance");
   refused({oscillator, "--accuracy", "-1%"}, "is no tolerance");
   refused({oscillator, "--accuracy", "1%", "--set", static_scheme}, "\"Static\" has no estimate of its local error");
