@@ -54,9 +54,10 @@ void declare_advice(CLI::App& app, AdviceArguments& arguments) {
       app.add_option("--advise", arguments.scene, "recommend settings for this scene (XML) in place of a study")
           ->type_name("FILE");
   const auto add = [&](CLI::Option* option) { return option->needs(advise); };
-  add(app.add_option("--quantity", arguments.quantities,
-                     "number that counts, such as \"peak reaction_right_y\"; may be repeated (default: Output/Quantities of "
-                     "the scene)")
+  add(app.add_option(
+             "--quantity", arguments.quantities,
+             "number that counts, such as \"peak reaction_right_y\"; may be repeated (default: Output/Quantities of "
+             "the scene)")
           ->type_name("QUANTITY")
           ->allow_extra_args(false));
   add(app.add_option("--tolerance", arguments.tolerance, "largest relative error of each quantity (default: 1%)")

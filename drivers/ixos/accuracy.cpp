@@ -88,8 +88,8 @@ AccuracyRun AccuracyRuns::run(const AccuracySettings& settings) {
   run.settings = settings;
   run.steps = last_.steps;
   run.end_time = last_.end_time;
-  run.mean_step = (last_.end_time - simulation.step_control().initial_time) /
-                  static_cast<double>(std::max(last_.steps, 1L));
+  run.mean_step =
+      (last_.end_time - simulation.step_control().initial_time) / static_cast<double>(std::max(last_.steps, 1L));
   run.seconds = last_.wall_seconds + simulation.setup_seconds();
   run.problem = last_.reason;
   if (last_.status == RunStatus::Interrupted)
@@ -139,8 +139,7 @@ AccuracyTask accuracy_task(const PlacedScene& scene, double accuracy, const Comm
 }
 
 PlacedScene with_settings(PlacedScene scene, const AccuracySettings& settings) {
-  for (const std::string& assignment : assignments(settings))
-    set_parameter(scene.list, scene_parameters(), assignment);
+  for (const std::string& assignment : assignments(settings)) set_parameter(scene.list, scene_parameters(), assignment);
   return scene;
 }
 

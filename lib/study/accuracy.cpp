@@ -11,11 +11,11 @@
 namespace ixos {
 namespace {
 
-constexpr std::size_t least_runs = 3;   ///< two may agree by coincidence
+constexpr std::size_t least_runs = 3;  ///< two may agree by coincidence
 constexpr std::size_t most_runs = 10;
 constexpr int most_failures = 3;
-constexpr double refinement = 1.25;     ///< least ratio of the mean steps of runs that count as different
-constexpr double progress = 0.7;        ///< largest ratio of changes that counts as an improvement
+constexpr double refinement = 1.25;  ///< least ratio of the mean steps of runs that count as different
+constexpr double progress = 0.7;     ///< largest ratio of changes that counts as an improvement
 constexpr int most_without_progress = 2;
 
 /// Returns the error as a part of the exact value, if that is away from 0.

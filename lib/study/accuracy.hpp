@@ -11,7 +11,8 @@ namespace ixos {
 
 struct AccuracyQuestion {
   std::vector<AskedQuantity> quantities;
-  double accuracy = 0.01;  ///< largest relative error of each quantity; of one that is itself an error, the largest value
+  double accuracy =
+      0.01;  ///< largest relative error of each quantity; of one that is itself an error, the largest value
 };
 
 /// Failed: the run ended before its time. NoValue: a quantity has none.
@@ -35,8 +36,8 @@ struct AchievedAccuracy {
   std::string reason;  ///< how the error is known, see SequenceErrors::reason
 };
 
-/// Kept: all quantities are within the accuracy in the last run. Missed: they are not. NoRun: no run gave values, or too
-/// few to estimate errors.
+/// Kept: all quantities are within the accuracy in the last run. Missed: they are not. NoRun: no run gave values, or
+/// too few to estimate errors.
 enum class AccuracyStatus { Kept, Missed, NoRun, Interrupted };
 
 struct AccuracyResult {

@@ -13,10 +13,10 @@ struct AccuracySettings {
   double newton_tolerance = 0;  ///< see NewtonOptions::tolerance
 };
 
-/// Returns the settings of the first run for an accuracy, which is relative. For 1 % and more these are a local error of
-/// 1 % of the smallest body's longest side, a gap ratio of 2, a 25th of the run and a Newton tolerance of 1e-6; a scene
-/// with adaptive steps has its own limits instead. For less they are refined as the root of the accuracy, as errors of
-/// the second order ask for. Coarse first runs cost little: each run costs about half of the next one.
+/// Returns the settings of the first run for an accuracy, which is relative. For 1 % and more these are a local error
+/// of 1 % of the smallest body's longest side, a gap ratio of 2, a 25th of the run and a Newton tolerance of 1e-6; a
+/// scene with adaptive steps has its own limits instead. For less they are refined as the root of the accuracy, as
+/// errors of the second order ask for. Coarse first runs cost little: each run costs about half of the next one.
 ///
 /// Throws InputError if the scheme has no estimate of its local error.
 AccuracySettings first_settings(const Simulation& simulation, double accuracy);

@@ -25,8 +25,8 @@ TEST_F(AccuracyDriverTest, TellsTheRunsAndTheErrors) {
   for (const char* part : {"Run 1: local error 0.01 L0: ", "Run 3: ", "The accuracy 1 % is kept:\n  final P_ux = ",
                            "not the mesh; for the mesh, use ixos-study --advise", "Results are in out"})
     EXPECT_TRUE(has(outcome.output, part)) << part << " in " << outcome.output;
-  for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": true", "\"quantity\": \"peak P_ux\"",
-                           "Adaptive/Maximum Time Step="})
+  for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": true",
+                           "\"quantity\": \"peak P_ux\"", "Adaptive/Maximum Time Step="})
     EXPECT_TRUE(has(summary(), part)) << part << " in " << summary();
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/checkpoint.h5")) << "the results are those of any run";
 }
@@ -54,8 +54,7 @@ TEST_F(AccuracyDriverTest, TheSameCommandReplacesItsResultsAndAnotherSceneDoesNo
   const Outcome again = run({oscillator, "--accuracy", "0.1%", "--output", "out"});
   EXPECT_EQ(again.status, 0) << again.output;
   EXPECT_TRUE(has(again.output, "out: these runs replace the results of an earlier --accuracy")) << again.output;
-  const Outcome other =
-      run({oscillator, "--accuracy", "1%", "--output", "out", "--set", "Materials/Cell/Density=2"});
+  const Outcome other = run({oscillator, "--accuracy", "1%", "--output", "out", "--set", "Materials/Cell/Density=2"});
   EXPECT_EQ(other.status, 2) << other.output;
   EXPECT_TRUE(has(other.output, "out: the folder holds results of another scene")) << other.output;
 }
@@ -98,10 +97,11 @@ TEST_F(AccuracyDriverTest, RefusesWhatItCannotDo) {
 }
 
 TEST_F(AccuracyDriverTest, AQuantityWithoutAValueIsBadInput) {
-  const Outcome outcome = run({oscillator, "--accuracy", "1%", "--output", "out", "--set",
-                               "Output/Quantities={time of P_ux above 5}"});
+  const Outcome outcome =
+      run({oscillator, "--accuracy", "1%", "--output", "out", "--set", "Output/Quantities={time of P_ux above 5}"});
   EXPECT_EQ(outcome.status, 2) << outcome.output;
-  EXPECT_TRUE(has(outcome.output, "cannot be judged: \"time of P_ux above 5\": the column never passes")) << outcome.output;
+  EXPECT_TRUE(has(outcome.output, "cannot be judged: \"time of P_ux above 5\": the column never passes"))
+      << outcome.output;
 }
 
 }  // namespace

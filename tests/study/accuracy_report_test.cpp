@@ -42,12 +42,14 @@ TEST(AccuracyReportTest, ALineForEachRun) {
 
 TEST(AccuracyReportTest, TheAnswerNamesErrorsLimitAndScope) {
   const std::string kept = accuracy_text(question(), result(AccuracyStatus::Kept, 0.005));
-  expect_contains(kept, "The accuracy 1 % is kept:\n  final x = 3.25, estimated error 0.1 % (asymptotic, of order 2)\n");
+  expect_contains(kept,
+                  "The accuracy 1 % is kept:\n  final x = 3.25, estimated error 0.1 % (asymptotic, of order 2)\n");
   expect_contains(kept, "not the mesh; for the mesh, use ixos-study --advise");
   expect_contains(kept, "3 runs took 1.5 s, the last one 0.5 s");
   AccuracyResult missed = result(AccuracyStatus::Missed, std::numeric_limits<double>::infinity());
   missed.limit = "10 runs are the most";
-  expect_contains(accuracy_text(question(), missed), "The accuracy 1 % is not reached, limited by: 10 runs are the most.");
+  expect_contains(accuracy_text(question(), missed),
+                  "The accuracy 1 % is not reached, limited by: 10 runs are the most.");
   expect_contains(accuracy_text(question(), missed), "peak y = 2, estimated error unknown");
   missed.achieved.clear();
   EXPECT_EQ(accuracy_text(question(), missed), "The accuracy 1 % cannot be judged: 10 runs are the most.\n");
@@ -58,9 +60,9 @@ TEST(AccuracyReportTest, TheSummaryKeepsItsEntriesAndGetsTheObject) {
   std::ofstream(folder.path() + "/summary.json") << "{\"status\": \"completed\", \"steps\": 12}";
   add_accuracy(question(), result(AccuracyStatus::Missed, std::numeric_limits<double>::infinity()), folder.path());
   const std::string text = test::contents(folder.path() + "/summary.json");
-  for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": false", "\"quantity\": \"peak y\"",
-                           "\"error\": null", "\"known_by\": \"asymptotic, of order 2\"", "\"longest_step\": 0.25",
-                           "Adaptive/Maximum Gap Ratio=1.5"})
+  for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": false",
+                           "\"quantity\": \"peak y\"", "\"error\": null", "\"known_by\": \"asymptotic, of order 2\"",
+                           "\"longest_step\": 0.25", "Adaptive/Maximum Gap Ratio=1.5"})
     expect_contains(text, part);
 }
 

@@ -77,10 +77,9 @@ TEST(AccuracyTest, EveryQuantityCounts) {
 }
 
 TEST(AccuracyTest, AnErrorCountsByItself) {
-  const AccuracyResult result =
-      run_to_accuracy(question(1e-3, {"energy error"}), coarse(), [](const AccuracySettings& settings) {
-        return run(settings, {settings.longest_step * settings.longest_step});
-      });
+  const AccuracyResult result = run_to_accuracy(
+      question(1e-3, {"energy error"}), coarse(),
+      [](const AccuracySettings& settings) { return run(settings, {settings.longest_step * settings.longest_step}); });
   ASSERT_EQ(result.status, AccuracyStatus::Kept);
   EXPECT_EQ(result.achieved.front().error, result.runs.back().values.front());
 }
@@ -121,8 +120,8 @@ TEST(AccuracyTest, AChangeOfSignIsNoReasonToGiveUp) {
 }
 
 TEST(AccuracyTest, AnErrorThatStaysEndsTheRuns) {
-  const AccuracyResult result = run_to_accuracy(
-      question(1e-3, {"energy error"}), coarse(), [](const AccuracySettings& settings) { return run(settings, {0.1}); });
+  const AccuracyResult result = run_to_accuracy(question(1e-3, {"energy error"}), coarse(),
+                                                [](const AccuracySettings& settings) { return run(settings, {0.1}); });
   EXPECT_EQ(result.status, AccuracyStatus::Missed);
   EXPECT_LT(result.runs.size(), 8u);
 }

@@ -30,7 +30,8 @@ TEST(NamedQuantitiesTest, AWindowMayHaveAComma) {
 }
 
 TEST(NamedQuantitiesTest, OthersAreRefusedWithTheirPlace) {
-  test::expect_contains(refusal("{heaviest contact_force_y}"), "Output/Quantities: \"heaviest contact_force_y\": this is");
+  test::expect_contains(refusal("{heaviest contact_force_y}"),
+                        "Output/Quantities: \"heaviest contact_force_y\": this is");
   test::expect_contains(refusal("{peak contact_force_z}"), "Output/Quantities: \"peak contact_force_z\": column");
   test::expect_contains(refusal("{work, mean contact_force_y [20, 30]}"),
                         "Output/Quantities: \"mean contact_force_y [20, 30]\": the window holds no rows");
