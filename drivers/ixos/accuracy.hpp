@@ -14,7 +14,7 @@ struct PlacedScene {
   std::string folder;
 };
 
-/// What --accuracy asks of a scene, and how it begins.
+/// The question of --accuracy about a scene, and the settings of the first run.
 struct AccuracyTask {
   AccuracyQuestion question;
   AccuracySettings first;

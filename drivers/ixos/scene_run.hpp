@@ -1,4 +1,4 @@
-/// A run of a scene, with what the user is told of it.
+/// A run of a scene, and the messages on it.
 #pragma once
 #include <Teuchos_ParameterList.hpp>
 #include <vector>
@@ -12,13 +12,13 @@ namespace ixos {
 /// Returns whether this rank tells the user more than errors.
 bool speaks(const Arguments& arguments, const Comm& comm);
 
-/// Tells what is simulated and how, and the notes on the mesh.
+/// Prints one line on the simulation, and the notes on its mesh.
 void introduce(const Simulation& simulation);
 
 void warn(const std::vector<Warning>& warnings);
 
-/// Runs a simulation into the results folder. `tells`: whether its lines and warnings are told; its progress is in any
-/// case. Collective.
+/// Runs a simulation into the results folder and shows its progress. `tells`: whether to print its lines and warnings.
+/// Collective.
 RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells = true);
 
 /// Tells how the run ended, on the first rank. Returns the exit status.

@@ -93,6 +93,7 @@ std::vector<AchievedAccuracy> achieved_accuracy(const AccuracyQuestion& question
       own.reason = "the quantity is an error itself";
     } else {
       std::vector<SequencePoint> points;
+      points.reserve(runs.size());
       for (const AccuracyRun& run : runs) points.push_back({run.mean_step, run.values[q]});
       const SequenceErrors errors = sequence_errors(points);
       own.error = relative(errors.errors.back(), errors.limit);

@@ -1,4 +1,4 @@
-/// What runs to an accuracy tell: as text, and in summary.json.
+/// The answer of runs to an accuracy, as text and in summary.json.
 #pragma once
 #include <string>
 
@@ -16,8 +16,8 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
 /// FileError.
 void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result, const std::string& folder);
 
-/// Returns whether a folder holds results with the object "accuracy" of the scene of a simulation, whatever their
-/// steps: such a command may replace them, as a run may replace the results of its own scene.
+/// Returns whether a folder holds results with the object "accuracy" of a complete scene, whatever their steps. The same
+/// command may replace them, as a run may replace the results of its own scene.
 bool holds_accuracy(const std::string& folder, const Teuchos::ParameterList& scene);
 
 }  // namespace ixos

@@ -33,7 +33,12 @@ bool has_gap_ratio(const Simulation& simulation) {
 
 AccuracySettings first_settings(const Simulation& simulation, double accuracy) {
   const std::string& scheme = simulation.time_integrator().scheme;
-  if (simulation.integrator().table().error_constant == 0)
+  const Table& table = simulation.integrator().table();
+  if (table.mass == Inertia::None)
+    throw InputError(
+        "--accuracy: the Time Integrator/Type \"" + scheme +
+        "\" has load steps, which have no estimate of their error; use ixos-study --advise, or another Type");
+  if (table.error_constant == 0)
     throw InputError("--accuracy: the Time Integrator/Type \"" + scheme +
                      "\" has no estimate of its local error, by which steps adapt; choose another one, such as \"" +
                      default_scheme() + "\"");

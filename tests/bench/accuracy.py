@@ -24,6 +24,7 @@ DRIVER = os.environ.get("IXOS_DRIVER", str(ROOT / "build/release/drivers/ixos"))
 NO_FRAMES = ["Output/Fields Interval=0", "Output/Fields Time Interval=0", "Output/Checkpoint/Keep=0"]
 BALL = [STEPS + "Final Time=2"]
 STRIP = [STEPS + "Final Time=20", "Histories/Pull/Rate Ramp/Length=10", "Mesh/Box/Divisions={160, 8}"]
+WAVES = [STEPS + "Final Time=3", "Histories/Pull/Rate Ramp/Length=2"]
 OSCILLATOR = {"final P_ux": 0.1 / math.sqrt(3) * math.sin(5 * math.sqrt(3)), "peak P_ux": 0.1 / math.sqrt(3),
               "time of P_ux below 0": math.pi / math.sqrt(3)}
 
@@ -50,6 +51,8 @@ CASES = {
     "oscillator": ("tests/verification/oscillator.xml", [], ("1%", "0.01%"), None, OSCILLATOR),
     "short strip": ("xml/strip.xml", STRIP, ("1%", "0.1%", "0.01%"), 0.0025,
                     {"peak reaction_right_y": peak, "work": work}),
+    "first waves in the strip": ("xml/strip.xml", WAVES, ("1%", "0.1%"), 0.005,
+                                 {"peak contact_force_y": lambda history: np.abs(history["contact_force_y"]).max()}),
     "strip": ("xml/strip.xml", [], ("1%", "0.1%"), 0.02, {"peak reaction_right_y": peak}),
     "ball": ("xml/ball.xml", BALL, ("3%", "1%", "0.1%"), 1e-5, {"restitution linear_momentum_y": restitution}),
     "ball, Bathe Composite": ("xml/ball.xml", BALL + ["Time Integrator/Type=Bathe Composite"], ("1%",), 1e-5,

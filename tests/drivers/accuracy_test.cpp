@@ -86,7 +86,7 @@ TEST_F(AccuracyDriverTest, RefusesWhatItCannotDo) {
           "Output/Quantities: --accuracy needs quantities; name them in the scene");
   refused({oscillator, "--accuracy", "0"}, "--accuracy: \"0\" is no tolerance");
   refused({oscillator, "--accuracy", "-1%"}, "is no tolerance");
-  refused({oscillator, "--accuracy", "1%", "--set", static_scheme}, "\"Static\" has no estimate of its local error");
+  refused({oscillator, "--accuracy", "1%", "--set", static_scheme}, "\"Static\" has load steps");
   refused({oscillator, "--accuracy", "1%", "--restart", "x"}, "--accuracy does not go with --restart");
   refused({oscillator, "--accuracy", "1%", "--verify-restart"}, "--accuracy excludes --verify-restart");
   refused({oscillator, "--accuracy", "1%", "--write-mesh", "x.e"}, "--accuracy excludes --write-mesh");

@@ -1,4 +1,4 @@
-// What the runs to an accuracy tell: lines, and the object in summary.json.
+// The lines on runs to an accuracy, and the object in summary.json.
 #include "study/accuracy_report.hpp"
 
 #include <gtest/gtest.h>

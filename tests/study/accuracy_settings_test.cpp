@@ -13,7 +13,7 @@ namespace {
 
 const std::string control = "Time Integrator/Time Step Control/";
 
-/// Of the ball of diameter 10 L0, which runs to 10 T0.
+/// Returns the first settings for the ball of diameter 10 L0, which runs to 10 T0.
 AccuracySettings first(double accuracy, const std::vector<std::string>& assignments = {}) {
   const Simulation simulation(test::scene_file("ball.xml", assignments), test::self());
   return first_settings(simulation, accuracy);
@@ -73,7 +73,11 @@ TEST(AccuracySettingsTest, TheSceneTakesThem) {
 
 TEST(AccuracySettingsTest, SchemesWithoutAnErrorAreRefused) {
   const std::string message = test::refusal([] { first(0.01, {"Time Integrator/Type=Static"}); });
-  test::expect_contains(message, "--accuracy: the Time Integrator/Type \"Static\" has no estimate of its local error");
+  test::expect_contains(message, "--accuracy: the Time Integrator/Type \"Static\" has load steps");
+  const std::vector<std::string> third_order{"Time Integrator/Type=Newmark",
+                                             "Time Integrator/Newmark/Beta=0.16666666666666666"};
+  test::expect_contains(test::refusal([&] { first(0.01, third_order); }),
+                        "--accuracy: the Time Integrator/Type \"Newmark\" has no estimate of its local error");
 }
 
 }  // namespace
