@@ -23,6 +23,7 @@ const char* const examples =
     "  ixos xml/ball.xml --check                  check the scene\n"
     "  ixos xml/ball.xml --explain                print what the scene models and what it leaves out\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\"   change a parameter\n"
+    "  ixos xml/strip.xml --accuracy 1%           choose steps for an accuracy, and report the error\n"
     "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
     "  ixos xml/ball.xml --verify-restart         verify that killed runs resume bit for bit\n"
     "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
