@@ -134,6 +134,7 @@ AccuracyTask accuracy_task(const PlacedScene& scene, double accuracy, const Comm
         "Output/Quantities: --accuracy needs quantities; name them in the scene, or by --set "
         "\"Output/Quantities={FORM, ...}\". Forms are:\n" +
         quantity_forms());
+  check_times(task.question.quantities, simulation);
   task.first = first_settings(simulation, accuracy);
   return task;
 }

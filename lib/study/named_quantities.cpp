@@ -10,14 +10,19 @@ std::vector<AskedQuantity> named_quantities(const Simulation& simulation) {
   if (simulation.output().quantities.empty()) return quantities;
   at("Output/Quantities", [&] {
     const std::vector<std::string> columns = history_columns(simulation).names;
-    const StepControlOptions& control = simulation.step_control();
     for (const std::string& text : simulation.output().quantities) {
       quantities.emplace_back(text);
       quantities.back().check_columns(columns);
-      quantities.back().check_times(control.initial_time, control.final_time);
     }
   });
   return quantities;
+}
+
+void check_times(const std::vector<AskedQuantity>& quantities, const Simulation& simulation) {
+  const StepControlOptions& control = simulation.step_control();
+  at("Output/Quantities", [&] {
+    for (const AskedQuantity& quantity : quantities) quantity.check_times(control.initial_time, control.final_time);
+  });
 }
 
 }  // namespace ixos

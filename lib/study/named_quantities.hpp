@@ -8,7 +8,10 @@
 namespace ixos {
 
 /// Returns the quantities of "Output/Quantities". Throws InputError, with that path, if one has no form of
-/// AskedQuantity, needs a column that the scene's history.csv lacks, or a time outside the run.
+/// AskedQuantity or needs a column that the scene's history.csv lacks.
 std::vector<AskedQuantity> named_quantities(const Simulation& simulation);
+
+/// Throws InputError, with that path, if a quantity needs a time outside the run.
+void check_times(const std::vector<AskedQuantity>& quantities, const Simulation& simulation);
 
 }  // namespace ixos

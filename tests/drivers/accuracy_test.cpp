@@ -91,6 +91,7 @@ TEST_F(AccuracyDriverTest, RefusesWhatItCannotDo) {
   refused({oscillator, "--accuracy", "1%", "--verify-restart"}, "--accuracy excludes --verify-restart");
   refused({oscillator, "--accuracy", "1%", "--write-mesh", "x.e"}, "--accuracy excludes --write-mesh");
   refused({"--accuracy", "1%"}, "a scene is needed");
+  refused({oscillator, "--accuracy", "1%", "--set", "Output/Quantities={work [6, 9]}"}, "the window holds no rows");
   for (const char* accuracy : {"--quiet", "--accuracy=1%"})  // with and without
     refused({oscillator, accuracy, "--set", "Output/Quantities={peak P_uz}"},
             "Output/Quantities: \"peak P_uz\": column \"P_uz\" does not exist; did you mean \"P_ux\"?");

@@ -15,6 +15,11 @@ std::vector<AskedQuantity> named(const std::string& quantities) {
   return named_quantities(simulation);
 }
 
+std::string refusal_of_times(const std::string& quantities) {
+  const Simulation simulation(test::scene_file("ball.xml"), test::self());
+  return test::refusal([&] { check_times({AskedQuantity(quantities)}, simulation); });
+}
+
 std::string refusal(const std::string& quantities) {
   return test::refusal([&] { named(quantities); });
 }
@@ -33,9 +38,14 @@ TEST(NamedQuantitiesTest, OthersAreRefusedWithTheirPlace) {
   test::expect_contains(refusal("{heaviest contact_force_y}"),
                         "Output/Quantities: \"heaviest contact_force_y\": this is");
   test::expect_contains(refusal("{peak contact_force_z}"), "Output/Quantities: \"peak contact_force_z\": column");
-  test::expect_contains(refusal("{work, mean contact_force_y [20, 30]}"),
+}
+
+TEST(NamedQuantitiesTest, TimesOutsideTheRunAreRefusedWhereTheyCount) {
+  EXPECT_EQ(refusal("{mean contact_force_y [20, 30]}"), "") << "a shorter run of the scene is no mistake";
+  test::expect_contains(refusal_of_times("mean contact_force_y [20, 30]"),
                         "Output/Quantities: \"mean contact_force_y [20, 30]\": the window holds no rows");
-  test::expect_contains(refusal("{value contact_force_y at 11}"), "the time 11 is not within the run");
+  test::expect_contains(refusal_of_times("value contact_force_y at 11"), "the time 11 is not within the run");
+  EXPECT_EQ(refusal_of_times("value contact_force_y at 10"), "");
 }
 
 }  // namespace
