@@ -16,8 +16,8 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
 /// FileError.
 void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result, const std::string& folder);
 
-/// Returns whether a folder holds results of a complete scene with the object "accuracy", whatever their steps. Such
-/// results may be replaced without being asked, as a run replaces the results of its own scene.
+/// Returns whether a folder holds results of a complete scene with the object "accuracy", whatever their steps. The
+/// command replaces such results unasked, as a run replaces those of its own scene.
 bool holds_accuracy(const std::string& folder, const Teuchos::ParameterList& scene);
 
 }  // namespace ixos
