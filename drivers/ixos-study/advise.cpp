@@ -11,9 +11,11 @@
 #include "base/printable.hpp"
 #include "base/text.hpp"
 #include "console.hpp"
+#include "parameters/scene_node.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
 #include "study/advice_report.hpp"
+#include "study/tolerance.hpp"
 
 namespace ixos {
 namespace {
@@ -29,6 +31,17 @@ std::string command_of(const AdviceArguments& arguments, const std::string& outp
   return text + (output.empty() ? "" : " --output " + shell_word(output));
 }
 
+/// Returns the quantities that the scene names.
+std::vector<AskedQuantity> quantities_of_scene(const AdviceArguments& arguments) {
+  Teuchos::ParameterList scene = changed_scene(arguments.scene, arguments.assignments);
+  std::vector<AskedQuantity> quantities;
+  at(arguments.scene + ": Output/Quantities", [&] {
+    for (const std::string& text : scene.sublist("Output").get<Teuchos::Array<std::string>>("Quantities"))
+      quantities.emplace_back(text);
+  });
+  return quantities;
+}
+
 int exit_status(AdviceStatus status) {
   if (status == AdviceStatus::Advised) return 0;
   return status == AdviceStatus::Interrupted ? 5 : 3;
@@ -41,8 +54,10 @@ void declare_advice(CLI::App& app, AdviceArguments& arguments) {
       app.add_option("--advise", arguments.scene, "recommend settings for this scene (XML) in place of a study")
           ->type_name("FILE");
   const auto add = [&](CLI::Option* option) { return option->needs(advise); };
-  add(app.add_option("--quantity", arguments.quantities,
-                     "number that counts, such as \"peak reaction_right_y\"; may be repeated")
+  add(app.add_option(
+             "--quantity", arguments.quantities,
+             "number that counts, such as \"peak reaction_right_y\"; may be repeated (default: Output/Quantities of "
+             "the scene)")
           ->type_name("QUANTITY")
           ->allow_extra_args(false));
   add(app.add_option("--tolerance", arguments.tolerance, "largest relative error of each quantity (default: 1%)")
@@ -65,24 +80,14 @@ std::string advice_folder(const AdviceArguments& arguments, const std::string& o
   return output.empty() ? std::filesystem::path(arguments.scene).stem().string() + "-advice.results" : output;
 }
 
-double read_tolerance(const std::string& text) {
-  std::string digits = trimmed(text);
-  const bool percent = !digits.empty() && digits.back() == '%';
-  if (percent) digits = trimmed(digits.substr(0, digits.size() - 1));
-  char* end = nullptr;
-  const double value = std::strtod(digits.c_str(), &end) / (percent ? 100 : 1);
-  if (digits.empty() || end != digits.c_str() + digits.size() || !(value >= 1e-8 && value < 1))
-    throw InputError(
-        "--tolerance: \"" + text +
-        "\" is no tolerance; write a part of the quantity of at least 1e-8 and less than 1, as 1% or 0.01");
-  return value;
-}
-
 int advise(const AdviceArguments& arguments, const std::string& output, const std::string& driver, bool overwrite,
            bool quiet) {
-  AdviceQuestion question{arguments.scene,  arguments.assignments, {}, read_tolerance(arguments.tolerance),
-                          arguments.budget, arguments.verify};
+  AdviceQuestion question{arguments.scene, arguments.assignments, {}};
+  question.tolerance = read_tolerance("--tolerance", arguments.tolerance);
+  question.budget = arguments.budget;
+  question.verify = arguments.verify;
   for (const std::string& quantity : arguments.quantities) question.quantities.emplace_back(quantity);
+  if (question.quantities.empty()) question.quantities = quantities_of_scene(arguments);
   AdviceOptions options;
   options.folder = advice_folder(arguments, output);
   options.driver = driver;

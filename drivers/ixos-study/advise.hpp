@@ -20,9 +20,6 @@ struct AdviceArguments {
 /// Declares the options of --advise.
 void declare_advice(CLI::App& app, AdviceArguments& arguments);
 
-/// Returns a tolerance, "1%" or "0.01", as a number. Throws InputError.
-double read_tolerance(const std::string& text);
-
 /// Returns the results folder of an advice: the option --output, or a name made of that of the scene.
 std::string advice_folder(const AdviceArguments& arguments, const std::string& output);
 

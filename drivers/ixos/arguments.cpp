@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/error.hpp"
 #include "completion.hpp"
 #include "help.hpp"
 #include "parameters/assignments.hpp"
 #include "scene/documentation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/placed_message.hpp"
+#include "study/tolerance.hpp"
 
 namespace ixos {
 namespace {
@@ -21,6 +23,7 @@ const char* const examples =
     "  ixos xml/ball.xml --check                  check the scene\n"
     "  ixos xml/ball.xml --explain                print what the scene models and what it leaves out\n"
     "  ixos xml/ball.xml --set \"Time Integrator/Type=Newmark\"   change a parameter\n"
+    "  ixos xml/strip.xml --accuracy 1%           choose steps for an accuracy, and report the error\n"
     "  ixos xml/ball.xml --restart ball.results/checkpoint.h5   resume a run\n"
     "  ixos xml/ball.xml --verify-restart         verify that killed runs resume bit for bit\n"
     "  ixos --template block > block.xml          write a complete scene with every parameter explained\n"
@@ -67,6 +70,12 @@ void declare(CLI::App& app, Arguments& arguments) {
       ->type_name("FOLDER");
   app.add_flag("--overwrite", arguments.overwrite,
                "replace the results of another scene in the results folder, or the file of --write-mesh");
+  CLI::Option* accuracy =
+      app.add_option_function<std::string>(
+             "--accuracy", [&](const std::string& text) { arguments.accuracy = read_tolerance("--accuracy", text); },
+             "run with ever finer adaptive steps until the error of each of Output/Quantities is at most this part of "
+             "it, as 1%")
+          ->type_name("ACCURACY");
   CLI::Option* restart =
       app.add_option("--restart", arguments.restart,
                      "resume from this checkpoint, or from the newest sound checkpoint of this folder")
@@ -81,7 +90,8 @@ void declare(CLI::App& app, Arguments& arguments) {
   CLI::Option* mesh = app.add_option("--write-mesh", arguments.mesh_file,
                                      "write the scene's mesh to this Exodus file, but do not run it")
                           ->type_name("FILE");
-  add_verification(app, arguments, {restart, check, explain, mesh});
+  accuracy->excludes(mesh);
+  add_verification(app, arguments, {accuracy, restart, check, explain, mesh});
   app.add_flag("--parameters", arguments.parameters, "print every parameter of a scene, as Markdown");
   app.add_flag("--list-schemes", arguments.list_schemes, "print the time integrators and what each is good for");
   app.add_flag("--completion", arguments.completion, "print the script that completes commands of ixos in bash");
@@ -106,7 +116,13 @@ CommandLine parse(int argc, char** argv) {
     line.help = app.help();
   } catch (const CLI::ParseError& error) {
     line.error = error.what();
+  } catch (const InputError& error) {
+    line.error = error.what();
   }
+  if (line.arguments.accuracy > 0 && !line.arguments.restart.empty())
+    line.error =
+        "--accuracy does not go with --restart: its runs differ in their steps, so each starts at the initial time; to "
+        "finish a run that was interrupted, leave out --accuracy";
   std::vector<long>& steps = line.arguments.kill_steps;
   std::sort(steps.begin(), steps.end());
   steps.erase(std::unique(steps.begin(), steps.end()), steps.end());

@@ -12,6 +12,7 @@ struct Arguments {
   std::string restart;
   std::string template_name;
   std::string mesh_file;
+  double accuracy = 0;  ///< relative, of the quantities that the scene names; 0: not asked for
   bool overwrite = false;
   bool check = false;
   bool explain = false;

@@ -1,6 +1,5 @@
 // ixos: runs a scene. Exit status: 0 done; 1 a defect of ours; 2 bad input; 3 the solution could not be continued, or
 // memory ran out; 4 input, output or communication failed; 5 interrupted.
-#include <fmt/format.h>
 #include <malloc.h>
 #include <mpi.h>
 #include <unistd.h>
@@ -12,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -21,37 +19,24 @@
 #include "console.hpp"
 #include "io/exodus_mesh.hpp"
 #include "io/hdf5_file.hpp"
+#include "ixos/accuracy.hpp"
 #include "ixos/answers.hpp"
 #include "ixos/arguments.hpp"
 #include "ixos/mpi_errors.hpp"
+#include "ixos/scene_run.hpp"
 #include "ixos/verify_restart.hpp"
-#include "progress_line.hpp"
 #include "run/restart.hpp"
-#include "run/run.hpp"
 #include "scene/documentation.hpp"
 #include "scene/explanation.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
-#include "shell_word.hpp"
-#include "signals.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "study/named_quantities.hpp"
 
 namespace {
 
 using ixos::Arguments;
-
-void describe(ixos::Simulation& simulation) {
-  const ixos::Model& model = simulation.model();
-  const auto& linear = simulation.parameters().sublist("Linear Solver");
-  ixos::console::say(
-      "{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
-      simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
-      model.space().comm()->getSize(), simulation.time_integrator().scheme, simulation.step_control().time_step,
-      simulation.step_control().final_time, ixos::linear_solver_in_words(linear));
-  ixos::console::flush();
-}
 
 /// Where the scene file stands.
 std::string scene_folder(const Arguments& arguments) {
@@ -78,47 +63,22 @@ void check_restart(const ixos::Simulation& simulation, const std::string& file, 
   for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));
 }
 
-/// Returns the command that resumes from a checkpoint.
-std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
-  std::string command = "ixos " + ixos::shell_word(arguments.scene);
-  for (const std::string& assignment : arguments.assignments) command += " --set " + ixos::shell_word(assignment);
-  if (!arguments.output.empty()) command += " --output " + ixos::shell_word(arguments.output);
-  return command + " --restart " + ixos::shell_word(checkpoint);
-}
-
-void warn(const std::vector<ixos::Warning>& warnings) {
-  ixos::console::flush();
-  for (const ixos::Warning& warning : warnings)
-    ixos::console::complain("ixos: warning: {}\n", ixos::printable(warning.message));
-}
-
-/// Tells the user how the run ended.
-void report_run(const ixos::RunResult& result, const Arguments& arguments, const std::string& folder, bool speaks) {
-  const bool done = result.status == ixos::RunStatus::Completed || result.status == ixos::RunStatus::Stopped;
-  if (done) {
-    if (speaks)
-      ixos::console::say("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
-                         result.reason.empty() ? "" : ", ", result.reason, ixos::printable(folder));
-    return;
-  }
-  ixos::console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
-                          result.end_time, result.steps, result.reason, ixos::printable(folder));
-  if (!result.checkpoint.empty())
-    ixos::console::complain("ixos: to resume: {}\n", ixos::printable(restart_command(arguments, result.checkpoint)));
-}
-
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
-  const bool speaks = comm->getRank() == 0 && !arguments.quiet;
-  Teuchos::ParameterList scene;
-  ixos::together<ixos::InputError>(comm, [&] { scene = ixos::read_scene_file(arguments.scene); });
+  const bool speaks = ixos::speaks(arguments, comm);
+  ixos::PlacedScene scene{{}, scene_folder(arguments)};
+  ixos::together<ixos::InputError>(comm, [&] { scene.list = ixos::read_scene_file(arguments.scene); });
   for (const std::string& assignment : arguments.assignments)
-    ixos::set_parameter(scene, ixos::scene_parameters(), assignment);
-  if (!arguments.mesh_file.empty()) return write_mesh(scene, arguments, comm);
-  ixos::Simulation simulation(scene, comm, scene_folder(arguments));
-  if (speaks) describe(simulation);
-  for (const std::string& note : simulation.notes())
-    if (speaks) ixos::console::say("Note: {}\n", ixos::printable(note));
-  if (speaks) warn(simulation.warnings());
+    ixos::set_parameter(scene.list, ixos::scene_parameters(), assignment);
+  if (!arguments.mesh_file.empty()) return write_mesh(scene.list, arguments, comm);
+  if (arguments.accuracy > 0) {
+    const ixos::AccuracyTask task = ixos::accuracy_task(scene, arguments.accuracy, comm);
+    if (!arguments.check && !arguments.explain) return ixos::reach_accuracy(scene, task, arguments, comm);
+    scene = ixos::with_settings(scene, task.first);
+  }
+  ixos::Simulation simulation(scene.list, comm, scene.folder);
+  ixos::named_quantities(simulation);  // refuses those that the run does not have
+  if (speaks) ixos::introduce(simulation);
+  if (speaks) ixos::warn(simulation.warnings());
   if (arguments.explain) {
     const std::string explanation = ixos::explain(simulation);
     if (comm->getRank() == 0) ixos::console::print(explanation);
@@ -129,32 +89,10 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
     if (speaks) ixos::console::say("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
     return 0;
   }
-  std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
-  ixos::catch_signals();
-  ixos::RunOptions options;
-  options.folder = results_folder(arguments);
-  options.scene_file = arguments.scene;
-  options.restart = arguments.restart;
-  options.overwrite = arguments.overwrite;
-  if (speaks) options.tell = [](const std::string& line) { ixos::console::say("{}\n", ixos::printable(line)); };
-  if (speaks)
-    options.warn = [](const std::string& line) {
-      ixos::console::complain("ixos: warning: {}\n", ixos::printable(line));
-    };
-  options.interrupted = ixos::signalled;
-  ixos::ProgressLine line;
-  const bool shows = speaks && isatty(STDERR_FILENO) != 0;
-  if (shows || arguments.kill_after_step > 0)
-    options.watch = [&](const ixos::Progress& p) {
-      if (shows) line.show(p);
-      if (p.step == arguments.kill_after_step) std::raise(SIGKILL);
-    };
-  const ixos::RunResult result = ixos::run(simulation, options);
-  line.clear();
-  if (comm->getRank() == 0) report_run(result, arguments, options.folder, speaks);
-  if (speaks) warn(result.findings);
-  if (result.status == ixos::RunStatus::Diverged) return 3;
-  return result.status == ixos::RunStatus::Interrupted ? 5 : 0;
+  const ixos::RunResult result = ixos::carry_out(simulation, arguments);
+  const int status = ixos::report_end(result, arguments, comm);
+  if (speaks) ixos::warn(result.findings);
+  return status;
 }
 
 /// An error that all ranks see alike is said once.
@@ -196,7 +134,7 @@ int guarded_run(const Arguments& arguments, const ixos::Comm& comm) {
 int answer(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.check || arguments.explain || arguments.overwrite || !arguments.mesh_file.empty() ||
       !arguments.assignments.empty() || !arguments.output.empty() || !arguments.restart.empty() ||
-      arguments.kill_after_step > 0)
+      arguments.kill_after_step > 0 || arguments.accuracy > 0)
     return report(2, "a scene is needed: ixos SCENE.xml ...", comm);
   if (comm->getRank() != 0) return 0;
   if (arguments.version) ixos::print_version();

@@ -55,6 +55,20 @@ bool boolean(const std::string& text) {
   refuse(text, "bool (true or false)");
 }
 
+/// Returns the elements between the commas of a text; a comma between brackets separates none.
+std::vector<std::string> elements(const std::string& text) {
+  std::vector<std::string> result;
+  for (const std::string& piece : split(text, ',')) {
+    const bool is_open = !result.empty() && result.back().rfind('[') != std::string::npos &&
+                         result.back().find(']', result.back().rfind('[')) == std::string::npos;
+    if (is_open && piece.find(']') != std::string::npos)
+      result.back() += ", " + piece;
+    else
+      result.push_back(piece);
+  }
+  return result;
+}
+
 /// Calls a function with each element between the braces of "{a, b}".
 template <class Function>
 void for_elements(const std::string& text, const std::string& type, const Function& function) {
@@ -62,7 +76,7 @@ void for_elements(const std::string& text, const std::string& type, const Functi
   if (body.size() < 2 || body.front() != '{' || body.back() != '}') refuse(text, type + ", as in {1, 2}");
   const std::string inside = trimmed(body.substr(1, body.size() - 2));
   if (inside.empty()) return;
-  for (const std::string& element : split(inside, ',')) {
+  for (const std::string& element : elements(inside)) {
     if (element.empty()) refuse(text, type + ", as in {1, 2}: an element is empty");
     function(element);
   }

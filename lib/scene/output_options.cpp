@@ -68,7 +68,11 @@ const Options<OutputOptions>& options() {
                   "Whether history.csv has force, moment about the origin, contact measure and least gap of each "
                   "interaction under its name. Automatic: if the scene has several interactions and Interaction is "
                   "true.")
-          .add("Reactions", &OutputOptions::reactions, "Node sets whose reactions become columns of history.csv.");
+          .add("Reactions", &OutputOptions::reactions, "Node sets whose reactions become columns of history.csv.")
+          .add("Quantities", &OutputOptions::quantities,
+               "Numbers of the run that the option accuracy of ixos asks for, such as {peak reaction_top_y, mean "
+               "contact_force_y [20, 50]} (docs/user-guide.md, Advice). The option advise of ixos-study takes them if "
+               "its command names none.");
   return all;
 }
 

@@ -43,7 +43,8 @@ struct OutputOptions {
   bool momenta = true;      ///< the same
   bool interaction = true;  ///< the same
   InteractionColumns interaction_columns = InteractionColumns::Automatic;
-  std::vector<std::string> reactions{};  ///< node sets whose reactions are recorded
+  std::vector<std::string> reactions{};   ///< node sets whose reactions are recorded
+  std::vector<std::string> quantities{};  ///< numbers of the run whose accuracy counts
 
   bool has_frames() const { return fields_interval > 0 || fields_time_interval > 0; }
   /// Returns the time intervals [T0] at whose multiples steps have to end.

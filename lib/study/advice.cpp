@@ -100,7 +100,9 @@ void verify(const AdviceQuestion& question, AdviceRuns& runs, Advice& advice) {
 
 Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
   if (question.quantities.empty())
-    throw InputError("an advice needs a quantity: --quantity \"FORM\". Forms are:\n" + quantity_forms());
+    throw InputError(
+        "an advice needs a quantity: --quantity \"FORM\", or Output/Quantities of the scene. Forms are:\n" +
+        quantity_forms());
   const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);
   std::error_code code;
   std::filesystem::create_directories(options.folder, code);

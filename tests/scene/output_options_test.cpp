@@ -39,6 +39,7 @@ TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
   EXPECT_EQ(output.interaction_columns, fresh.interaction_columns);
   EXPECT_TRUE(output.reactions.empty());
   EXPECT_TRUE(output.fields.empty());
+  EXPECT_TRUE(output.quantities.empty());
 }
 
 TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
@@ -53,6 +54,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   user.set("Interaction", false);
   user.set("Interaction Columns", "Off");
   user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
+  user.set("Quantities", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("work", "mean x [1, 2]")));
   user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("default", "stress")));
   user.sublist("Checkpoint").set("Interval", 5);
   user.sublist("Checkpoint").set("Wall-Clock Interval", 60.0);
@@ -75,6 +77,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   EXPECT_FALSE(output.interaction);
   EXPECT_EQ(output.interaction_columns, InteractionColumns::Off);
   EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(output.quantities, (std::vector<std::string>{"work", "mean x [1, 2]"}));
   EXPECT_EQ(output.fields, (std::vector<std::string>{"default", "stress"}));
 }
 
@@ -118,6 +121,7 @@ TEST(OutputOptionsTest, RefusalsNameTheSublist) {
 
 TEST(OutputOptionsTest, FieldsThatDoNotExistAreRefused) {
   ParameterList user;
+  user.set("Quantities", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("work", "mean x [1, 2]")));
   user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("von_misses_stress")));
   const std::string message = test::refusal([&] { read(user); });
   test::expect_contains(

@@ -1,0 +1,89 @@
+#include "ixos/scene_run.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+
+#include "base/printable.hpp"
+#include "console.hpp"
+#include "progress_line.hpp"
+#include "shell_word.hpp"
+#include "signals.hpp"
+#include "solve/linear_solver_defaults.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the command that resumes from a checkpoint.
+std::string restart_command(const Arguments& arguments, const std::string& checkpoint) {
+  std::string command = "ixos " + shell_word(arguments.scene);
+  for (const std::string& assignment : arguments.assignments) command += " --set " + shell_word(assignment);
+  if (!arguments.output.empty()) command += " --output " + shell_word(arguments.output);
+  return command + " --restart " + shell_word(checkpoint);
+}
+
+}  // namespace
+
+bool speaks(const Arguments& arguments, const Comm& comm) { return comm->getRank() == 0 && !arguments.quiet; }
+
+void introduce(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  const auto& linear = simulation.parameters().sublist("Linear Solver");
+  console::say("{}: {} cells, {} degrees of freedom, {} rank(s); {}, time step {} T0 to {} T0; linear solver {}\n",
+               simulation.parameters().name(), model.mesh().global_cells, model.space().global(),
+               model.space().comm()->getSize(), simulation.time_integrator().scheme,
+               simulation.step_control().time_step, simulation.step_control().final_time,
+               linear_solver_in_words(linear));
+  console::flush();
+  for (const std::string& note : simulation.notes()) console::say("Note: {}\n", printable(note));
+}
+
+void warn(const std::vector<Warning>& warnings) {
+  console::flush();
+  for (const Warning& warning : warnings) console::complain("ixos: warning: {}\n", printable(warning.message));
+}
+
+RunResult carry_out(Simulation& simulation, const Arguments& arguments, bool tells) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit to the size of files is an error of writing
+  catch_signals();
+  const bool heard = speaks(arguments, simulation.model().space().comm());
+  RunOptions options;
+  options.folder = results_folder(arguments);
+  options.scene_file = arguments.scene;
+  options.restart = arguments.restart;
+  options.overwrite = arguments.overwrite;
+  if (heard && tells) {
+    options.tell = [](const std::string& line) { console::say("{}\n", printable(line)); };
+    options.warn = [](const std::string& line) { console::complain("ixos: warning: {}\n", printable(line)); };
+  }
+  options.interrupted = signalled;
+  ProgressLine line;
+  const bool shows = heard && isatty(STDERR_FILENO) != 0;
+  if (shows || arguments.kill_after_step > 0)
+    options.watch = [&](const Progress& p) {
+      if (shows) line.show(p);
+      if (p.step == arguments.kill_after_step) std::raise(SIGKILL);
+    };
+  RunResult result = run(simulation, options);
+  line.clear();
+  return result;
+}
+
+int report_end(const RunResult& result, const Arguments& arguments, const Comm& comm) {
+  const std::string folder = printable(results_folder(arguments));
+  if (result.status == RunStatus::Completed || result.status == RunStatus::Stopped) {
+    if (speaks(arguments, comm))
+      console::say("Reached t = {:.6g} T0 in {} steps{}{}. Results are in {}\n", result.end_time, result.steps,
+                   result.reason.empty() ? "" : ", ", result.reason, folder);
+    return 0;
+  }
+  if (comm->getRank() == 0) {
+    console::complain("ixos: the run ended at t = {:.6g} T0, after {} steps: {}. Results up to there are in {}\n",
+                      result.end_time, result.steps, result.reason, folder);
+    if (!result.checkpoint.empty())
+      console::complain("ixos: to resume: {}\n", printable(restart_command(arguments, result.checkpoint)));
+  }
+  return result.status == RunStatus::Diverged ? 3 : 5;
+}
+
+}  // namespace ixos
