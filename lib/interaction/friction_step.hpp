@@ -12,8 +12,8 @@ namespace ixos {
 /// A response at the end of a slip, or averaged over the straight path from no slip to it.
 enum class SlipKind { At, Mean };
 
-/// What resists slip at a point over a step, as functions of the slip since the step's start: a vector in the tangent
-/// plane of the start [L0]. With an elastic slip the traction of the start is state, and the elastic slip e = traction
+/// The resistance to slip at a point over a step, as functions of the slip since the step's start. The slip is a vector
+/// in the tangent plane of the start [L0]. With an elastic slip the traction of the start is state, and the elastic slip e = traction
 /// over eps; smoothed friction has none.
 template <class T, std::size_t D>
 class FrictionStep {
@@ -21,7 +21,7 @@ class FrictionStep {
   using Vector = std::array<T, D>;
   using Matrix = Small<T, D>;
   using Response = SlipResponse<T, D>;
-  /// What the step leaves: the traction in the tangent plane of the start [E0], the length of the slip beyond the
+  /// The state after the step: the traction in the tangent plane of the start [E0], the length of the slip beyond the
   /// elastic one [L0], the work that it dissipated per area [E0 L0], and whether it slid, 1 or 0.
   struct End {
     Vector traction;

@@ -17,7 +17,7 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
 void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result, const std::string& folder);
 
 /// Returns whether a folder holds results of a complete scene with the object "accuracy", whatever their steps. The
-/// command replaces such results unasked, as a run replaces those of its own scene.
+/// command replaces them without --overwrite.
 bool holds_accuracy(const std::string& folder, const Teuchos::ParameterList& scene);
 
 }  // namespace ixos

@@ -157,7 +157,7 @@ TEST(PairFrictionTest, DisksThatRubKeepEnergyAndMomenta) {
   EXPECT_LT(least, 0.25);
   const double size = std::abs(before.angular[0]);
   EXPECT_LT(test::distance(collision.momenta().angular, before.angular), 2e-3 * size);
-  // What rubs turns the disks: it changes their spins, not the sum.
+  // Friction changes the disks' spins.
   EXPECT_GT(test::distance(collision.simulation().integrator().state().u, smooth.simulation().integrator().state().u),
             1e-4);
 }
