@@ -13,8 +13,8 @@ namespace ixos {
 enum class SlipKind { At, Mean };
 
 /// The resistance to slip at a point over a step, as functions of the slip since the step's start. The slip is a vector
-/// in the tangent plane of the start [L0]. With an elastic slip the traction of the start is state, and the elastic slip e = traction
-/// over eps; smoothed friction has none.
+/// in the tangent plane of the start [L0]. With an elastic slip the traction of the start is state, and the elastic
+/// slip e = traction over eps; smoothed friction has none.
 template <class T, std::size_t D>
 class FrictionStep {
  public:

@@ -228,9 +228,9 @@ std::vector<double> turned(const Model& model, const std::vector<double>& u, dou
   return result;
 }
 
-/// Turns both bodies as one by a right angle, with a stored elastic slip. Returns the largest of three changes: the work
-/// that is dissipated and the change of the energy, over that energy, and the difference from the turned force over its
-/// size.
+/// Turns both bodies as one by a right angle, with a stored elastic slip. Returns the largest of three changes: the
+/// work that is dissipated and the change of the energy, over that energy, and the difference from the turned force
+/// over its size.
 double change_by_turning(const Rubbing& bodies, int steps) {
   const Model& model = *bodies.model;
   const std::vector<double> start = bodies.slid(0.002, 0);  // less than the elastic slip, 0.006
