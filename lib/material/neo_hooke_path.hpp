@@ -37,18 +37,18 @@ template <class T>
 /// point needs J, ln J and a few scalar sums; the tensors are put together once. J - 1 and P are written in the
 /// invariants of H: small strains keep their digits. ln J and 1/J follow from those in the middle by series. If J
 /// differs by more than a hundredth from there, or by three tenths from 1, is_near() is false: the caller evaluates the
-/// law point by point.
+/// law point by point. Padding is a small part of an object.
 template <std::size_t D, class T>
-class NeoHookePath {
+class NeoHookePath {                         // NOLINT(clang-analyzer-optin.performance.Padding)
   static constexpr std::size_t degrees = D;  // the cofactors are of degree D - 1
 
  public:
   /// The sums that moduli() needs, and the path. The cofactors follow from the path.
-  struct Sums {
-    std::array<T, D == 3 ? 2 : 1> q{};    ///< sums of q t^k
-    std::array<T, 2 * degrees - 1> dq{};  ///< sums of dq/dJ t^k
+  struct Sums {                           // NOLINT(clang-analyzer-optin.performance.Padding)
     Small<T, D> start, change;            ///< H0, H1 - H0
     double weight = 0;                    ///< sum of the weights of the moduli
+    std::array<T, D == 3 ? 2 : 1> q{};    ///< sums of q t^k
+    std::array<T, 2 * degrees - 1> dq{};  ///< sums of dq/dJ t^k
     bool is_near = true;
   };
 
@@ -232,15 +232,15 @@ class NeoHookePath {
       sum -= value;
   }
 
+  Lame lame_;
   Sums sums_;
+  QuadraticCofactors<D, T> cofactors_;  ///< of H
   std::array<T, 2> trace_;
   std::array<T, 4> higher_;
   T middle_, middle_log_, middle_inverse_;  ///< J - 1, ln J and 1/J at t = 1/2
+  double weight_ = 0, weighted_t_ = 0;
   T mean_ = T(0.0);
   std::array<T, degrees> coefficient_{};  ///< sums of q t^k
-  Lame lame_;
-  double weight_ = 0, weighted_t_ = 0;
-  QuadraticCofactors<D, T> cofactors_;  ///< of H
 };
 
 }  // namespace ixos

@@ -119,8 +119,8 @@ const Options<Parameters>& options() {
                    "Motion of the obstacle as a rigid body. Its parameters describe it before the motion. If all "
                    "entries are empty, it rests.")
           .sublist("Friction", &Parameters::friction, friction_options(),
-                   "Resistance to slip along the obstacle or the primary surface, scaled by Factor like the law. On an "
-                   "axisymmetric mesh the slip is that in the meridional plane.");
+                   "Resistance to slip along the obstacle or the other body, scaled by Factor; axisymmetric: in the "
+                   "meridional plane.");
   return all;
 }
 

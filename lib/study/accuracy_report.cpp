@@ -87,7 +87,7 @@ void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result
     const AchievedAccuracy& own = result.achieved[q];
     json["quantities"].push_back({{"quantity", question.quantities[q].text()},
                                   {"value", own.value},
-                                  {"error", std::isfinite(own.error) ? Json(own.error) : Json(nullptr)},
+                                  {"error", own.error},  // an unknown one, which is infinite, is written as null
                                   {"kept", own.error <= question.accuracy},
                                   {"known_by", own.reason}});
   }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "term/friction_interaction.hpp"
 #include "term/friction_points.hpp"
 #include "term/point_matrices.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 /// Sides of one element type.
 template <class SideElement, class Law>
-class FrictionTerm final : public Interaction {
+class FrictionTerm final : public FrictionInteraction {
   using Points = FrictionPoints<SideElement>;
   using Sides = typename Points::Sides;
   using Vector = typename Points::Vector;
@@ -30,9 +31,6 @@ class FrictionTerm final : public Interaction {
   }
 
   // The life over steps.
-  bool dissipates() const override { return true; }
-  bool has_state() const override { return true; }
-  bool has_history() const override { return true; }
   void place(const Pattern& pattern) override { points_.sides().place(pattern); }
   void initialize(const KnownState&) override { points_.clear(); }
   void begin_step(const KnownState& start, double, double dt) override { points_.begin(start.u, dt); }
@@ -45,10 +43,6 @@ class FrictionTerm final : public Interaction {
 
   // Force and tangent.
   bool is_gradient(const Rule&) const override { return !points_.law().friction().current; }
-  const Rule& followed(const Rule& rule) const override {
-    static const Rule mean = exact_rule();
-    return rule.is_path_mean() ? mean : rule;
-  }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     add_force_with<SlipPart::Traction>(segment, rule, f, [](std::size_t, std::size_t, const Matrix&) {});
@@ -124,14 +118,7 @@ class FrictionTerm final : public Interaction {
     });
   }
 
-  // Friction limits no step, and gaps are the other term's.
   bool needs_positive_gaps() const override { return points_.law().needs_positive_gaps(); }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
 
   double rounding(const double* u) const override {
     return sum_over_points(u, [&](std::size_t b, std::size_t q, const Vector& at, const Pack& weight) {
@@ -153,7 +140,6 @@ class FrictionTerm final : public Interaction {
     sides_.add_nodal_measure(counted, measure);
   }
 
-  bool has_friction() const override { return true; }
   void add_nodal_friction(FrictionNumber number, double* by_node) const override {
     const bool is_work = number == FrictionNumber::Dissipated;  // the interaction's factor scales it
     for (std::size_t b = 0; b < sides_.size(); ++b) {

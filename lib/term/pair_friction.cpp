@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "term/friction_interaction.hpp"
 #include "term/pair_action.hpp"
 #include "term/pair_slip.hpp"
 
@@ -11,7 +12,7 @@ namespace ixos {
 namespace {
 
 template <std::size_t D>
-class PairFriction final : public Interaction {
+class PairFriction final : public FrictionInteraction {
   using Point = typename PairSlip<D>::Point;
   using Response = SlipResponse<double, D>;
 
@@ -22,9 +23,6 @@ class PairFriction final : public Interaction {
       : pattern_(pattern), slip_(mesh, std::move(surfaces), sides, std::move(law), friction, options) {}
 
   // The life over steps.
-  bool dissipates() const override { return true; }
-  bool has_state() const override { return true; }
-  bool has_history() const override { return true; }
   void initialize(const KnownState&) override { slip_.clear(); }
   void begin_step(const KnownState& start, double, double dt) override { slip_.begin(start.u, dt); }
   void begin_stage(const StageStart& start) override { slip_.set_length(start.length); }
@@ -36,10 +34,6 @@ class PairFriction final : public Interaction {
 
   // Force and tangent.
   bool is_gradient(const Rule&) const override { return true; }
-  const Rule& followed(const Rule& rule) const override {
-    static const Rule mean = exact_rule();
-    return rule.is_path_mean() ? mean : rule;
-  }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     const auto points = slip_.acting(segment.to);
@@ -81,14 +75,7 @@ class PairFriction final : public Interaction {
                [&](const Point& point) { return slip_.step(point).mean_potential(slip_.slip(point, segment.to)); });
   }
 
-  // Friction limits no step, and gaps are the other term's.
   bool needs_positive_gaps() const override { return slip_.points().is_positive(); }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
 
   double rounding(const double* u) const override {
     if (!slip_.in_step()) return 0;  // the traction is constant
@@ -120,7 +107,6 @@ class PairFriction final : public Interaction {
         for_each_point(s, [&](const Contact& contact) { add_weighted(contact, points.area(contact), measure); });
   }
 
-  bool has_friction() const override { return true; }
   void add_nodal_friction(FrictionNumber number, double* by_node) const override {
     const PairPoints<D>& points = slip_.points();
     const bool is_work = number == FrictionNumber::Dissipated;  // the interaction's factor scales it

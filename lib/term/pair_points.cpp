@@ -162,7 +162,8 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   std::vector<Places> covered = times;
   covered.insert(covered.end(), also.begin(), also.end());
   const std::shared_ptr<const PairNeighbours> near = neighbours(covered, range);
-  if (share == Share::Forces && last_ && last_range_ == range && last_->size() == times.size() &&
+  const bool keeps = share != Share::Energies;
+  if (keeps && last_ && last_share_ == share && last_range_ == range && last_->size() == times.size() &&
       std::equal(times.begin(), times.end(), last_->begin(), [&](const Places& x, const Contacts& kept) {
         return kept.neighbours == near && kept.places.secondary == x.secondary && kept.places.primary == x.primary;
       }))
@@ -174,8 +175,9 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
     find_feet((*result)[k], k > 0 ? &(*result)[k - 1] : nullptr, share, range);
     evaluate_law((*result)[k]);
   }
-  if (share == Share::Forces) {
+  if (keeps) {
     last_ = result;
+    last_share_ = share;
     last_range_ = range;
   }
   return result;

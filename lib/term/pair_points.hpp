@@ -74,7 +74,7 @@ class PairPoints {
   std::vector<Places> places(const Segment& segment, const Rule& rule) const;
   /// Returns the points that have neighbours at one of these places or at those of `also`, their gaps and what the law
   /// says. If a coordinate is NaN, all gaps and tractions are NaN. `range`: of gaps; negative: that of the law. The
-  /// contacts that forces last took are kept: the tangent at the same places takes them again.
+  /// last contacts other than those of energies are kept: the tangent at the same places takes them again.
   std::shared_ptr<const Times> contacts(std::vector<Places> times, Share share, double range = -1,
                                         const std::vector<Places>& also = {}) const;
   /// Returns the point's gap with its derivatives; the contact must have a foot.
@@ -144,6 +144,7 @@ class PairPoints {
   mutable std::shared_ptr<const PairNeighbours> seen_;
   mutable long seen_version_ = -1;
   mutable std::shared_ptr<const Times> last_;
+  mutable Share last_share_ = Share::Forces;  ///< of `last_`
   mutable double last_range_ = 0;
 };
 

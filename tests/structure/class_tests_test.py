@@ -24,6 +24,7 @@ elsewhere = {
     "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "both of its kinds solve"),
     "interaction/slip_response.hpp": ("interaction/elastic_slip_test.cpp", "responses of a slip"),
     "interaction/friction_step.hpp": ("term/friction_term_test.cpp", "steps that stick, slide and end"),
+    "term/friction_interaction.hpp": ("term/friction_term_test.cpp", "terms that have it as their base"),
     "term/friction_points.hpp": ("term/friction_term_test.cpp", "points that stick, slide and are accepted"),
     "term/point_matrices.hpp": ("term/curved_surface_term_test.cpp", "products of actions"),
     "interaction/law_history.hpp": ("interaction/damage_law_test.cpp", "traits; a law with a history"),

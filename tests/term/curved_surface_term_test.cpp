@@ -8,6 +8,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "parameters/validation.hpp"
 #include "support/solids.hpp"
+#include "support/tangents.hpp"
 #include "term/surface_terms.hpp"
 
 namespace ixos {
@@ -53,16 +54,9 @@ double energy(const Interactions& terms, const double* u) {
 /// Returns K x of the assembled tangent, rows of owned nodes.
 std::vector<double> product(const Model& model, const Interactions& terms, const Segment& segment, const Rule& rule,
                             Tangent kind, const std::vector<double>& x) {
-  const auto d = static_cast<std::size_t>(model.mesh().dimension);
-  std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0);
+  std::vector<double> values = test::no_values(model);
   for (const auto& term : terms) term->add_tangent(segment, rule, kind, values.data());
-  std::vector<double> y(static_cast<std::size_t>(model.space().owned()), 0.0);
-  model.pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
-    entries([&](int column, double value) {
-      y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
-    });
-  });
-  return y;
+  return test::matrix_product(model, values.data(), x);
 }
 
 const std::vector<std::pair<int, ContactElement>> bodies = {
@@ -115,13 +109,8 @@ TEST(CurvedSurfaceTermTest, ForceAndTangentAreDerivatives) {
     std::vector<double> from = test::smooth_field(*model, 0.02), to = test::smooth_field(*model, -0.03);
     const std::vector<double> way = test::smooth_field(*model, 1);
     const auto owned = static_cast<std::size_t>(model->space().owned());
-    const auto moved = [&](double s) {
-      std::vector<double> u = to;
-      for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
-      return u;
-    };
     const double h = 1e-5;
-    const std::vector<double> ahead = moved(h), behind = moved(-h);
+    const std::vector<double> ahead = test::moved(to, h, way), behind = test::moved(to, -h, way);
     double sums[2] = {energy(round, ahead.data()) - energy(round, behind.data()), 0};
     const auto f = force(round, {nullptr, nullptr, to.data()}, end_rule(), to.size());
     for (std::size_t k = 0; k < owned; ++k) sums[1] += f[k] * way[k];

@@ -11,6 +11,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "parameters/validation.hpp"
 #include "support/solids.hpp"
+#include "support/tangents.hpp"
 #include "term/friction_term.hpp"
 
 namespace ixos::test {
@@ -117,21 +118,13 @@ class Sliding {
     return f;
   }
   std::vector<double> tangent(const Segment& segment, const Rule& rule, Tangent kind = Tangent::Exact) const {
-    const auto d = static_cast<std::size_t>(model->mesh().dimension);
-    std::vector<double> values(static_cast<std::size_t>(model->pattern().pairs()) * d * d, 0.0);
+    std::vector<double> values = no_values(*model);
     for (const auto& term : terms) term->add_tangent(segment, rule, kind, values.data());
     return values;
   }
   std::vector<double> product(const Segment& segment, const Rule& rule, const std::vector<double>& x,
                               Tangent kind = Tangent::Exact) const {
-    const std::vector<double> values = tangent(segment, rule, kind);
-    std::vector<double> y(static_cast<std::size_t>(model->space().owned()), 0.0);
-    model->pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
-      entries([&](int column, double value) {
-        y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
-      });
-    });
-    return y;
+    return matrix_product(*model, tangent(segment, rule, kind).data(), x);
   }
   double energy(const std::vector<double>& u) const {
     double sum = 0;

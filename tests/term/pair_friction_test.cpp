@@ -6,24 +6,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "interaction/catalogue.hpp"
-#include "interaction/van_der_waals.hpp"
 #include "support/comparison.hpp"
+#include "support/tangents.hpp"
 #include "support/two_bodies.hpp"
+#include "term/friction_fixture.hpp"
 
 namespace ixos {
 namespace {
-
-Friction friction(FrictionType type) {
-  Friction result;
-  result.type = type;
-  result.stress = 0.03;
-  result.sharpness = 20;
-  result.coefficient = 0.8;
-  result.slip_speed = 0.02;
-  result.stiffness = 5;
-  return result;
-}
 
 /// A model with one pair; its last term is the friction.
 struct Rubbing {
@@ -40,7 +29,7 @@ struct Rubbing {
     pair.law = gap_law(VanDerWaals(2.5, 25));
     pair.smoothing = smoothing;
     pair.passes = passes;
-    pair.friction = friction(type);
+    pair.friction = test::friction(type, false);
     add_pair(*model, pair);
     std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
     std::iota(all.begin(), all.end(), 0);
@@ -113,20 +102,14 @@ TEST(PairFrictionTest, ForceAndTangentAreDerivatives) {
   for (const FrictionType type : types)
     for (const Rubbing& bodies : cases(type)) {
       const Model& model = *bodies.model;
-      const auto d = static_cast<std::size_t>(model.mesh().dimension),
-                 owned = static_cast<std::size_t>(model.space().owned());
+      const auto owned = static_cast<std::size_t>(model.space().owned());
       const std::vector<double> start = bodies.slid(0.003, 0.001), way = test::noise(model, 1);
       bodies.step(test::at_rest(model), start);
       bodies.term->begin_step({start.data()}, 0, 1);
       for (const double more : {0.001, 0.02}) {
         const std::vector<double> to = bodies.slid(0.003 + more, 0.0015);
-        const auto moved = [&](double s) {
-          std::vector<double> u = to;
-          for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
-          return u;
-        };
         const double h = 1e-6;
-        const std::vector<double> ahead = moved(h), behind = moved(-h);
+        const std::vector<double> ahead = test::moved(to, h, way), behind = test::moved(to, -h, way);
         const auto work = [&](const std::vector<double>& f) {
           return bodies.total(
               std::inner_product(f.begin(), f.begin() + static_cast<std::ptrdiff_t>(owned), way.begin(), 0.0));
@@ -143,14 +126,9 @@ TEST(PairFrictionTest, ForceAndTangentAreDerivatives) {
         for (const Rule& rule : {end_rule(), gauss_rule(1), gauss_rule(4), exact_rule()}) {
           const auto f1 = bodies.force({start.data(), nullptr, ahead.data()}, rule);
           const auto f0 = bodies.force({start.data(), nullptr, behind.data()}, rule);
-          std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0), y(owned, 0.0),
-              z(to.size(), 0.0);
+          std::vector<double> values = test::no_values(model), z(to.size(), 0.0);
           bodies.term->add_tangent(segment, rule, Tangent::Exact, values.data());
-          model.pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
-            entries([&](int column, double value) {
-              y[static_cast<std::size_t>(row)] += value * way[static_cast<std::size_t>(column)];
-            });
-          });
+          const std::vector<double> y = test::matrix_product(model, values.data(), way);
           const auto action = bodies.term->create_action();
           action->linearize(segment, rule, Tangent::Exact, {});
           action->add_product(way.data(), z.data());

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "support/pair_of_bodies.hpp"
+#include "support/tangents.hpp"
 
 namespace ixos {
 namespace {
@@ -81,29 +82,18 @@ TEST(PairGradientTest, ItsNetForceAndItsNetMomentVanish) {
 TEST(PairGradientTest, ItsTangentIsItsDerivative) {
   for (const Bodies& bodies : cases()) {
     const std::vector<double> way = test::noise(*bodies.model, 1);
-    const auto moved = [&](double s) {
-      std::vector<double> u = bodies.to;
-      for (std::size_t k = 0; k < u.size(); ++k) u[k] += s * way[k];
-      return u;
-    };
     const double h = 1e-7;  // the force bends sharply where points begin to slide
-    const auto up = bodies.force(moved(h)), down = bodies.force(moved(-h));
+    const auto up = bodies.force(test::moved(bodies.to, h, way)), down = bodies.force(test::moved(bodies.to, -h, way));
     Model& model = *bodies.model;
     std::vector<int> all(static_cast<std::size_t>(model.mesh().nodes()));
     std::iota(all.begin(), all.end(), 0);
     model.couple({all});  // the pairs' own coupling leaves out feet that change their patch
-    const auto d = static_cast<std::size_t>(model.mesh().dimension);
-    std::vector<double> values(static_cast<std::size_t>(model.pattern().pairs()) * d * d, 0.0);
+    std::vector<double> values = test::no_values(model);
     bodies.term->add_tangent({bodies.from.data(), nullptr, bodies.to.data()}, discrete_gradient_rule(), Tangent::Exact,
                              values.data());
+    const std::vector<double> product = test::matrix_product(model, values.data(), way);
     double largest = 0;
-    std::vector<double> product(static_cast<std::size_t>(model.space().owned()), 0.0);
-    model.pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
-      entries([&](int column, double value) {
-        product[static_cast<std::size_t>(row)] += value * way[static_cast<std::size_t>(column)];
-      });
-      largest = std::max(largest, std::abs(product[static_cast<std::size_t>(row)]));
-    });
+    for (const double value : product) largest = std::max(largest, std::abs(value));
     largest = model.space().maximum(largest);
     EXPECT_GT(largest, 1e-3);
     for (std::size_t k = 0; k < product.size(); ++k)

@@ -8,6 +8,7 @@
 
 #include "mesh/generators/shapes.hpp"
 #include "support/solids.hpp"
+#include "support/tangents.hpp"
 #include "time/schemes.hpp"
 
 namespace ixos {
@@ -83,19 +84,7 @@ std::vector<double> product(const Model& model, const std::vector<double>& x, co
   const auto matrix = model.pattern().create_matrix(model.space());
   double* values = matrix->getLocalMatrixHost().values.data();
   fill(values);
-  std::vector<double> y(static_cast<std::size_t>(model.space().owned()), 0.0);
-  model.pattern().for_each_row(values, [&](int row, const auto& entries) {
-    entries([&](int column, double value) {
-      y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
-    });
-  });
-  return y;
-}
-
-std::vector<double> moved(const std::vector<double>& u, double step, const std::vector<double>& direction) {
-  std::vector<double> result = u;
-  for (std::size_t i = 0; i < u.size(); ++i) result[i] += step * direction[i];
-  return result;
+  return test::matrix_product(model, values, x);
 }
 
 /// Expects `found` to be the central difference of forces(+1) and forces(-1).
@@ -116,9 +105,9 @@ TEST(ViscousTermTest, TangentsAreDerivatives) {
     const auto model = block(dimension, alpha);
     const std::vector<double> u = field(*model, 0.1, 0), v = field(*model, 1, 1), du = field(*model, 1, 2);
     expect_difference(product(*model, du, [&](double* k) { model->add_rate_tangent_at(1, 0, u.data(), v.data(), k); }),
-                      [&](double step) { return forces_at(*model, u, moved(v, step, du)); });
+                      [&](double step) { return forces_at(*model, u, test::moved(v, step, du)); });
     expect_difference(product(*model, du, [&](double* k) { model->add_rate_tangent_at(0, 1, u.data(), v.data(), k); }),
-                      [&](double step) { return forces_at(*model, moved(u, step, du), v); });
+                      [&](double step) { return forces_at(*model, test::moved(u, step, du), v); });
   }
 }
 
@@ -151,10 +140,10 @@ TEST(ViscousTermTest, AStagesTangentAndPotentialFitItsForce) {
     const Begun begun(*model, table);
     const std::vector<double> u = field(*model, 0.15, 0.2), du = field(*model, 1, 2), f = forces(*model, u);
     expect_difference(product(*model, du, [&](double* k) { model->add_rate_tangent(u.data(), k); }),
-                      [&](double step) { return forces(*model, moved(u, step, du)); });
+                      [&](double step) { return forces(*model, test::moved(u, step, du)); });
     EXPECT_TRUE(model->rates_are_gradients(table.stages[0].rate_form));
-    double sums[3] = {0, model->local_rate_potential(moved(u, 1e-5, du).data()),
-                      model->local_rate_potential(moved(u, -1e-5, du).data())};
+    double sums[3] = {0, model->local_rate_potential(test::moved(u, 1e-5, du).data()),
+                      model->local_rate_potential(test::moved(u, -1e-5, du).data())};
     for (std::size_t i = 0; i < f.size(); ++i) sums[0] += f[i] * du[i];
     model->space().sum(sums, 3);
     EXPECT_NEAR((sums[1] - sums[2]) / 2e-5, sums[0], 1e-8);
@@ -173,7 +162,8 @@ TEST(ViscousTermTest, AnEvenSmallMotionHasTheForceOfItsVelocity) {
   start.damping = &table.stages[0].damping;
   start.dt = start.length = dt;
   model->begin_stage(start);
-  const std::vector<double> end = moved(u, dt, v), found = forces(*model, end), expected = forces_at(*model, end, v);
+  const std::vector<double> end = test::moved(u, dt, v), found = forces(*model, end),
+                            expected = forces_at(*model, end, v);
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-12);
 }
 

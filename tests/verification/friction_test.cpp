@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/snapshot.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
+#include "verification/taken_back.hpp"
 
 namespace ixos {
 namespace {
@@ -195,26 +195,7 @@ TEST(FrictionTest, StepsThatAreTakenBackLeaveNoSlip) {
     for (const std::string& friction : frictions) {
       SCOPED_TRACE(scheme + friction);
       Simulation s(test::scene(tumbling(friction) + test::time_integrator(scheme, 0.1, 20)), test::world());
-      Integrator& integrator = s.integrator();
-      for (int n = 0; n < 40; ++n) ASSERT_TRUE(integrator.step(0.1).converged);
-      const double before = integrator.dissipated_energy();
-      ASSERT_GT(before, 0);
-      Snapshot snapshot([&](Record& record) { integrator.transfer(record); });
-      snapshot.save();
-      for (int n = 0; n < 6; ++n) ASSERT_TRUE(integrator.step(0.1).converged);
-      const std::vector<double> u = integrator.state().u,
-                                slip = s.model().interaction("Wall").friction(FrictionNumber::Slip);
-      const double lost = integrator.dissipated_energy();
-      EXPECT_GT(lost, before);
-      snapshot.restore();
-      EXPECT_EQ(integrator.dissipated_energy(), before);
-      for (int n = 0; n < 6; ++n) {
-        ASSERT_TRUE(integrator.attempt(0.3).converged);  // nobody accepts it
-        ASSERT_TRUE(integrator.step(0.1).converged);
-      }
-      EXPECT_EQ(integrator.state().u, u);
-      EXPECT_EQ(s.model().interaction("Wall").friction(FrictionNumber::Slip), slip);
-      EXPECT_EQ(integrator.dissipated_energy(), lost);
+      test::expect_no_slip_of_steps_taken_back(s, "Wall", 0.1, 0.3);
     }
 }
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "base/snapshot.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
 #include "verification/collision.hpp"
+#include "verification/taken_back.hpp"
 
 namespace ixos {
 namespace {
@@ -165,27 +165,8 @@ TEST(PairFrictionTest, DisksThatRubKeepEnergyAndMomenta) {
 TEST(PairFrictionTest, StepsThatAreTakenBackLeaveNoSlip) {
   for (const char* scheme : {"Average Vector Field", "Bathe Composite", "Newmark"}) {
     Collision collision(scheme, 0.001, scheme[0] == 'A' ? exact : "", rubbing);
-    Simulation& s = collision.simulation();
-    Integrator& integrator = s.integrator();
-    for (int n = 0; n < 40; ++n) ASSERT_TRUE(integrator.step(0.001).converged);
-    const double before = integrator.dissipated_energy();
-    ASSERT_GT(before, 0);
-    Snapshot snapshot([&](Record& record) { integrator.transfer(record); });
-    snapshot.save();
-    for (int n = 0; n < 6; ++n) ASSERT_TRUE(integrator.step(0.001).converged);
-    const std::vector<double> u = integrator.state().u,
-                              slip = s.model().interaction("Pair").friction(FrictionNumber::Slip);
-    const double lost = integrator.dissipated_energy();
-    EXPECT_GT(lost, before);
-    snapshot.restore();
-    EXPECT_EQ(integrator.dissipated_energy(), before);
-    for (int n = 0; n < 6; ++n) {
-      ASSERT_TRUE(integrator.attempt(0.0015).converged);  // nobody accepts it
-      ASSERT_TRUE(integrator.step(0.001).converged);
-    }
-    EXPECT_EQ(integrator.state().u, u) << scheme;
-    EXPECT_EQ(s.model().interaction("Pair").friction(FrictionNumber::Slip), slip);
-    EXPECT_EQ(integrator.dissipated_energy(), lost);
+    SCOPED_TRACE(scheme);
+    test::expect_no_slip_of_steps_taken_back(collision.simulation(), "Pair", 0.001, 0.0015);
   }
 }
 
