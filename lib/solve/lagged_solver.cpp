@@ -16,6 +16,7 @@
 #include "solve/direct_preconditioner.hpp"
 #include "solve/first_rank_factorization.hpp"
 #include "solve/kept_preconditioner.hpp"
+#include "solve/sparing_preconditioner.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
@@ -79,14 +80,14 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     fresh_ = false;
     preconditioner_.rebuild(source_, stale_);
     if (stale_) return renew();
-    attach();
+    attach(preconditioner_.get());
   }
   /// Solves with a preconditioner of the caller until the next initialize().
   void initialize(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
                   const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& given) {
     source_ = source;
     given_ = given;
-    krylov_factory_->initializePreconditionedOp(source, given, krylov_.get(), Thyra::SUPPORT_SOLVE_UNSPECIFIED);
+    attach(given);
   }
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> release() { return std::exchange(source_, Teuchos::null); }
 
@@ -124,14 +125,15 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const TimedScope timed(Phase::Factorization);
     stale_ = true;  // should this throw
     preconditioner_.renew(source_);
-    attach();
+    attach(preconditioner_.get());
     stale_ = false;
     fresh_ = true;
     excess_ = 0;
   }
-  void attach() const {
-    krylov_factory_->initializePreconditionedOp(source_, preconditioner_.get(), krylov_.get(),
-                                                Thyra::SUPPORT_SOLVE_UNSPECIFIED);
+  void attach(const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner) const {
+    krylov_factory_->initializePreconditionedOp(
+        source_, options_.cg_iterations > 0 ? sparing_preconditioner(preconditioner, converged_) : preconditioner,
+        krylov_.get(), Thyra::SUPPORT_SOLVE_UNSPECIFIED);
   }
 
   bool opSupportedImpl(Thyra::EOpTransp transpose) const override { return Thyra::opSupported(*krylov_, transpose); }
@@ -219,9 +221,10 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Status counted(const Thyra::MultiVectorBase<double>& b, const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                  const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     const TimedScope timed(Phase::LinearSolve);
-    FirstRankFactorization* const inverse = first_rank_inverse();
-    const double tolerance = inverse != nullptr ? relative_tolerance(criteria) : 0;
-    if (tolerance > 0 && b.domain()->dim() == 1) return solved_on_first_rank(*inverse, b, x, tolerance);
+    const double tolerance = b.domain()->dim() == 1 && options_.cg_iterations > 0 ? relative_tolerance(criteria) : 0;
+    FirstRankFactorization* const inverse = tolerance > 0 ? first_rank_inverse() : nullptr;
+    if (inverse != nullptr) return solved_on_first_rank(*inverse, b, x, tolerance);
+    *converged_ = tolerance > 0 ? (1 - 1e-9) * tolerance * largest_norm(b) : 0;
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     statistics_->iterations += iterations(status);
@@ -231,7 +234,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   /// Returns the preconditioner if the first of several ranks applies it alone and collects the present matrix, so that
   /// it can iterate without messages; else null.
   FirstRankFactorization* first_rank_inverse() const {
-    if (options_.collected_iterations == 0 || nonnull(given_)) return nullptr;
+    if (nonnull(given_)) return nullptr;
     const auto inverse =
         Teuchos::rcp_dynamic_cast<const CollectedInverse>(preconditioner_.get()->getUnspecifiedPrecOp());
     FirstRankFactorization* const result = inverse.is_null() ? nullptr : inverse->on_first_rank();
@@ -246,7 +249,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const CollectedSolve solve = collected_cg(
         inverse.collected(), [&inverse](const double* r) { return inverse.solve_collected(r); },
         *Extract::getConstTpetraMultiVector(Teuchos::rcpFromRef(b)),
-        *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)), tolerance, options_.collected_iterations);
+        *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)), tolerance, options_.cg_iterations);
     statistics_->iterations += solve.iterations;
     if (solve.status == CollectedSolve::NegativeCurvature) throw NegativeCurvature();
     if (solve.status == CollectedSolve::NotFinite) throw std::runtime_error("a number of the iteration is not finite");
@@ -284,6 +287,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source_;
   /// The caller's preconditioner, or null.
   Teuchos::RCP<const Thyra::PreconditionerBase<double>> given_;
+
+  std::shared_ptr<double> converged_ = std::make_shared<double>(0);  ///< a smaller residual has converged; or 0
 
   mutable bool collected_ = false;             ///< the first rank has the present matrix
   mutable bool stale_ = true;                  ///< renew before the next matrix

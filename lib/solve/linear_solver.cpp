@@ -54,14 +54,14 @@ double take_setup_cost(Teuchos::ParameterList& list) {
     if (name != "Setup Cost")
       throw InputError("Linear Solver/Reuse: there is no parameter \"" + name + "\" here; allowed: \"Setup Cost\"");
     if (!entry.isType<double>() || !(Teuchos::getValue<double>(entry) >= 0))
-      throw InputError("Linear Solver/Reuse/Setup Cost: it must be of type double and at least 0");
+      throw InputError("Linear Solver/Reuse/Setup Cost: it must be a number of at least 0");
   }
   return reuse.isParameter("Setup Cost") ? reuse.get<double>("Setup Cost") : 20.0;
 }
 
-/// Returns the largest number of iterations of collected_cg(); 0 if the list asks for another method than CG, or for
-/// more of CG than that offers.
-int collected_iterations(const Teuchos::ParameterList& list) {
+/// Returns the largest number of iterations of CG; 0 if the list asks for another method, or for more of CG than its
+/// iterations and the method's name.
+int cg_iterations(const Teuchos::ParameterList& list) {
   const auto is = [](const Teuchos::ParameterList& l, const char* name, const std::string& value) {
     return l.isType<std::string>(name) && l.get<std::string>(name) == value;
   };
@@ -117,7 +117,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   self.lagged.factorizes = preconditioner == "Direct";
   self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
-  if (self.lagged.factorizes) self.lagged.collected_iterations = collected_iterations(list);
+  self.lagged.cg_iterations = cg_iterations(list);
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
     muelu.set("Nullspace", rigid_body_modes(*model));

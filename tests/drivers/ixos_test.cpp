@@ -53,6 +53,12 @@ TEST_F(DriverTest, CheckBuildsButDoesNotRun) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(DriverTest, OneProcessNeedsNoServerOfOpenMPI) {
+  const Outcome outcome =
+      shell("OPAL_BINDIR=/nowhere " + quoted_driver() + " '" + ball + "' --check", folder_);  // Open MPI's programs
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+}
+
 TEST_F(DriverTest, WithoutASceneItTellsHowToBegin) {
   const Outcome outcome = ixos({}, folder_);
   EXPECT_EQ(outcome.status, 0);

@@ -1,0 +1,132 @@
+#!/usr/bin/python3
+"""The fastest settings of two checkouts for errors of 1, 0.3 and 0.1 per cent of the pull-off force of the strip or of
+the stiff spatula, over a grid of meshes, cells, contact elements and steps.
+
+usage: fastest_settings.py strip|spatula OLD NEW FOLDER     (OLD and NEW: checkouts with build/release)
+
+The error is the rms error of the force in a window, against fine quadratic cells, which NEW computes once (FOLDER keeps
+them). A setting has an error if smaller steps have no larger one. Runs come one at a time, OLD and NEW in turns; the
+time is the processor time of the process. The strip takes the schemes Newmark and Static, and has a short step in its
+reference. The spatula takes the steps of its reference, so its errors are those of the mesh. Lines of single runs
+follow the table.
+"""
+import itertools
+import os
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / folder) for folder in ("tests/support", "drivers/plot")]
+from driver_process import BENCH_ENVIRONMENT, STEPS, driver_command  # noqa: E402
+from result_files import read_history  # noqa: E402
+
+TOLERANCES = (0.01, 0.003, 0.001)
+COMMON = ["Output/Fields Time Interval=0", "Output/Checkpoint/Keep=0"]
+QUADRATIC = ["Mesh/Cell Order=2", "Interactions/Wall/Contact Element=Q2C2"]
+
+
+class Strip:
+    scene, column, window = "xml/strip.xml", "reaction_right_y", (20, 120)
+    older_scene = scene
+    steps = {"Newmark": (1, 2, 4), "Static": (4, 8, 16)}
+    reference = QUADRATIC + ["Mesh/Box/Divisions={400, 16}", "Time Integrator/Type=Newmark", STEPS + "Time Step=0.1"]
+
+    @staticmethod
+    def settings():
+        """Name, settings and whether OLD serves them."""
+        for mesh in ("80 x 4", "160 x 4", "160 x 8", "320 x 4", "320 x 8", "320 x 16"):
+            for contact, formulation in itertools.product(("Q1C1", "Q1C2", "Q1C4"), ("Standard", "Enhanced")):
+                yield (f"{formulation}, {contact}, {mesh}",
+                       ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}",
+                        f"Interactions/Wall/Contact Element={contact}",
+                        f"Materials/Strip/Element Formulation={formulation}"], True)
+        for mesh in ("80 x 1", "80 x 2", "160 x 1", "160 x 2", "320 x 1", "320 x 2", "320 x 4"):
+            yield f"quadratic, {mesh}", QUADRATIC + ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}"], False
+
+
+class Spatula:
+    scene, column, window = "xml/spatula-stiff.xml", "reaction_shaft end_z", (5, 40)
+    older_scene = "xml/spatula.xml"  # the same shape, before there were two
+    steps = {"Gautam-Sauer Composite": (0.5,)}
+
+    @staticmethod
+    def thin(across, stations):
+        """A mesh with one layer of cells in the core of a section and one ring around it."""
+        values = {"Core Cells": across, "Core Layers": 1, "Rings": 1, "Tip Rows": across // 4, "Stations": stations}
+        return [f"Mesh/Spatula/{name}={value}" for name, value in values.items()]
+
+    @staticmethod
+    def settings():
+        for (contact, formulation), cells in itertools.product(
+                (("Q1C1", "Standard"), ("Q1C2", "Standard"), ("Q1C2", "Enhanced")), (1500, 5000, 14300, 40000)):
+            yield (f"{formulation}, {contact}, {cells} cells",
+                   [f"Mesh/Spatula/Target Cells={cells}", f"Interactions/Wall/Contact Element={contact}",
+                    f"Materials/Keratin/Element Formulation={formulation}"], True)
+        for across, stations in ((8, 90), (12, 90), (12, 120), (12, 150), (12, 180), (16, 200)):
+            yield (f"Enhanced, Q1C2, {across} across, {stations} along", Spatula.thin(across, stations) + [
+                "Interactions/Wall/Contact Element=Q1C2", "Materials/Keratin/Element Formulation=Enhanced"], True)
+
+
+Spatula.reference = QUADRATIC + Spatula.thin(16, 200)
+
+
+def run(problem, checkout, settings, folder):
+    """Returns the processor time of a run, or None if it does not complete."""
+    end = f"{STEPS}Final Time={problem.window[1]}"
+    scene = problem.scene if os.path.exists(f"{checkout}/{problem.scene}") else problem.older_scene
+    command = driver_command(f"{checkout}/build/release/drivers/ixos", f"{checkout}/{scene}",
+                             ["--overwrite", "--output", str(folder)], COMMON + [end] + settings, 1)
+    with subprocess.Popen(command, env=BENCH_ENVIRONMENT, stderr=subprocess.DEVNULL) as process:
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+    return usage.ru_utime + usage.ru_stime if status == 0 else None
+
+
+def error(problem, folder, reference):
+    """Returns the rms difference of the force from the reference's at the run's times, relative to its rms."""
+    (times, values), (fine_times, fine) = (
+        (history["time"], history[problem.column])
+        for history in (read_history(pathlib.Path(path, "history.csv")) for path in (folder, reference)))
+    window = (times >= problem.window[0]) & (times <= problem.window[1])
+    exact = np.interp(times[window], fine_times, fine)
+    return np.sqrt(np.mean((values[window] - exact) ** 2) / np.mean(exact**2))
+
+
+def measure(problem, checkout, settings, scheme, folder):
+    """Yields step, processor time and error, smaller steps first."""
+    worst = 0
+    for step in problem.steps[scheme]:
+        seconds = run(problem, checkout, settings + [f"Time Integrator/Type={scheme}", f"{STEPS}Time Step={float(step)}"],
+                      f"{folder}/run")
+        if seconds is None:
+            return
+        worst = max(worst, error(problem, f"{folder}/run", f"{folder}/reference"))
+        yield step, seconds, worst
+
+
+def main():
+    if len(sys.argv) != 5 or sys.argv[1] not in ("strip", "spatula"):
+        sys.exit(__doc__)
+    problem, folder = {"strip": Strip, "spatula": Spatula}[sys.argv[1]], sys.argv[4]
+    checkouts = {"old": sys.argv[2], "new": sys.argv[3]}
+    if not os.path.exists(f"{folder}/reference/summary.json"):
+        run(problem, checkouts["new"], problem.reference, f"{folder}/reference")
+    runs = []
+    for scheme, (name, settings, both) in itertools.product(problem.steps, problem.settings()):
+        for which in ("old", "new") if both else ("new",):
+            runs += [(seconds, worst, which, scheme, f"{name}, dt = {step}") for step, seconds, worst in
+                     measure(problem, checkouts[which], settings, scheme, folder)]
+    print("| error | scheme | checkout | fastest settings | their error | s |\n|---|---|---|---|---|---|")
+    for tolerance, scheme, which in itertools.product(TOLERANCES, problem.steps, checkouts):
+        best = min((each for each in runs if each[1] <= tolerance and each[2:4] == (which, scheme)), default=None)
+        if best:
+            print(f"| {tolerance:.1%} | {scheme} | {which} | {best[4]} | {best[1]:.5f} | {best[0]:.2f} |")
+    for seconds, worst, which, scheme, name in sorted(runs):
+        print(f"{which}: {seconds:.2f} s, error {worst:.5f}: {scheme}, {name}")
+
+
+if __name__ == "__main__":
+    main()
