@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "base/agreement.hpp"
@@ -22,6 +23,7 @@
 #include "ixos/accuracy.hpp"
 #include "ixos/answers.hpp"
 #include "ixos/arguments.hpp"
+#include "ixos/launch.hpp"
 #include "ixos/mpi_errors.hpp"
 #include "ixos/scene_run.hpp"
 #include "ixos/verify_restart.hpp"
@@ -204,16 +206,6 @@ void keep_freed_memory() {
 #endif
 }
 
-/// Without these variables, Open MPI starts a server for a process that mpirun did not start, and looks for networks,
-/// which takes as long as a small scene. The user's own variables win.
-void start_alone() {
-  for (const char* launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-    if (std::getenv(launched) != nullptr) return;
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
-  setenv("OMPI_MCA_pml", "ob1", 0);
-  setenv("OMPI_MCA_btl", "self", 0);
-}
-
 int run_program(int argc, char** argv) {
   keep_freed_memory();
   try {
@@ -221,9 +213,12 @@ int run_program(int argc, char** argv) {
     if (line.error.empty() && line.help.empty() && line.arguments.verify_restart)
       return ixos::verify_restart(line.arguments);  // starts processes with MPI: must not have started it itself
     ixos::start_hdf5();
-    start_alone();
     int none = 1;  // Kokkos would answer --help itself
-    const Tpetra::ScopeGuard guard(&none, &argv);
+    std::optional<Tpetra::ScopeGuard> guard;
+    {
+      const ixos::SingleStart alone;
+      guard.emplace(&none, &argv);
+    }
     ixos::end_on_mpi_errors();
     std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
     running = true;

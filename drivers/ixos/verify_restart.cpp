@@ -1,7 +1,6 @@
 #include "ixos/verify_restart.hpp"
 
 #include <csignal>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -11,6 +10,7 @@
 #include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
+#include "ixos/launch.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "signals.hpp"
@@ -22,13 +22,6 @@ namespace {
 int refuse(int status, const std::string& what) {
   console::complain("ixos: {}\n", printable(what));
   return status;
-}
-
-/// Returns this process's rank if a launcher of MPI started it, else an empty text.
-std::string launched_rank() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (const char* rank = std::getenv(name); rank != nullptr) return rank;
-  return "";
 }
 
 RestartCheck restart_check(const Arguments& arguments) {

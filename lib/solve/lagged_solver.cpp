@@ -132,7 +132,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   }
   void attach(const Teuchos::RCP<const Thyra::PreconditionerBase<double>>& preconditioner) const {
     krylov_factory_->initializePreconditionedOp(
-        source_, options_.cg_iterations > 0 ? sparing_preconditioner(preconditioner, converged_) : preconditioner,
+        source_, options_.spares_last ? sparing_preconditioner(preconditioner, converged_) : preconditioner,
         krylov_.get(), Thyra::SUPPORT_SOLVE_UNSPECIFIED);
   }
 
@@ -224,7 +224,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     const double tolerance = b.domain()->dim() == 1 && options_.cg_iterations > 0 ? relative_tolerance(criteria) : 0;
     FirstRankFactorization* const inverse = tolerance > 0 ? first_rank_inverse() : nullptr;
     if (inverse != nullptr) return solved_on_first_rank(*inverse, b, x, tolerance);
-    *converged_ = tolerance > 0 ? (1 - 1e-9) * tolerance * largest_norm(b) : 0;
+    *converged_ = options_.spares_last ? (1 - 1e-9) * tolerance * largest_norm(b) : 0;
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     statistics_->iterations += iterations(status);

@@ -15,10 +15,10 @@ struct LaggedOptions {
   bool factorizes = false;   ///< the preconditioner is a factorisation, which serves indefinite matrices too
   bool of_matrix = true;     ///< made from a matrix; else from the operator itself, and it keeps its own state
   bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
-  /// The most iterations, if the solver is CG without special settings; else 0. Only such a CG spares itself the last
-  /// application of the preconditioner (sparing_preconditioner()), and becomes collected_cg() on several ranks if the
-  /// preconditioner is a factorisation on the first.
+  /// The most iterations, if the solver is CG without special settings; else 0. Such a CG becomes collected_cg() on
+  /// several ranks if the preconditioner is a factorisation on the first.
   int cg_iterations = 0;
+  bool spares_last = false;  ///< such a CG does not precondition its last residual, see sparing_preconditioner()
 };
 
 /// A wrapper of a Krylov solver and a preconditioner factory. The preconditioner is kept from solve to solve. It is

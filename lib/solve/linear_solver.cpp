@@ -50,17 +50,19 @@ double take_setup_cost(Teuchos::ParameterList& list) {
   if (!list.isSublist("Reuse")) return 0;
   const Teuchos::ParameterList reuse = list.sublist("Reuse");
   list.remove("Reuse");
+  double cost = 20;
   for (const auto& [name, entry] : entries(reuse)) {
     if (name != "Setup Cost")
       throw InputError("Linear Solver/Reuse: there is no parameter \"" + name + "\" here; allowed: \"Setup Cost\"");
-    if (!entry.isType<double>() || !(Teuchos::getValue<double>(entry) >= 0))
-      throw InputError("Linear Solver/Reuse/Setup Cost: it must be a number of at least 0");
+    const bool whole = entry.isType<int>();
+    cost = whole ? Teuchos::getValue<int>(entry) : entry.isType<double>() ? Teuchos::getValue<double>(entry) : -1;
+    if (!(cost >= 0)) throw InputError("Linear Solver/Reuse/Setup Cost: it must be a number of at least 0");
   }
-  return reuse.isParameter("Setup Cost") ? reuse.get<double>("Setup Cost") : 20.0;
+  return cost;
 }
 
-/// Returns the largest number of iterations of CG; 0 if the list asks for another method, or for more of CG than its
-/// iterations and the method's name.
+/// Returns the largest number of iterations of CG; 0 if the list asks for another method, or for more of CG and of
+/// Belos than that number.
 int cg_iterations(const Teuchos::ParameterList& list) {
   const auto is = [](const Teuchos::ParameterList& l, const char* name, const std::string& value) {
     return l.isType<std::string>(name) && l.get<std::string>(name) == value;
@@ -69,6 +71,8 @@ int cg_iterations(const Teuchos::ParameterList& list) {
   Teuchos::ParameterList copy(list);  // asking it for a list that is not there adds one
   const Teuchos::ParameterList& belos = copy.sublist("Linear Solver Types").sublist("Belos");
   if (!is(list, "Linear Solver Type", "Belos") || !is(belos, "Solver Type", cg)) return 0;
+  for (const auto& [name, entry] : entries(belos))
+    if (name != "Solver Type" && name != "Solver Types" && name != "VerboseObject") return 0;
   const Teuchos::ParameterList settings =
       copy.sublist("Linear Solver Types").sublist("Belos").sublist("Solver Types").sublist(cg);
   for (const auto& [name, entry] : entries(settings))
@@ -118,6 +122,8 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
   self.lagged.cg_iterations = cg_iterations(list);
+  // The polynomial is cheap, and meant to need no sums over ranks.
+  self.lagged.spares_last = self.lagged.cg_iterations > 0 && preconditioner != "Chebyshev";
   if (model != nullptr && preconditioner == "MueLu") {
     Teuchos::ParameterList& muelu = list.sublist("Preconditioner Types").sublist("MueLu");
     muelu.set("Nullspace", rigid_body_modes(*model));

@@ -181,15 +181,6 @@ void refuse_matrix_free(const ProblemSize& size) {
                      "; use \"Assembled\"");
 }
 
-void complete_reuse(ParameterList& reuse, double cost) {
-  const std::string name = "Setup Cost";
-  if (reuse.isType<int>(name)) {
-    const int whole = reuse.get<int>(name);
-    reuse.set(name, static_cast<double>(whole));
-  }
-  if (!reuse.isParameter(name)) reuse.set(name, cost);
-}
-
 ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   ParameterList list(user);
   std::string type = choice(list, "Linear Solver Type", "Automatic", {"Automatic", "Direct", "Belos", "Amesos2"});
@@ -228,7 +219,8 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
     list.sublist("Preconditioner Types").sublist("Direct").get("Solver Type", preconditioning_factorization(size));
   if (preconditioner == "MueLu") complete_muelu(list.sublist("Preconditioner Types").sublist("MueLu"), size);
   if (preconditioner == "Two-Level") complete_two_level(list, size);
-  if (preconditioner != "None") complete_reuse(list.sublist("Reuse"), setup_cost(preconditioner));
+  if (preconditioner != "None" && !list.sublist("Reuse").isParameter("Setup Cost"))
+    list.sublist("Reuse").set("Setup Cost", setup_cost(preconditioner));
   return list;
 }
 

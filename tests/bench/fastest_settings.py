@@ -5,10 +5,10 @@ the stiff spatula, over a grid of meshes, cells, contact elements and steps.
 usage: fastest_settings.py strip|spatula OLD NEW FOLDER     (OLD and NEW: checkouts with build/release)
 
 The error is the rms error of the force in a window, against fine quadratic cells, which NEW computes once (FOLDER keeps
-them). A setting has an error if smaller steps have no larger one. Runs come one at a time, OLD and NEW in turns; the
-time is the processor time of the process. The strip takes the schemes Newmark and Static, and has a short step in its
-reference. The spatula takes the steps of its reference, so its errors are those of the mesh. Lines of single runs
-follow the table.
+them). The error of a setting is the largest at its step and all smaller ones. Runs come one at a time, OLD and NEW in
+turns, each once; the time is the processor time of the process. The strip takes the schemes Newmark and Static, and has
+a short step in its reference. The spatula takes the steps of its reference, so its errors are those of the mesh. Lines
+of single runs follow the table.
 """
 import itertools
 import os
@@ -30,13 +30,12 @@ QUADRATIC = ["Mesh/Cell Order=2", "Interactions/Wall/Contact Element=Q2C2"]
 
 class Strip:
     scene, column, window = "xml/strip.xml", "reaction_right_y", (20, 120)
-    older_scene = scene
     steps = {"Newmark": (1, 2, 4), "Static": (4, 8, 16)}
     reference = QUADRATIC + ["Mesh/Box/Divisions={400, 16}", "Time Integrator/Type=Newmark", STEPS + "Time Step=0.1"]
 
     @staticmethod
     def settings():
-        """Name, settings and whether OLD serves them."""
+        """Yields name, settings and whether OLD serves them."""
         for mesh in ("80 x 4", "160 x 4", "160 x 8", "320 x 4", "320 x 8", "320 x 16"):
             for contact, formulation in itertools.product(("Q1C1", "Q1C2", "Q1C4"), ("Standard", "Enhanced")):
                 yield (f"{formulation}, {contact}, {mesh}",
@@ -49,7 +48,6 @@ class Strip:
 
 class Spatula:
     scene, column, window = "xml/spatula-stiff.xml", "reaction_shaft end_z", (5, 40)
-    older_scene = "xml/spatula.xml"  # the same shape, before there were two
     steps = {"Gautam-Sauer Composite": (0.5,)}
 
     @staticmethod
@@ -60,6 +58,7 @@ class Spatula:
 
     @staticmethod
     def settings():
+        """Yields name, settings and whether OLD serves them."""
         for (contact, formulation), cells in itertools.product(
                 (("Q1C1", "Standard"), ("Q1C2", "Standard"), ("Q1C2", "Enhanced")), (1500, 5000, 14300, 40000)):
             yield (f"{formulation}, {contact}, {cells} cells",
@@ -76,7 +75,9 @@ Spatula.reference = QUADRATIC + Spatula.thin(16, 200)
 def run(problem, checkout, settings, folder):
     """Returns the processor time of a run, or None if it does not complete."""
     end = f"{STEPS}Final Time={problem.window[1]}"
-    scene = problem.scene if os.path.exists(f"{checkout}/{problem.scene}") else problem.older_scene
+    scene = problem.scene
+    if not os.path.exists(f"{checkout}/{scene}"):
+        scene = "xml/spatula.xml"  # the same shape, before there were two
     command = driver_command(f"{checkout}/build/release/drivers/ixos", f"{checkout}/{scene}",
                              ["--overwrite", "--output", str(folder)], COMMON + [end] + settings, 1)
     with subprocess.Popen(command, env=BENCH_ENVIRONMENT, stderr=subprocess.DEVNULL) as process:
@@ -90,6 +91,8 @@ def error(problem, folder, reference):
     (times, values), (fine_times, fine) = (
         (history["time"], history[problem.column])
         for history in (read_history(pathlib.Path(path, "history.csv")) for path in (folder, reference)))
+    if times[-1] < problem.window[1] or fine_times[-1] < problem.window[1]:
+        return np.inf
     window = (times >= problem.window[0]) & (times <= problem.window[1])
     exact = np.interp(times[window], fine_times, fine)
     return np.sqrt(np.mean((values[window] - exact) ** 2) / np.mean(exact**2))
@@ -99,8 +102,8 @@ def measure(problem, checkout, settings, scheme, folder):
     """Yields step, processor time and error, smaller steps first."""
     worst = 0
     for step in problem.steps[scheme]:
-        seconds = run(problem, checkout, settings + [f"Time Integrator/Type={scheme}", f"{STEPS}Time Step={float(step)}"],
-                      f"{folder}/run")
+        stepping = [f"Time Integrator/Type={scheme}", f"{STEPS}Time Step={float(step)}"]
+        seconds = run(problem, checkout, settings + stepping, f"{folder}/run")
         if seconds is None:
             return
         worst = max(worst, error(problem, f"{folder}/run", f"{folder}/reference"))
@@ -112,8 +115,9 @@ def main():
         sys.exit(__doc__)
     problem, folder = {"strip": Strip, "spatula": Spatula}[sys.argv[1]], sys.argv[4]
     checkouts = {"old": sys.argv[2], "new": sys.argv[3]}
-    if not os.path.exists(f"{folder}/reference/summary.json"):
-        run(problem, checkouts["new"], problem.reference, f"{folder}/reference")
+    if not os.path.exists(f"{folder}/reference/summary.json") and run(
+            problem, checkouts["new"], problem.reference, f"{folder}/reference") is None:
+        sys.exit("the reference does not complete")
     runs = []
     for scheme, (name, settings, both) in itertools.product(problem.steps, problem.settings()):
         for which in ("old", "new") if both else ("new",):

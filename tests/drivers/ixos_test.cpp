@@ -53,6 +53,15 @@ TEST_F(DriverTest, CheckBuildsButDoesNotRun) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(DriverTest, TheCostOfAPreconditionerMayBeWhole) {
+  for (const char* type : {"Direct", "Belos"}) {
+    const Outcome outcome = ixos({ball, "--check", "--set", "Linear Solver/Reuse/Setup Cost=5", "--set",
+                                  std::string("Linear Solver/Linear Solver Type=") + type},
+                                 folder_);
+    EXPECT_EQ(outcome.status, 0) << type << ": " << outcome.output;
+  }
+}
+
 TEST_F(DriverTest, OneProcessNeedsNoServerOfOpenMPI) {
   const Outcome outcome =
       shell("OPAL_BINDIR=/nowhere " + quoted_driver() + " '" + ball + "' --check", folder_);  // Open MPI's programs

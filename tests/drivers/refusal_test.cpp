@@ -35,7 +35,7 @@ TEST_F(DriverRefusalTest, BadValuesAreRefused) {
   expect_refused_setting("Linear Solver/Linear Solver Type=1", "Linear Solver/Linear Solver Type: must be a string");
   expect_refused_setting("Materials/Bal/Density=5e-7", "block \"body\" has two materials");
   expect_refused_setting("Linear Solver/Reuse/Cost=1.0", "allowed: \"Setup Cost\"");
-  expect_refused_setting("Linear Solver/Reuse/Setup Cost=-1", "Setup Cost: it must be a number of at least 0");
+  expect_refused_setting("Linear Solver/Reuse/Setup Cost=-0.5", "Setup Cost: it must be a number of at least 0");
   expect_refused_setting("Linear Solver/Reuse/Setup Cost=much", "Setup Cost: it must be a number of at least 0");
   expect_refused_setting("Time Integrator/Time Step Control/Final Time=-1", "-1 must be later than Initial Time, 0");
   expect_refused_setting("Materials/Ball/Young's Modulus=inf", "inf is not allowed");
