@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/pair_kernel.hpp"
 #include "io/exodus_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
@@ -79,12 +80,15 @@ const Options<Parameters>& options() {
                at_least(0))
           .choose(
               "Passes", &Parameters::passes,
-              std::vector<std::pair<std::string, Passes>>{
-                  {"One", Passes::One}, {"Two", Passes::Two}, {"Two Without Reaction", Passes::TwoWithoutReaction}},
+              std::vector<std::pair<std::string, Passes>>{{"One", Passes::One},
+                                                          {"Two", Passes::Two},
+                                                          {"Two Without Reaction", Passes::TwoWithoutReaction},
+                                                          {"Double Integral", Passes::DoubleIntegral}},
               "How a pair is integrated: over the Side Set, whose reaction the other surface takes (One); over both "
               "surfaces, each with half the law, which treats both bodies alike and takes twice the time (Two); over "
               "both with the whole law and without reactions, which conserves neither energy nor momentum and is "
-              "for comparison. It has no effect without a Primary Side Set.")
+              "for comparison; or by all pairs of points of both surfaces, without a gap (Double Integral), which is "
+              "exact for curved bodies, a reference for small surfaces. It has no effect without a Primary Side Set.")
           .choose("Contact Element", &Parameters::element, contact_elements(),
                   "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
                   "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
@@ -160,6 +164,20 @@ void check_pair(const SceneInteraction& own) {
   if (own.law->has_history())
     own.node.refuse("Law", "\"" + own.node.text("Law") +
                                "\" has a history, which surfaces of two bodies cannot have yet; use a law without one");
+  if (own.passes == Passes::DoubleIntegral) {
+    if (powers_of(*own.law).empty())
+      own.node.refuse("Law",
+                      "\"" + own.node.text("Law") +
+                          "\" is not a law of molecules that attract each other in pairs, which the Passes \"Double "
+                          "Integral\" need; use \"Van der Waals\", or other Passes");
+    if (own.cutoff > 0)
+      own.node.refuse("Cutoff", fmt::format("{} is not allowed with the Passes \"Double Integral\", which act at every "
+                                            "distance; use 0, or other Passes",
+                                            own.cutoff));
+    if (own.friction.type != FrictionType::None)
+      own.node.refuse("Friction/Type",
+                      "the Passes \"Double Integral\" have no friction; use \"None\", or the Passes One or Two");
+  }
   if (own.friction.type != FrictionType::None) {
     if (own.side_set == own.primary)
       own.node.refuse("Friction/Type", "a surface that interacts with itself has no friction yet; use \"None\"");
