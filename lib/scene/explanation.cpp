@@ -80,7 +80,7 @@ std::string friction_of(const SceneInteraction& interaction, const LocalMesh& me
                            law_before(*obstacle, interaction.law, interaction.cutoff, mesh.body_dimension()));
 }
 
-/// What all pairs of points of two surfaces are.
+/// Returns how many points a double integral has, and how far apart they are.
 std::string double_integral_in_words(const SceneInteraction& own, const LocalMesh& mesh) {
   const int along = own.surface_points > 0 ? own.surface_points : 5;
   const auto d = static_cast<std::size_t>(mesh.dimension);

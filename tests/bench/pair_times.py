@@ -7,7 +7,8 @@ The balls have --cells core divisions and rings; the one ball has about twice as
 1.2 times that of equilibrium apart. The table has the processor time, the Newton iterations and the phases of an
 increment after the first one, and the ratio of two balls to one, for an increment and for a Newton iteration. Each
 number is the least of --repeats runs, in turns. With --messages the table has what a rank sends in a Newton iteration
-instead, the mean over the ranks and the most, counted by the library message_counter."""
+instead, the mean over the ranks and the most, counted by the library message_counter. --write FILE writes the scene of
+two balls and runs nothing, for a profiler."""
 import argparse
 import json
 import pathlib
@@ -51,13 +52,18 @@ def one_ball(divisions, rings):
             "Interactions/Wall/Normal": [0.0, 0.0, 1.0]}
 
 
+def text_of(scene, count):
+    """Returns the scene as XML, with so many steps."""
+    return scene_text({**scene, **steps("Average Vector Field", 1e-3, count),
+                       "Time Integrator/Average Vector Field/Interaction Points": 8,
+                       "Nonlinear Solver/Tolerance": 1e-9})
+
+
 def run(scene, options, count, more=()):
     """Returns the processor time and the summary of a run of so many steps. `more`: arguments of mpirun."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder, "scene.xml")
-        file.write_text(scene_text({**scene, **steps("Average Vector Field", 1e-3, count),
-                                    "Time Integrator/Average Vector Field/Interaction Points": 8,
-                                    "Nonlinear Solver/Tolerance": 1e-9}))
+        file.write_text(text_of(scene, count))
         command = ["mpirun", "-np", str(options.ranks), "--oversubscribe", *more] if options.ranks > 1 else []
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         subprocess.run([*command, options.driver, str(file), "--output", folder + "/results", "--overwrite", "--quiet"],
@@ -110,11 +116,16 @@ def main():
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--repeats", type=int, default=1)
     parser.add_argument("--messages", action="store_true")
+    parser.add_argument("--write", default="")
     options = parser.parse_args()
     divisions, rings = map(int, options.cells.split(","))
     scenes = {"two balls": two_balls(divisions, rings), "one ball before a wall": one_ball(divisions, rings)}
+    if options.write:
+        pathlib.Path(options.write).write_text(text_of(scenes["two balls"], options.steps), encoding="utf-8")
+        return None
     if options.messages:
-        return print_messages(scenes, options)
+        print_messages(scenes, options)
+        return None
     all_runs = [{name: measure(scene, options) for name, scene in scenes.items()} for _ in range(options.repeats)]
     rows, least = [], {}
     for name in scenes:
@@ -128,6 +139,7 @@ def main():
     two, one = least.values()
     print(f"ratio of an increment: {two['time'] / one['time']:.2f}, "
           f"of a Newton iteration: {two['time'] / two['Newton'] / (one['time'] / one['Newton']):.2f}")
+    return None
 
 
 if __name__ == "__main__":

@@ -168,7 +168,7 @@ TEST(DoubleIntegralVerificationTest, ExplainSaysWhatItCosts) {
   EXPECT_NE(text.find("is 0.0849 L0"), std::string::npos) << text;
 }
 
-/// What a program refuses, and what depends on the mesh.
+/// Programs meet the same refusals, and those that depend on the mesh.
 TEST(DoubleIntegralVerificationTest, MeshesThatItCannotServeAreRefused) {
   const auto refused = [](const Mesh& mesh, const std::string& law = "Van der Waals", double cutoff = 0) {
     const auto model = test::model_of_bodies(mesh, {"upper_bottom", "lower_top"});
