@@ -175,14 +175,20 @@ void check_pair(const SceneInteraction& own) {
                                             "distance; use 0, or other Passes",
                                             own.cutoff));
     if (own.friction.type != FrictionType::None)
-      own.node.refuse("Friction/Type",
-                      "the Passes \"Double Integral\" have no friction; use \"None\", or the Passes One or Two");
+      own.node.refuse("Friction/Type", "\"" + own.node.sublist("Friction").text("Type") +
+                                           "\" is not there with the Passes \"Double Integral\"; use \"None\", or the "
+                                           "Passes \"One\" or \"Two\"");
   }
   if (own.friction.type != FrictionType::None) {
+    const std::string type = "\"" + own.node.sublist("Friction").text("Type") + "\" is not there ";
     if (own.side_set == own.primary)
-      own.node.refuse("Friction/Type", "a surface that interacts with itself has no friction yet; use \"None\"");
+      own.node.refuse("Friction/Type",
+                      type +
+                          "for a surface that interacts with itself yet; use \"None\", or the surface of another "
+                          "body as Primary Side Set");
     if (own.passes == Passes::TwoWithoutReaction)
-      own.node.refuse("Friction/Type", "passes without reaction have no friction; use \"None\", or other Passes");
+      own.node.refuse("Friction/Type",
+                      type + "with passes without reaction; use \"None\", or the Passes \"One\" or \"Two\"");
     if (own.friction.current)
       own.node.refuse("Friction/Threshold", "\"Current\" is not there between two bodies yet; use \"Lagged\"");
   }
@@ -301,7 +307,9 @@ void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
     if (own.is_pair()) {
       at(own.node.path_of("Primary Side Set"), [&] { return &side_set_named(mesh, own.primary); });
       if (own.element == ContactElement::Q1CH)
-        own.node.refuse("Contact Element", "Q1CH is not there for surfaces of two bodies yet; use another one");
+        own.node.refuse("Contact Element",
+                        "\"Q1CH\" is not there for surfaces of two bodies yet; use \"Q1C1\", \"Q1C2\", \"Q1C3\" or "
+                        "\"Q1C4\", for quadratic cells \"Q2C2\" or \"Q2C4\"");
     }
     if (own.element == ContactElement::Q2C2 && own.bulk_points > 0)
       own.node.refuse("Bulk Points", fmt::format("{} has no effect on Q2C2, the side of quadratic cells as it is; "

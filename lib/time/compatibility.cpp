@@ -50,8 +50,8 @@ std::string why_no_pairs(const Table& table, bool reacts) {
   for (const Stage& stage : table.stages)
     if (stage.interaction.mean == Mean::Exact)
       return fmt::format(
-          "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not have; set its "
-          "Interaction Points, such as 5",
+          "the scheme \"{}\" takes the mean of an interaction in closed form, as with 0 Interaction Points, which two "
+          "surfaces do not have; use 1 or more Interaction Points, such as 5",
           table.name);
   if (!reacts && needs_discrete_gradient(table))
     return fmt::format(
