@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "model/crossing.hpp"
 #include "model/surface_interaction.hpp"
+#include "term/double_integral.hpp"
 #include "term/pair_friction.hpp"
 #include "term/pair_term.hpp"
 #include "term/two_passes.hpp"
@@ -20,6 +21,21 @@ namespace {
 [[noreturn]] void refuse(const SurfacePair& pair, const std::string& why) {
   throw InputError(
       fmt::format("the interaction of the surfaces \"{}\" and \"{}\" {}", pair.secondary, pair.primary, why));
+}
+
+void check_double_integral(const SurfacePair& pair, const LocalMesh& mesh) {
+  if (powers_of(*pair.law).empty())
+    refuse(
+        pair,
+        "is a double integral, which only molecules that attract each other in pairs have; use the law Van der Waals, "
+        "or Passes One");
+  if (pair.cutoff > 0)
+    refuse(pair, fmt::format("is a double integral, which has no cutoff, but {} is given; use 0, or Passes One",
+                             pair.cutoff));
+  if (pair.friction.type != FrictionType::None)
+    refuse(pair, "is a double integral, which has no friction; use the type None, or Passes One or Two");
+  if (mesh.axisymmetric)
+    refuse(pair, "is a double integral, which axisymmetric meshes do not have; use Passes One or Two");
 }
 
 void check(const SurfacePair& pair) {
@@ -40,9 +56,11 @@ void check(const SurfacePair& pair) {
                              pair.exclusion));
   }
   if (pair.passes != Passes::One && pair.secondary == pair.primary)
-    refuse(pair, "has two passes, but a surface with itself has both in one; use Passes One");
+    refuse(pair, "has two passes or the double integral, but a surface with itself has both in one; use Passes One");
   if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
-    refuse(pair, "has two passes and a factor, which is that of the secondary surface alone; use Passes One");
+    refuse(pair,
+           "has two passes or the double integral, and a factor, which is that of the secondary surface alone; use "
+           "Passes One");
   if (pair.friction.type != FrictionType::None) {
     if (pair.secondary == pair.primary)
       refuse(pair, "has friction, which a surface with itself cannot have yet; use the type None");
@@ -149,7 +167,15 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
     return make_pair_term<D>(mesh, own, model.pattern(), law, options);
   };
   std::unique_ptr<Interaction> term = pass(surfaces, pair.secondary);
-  if (pair.passes != Passes::One)
+  if (pair.passes == Passes::DoubleIntegral) {
+    const std::size_t nodes = surfaces.secondary.nodes.size() + surfaces.primary.nodes.size();
+    if (nodes > most_nodes_of_double_integral)
+      refuse(pair, fmt::format("is a double integral over surfaces of {} nodes; at most {} are allowed, because its "
+                               "matrix is dense: use smaller side sets, or Passes One",
+                               nodes, most_nodes_of_double_integral));
+    term = make_double_integral<D>(mesh, surfaces, model.pattern(), std::move(term), PairKernel<D>(powers_of(*law)),
+                                   pair.points > 0 ? pair.points : 5);
+  } else if (pair.passes != Passes::One)
     term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}, pair.primary), options.reacts);
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);
   model.add_interaction(std::move(term), pair.name);
@@ -163,6 +189,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
 void add_pair(Model& model, const SurfacePair& pair) {
   model.check_open();
   check(pair);
+  if (pair.passes == Passes::DoubleIntegral) check_double_integral(pair, model.mesh());
   if (model.mesh().dimension == 2)
     add_pair_of_dimension<2>(model, pair);
   else

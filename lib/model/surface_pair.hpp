@@ -15,8 +15,12 @@ namespace ixos {
 
 /// How often a pair is integrated: once over the secondary surface; or over both, each with half of the law's energy,
 /// which treats both bodies alike; or over both with the whole law, each surface without the reaction of the other, as
-/// in Gautam and Sauer (2014), which conserves neither energy nor momentum.
-enum class Passes { One, Two, TwoWithoutReaction };
+/// in Gautam and Sauer (2014), which conserves neither energy nor momentum; or by all pairs of points of both, without
+/// a gap, see make_double_integral(): a reference for small surfaces.
+enum class Passes { One, Two, TwoWithoutReaction, DoubleIntegral };
+
+/// The most nodes that both surfaces of a double integral may have together: its matrix is dense.
+inline constexpr std::size_t most_nodes_of_double_integral = 3000;
 
 /// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
 /// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the
@@ -39,7 +43,9 @@ struct SurfacePair {
   /// If both surfaces are one: the distance along it in the undeformed body below which its parts do not interact, > 0;
   /// about pi times the cutoff [L0]. Otherwise 0.
   double exclusion = 0;
-  Passes passes = Passes::One;  ///< One for a surface that interacts with itself, or with factors
+  /// One for a surface that interacts with itself, or with factors. DoubleIntegral has no cutoff, no friction and no
+  /// axisymmetric mesh; its law must be Van der Waals, see powers_of().
+  Passes passes = Passes::One;
   /// Along the primary surface, scaled by the factor like the law; with two passes each has half of it. None for a
   /// surface that interacts with itself and for passes without reaction; the threshold is that of the step's start.
   Friction friction{};
@@ -50,7 +56,7 @@ struct SurfacePair {
 /// Model::update_couplings(), and Model::begin_step() for a surface that interacts with itself. Such a surface that
 /// overlaps itself at rest is not noticed. On several ranks the model's mesh must have
 /// both side sets whole, see localize(). Throws InputError, on all ranks, if a side set does not exist or is not whole,
-/// two passes are asked for where one is allowed, sides are not those of linear cells, more
+/// passes are asked for that are not allowed, sides are not those of linear cells, more
 /// than two of them meet in a node (in space, in an edge), the two sets share a node, the law is missing or has a
 /// history, a number is out of range, a factor is negative or not finite somewhere, the friction is not allowed or does
 /// not fit the law, or the surfaces at rest overlap and the law needs positive gaps; std::logic_error after

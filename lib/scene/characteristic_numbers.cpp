@@ -120,22 +120,25 @@ void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
 /// Adds what the sides of the set show; `nearest` becomes the node of least gap.
 void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
                Point& nearest) {
-  double measure = 0;
   numbers.least_gap = infinity;
-  for (const Side& side : set.sides) {
-    const std::vector<Point> points = side_points(mesh, side);
-    measure += measure_of(points, mesh.dimension) / static_cast<double>(set.sides.size());
-    for (const Point& point : points) {
+  for (const Side& side : set.sides)
+    for (const Point& point : side_points(mesh, side)) {
       const double gap = sight_of(obstacle, point).gap[0];
       if (!(gap < numbers.least_gap)) continue;
       numbers.least_gap = gap;
       nearest = point;
     }
-  }
-  numbers.face_length = mesh.dimension == 2 ? measure : std::sqrt(measure);
+  numbers.face_length = mean_face_length(mesh, set);
 }
 
 }  // namespace
+
+double mean_face_length(const Mesh& mesh, const SideSet& set) {
+  double measure = 0;
+  for (const Side& side : set.sides)
+    measure += measure_of(side_points(mesh, side), mesh.dimension) / static_cast<double>(set.sides.size());
+  return mesh.dimension == 2 ? measure : std::sqrt(measure);
+}
 
 double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness) {
   if (!(peak_traction > 0)) return 0;

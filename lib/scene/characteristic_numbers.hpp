@@ -49,6 +49,9 @@ struct CharacteristicNumbers {
   std::vector<SurfaceNumbers> surfaces;  ///< interactions whose side set lies on such a body
 };
 
+/// Returns the mean length of the sides; in 3D the root of their mean area [L0].
+double mean_face_length(const Mesh& mesh, const SideSet& set);
+
 /// Returns the length of the zone in which a crack's faces attract each other [L0]: E* W/s0^2 (Hillerborg, Modeer and
 /// Petersson 1976), but no more than (2 E* W h^3/(3 s0^2))^(1/4), at which the constant traction s0 bends a plate of
 /// thickness h off the wall with the work W (M^2 = 2 E* h^3/12 W for the moment M = s0 l^2/2 per width).

@@ -88,7 +88,7 @@ void check_pairs(const std::vector<SceneInteraction>& interactions, const Table&
   for (const SceneInteraction& interaction : interactions) {
     if (!interaction.is_pair()) continue;
     if (const std::string why = why_no_pairs(table); !why.empty()) interaction.node.refuse("Primary Side Set", why);
-    if (interaction.passes != Passes::TwoWithoutReaction) continue;
+    if (interaction.passes == Passes::One || interaction.passes == Passes::Two) continue;
     if (const std::string why = why_no_pairs(table, false); !why.empty()) interaction.node.refuse("Passes", why);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "interaction/catalogue.hpp"
+#include "interaction/pair_kernel.hpp"
 #include "io/exodus_mesh.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
@@ -79,12 +80,15 @@ const Options<Parameters>& options() {
                at_least(0))
           .choose(
               "Passes", &Parameters::passes,
-              std::vector<std::pair<std::string, Passes>>{
-                  {"One", Passes::One}, {"Two", Passes::Two}, {"Two Without Reaction", Passes::TwoWithoutReaction}},
+              std::vector<std::pair<std::string, Passes>>{{"One", Passes::One},
+                                                          {"Two", Passes::Two},
+                                                          {"Two Without Reaction", Passes::TwoWithoutReaction},
+                                                          {"Double Integral", Passes::DoubleIntegral}},
               "How a pair is integrated: over the Side Set, whose reaction the other surface takes (One); over both "
               "surfaces, each with half the law, which treats both bodies alike and takes twice the time (Two); over "
               "both with the whole law and without reactions, which conserves neither energy nor momentum and is "
-              "for comparison. It has no effect without a Primary Side Set.")
+              "for comparison; or by all pairs of points of both surfaces, without a gap (Double Integral), which is "
+              "exact for curved bodies, a reference for small surfaces. It has no effect without a Primary Side Set.")
           .choose("Contact Element", &Parameters::element, contact_elements(),
                   "Interpolation of the displacement along the contact side, in 3D in both directions of the face. "
                   "Q1C1 is linear; Q1C2, Q1C3 and Q1C4 have order 2, 3 and 4; Q1CH is cubic Hermite with continuous "
@@ -160,11 +164,31 @@ void check_pair(const SceneInteraction& own) {
   if (own.law->has_history())
     own.node.refuse("Law", "\"" + own.node.text("Law") +
                                "\" has a history, which surfaces of two bodies cannot have yet; use a law without one");
+  if (own.passes == Passes::DoubleIntegral) {
+    if (powers_of(*own.law).empty())
+      own.node.refuse("Law",
+                      "\"" + own.node.text("Law") +
+                          "\" is not a law of molecules that attract each other in pairs, which the Passes \"Double "
+                          "Integral\" need; use \"Van der Waals\", or other Passes");
+    if (own.cutoff > 0)
+      own.node.refuse("Cutoff", fmt::format("{} is not allowed with the Passes \"Double Integral\", which act at every "
+                                            "distance; use 0, or other Passes",
+                                            own.cutoff));
+    if (own.friction.type != FrictionType::None)
+      own.node.refuse("Friction/Type", "\"" + own.node.sublist("Friction").text("Type") +
+                                           "\" is not there with the Passes \"Double Integral\"; use \"None\", or the "
+                                           "Passes \"One\" or \"Two\"");
+  }
   if (own.friction.type != FrictionType::None) {
+    const std::string type = "\"" + own.node.sublist("Friction").text("Type") + "\" is not there ";
     if (own.side_set == own.primary)
-      own.node.refuse("Friction/Type", "a surface that interacts with itself has no friction yet; use \"None\"");
+      own.node.refuse("Friction/Type",
+                      type +
+                          "for a surface that interacts with itself yet; use \"None\", or the surface of another "
+                          "body as Primary Side Set");
     if (own.passes == Passes::TwoWithoutReaction)
-      own.node.refuse("Friction/Type", "passes without reaction have no friction; use \"None\", or other Passes");
+      own.node.refuse("Friction/Type",
+                      type + "with passes without reaction; use \"None\", or the Passes \"One\" or \"Two\"");
     if (own.friction.current)
       own.node.refuse("Friction/Threshold", "\"Current\" is not there between two bodies yet; use \"Lagged\"");
   }
@@ -283,7 +307,9 @@ void enrich_surfaces(std::vector<SceneInteraction>& interactions, Mesh& mesh) {
     if (own.is_pair()) {
       at(own.node.path_of("Primary Side Set"), [&] { return &side_set_named(mesh, own.primary); });
       if (own.element == ContactElement::Q1CH)
-        own.node.refuse("Contact Element", "Q1CH is not there for surfaces of two bodies yet; use another one");
+        own.node.refuse("Contact Element",
+                        "\"Q1CH\" is not there for surfaces of two bodies yet; use \"Q1C1\", \"Q1C2\", \"Q1C3\" or "
+                        "\"Q1C4\", for quadratic cells \"Q2C2\" or \"Q2C4\"");
     }
     if (own.element == ContactElement::Q2C2 && own.bulk_points > 0)
       own.node.refuse("Bulk Points", fmt::format("{} has no effect on Q2C2, the side of quadratic cells as it is; "

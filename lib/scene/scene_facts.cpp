@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "mesh/layers.hpp"
+#include "mesh/selection.hpp"
 
 namespace ixos {
 namespace {
@@ -82,6 +83,11 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     }
     facts.surfaces.push_back(std::move(own));
   }
+  for (const SceneInteraction& interaction : interactions)
+    if (interaction.passes == Passes::DoubleIntegral)
+      facts.dense_points.push_back(
+          {interaction.node.name(), mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
+           interaction.surface_points > 0 ? interaction.surface_points : 5, interaction.law->equilibrium_gap()});
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

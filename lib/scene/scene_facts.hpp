@@ -35,9 +35,18 @@ struct SurfaceFacts {
   Drive drive{};               ///< of the body to which the surface belongs
 };
 
+/// The points of a double integral over two surfaces.
+struct DensePoints {
+  std::string name{};          ///< of the interaction
+  double face_length = 0;      ///< mean length of the faces of the Side Set [L0]
+  int on_a_face = 1;           ///< per direction
+  double equilibrium_gap = 0;  ///< [L0]
+};
+
 struct SceneFacts {
   CharacteristicNumbers numbers{};
   std::vector<SurfaceFacts> surfaces{};
+  std::vector<DensePoints> dense_points{};
   std::vector<Motion> motions{};
   bool loaded = false;  ///< there are loads
   bool moves = false;   ///< see Driving::moves(); or an obstacle is moved

@@ -48,6 +48,19 @@ Message cohesive_zone_against_faces(const Facts& facts) {
   });
 }
 
+/// Where two surfaces touch, the error of a sum over pairs of points grows quickly with their distance.
+Message points_of_double_integral(const Facts& facts) {
+  for (const DensePoints& own : facts.dense_points) {
+    const double most = own.equilibrium_gap / 3, distance = own.face_length / own.on_a_face;
+    if (distance <= most) continue;
+    return fmt::format(
+        "Interactions/{}: the points of the double integral are about {:.3g} L0 apart, but must be closer than a third "
+        "of the equilibrium gap, {:.3g} L0, where the surfaces touch; use {:.0f} Surface Points, or smaller faces",
+        own.name, distance, most, std::ceil(own.face_length / most));
+  }
+  return "";
+}
+
 /// Beyond this, adhesion deforms the whole body like a liquid (the contact radius of Johnson, Kendall and Roberts
 /// reaches that of the sphere at W/(E R) = 0.07).
 Message elastic_length_against_body(const Facts& facts) {
@@ -244,6 +257,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"material", unknown_material},
     {"elastic length", elastic_length_against_body},
     {"cohesive zone", cohesive_zone_against_faces},
+    {"double integral", points_of_double_integral},
     {"wave and run", wave_crossing_against_run},
     {"wave and step", wave_crossing_against_step},
     {"gap and step", gap_crossing_against_step},

@@ -90,26 +90,9 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
 }
 
 template <std::size_t D>
-typename PairPoints<D>::Places PairPoints<D>::combine(
-    double rest, const std::array<std::pair<double, const double*>, 3>& parts) const {
-  Places result;
-  for (const bool first : {true, false}) {
-    std::vector<Vec<D>>& x = first ? result.secondary : result.primary;
-    const std::vector<int>& nodes = (first ? secondary() : primary()).nodes;
-    x.reserve(nodes.size());
-    for (const int node : nodes) {
-      Vec<D> place{};
-      for (std::size_t i = 0; i < D; ++i) {
-        const std::size_t dof = D * static_cast<std::size_t>(node) + i;
-        double moved = 0;
-        for (const auto& [share, values] : parts)
-          if (values != nullptr && share != 0) moved += share * values[dof];
-        place[i] = rest * coordinates_[dof] + moved;
-      }
-      x.push_back(place);
-    }
-  }
-  return result;
+typename PairPoints<D>::Places PairPoints<D>::combine(double rest, const NodeParts& parts) const {
+  return {combined_places<D>(secondary().nodes, coordinates_, rest, parts),
+          combined_places<D>(primary().nodes, coordinates_, rest, parts)};
 }
 
 template <std::size_t D>

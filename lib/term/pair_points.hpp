@@ -122,7 +122,7 @@ class PairPoints {
     PairSums<D> sums;
     PairBlock block;
   };
-  Places combine(double rest, const std::array<std::pair<double, const double*>, 3>& parts) const;
+  Places combine(double rest, const NodeParts& parts) const;
   std::shared_ptr<const PairNeighbours> neighbours(const std::vector<Places>& times, double range) const;
   /// `before`: the same points at places near by, or null.
   void find_feet(Contacts& contacts, const Contacts* before, Share share, double range) const;

@@ -1,6 +1,8 @@
 /// The sides of a surface as patches.
 #pragma once
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "interaction/surface_patch.hpp"
@@ -40,6 +42,15 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
 
 /// Returns the place of a local node among the surface's nodes, which are in the order of their global numbers.
 int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mesh);
+
+/// Shares of local arrays; null: 0.
+using NodeParts = std::array<std::pair<double, const double*>, 3>;
+
+/// Returns, for each of these local nodes, `rest` times its undeformed place plus the sum of the parts. `coordinates`:
+/// of the local mesh.
+template <std::size_t D>
+std::vector<Vec<D>> combined_places(const std::vector<int>& nodes, const std::vector<double>& coordinates, double rest,
+                                    const NodeParts& parts);
 
 /// Returns the place of a local node in the undeformed body [L0].
 template <std::size_t D>

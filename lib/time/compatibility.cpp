@@ -50,14 +50,13 @@ std::string why_no_pairs(const Table& table, bool reacts) {
   for (const Stage& stage : table.stages)
     if (stage.interaction.mean == Mean::Exact)
       return fmt::format(
-          "the scheme \"{}\" takes the mean of an interaction in closed form, which two surfaces do not have; set its "
-          "Interaction Points, such as 5",
+          "the scheme \"{}\" takes the mean of an interaction in closed form, as with 0 Interaction Points, which two "
+          "surfaces do not have; use 1 or more Interaction Points, such as 5",
           table.name);
   if (!reacts && needs_discrete_gradient(table))
     return fmt::format(
-        "the scheme \"{}\" needs a discrete gradient, which passes without reaction do not have; use Passes Two, or "
-        "the "
-        "scheme \"Average Vector Field\"",
+        "the scheme \"{}\" needs a discrete gradient, which passes without reaction and the double integral do not "
+        "have; use Passes Two, or the scheme \"Average Vector Field\"",
         table.name);
   return "";
 }

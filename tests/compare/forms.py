@@ -127,6 +127,7 @@ def scene_forms(schemes):
     yield "two-balls, Energy-Momentum", "two-balls", TWO_BALLS + [SCHEME + "Energy-Momentum"]
     yield "two-balls, friction", "two-balls", TWO_BALLS + BALLS_FRICTION
     yield "two-balls, friction, two ranks", "two-balls", TWO_BALLS + BALLS_FRICTION + [SCHEME + "Newmark"], 2
+    yield "two-balls, Double Integral", "two-balls", TWO_BALLS + ["Interactions/Contact/Passes=Double Integral"]
     yield "two-spheres", "two-spheres", TWO_SPHERES, 2
     yield "two-spheres, friction", "two-spheres", TWO_SPHERES + BALLS_FRICTION + ["Interactions/Contact/Passes=Two"]
     yield "hairpin", "hairpin", HAIRPIN

@@ -282,6 +282,17 @@ TEST(WarningsTest, OneLayerOfCells) {
         << element;
 }
 
+/// 16 sides of 1.95 L0 on each disk.
+TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
+  const std::string pair = "Interactions/Contact/";
+  expect_warning("two-balls.xml", {pair + "Passes=Double Integral"}, "double integral",
+                 "about 0.39 L0 apart, but must be closer than a third of the equilibrium gap, 0.0849 L0, where the "
+                 "surfaces touch; use 23 Surface Points");
+  for (const Assignments& sound :
+       {Assignments{pair + "Passes=Double Integral", pair + "Surface Points=23"}, Assignments{pair + "Passes=Two"}})
+    EXPECT_EQ(all_of("two-balls.xml", sound).find("double integral"), std::string::npos);
+}
+
 /// A traction on the block's upper side.
 Assignments pressed(const std::string& vector) {
   const std::string press = "Boundary Conditions/Press/";

@@ -4,8 +4,9 @@
     IXOS_DRIVER=build/release/drivers/ixos tests/scenes/restarts_test.py [--all] [NAME]
 
 NAME takes the forms whose names have it in them. The short forms are those of tests/compare/forms.py; a file of xml/
-without one is an error. The script takes the first form of each scene, three forms on two ranks, and the last run of each
-study. With --all it takes every form with every scheme, and every run of every study. ixos-study must stand beside ixos.
+without one is an error. The script takes the first form of each scene, three forms on two ranks, one with a double
+integral, and the last run of each study. With --all it takes every form with every scheme, and every run of every
+study. ixos-study must stand beside ixos.
 """
 import argparse
 import concurrent.futures
@@ -23,7 +24,7 @@ from forms import STUDIES, XML, forgotten_files, scene_forms, write_short_study 
 
 DRIVER = os.environ.get("IXOS_DRIVER", str(ROOT / "build/release/drivers/ixos"))
 KILLS = 2
-ALSO = "ball, two ranks", "strip, two ranks", "two-balls, friction, two ranks"
+ALSO = "ball, two ranks", "strip, two ranks", "two-balls, friction, two ranks", "two-balls, Double Integral"
 
 
 def output(*command):

@@ -12,7 +12,8 @@ struct PairOfBodies {
   const Interaction* term;
 
   PairOfBodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
-               double cutoff = 0, std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25)))
+               double cutoff = 0, std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25)),
+               Passes passes = Passes::One, int points = 0)
       : model(model_of_bodies(mesh, {secondary, primary})) {
     SurfacePair pair;
     pair.secondary = secondary;
@@ -20,6 +21,8 @@ struct PairOfBodies {
     pair.law = std::move(law);
     pair.smoothing = smoothing;
     pair.cutoff = cutoff;
+    pair.passes = passes;
+    pair.points = points;
     add_pair(*model, pair);
     term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
   }

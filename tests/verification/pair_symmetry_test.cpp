@@ -1,8 +1,10 @@
 // Two bodies: one pass and two, and what must not matter.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
+#include "interaction/van_der_waals.hpp"
 #include "support/refusal.hpp"
 #include "verification/collision.hpp"
 
@@ -93,6 +95,44 @@ TEST(PairSymmetrySerialTest, NumbersOfNodesDoNotMatter) {
   for (std::size_t k = 0; k < back.size(); ++k)
     back[k] = other[2 * static_cast<std::size_t>(place(static_cast<int>(k / 2))) + k % 2];
   EXPECT_LT(largest_difference(plain, back), 1e-10);
+}
+
+/// Forces on bodies that are a mirror image, in the mirrored state, are mirrored.
+TEST(PairSymmetrySerialTest, AMirrorMirrorsTheForces) {
+  for (const Passes passes : {Passes::One, Passes::Two, Passes::DoubleIntegral}) {
+    const auto forces = [&](double side) {
+      const Mesh mesh = test::two_disks(3, {5, side * 3.6});
+      const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
+      SurfacePair pair;
+      pair.secondary = "a_surface";
+      pair.primary = "b_surface";
+      pair.law = gap_law(VanDerWaals(2.5, 25));
+      pair.passes = passes;
+      add_pair(*model, pair);
+      const std::vector<double>& x = model->mesh().coordinates;
+      std::vector<double> u(x.size()), f(x.size(), 0.0);
+      for (std::size_t k = 0; k < u.size(); k += 2) {
+        u[k] = 0.05 * std::sin(x[k] + 0.5 * side * x[k + 1]);
+        u[k + 1] = side * 0.05 * std::cos(1.3 * x[k] - side * x[k + 1]);
+      }
+      EXPECT_TRUE(model->force(Part::Interaction, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
+      std::vector<std::array<double, 4>> rows;  // place and force, mirrored to the first side
+      for (std::size_t k = 0; k < u.size(); k += 2) rows.push_back({x[k], side * x[k + 1], f[k], side * f[k + 1]});
+      return rows;
+    };
+    const auto there = forces(1), mirrored = forces(-1);
+    double largest = 0, difference = 0;
+    for (const auto& own : there) {
+      const auto image = std::min_element(mirrored.begin(), mirrored.end(), [&](const auto& a, const auto& b) {
+        return std::hypot(a[0] - own[0], a[1] - own[1]) < std::hypot(b[0] - own[0], b[1] - own[1]);
+      });
+      ASSERT_LT(std::hypot((*image)[0] - own[0], (*image)[1] - own[1]), 1e-9);
+      largest = std::max(largest, std::hypot(own[2], own[3]));
+      difference = std::max(difference, std::hypot((*image)[2] - own[2], (*image)[3] - own[3]));
+    }
+    EXPECT_GT(largest, 1e-4);
+    EXPECT_LT(difference, 1e-12 * largest);
+  }
 }
 
 struct Errors {

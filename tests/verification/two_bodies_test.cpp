@@ -261,19 +261,27 @@ TEST(TwoBodiesTest, AHairpinSticksToItself) {
 
 TEST(TwoBodiesTest, ScenesThatPairsDoNotTakeAreRefusedAtTheirPlace) {
   const std::string time = test::time_integrator("Newmark", 0.001, 1);
-  const auto expect_refusal = [&](const std::string& pair, const std::string& text) {
+  const auto expect_refusal = [&](const std::string& pair, const std::string& place, const std::string& words = "",
+                                  const char* primary = "b_surface") {
     try {
-      Simulation(scene_of("a_body", "b_body", "a_surface", "b_surface", time, pair), test::two_disks(3, {6.1, 2.4}),
+      Simulation(scene_of("a_body", "b_body", "a_surface", primary, time, pair), test::two_disks(3, {6.1, 2.4}),
                  test::world());
-      ADD_FAILURE() << text;
+      ADD_FAILURE() << place;
     } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).find("Interactions/Pair" + text), 0U) << error.what();
+      const std::string message = error.what();
+      EXPECT_EQ(message.find("Interactions/Pair" + place), 0U) << message;
+      EXPECT_NE(message.find(words), std::string::npos) << message;
     }
   };
   expect_refusal(
       list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5) + word("Threshold", "Current")),
       "/Friction/Threshold");
-  expect_refusal(word("Contact Element", "Q1CH"), "/Contact Element");
+  expect_refusal(word("Contact Element", "Q1CH"), "/Contact Element", "\"Q1CH\" is not there for surfaces of two");
+  const std::string rubbing = list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5));
+  expect_refusal(rubbing + number("Cutoff", 1) + number("Exclusion", 3), "/Friction/Type",
+                 "\"Extended Amontons\" is not there for a surface that interacts with itself yet; use \"None\"",
+                 "a_surface");
+  expect_refusal(rubbing + word("Passes", "Two Without Reaction"), "/Friction/Type", "use \"None\", or the Passes");
   expect_refusal(list("Motion", texts("Translation", "{Up, Up}")), "/Motion");
   expect_refusal(number("Cutoff", 0.1), "/Cutoff");
   Teuchos::ParameterList scene = scene_of("a_body", "b_body", "a_surface", "c_surface", time);
@@ -287,7 +295,8 @@ TEST(TwoBodiesTest, SchemesWithMeansInClosedFormAreRefused) {
     Collision collision("Average Vector Field", 0.001, count("Interaction Points", 0));
     ADD_FAILURE();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("Interactions/Pair/Primary Side Set"), std::string::npos) << error.what();
+    test::expect_contains(error.what(), "Interactions/Pair/Primary Side Set");
+    test::expect_contains(error.what(), "0 Interaction Points, which two surfaces do not have; use 1 or more");
   }
 }
 

@@ -8,6 +8,7 @@ RATIOS = ["1:20", "1:5", "1:1", "5:1", "20:1"]
 SIDES = [8, 16, 32, 64]
 LENGTHS = [0.01, 0.1, 1.0, 10.0]
 LENGTH = 4.0
+DENSE_SCHEMES = ["Average Vector Field", "Newmark"]
 
 
 def bodies(parts, secondary, primary):
@@ -41,11 +42,16 @@ def thrown(lengths, step):
             "Initial Conditions/Blocks/Velocity": [0.0, -lengths * LENGTH / step]}
 
 
-def outcomes(runner, name, scenes, step, count=200):
+def dense(entries):
+    """The double integral, with points 0.06 to 0.1 apart on sides of 1 to 1.6."""
+    return {**entries, "Interactions/Pair/Passes": "Double Integral", "Interactions/Pair/Surface Points": 16}
+
+
+def outcomes(runner, name, scenes, step, count=200, schemes=SCHEMES):
     """outcomes[scheme][scene]; scenes: (label, entries). Average Vector Field takes 8 points in time."""
     return [[runner(f"pairs/{name}/{scheme}/{label}", {**entries, **steps(scheme, step, count),
                                                        "Time Integrator/Average Vector Field/Interaction Points": 8})
-             for label, entries in scenes] for scheme in SCHEMES]
+             for label, entries in scenes] for scheme in schemes]
 
 
 def of_ratio(ratio):
@@ -63,5 +69,12 @@ def study(runner, images):
     lines = []
     for title, found, values, _ in panels:
         lines += [title, "", *table(["scheme", *map(str, values)], maps.rows(found, SCHEMES, values)), "",
+                  *maps.messages(found), ""]
+    for title, scenes, values in (("double integral, released at a gap", [blocks(g * R0) for g in GAPS], GAPS),
+                                  ("double integral, sides", map(of_ratio, RATIOS), RATIOS),
+                                  ("double integral, disks of few sides", map(disks, SIDES), SIDES)):
+        labels = zip(values, map(dense, scenes))
+        found = outcomes(runner, title, list(labels), 1e-3, schemes=DENSE_SCHEMES)
+        lines += [title, "", *table(["scheme", *map(str, values)], maps.rows(found, DENSE_SCHEMES, values)), "",
                   *maps.messages(found), ""]
     return lines

@@ -1,0 +1,153 @@
+#include "term/double_integral.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "term/dense_pairs.hpp"
+#include "term/pair_action.hpp"
+
+namespace ixos {
+namespace {
+
+template <std::size_t D>
+class DoubleIntegral final : public Interaction {
+ public:
+  DoubleIntegral(const LocalMesh& mesh, PairSurfaces<D> surfaces, const Pattern& pattern,
+                 std::unique_ptr<Interaction> distance, const PairKernel<D>& kernel, int points)
+      : pattern_(pattern),
+        coordinates_(mesh.coordinates),
+        surfaces_(std::move(surfaces)),
+        distance_(std::move(distance)),
+        pairs_(surfaces_, kernel, points),
+        nodes_(surfaces_.secondary.nodes),
+        scratch_(coordinates_.size()) {
+    nodes_.insert(nodes_.end(), surfaces_.primary.nodes.begin(), surfaces_.primary.nodes.end());
+    const auto is_owned = [&](int node) { return node < mesh.owned_nodes; };
+    const std::vector<int>& primary = surfaces_.primary.nodes;
+    const bool has_primary = std::any_of(primary.begin(), primary.end(), is_owned);
+    for (const SurfacePatch<D>& patch : surfaces_.secondary.patches)
+      acts_.push_back(
+          has_primary ||
+          std::any_of(patch.nodes.begin(), patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.count),
+                      [&](int node) { return is_owned(surfaces_.secondary.nodes[static_cast<std::size_t>(node)]); }));
+  }
+
+  bool needs_positive_gaps() const override { return true; }
+  bool follows(Mean mean) const override { return mean == Mean::Points; }
+
+  bool couples_anew() const override { return true; }
+  bool update_stencils(const double*) override { return !std::exchange(coupled_, true); }
+  std::vector<std::vector<int>> stencils() const override {
+    if (!coupled_) return {};
+    return {nodes_};
+  }
+
+  void initialize(const KnownState& start) override { distance_->initialize(start); }
+  void begin_step(const KnownState& start, double time, double dt) override { distance_->begin_step(start, time, dt); }
+  double accept(const AcceptedStep& step) override { return distance_->accept(step); }
+
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
+    check(rule);
+    for (const RulePoint& point : rule.points) {
+      const auto sums = pairs_.gradient(places(segment, point), acts_);
+      for (std::size_t n = 0; n < nodes_.size(); ++n)
+        for (std::size_t i = 0; i < D; ++i) f[D * static_cast<std::size_t>(nodes_[n]) + i] += point.weight * sums[n][i];
+    }
+    return distance_->add_force(segment, rule, scratch_.data());
+  }
+
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
+    visit_block(segment, rule, kind, [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); });
+  }
+  std::unique_ptr<TangentAction> create_action() const override {
+    return std::make_unique<PairAction<D>>([this](const Segment& segment, const Rule& rule, Tangent kind,
+                                                  const auto& visit) { visit_block(segment, rule, kind, visit); });
+  }
+  bool add_row_sums(const Segment& segment, double* sums) const override {
+    visit_block(segment, end_rule(), Tangent::Exact,
+                [&](const PairBlock& block) { ixos::add_row_sums<D>(block, sums); });
+    return distance_->add_force(segment, end_rule(), scratch_.data());
+  }
+
+  double energy(const double* u) const override { return pairs_.energy(places(u), counts()); }
+  /// Throws std::logic_error: the mean over the path has no closed form.
+  double mean_potential(const Segment&) const override {
+    throw std::logic_error("the mean force between two surfaces has no closed form");
+  }
+
+  double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
+    return distance_->admissible_step(segment, rule, direction);
+  }
+  double gap_ratio(const double* from, const double* to) const override { return distance_->gap_ratio(from, to); }
+  double rounding(const double* u) const override { return distance_->rounding(u); }
+  LowestPoint lowest_point(const double* u) const override { return distance_->lowest_point(u); }
+
+  void report(const double* u, InteractionReport& report) const override {
+    InteractionReport of_distance;
+    distance_->report(u, of_distance);
+    report.measure += of_distance.measure;
+    report.least_gap = std::min(report.least_gap, of_distance.least_gap);
+    report.force.resize(D, 0.0);
+    const Vec<D> force = pairs_.force(places(u), counts());
+    for (std::size_t i = 0; i < D; ++i) report.force[i] += force[i];
+  }
+  void add_nodal_measure(CountedSides& counted, double* measure) const override {
+    distance_->add_nodal_measure(counted, measure);
+  }
+  void add_nodal_pressure(const double* u, double* force) const override { distance_->add_nodal_pressure(u, force); }
+  void lower_nodal_gap(const double* u, double* gap) const override { distance_->lower_nodal_gap(u, gap); }
+  void set_nodal_normal(const double* u, double* normal) const override { distance_->set_nodal_normal(u, normal); }
+
+ private:
+  static void check(const Rule& rule) {
+    if (rule.mean != Mean::Points) throw std::logic_error("the double integral over two surfaces needs time points");
+  }
+  const std::vector<char>& counts() const { return surfaces_.secondary.owned; }
+
+  PairPlaces<D> combine(const NodeParts& parts) const {
+    return {combined_places<D>(surfaces_.secondary.nodes, coordinates_, 1, parts),
+            combined_places<D>(surfaces_.primary.nodes, coordinates_, 1, parts)};
+  }
+  PairPlaces<D> places(const double* u) const { return combine({{{1, u}, {0, nullptr}, {0, nullptr}}}); }
+  PairPlaces<D> places(const Segment& segment, const RulePoint& point) const {
+    return combine({{{point.to, segment.to}, {point.from, segment.from}, {point.velocity, segment.velocity}}});
+  }
+
+  /// All nodes of both surfaces in one block.
+  void visit_block(const Segment& segment, const Rule& rule, Tangent kind,
+                   const std::function<void(const PairBlock&)>& visit) const {
+    check(rule);
+    PairBlock block{0, 0, nodes_, std::vector<double>(D * nodes_.size() * D * nodes_.size(), 0.0)};
+    for (const RulePoint& point : rule.points)
+      if (const double factor = point.weight * point.to; factor != 0)
+        pairs_.add_hessian(places(segment, point), acts_, kind, factor, block.k);
+    visit(block);
+  }
+
+  const Pattern& pattern_;
+  std::vector<double> coordinates_;  ///< of the local mesh
+  PairSurfaces<D> surfaces_;
+  std::unique_ptr<Interaction> distance_;
+  DensePairs<D> pairs_;
+  std::vector<int> nodes_;  ///< local, of the secondary, then of the primary surface
+  std::vector<char> acts_;  ///< by secondary patch: its points add to forces on this rank's nodes
+  bool coupled_ = false;
+  mutable std::vector<double> scratch_;  ///< for a force that nobody reads
+};
+
+}  // namespace
+
+template <std::size_t D>
+std::unique_ptr<Interaction> make_double_integral(const LocalMesh& mesh, PairSurfaces<D> surfaces,
+                                                  const Pattern& pattern, std::unique_ptr<Interaction> distance,
+                                                  const PairKernel<D>& kernel, int points) {
+  return std::make_unique<DoubleIntegral<D>>(mesh, std::move(surfaces), pattern, std::move(distance), kernel, points);
+}
+
+template std::unique_ptr<Interaction> make_double_integral(const LocalMesh&, PairSurfaces<2>, const Pattern&,
+                                                           std::unique_ptr<Interaction>, const PairKernel<2>&, int);
+template std::unique_ptr<Interaction> make_double_integral(const LocalMesh&, PairSurfaces<3>, const Pattern&,
+                                                           std::unique_ptr<Interaction>, const PairKernel<3>&, int);
+
+}  // namespace ixos
