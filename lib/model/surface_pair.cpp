@@ -24,18 +24,13 @@ namespace {
 }
 
 void check_double_integral(const SurfacePair& pair, const LocalMesh& mesh) {
+  const std::string start = "is a double integral, which does not support ";
   if (powers_of(*pair.law).empty())
-    refuse(
-        pair,
-        "is a double integral, which only molecules that attract each other in pairs have; use the law Van der Waals, "
-        "or Passes One");
-  if (pair.cutoff > 0)
-    refuse(pair, fmt::format("is a double integral, which has no cutoff, but {} is given; use 0, or Passes One",
-                             pair.cutoff));
+    refuse(pair, start + "its law; use the law Van der Waals, or Passes One");
+  if (pair.cutoff > 0) refuse(pair, fmt::format("{}the cutoff {}; use 0, or Passes One", start, pair.cutoff));
   if (pair.friction.type != FrictionType::None)
-    refuse(pair, "is a double integral, which has no friction; use the type None, or Passes One or Two");
-  if (mesh.axisymmetric)
-    refuse(pair, "is a double integral, which axisymmetric meshes do not have; use Passes One or Two");
+    refuse(pair, start + "friction; use the type None, or Passes One or Two");
+  if (mesh.axisymmetric) refuse(pair, start + "axisymmetric meshes; use Passes One or Two");
 }
 
 void check(const SurfacePair& pair) {
@@ -55,12 +50,11 @@ void check(const SurfacePair& pair) {
     refuse(pair, fmt::format("has the exclusion {}, which is for a surface that interacts with itself; use 0",
                              pair.exclusion));
   }
+  const std::string passes = pair.passes == Passes::DoubleIntegral ? "is a double integral" : "has two passes";
   if (pair.passes != Passes::One && pair.secondary == pair.primary)
-    refuse(pair, "has two passes or the double integral, but a surface with itself has both in one; use Passes One");
+    refuse(pair, passes + ", which a surface with itself does not support; use Passes One");
   if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
-    refuse(pair,
-           "has two passes or the double integral, and a factor, which is that of the secondary surface alone; use "
-           "Passes One");
+    refuse(pair, passes + " and a factor, which is that of the secondary surface alone; use Passes One");
   if (pair.friction.type != FrictionType::None) {
     if (pair.secondary == pair.primary)
       refuse(pair, "has friction, which a surface with itself cannot have yet; use the type None");
@@ -69,8 +63,9 @@ void check(const SurfacePair& pair) {
     if (pair.friction.current)
       refuse(pair, "has friction with the current threshold, which two bodies cannot have yet; use the lagged one");
   }
-  if (pair.points < 0 || pair.points > 64)
-    refuse(pair, fmt::format("has {} Gauss points on a side; 0 to 64 are allowed", pair.points));
+  if (pair.points < 0 || pair.points > most_points_on_a_side)
+    refuse(pair,
+           fmt::format("has {} Gauss points on a side; 0 to {} are allowed", pair.points, most_points_on_a_side));
   if (!(pair.margin > 0 && pair.margin < 1))
     refuse(pair, fmt::format("has the step margin {}; it must be greater than 0 and less than 1", pair.margin));
   try {
@@ -155,6 +150,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
   if (problem = first_problem(comm, problem); !problem.empty()) refuse(pair, problem);
   const auto law = pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law;
   PairOptions options{pair.points, pair.margin, {pair.factor, pair.nodal_factor}, pair.exclusion};
+  if (pair.passes == Passes::DoubleIntegral) options.points = 0;  // the least distance only says what is admissible
   options.share = pair.passes == Passes::Two ? 0.5 : 1;
   options.reacts = pair.passes != Passes::TwoWithoutReaction;
   std::vector<std::unique_ptr<Interaction>> frictions;
@@ -174,7 +170,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
                                "matrix is dense: use smaller side sets, or Passes One",
                                nodes, most_nodes_of_double_integral));
     term = make_double_integral<D>(mesh, surfaces, model.pattern(), std::move(term), PairKernel<D>(powers_of(*law)),
-                                   pair.points > 0 ? pair.points : 5);
+                                   points_on_a_side(pair.points));
   } else if (pair.passes != Passes::One)
     term = two_passes(std::move(term), pass({surfaces.primary, surfaces.secondary}, pair.primary), options.reacts);
   if (law->domain() == GapDomain::Positive) refuse_overlap(pair, model, *term);

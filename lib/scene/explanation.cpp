@@ -80,32 +80,17 @@ std::string friction_of(const SceneInteraction& interaction, const LocalMesh& me
                            law_before(*obstacle, interaction.law, interaction.cutoff, mesh.body_dimension()));
 }
 
-/// Returns how many points a double integral has, and how far apart they are.
+/// Returns how many pairs of points a double integral has.
 std::string double_integral_in_words(const SceneInteraction& own, const LocalMesh& mesh) {
-  const int along = own.surface_points > 0 ? own.surface_points : 5;
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  double longest = 0;
   const auto points_of = [&](const std::string& set) {
     const auto whole = mesh.whole_side_sets.find(set);
-    const std::vector<LocalSide>& sides =
-        whole != mesh.whole_side_sets.end() ? whole->second : mesh.side_sets[mesh.side_set(set)];
-    for (const LocalSide& side : sides)
-      for (std::size_t corner = 0; corner + 1 < (d == 2 ? 2U : 4U); ++corner) {
-        double square = 0;
-        for (std::size_t i = 0; i < d; ++i)
-          square += std::pow(mesh.coordinates[d * static_cast<std::size_t>(side.nodes[corner]) + i] -
-                                 mesh.coordinates[d * static_cast<std::size_t>(side.nodes[corner + 1]) + i],
-                             2);
-        longest = std::max(longest, std::sqrt(square));
-      }
-    return static_cast<double>(sides.size()) * std::pow(along, mesh.dimension - 1);
+    const std::size_t sides = whole != mesh.whole_side_sets.end() ? whole->second.size()
+                                                                  : mesh.side_sets[mesh.side_set(set)].size();
+    return static_cast<double>(sides) * std::pow(points_on_a_side(own.surface_points), mesh.dimension - 1);
   };
   const double first = points_of(own.side_set), second = points_of(own.primary);
-  return fmt::format(
-      "  Double integral of {:.0f} by {:.0f} points, {:.3g} pairs at each point in time, and a dense matrix; the "
-      "points "
-      "are about {:.3g} L0 apart on the longest side. The most that resolves the equilibrium gap is {:.3g} L0\n",
-      first, second, first * second, longest / along, own.law->equilibrium_gap() / 3);
+  return fmt::format("  Double integral of {:.0f} by {:.0f} points, {:.3g} pairs at each point in time; the matrix is dense\n",
+                     first, second, first * second);
 }
 
 std::string surroundings(const Simulation& simulation) {
@@ -122,7 +107,7 @@ std::string surroundings(const Simulation& simulation) {
         node.name(), node.text("Law"), interaction.side_set, other, name_of(interaction.element),
         interaction.surface_points > 0 ? std::to_string(interaction.surface_points)
                                        : "the element's default number of");
-    if (interaction.passes == Passes::DoubleIntegral)
+    if (interaction.is_pair() && interaction.passes == Passes::DoubleIntegral)
       text += double_integral_in_words(interaction, simulation.model().mesh());
     if (!interaction.factor_field.empty())
       text += fmt::format("  Factor: the nodal field \"{}\" of the mesh file\n", interaction.factor_field);

@@ -166,18 +166,17 @@ void check_pair(const SceneInteraction& own) {
                                "\" has a history, which surfaces of two bodies cannot have yet; use a law without one");
   if (own.passes == Passes::DoubleIntegral) {
     if (powers_of(*own.law).empty())
-      own.node.refuse("Law",
-                      "\"" + own.node.text("Law") +
-                          "\" is not a law of molecules that attract each other in pairs, which the Passes \"Double "
-                          "Integral\" need; use \"Van der Waals\", or other Passes");
+      own.node.refuse("Law", "\"" + own.node.text("Law") +
+                                 "\" is not supported with Passes \"Double Integral\"; use \"Van der Waals\", or other "
+                                 "Passes");
     if (own.cutoff > 0)
-      own.node.refuse("Cutoff", fmt::format("{} is not allowed with the Passes \"Double Integral\", which act at every "
+      own.node.refuse("Cutoff", fmt::format("{} is not supported with Passes \"Double Integral\", which acts at every "
                                             "distance; use 0, or other Passes",
                                             own.cutoff));
     if (own.friction.type != FrictionType::None)
       own.node.refuse("Friction/Type", "\"" + own.node.sublist("Friction").text("Type") +
-                                           "\" is not there with the Passes \"Double Integral\"; use \"None\", or the "
-                                           "Passes \"One\" or \"Two\"");
+                                           "\" is not supported with Passes \"Double Integral\"; use \"None\", or Passes "
+                                           "\"One\" or \"Two\"");
   }
   if (own.friction.type != FrictionType::None) {
     const std::string type = "\"" + own.node.sublist("Friction").text("Type") + "\" is not there ";

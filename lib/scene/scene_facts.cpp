@@ -84,10 +84,12 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     facts.surfaces.push_back(std::move(own));
   }
   for (const SceneInteraction& interaction : interactions)
-    if (interaction.passes == Passes::DoubleIntegral)
-      facts.dense_points.push_back(
-          {interaction.node.name(), mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
-           interaction.surface_points > 0 ? interaction.surface_points : 5, interaction.law->equilibrium_gap()});
+    if (interaction.is_pair() && interaction.passes == Passes::DoubleIntegral)
+      facts.dense_points.push_back({interaction.node.name(),
+                                    std::max(mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
+                                             mean_face_length(mesh, side_set_named(mesh, interaction.primary))),
+                                    points_on_a_side(interaction.surface_points),
+                                    interaction.law->equilibrium_gap()});
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

@@ -53,10 +53,13 @@ Message points_of_double_integral(const Facts& facts) {
   for (const DensePoints& own : facts.dense_points) {
     const double most = own.equilibrium_gap / 3, distance = own.face_length / own.on_a_face;
     if (distance <= most) continue;
+    const double enough = std::ceil(own.face_length / most);
     return fmt::format(
-        "Interactions/{}: the points of the double integral are about {:.3g} L0 apart, but must be closer than a third "
-        "of the equilibrium gap, {:.3g} L0, where the surfaces touch; use {:.0f} Surface Points, or smaller faces",
-        own.name, distance, most, std::ceil(own.face_length / most));
+        "Interactions/{}: the points of the double integral are {:.3g} L0 apart on average, but must be closer than a "
+        "third of the equilibrium gap, {:.3g} L0, where the surfaces touch; use {}",
+        own.name, distance, most,
+        enough <= most_points_on_a_side ? fmt::format("{:.0f} Surface Points, or smaller faces", enough)
+                                        : fmt::format("faces of at most {:.2g} L0", most_points_on_a_side * most));
   }
   return "";
 }

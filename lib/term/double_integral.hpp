@@ -14,9 +14,10 @@ namespace ixos {
 /// direction on each side, and the matrix is dense: it is a reference for small surfaces. Points must lie closer to
 /// each other than a third of the gap.
 ///
-/// `distance`: the interaction of the same surfaces by the least distance. It says which gaps are admissible, and it
-/// reports gaps, pressures and measures. The other reports are those of the double integral. It follows rules with
-/// points. Several ranks share the points of the secondary surface. Mesh, surfaces and pattern must outlive the term.
+/// `distance`: the interaction of the same surfaces by the least distance. It says which gaps and steps are admissible,
+/// and it reports gaps, normals, pressures, measures and rounding. Energy and force are those of the double integral. It
+/// follows rules with points. A rank evaluates the secondary sides near its nodes, all of them if it owns a node of the
+/// primary surface. Mesh, surfaces and pattern must outlive the term.
 template <std::size_t D>
 std::unique_ptr<Interaction> make_double_integral(const LocalMesh& mesh, PairSurfaces<D> surfaces,
                                                   const Pattern& pattern, std::unique_ptr<Interaction> distance,

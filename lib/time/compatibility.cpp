@@ -55,8 +55,8 @@ std::string why_no_pairs(const Table& table, bool reacts) {
           table.name);
   if (!reacts && needs_discrete_gradient(table))
     return fmt::format(
-        "the scheme \"{}\" needs a discrete gradient, which passes without reaction and the double integral do not "
-        "have; use Passes Two, or the scheme \"Average Vector Field\"",
+        "the scheme \"{}\" needs a discrete gradient, which Passes \"Two Without Reaction\" and \"Double Integral\" do "
+        "not have; use Passes Two, or the scheme \"Average Vector Field\"",
         table.name);
   return "";
 }

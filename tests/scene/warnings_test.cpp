@@ -286,11 +286,16 @@ TEST(WarningsTest, OneLayerOfCells) {
 TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
   const std::string pair = "Interactions/Contact/";
   expect_warning("two-balls.xml", {pair + "Passes=Double Integral"}, "double integral",
-                 "about 0.39 L0 apart, but must be closer than a third of the equilibrium gap, 0.0849 L0, where the "
-                 "surfaces touch; use 23 Surface Points");
+                 "0.39 L0 apart on average, but must be closer than a third of the equilibrium gap, 0.0849 L0, where "
+                 "the surfaces touch; use 23 Surface Points");
   for (const Assignments& sound :
        {Assignments{pair + "Passes=Double Integral", pair + "Surface Points=23"}, Assignments{pair + "Passes=Two"}})
     EXPECT_EQ(all_of("two-balls.xml", sound).find("double integral"), std::string::npos);
+  EXPECT_EQ(all_of("ball.xml", {"Interactions/Wall/Passes=Double Integral"}), all_of("ball.xml", {}));  // an obstacle
+  // The secondary surface, of the chip, has the shorter faces.
+  expect_warning("two-balls.xml",
+                 {pair + "Passes=Double Integral", pair + "Surface Points=64", "Parts/Left/Mesh/Disk/Radius=30"},
+                 "double integral", "use faces of at most 5.4 L0");
 }
 
 /// A traction on the block's upper side.
