@@ -25,8 +25,7 @@ namespace {
 
 void check_double_integral(const SurfacePair& pair, const LocalMesh& mesh) {
   const std::string start = "is a double integral, which does not support ";
-  if (powers_of(*pair.law).empty())
-    refuse(pair, start + "its law; use the law Van der Waals, or Passes One");
+  if (powers_of(*pair.law).empty()) refuse(pair, start + "its law; use the law Van der Waals, or Passes One");
   if (pair.cutoff > 0) refuse(pair, fmt::format("{}the cutoff {}; use 0, or Passes One", start, pair.cutoff));
   if (pair.friction.type != FrictionType::None)
     refuse(pair, start + "friction; use the type None, or Passes One or Two");
@@ -36,6 +35,11 @@ void check_double_integral(const SurfacePair& pair, const LocalMesh& mesh) {
 void check(const SurfacePair& pair) {
   if (!pair.law) refuse(pair, "has no law");
   if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
+  const std::string passes = pair.passes == Passes::DoubleIntegral ? "is a double integral" : "has two passes";
+  if (pair.passes != Passes::One && pair.secondary == pair.primary)
+    refuse(pair, passes + ", which a surface with itself does not support; use Passes One");
+  if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
+    refuse(pair, passes + " and a factor, which is that of the secondary surface alone; use Passes One");
   if (pair.secondary == pair.primary) {
     const double range = pair.cutoff > 0 ? std::min(pair.cutoff, pair.law->range()) : pair.law->range();
     if (!(pair.exclusion > 0))
@@ -50,11 +54,6 @@ void check(const SurfacePair& pair) {
     refuse(pair, fmt::format("has the exclusion {}, which is for a surface that interacts with itself; use 0",
                              pair.exclusion));
   }
-  const std::string passes = pair.passes == Passes::DoubleIntegral ? "is a double integral" : "has two passes";
-  if (pair.passes != Passes::One && pair.secondary == pair.primary)
-    refuse(pair, passes + ", which a surface with itself does not support; use Passes One");
-  if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
-    refuse(pair, passes + " and a factor, which is that of the secondary surface alone; use Passes One");
   if (pair.friction.type != FrictionType::None) {
     if (pair.secondary == pair.primary)
       refuse(pair, "has friction, which a surface with itself cannot have yet; use the type None");
@@ -64,8 +63,7 @@ void check(const SurfacePair& pair) {
       refuse(pair, "has friction with the current threshold, which two bodies cannot have yet; use the lagged one");
   }
   if (pair.points < 0 || pair.points > most_points_on_a_side)
-    refuse(pair,
-           fmt::format("has {} Gauss points on a side; 0 to {} are allowed", pair.points, most_points_on_a_side));
+    refuse(pair, fmt::format("has {} Gauss points on a side; 0 to {} are allowed", pair.points, most_points_on_a_side));
   if (!(pair.margin > 0 && pair.margin < 1))
     refuse(pair, fmt::format("has the step margin {}; it must be greater than 0 and less than 1", pair.margin));
   try {

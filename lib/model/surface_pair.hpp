@@ -19,8 +19,8 @@ namespace ixos {
 /// a gap, see make_double_integral(): a reference for small surfaces.
 enum class Passes { One, Two, TwoWithoutReaction, DoubleIntegral };
 
-/// The most nodes that both surfaces of a double integral may have together. Its matrix is dense: in space it takes 0.65
-/// GB for so many, and each rank has it several times.
+/// The most nodes that both surfaces of a double integral may have together. Its matrix is dense: in space it takes
+/// 0.65 GB for so many, and each rank has it several times.
 inline constexpr std::size_t most_nodes_of_double_integral = 3000;
 
 /// The most Gauss points per direction on a side.

@@ -84,13 +84,14 @@ std::string friction_of(const SceneInteraction& interaction, const LocalMesh& me
 std::string double_integral_in_words(const SceneInteraction& own, const LocalMesh& mesh) {
   const auto points_of = [&](const std::string& set) {
     const auto whole = mesh.whole_side_sets.find(set);
-    const std::size_t sides = whole != mesh.whole_side_sets.end() ? whole->second.size()
-                                                                  : mesh.side_sets[mesh.side_set(set)].size();
+    const std::size_t sides =
+        whole != mesh.whole_side_sets.end() ? whole->second.size() : mesh.side_sets[mesh.side_set(set)].size();
     return static_cast<double>(sides) * std::pow(points_on_a_side(own.surface_points), mesh.dimension - 1);
   };
   const double first = points_of(own.side_set), second = points_of(own.primary);
-  return fmt::format("  Double integral of {:.0f} by {:.0f} points, {:.3g} pairs at each point in time; the matrix is dense\n",
-                     first, second, first * second);
+  return fmt::format(
+      "  Double integral of {:.0f} by {:.0f} points, {:.3g} pairs at each point in time; the matrix is dense\n", first,
+      second, first * second);
 }
 
 std::string surroundings(const Simulation& simulation) {

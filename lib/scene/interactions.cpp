@@ -174,9 +174,10 @@ void check_pair(const SceneInteraction& own) {
                                             "distance; use 0, or other Passes",
                                             own.cutoff));
     if (own.friction.type != FrictionType::None)
-      own.node.refuse("Friction/Type", "\"" + own.node.sublist("Friction").text("Type") +
-                                           "\" is not supported with Passes \"Double Integral\"; use \"None\", or Passes "
-                                           "\"One\" or \"Two\"");
+      own.node.refuse("Friction/Type",
+                      "\"" + own.node.sublist("Friction").text("Type") +
+                          "\" is not supported with Passes \"Double Integral\"; use \"None\", or Passes "
+                          "\"One\" or \"Two\"");
   }
   if (own.friction.type != FrictionType::None) {
     const std::string type = "\"" + own.node.sublist("Friction").text("Type") + "\" is not there ";

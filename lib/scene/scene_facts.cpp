@@ -88,8 +88,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
       facts.dense_points.push_back({interaction.node.name(),
                                     std::max(mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
                                              mean_face_length(mesh, side_set_named(mesh, interaction.primary))),
-                                    points_on_a_side(interaction.surface_points),
-                                    interaction.law->equilibrium_gap()});
+                                    points_on_a_side(interaction.surface_points), interaction.law->equilibrium_gap()});
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

@@ -292,10 +292,12 @@ TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
        {Assignments{pair + "Passes=Double Integral", pair + "Surface Points=23"}, Assignments{pair + "Passes=Two"}})
     EXPECT_EQ(all_of("two-balls.xml", sound).find("double integral"), std::string::npos);
   EXPECT_EQ(all_of("ball.xml", {"Interactions/Wall/Passes=Double Integral"}), all_of("ball.xml", {}));  // an obstacle
-  // The secondary surface, of the chip, has the shorter faces.
-  expect_warning("two-balls.xml",
-                 {pair + "Passes=Double Integral", pair + "Surface Points=64", "Parts/Left/Mesh/Disk/Radius=30"},
-                 "double integral", "use faces of at most 5.4 L0");
+  // The left disk, the primary body, has 8 sides of 3.9 L0; the right one alone would be fine.
+  const Assignments coarse{pair + "Passes=Double Integral", pair + "Surface Points=30",
+                           "Mesh/Parts/left/Disk/Core Divisions=2"};
+  expect_warning("two-balls.xml", coarse, "double integral", "use 46 Surface Points");
+  expect_warning("two-balls.xml", {coarse[0], "Interactions/Contact/Gamma L=25"}, "double integral",
+                 "use faces of at most 0.54 L0");
 }
 
 /// A traction on the block's upper side.
