@@ -71,7 +71,7 @@ TEST(PairPatchTest, UnmatchedMeshesTransferAConstantPressure) {
     }
     simulation.model().space().sum(shortening, 2);
     simulation.model().space().sum(count, 2);
-    for (const std::size_t body : {0, 1}) shortening[body] /= count[body];
+    for (std::size_t body = 0; body < 2; ++body) shortening[body] /= count[body];
     for (std::size_t k = 1; k < owned; k += 2) {
       if (!at_face(k)) continue;
       const std::size_t body = mesh.coordinates[k] > gap / 2 ? 1 : 0;
