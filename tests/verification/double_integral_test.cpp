@@ -151,7 +151,8 @@ TEST(DoubleIntegralVerificationTest, WhatItCannotServeIsRefusedWithPlaceAndReaso
   expect_refusal(list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5)), "/Friction/Type",
                  "use \"None\"");
   expect_refusal(word("Factor", "1 + 0*x"), "", "a double integral and a factor");
-  expect_refusal(number("Exclusion", 3), "", "is a double integral, which a surface with itself", "Newmark", "a_surface");
+  expect_refusal(number("Exclusion", 3), "", "is a double integral, which a surface with itself", "Newmark",
+                 "a_surface");
   expect_refusal("", "/Passes", "Passes Two", "Energy-Momentum");
   Teuchos::ParameterList scene =
       test::scene_of("a_body", "b_body", "a_surface", "b_surface", test::time_integrator("Newmark", 0.001, 1), dense);
