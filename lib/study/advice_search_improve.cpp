@@ -85,11 +85,10 @@ bool AdviceSearch::confirm_order(const AdviceCandidate& plan, double least) {
   return false;
 }
 
-/// Returns whether a run leaves enough for the plan, of the user's budget or a multiple of the plan's cost.
+/// Returns whether a run leaves enough for the plan, of the budget and of a multiple of the plan's cost.
 bool AdviceSearch::pays(double seconds, const AdviceCandidate& plan) const {
-  const double most = question_.budget > 0 ? runs_.budget() : times_the_plan * plan.seconds;
   const double total = seconds + plan.seconds;
-  return runs_.spent() + total <= most && runs_.affords(total);
+  return runs_.spent() + total <= times_the_plan * plan.seconds && runs_.affords(total);
 }
 
 /// Tries other choices, and confirms orders, while the runs cost little beside what they may save in one run.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,19 +21,47 @@ double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
 
 }  // namespace
 
-/// Runs the next finer level of a direction at the base. Returns whether it reached its end.
+/// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says why.
 bool AdviceSearch::extend(std::size_t d) {
   const std::size_t level = errors().finest(d, 0) + 1;
-  if (level >= levels(d)) return false;
+  if (level >= levels(d)) {
+    obstacle_ = fmt::format("The {} has no finer level.", directions_.all[d].name);
+    return false;
+  }
   const AdvicePoint next = moved(d, level);
-  if (const AdviceSample* known = runs_.sample(next); known != nullptr) return false;  // it failed
-  if (!runs_.affords(costs().seconds(next))) return false;
-  runs_.carry_out({next});
-  return runs_.sample(next)->good;
+  if (runs_.sample(next) == nullptr) {
+    if (const double seconds = costs().seconds(next); !runs_.affords(seconds)) {
+      obstacle_ = fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
+                              description_of(directions_, next), seconds,
+                              std::max(0.0, runs_.budget() - runs_.spent()));
+      return false;
+    }
+    runs_.carry_out({next});
+  }
+  const AdviceSample* sample = runs_.sample(next);
+  if (!sample->good)
+    obstacle_ = fmt::format("A finer run ({}) failed: {}.", description_of(directions_, next), sample->reason);
+  return sample->good;
 }
 
-/// Returns whether the line of a direction has enough points, as far as there are levels.
+/// Extends the line of step or mesh. If the finer run fails, the base moves in the other direction: with a shorter step
+/// a finer mesh may reach its end. Returns whether anything changed.
+bool AdviceSearch::extend_or_move(std::size_t d) {
+  if (extend(d)) return true;
+  if (d > mesh_direction) return false;
+  const std::size_t level = errors().finest(d, 0) + 1, other = d == time_direction ? mesh_direction : time_direction;
+  if (level >= levels(d) || runs_.sample(moved(d, level)) == nullptr) return false;
+  const std::string obstacle = obstacle_;
+  if (finer_base(other).empty()) extend(other);
+  if (move_base({other})) return true;
+  obstacle_ = obstacle;
+  return false;
+}
+
+/// Returns whether the line of a direction has enough points, as far as there are levels. A run tells its own error if
+/// all quantities are errors.
 bool AdviceSearch::has_line(std::size_t d) const {
+  if (std::all_of(is_error_.begin(), is_error_.end(), [](bool is_error) { return is_error; })) return true;
   const std::size_t first = d == mesh_direction ? coarsest_mesh_ : 0;
   return errors().tested(d, 0) >= std::min(least_points, levels(d) - first);
 }
@@ -110,7 +140,7 @@ bool AdviceSearch::refine_line(std::size_t d) {
     return true;
   }
   last_part_[d] = part;
-  return extend(d);
+  return extend_or_move(d);
 }
 
 /// Reduces the largest part of the error that the finest settings of all lines have. Returns whether anything changed.
@@ -148,8 +178,8 @@ AdviceStatus AdviceSearch::refine() {
     // Chaos may show on finer meshes, or with some steps, only.
     if (needs_perturbation(base_) && !is_predictable(base_)) return AdviceStatus::Chaotic;
     if (!has_line(time_direction) || !has_line(mesh_direction)) {
-      if (extend(has_line(time_direction) ? mesh_direction : time_direction)) continue;
-      return AdviceStatus::Unreachable;
+      if (extend_or_move(has_line(time_direction) ? mesh_direction : time_direction)) continue;
+      break;
     }
     if (examine_suspects()) continue;
     if (is_base_coarse(mesh_direction) && move_base({mesh_direction})) continue;
@@ -158,6 +188,7 @@ AdviceStatus AdviceSearch::refine() {
     if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
     if (!sharpen()) break;
   }
+  problem_ = obstacle_;
   return AdviceStatus::Unreachable;
 }
 
