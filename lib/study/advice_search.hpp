@@ -37,6 +37,8 @@ class AdviceSearch {
   bool extend_or_move(std::size_t d);
   bool has_line(std::size_t d) const;
   bool is_base_coarse(std::size_t d) const;
+  bool is_negligible(const AdvicePoint& point, std::size_t d) const;
+  bool spoils(std::size_t d, std::size_t other) const;
   AdvicePoint finer_base(std::size_t d) const;
   bool move_base(const std::vector<std::size_t>& directions);
   double finest_part(std::size_t d) const;

@@ -12,7 +12,11 @@ namespace {
 
 constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
 constexpr std::size_t most_points = 3;   ///< of a line that moves with the base
-constexpr double helpful = 0.9;          ///< largest part of an error that a refinement which helps leaves of it
+/// Largest part of the tolerance that an error may be to count as known at a coarse base: it may be misjudged there by
+/// a factor of ten or so.
+constexpr double negligible_part = 0.05;
+constexpr long most_failures = 2;  ///< of runs of one level, before the search gives up
+constexpr double helpful = 0.9;    ///< largest part of an error that a refinement which helps leaves of it
 constexpr std::size_t most_rounds = 100;
 
 /// Returns the largest error of a base. Two relative errors interact by about their product, which should be a part of
@@ -21,7 +25,8 @@ double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
 
 }  // namespace
 
-/// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says why.
+/// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says
+/// why.
 bool AdviceSearch::extend(std::size_t d) {
   const std::size_t level = errors().finest(d, 0) + 1;
   if (level >= levels(d)) {
@@ -31,9 +36,9 @@ bool AdviceSearch::extend(std::size_t d) {
   const AdvicePoint next = moved(d, level);
   if (runs_.sample(next) == nullptr) {
     if (const double seconds = costs().seconds(next); !runs_.affords(seconds)) {
-      obstacle_ = fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
-                              description_of(directions_, next), seconds,
-                              std::max(0.0, runs_.budget() - runs_.spent()));
+      obstacle_ =
+          fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
+                      description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent()));
       return false;
     }
     runs_.carry_out({next});
@@ -44,13 +49,18 @@ bool AdviceSearch::extend(std::size_t d) {
   return sample->good;
 }
 
-/// Extends the line of step or mesh. If the finer run fails, the base moves in the other direction: with a shorter step
-/// a finer mesh may reach its end. Returns whether anything changed.
+/// Extends the line of step or mesh. If the finer run fails, the base moves in the other direction, twice at most: with
+/// a shorter step a finer mesh may reach its end. Returns whether anything changed.
 bool AdviceSearch::extend_or_move(std::size_t d) {
   if (extend(d)) return true;
   if (d > mesh_direction) return false;
   const std::size_t level = errors().finest(d, 0) + 1, other = d == time_direction ? mesh_direction : time_direction;
   if (level >= levels(d) || runs_.sample(moved(d, level)) == nullptr) return false;
+  const std::vector<AdviceSample>& all = runs_.samples();
+  const auto failed = [&](const AdviceSample& sample) {
+    return !sample.good && sample.point[d] == AdvicePlace{0, level};
+  };
+  if (std::count_if(all.begin(), all.end(), failed) > most_failures) return false;
   const std::string obstacle = obstacle_;
   if (finer_base(other).empty()) extend(other);
   if (move_base({other})) return true;
@@ -71,6 +81,18 @@ bool AdviceSearch::is_base_coarse(std::size_t d) const {
   for (const std::vector<double>& parts : errors().estimate(base_).parts)
     if (!(parts[d] <= largest_base_error(question_.tolerance))) return true;
   return false;
+}
+
+/// Returns whether the error of a direction at a point is so small that even a coarse base measures it well enough.
+bool AdviceSearch::is_negligible(const AdvicePoint& point, std::size_t d) const {
+  for (const std::vector<double>& parts : errors().estimate(point).parts)
+    if (!(parts[d] <= negligible_part * question_.tolerance)) return false;
+  return true;
+}
+
+/// Returns whether the base should be finer in a direction for the sake of the errors of another.
+bool AdviceSearch::spoils(std::size_t d, std::size_t other) const {
+  return is_base_coarse(d) && !is_negligible(base_, other);
 }
 
 /// Returns the runs that the line of a direction through another base needs, and that were not carried out: the base
@@ -130,12 +152,13 @@ double AdviceSearch::finest_part(std::size_t d) const {
 }
 
 /// Refines a direction once more. If its sequence has no order, or the last refinement did not help, it does not
-/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction.
+/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction, if
+/// that has an error to speak of.
 bool AdviceSearch::refine_line(std::size_t d) {
   const double part = finest_part(d);
   const bool irregular = !errors().has_order(d), futile = part > helpful * last_part_[d];
-  if ((irregular || futile) && d <= mesh_direction &&
-      move_base({d == time_direction ? mesh_direction : time_direction})) {
+  const std::size_t other = d == time_direction ? mesh_direction : time_direction;
+  if ((irregular || futile) && d <= mesh_direction && !is_negligible(base_, other) && move_base({other})) {
     last_part_[d] = std::numeric_limits<double>::infinity();
     return true;
   }
@@ -182,8 +205,8 @@ AdviceStatus AdviceSearch::refine() {
       break;
     }
     if (examine_suspects()) continue;
-    if (is_base_coarse(mesh_direction) && move_base({mesh_direction})) continue;
-    if (is_base_coarse(time_direction) && move_base({time_direction})) continue;
+    if (spoils(mesh_direction, time_direction) && move_base({mesh_direction})) continue;
+    if (spoils(time_direction, mesh_direction) && move_base({time_direction})) continue;
     const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
     if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
     if (!sharpen()) break;

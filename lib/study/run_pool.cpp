@@ -17,9 +17,9 @@
 namespace ixos {
 namespace {
 
-/// A run is one process. Without these, Open MPI starts a server for it and looks for networks, which takes a third of a
-/// second. Processes without a server would share a folder of temporary files, and remove it from under each other; one
-/// process needs none.
+/// A run is one process. Without these, Open MPI starts a server for it and looks for networks, which takes a third of
+/// a second. Processes without a server would share a folder of temporary files, and remove it from under each other;
+/// one process needs none.
 const std::vector<std::string> single_process{"OMPI_MCA_ess_singleton_isolated=1",
                                               "OMPI_MCA_orte_create_session_dirs=0", "OMPI_MCA_pml=ob1",
                                               "OMPI_MCA_btl=self"};

@@ -47,7 +47,7 @@ class Runs:
         self.run_scheme = case["settings"][SCHEME]
 
     def value(self, name, settings, limit, scene=None):
-        """Returns the quantity of a run and its processor time; None if it fails or takes longer than a limit."""
+        """Returns the quantity of a run, None if it fails or takes longer than a limit, and its processor time."""
         words = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         done = subprocess.run(
@@ -58,7 +58,7 @@ class Runs:
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         if done.returncode != 0:
-            return None
+            return None, seconds
         rows = list(csv.DictReader(open(self.folder / name / "history.csv", encoding="utf-8")))
         summary = json.loads((self.folder / name / "summary.json").read_text(encoding="utf-8"))
         scheme = settings.get(SCHEME, self.run_scheme)
@@ -117,22 +117,23 @@ def measure(case, runs, options):
                   runs=len(advice["runs"]))
     if advice["status"] != "advised" and not options.reference_always:
         return result
-    fine, coarse = (runs.value(f"reference-{i}", settings, options.reference)
+    is_error = case["quantity"] == "energy error"  # which needs no reference
+    fine, coarse = ((None, 0) if is_error else runs.value(f"reference-{i}", settings, options.reference)
                     for i, settings in enumerate(advice_scenes.references(case)))
     if advice["status"] != "advised":
-        return dict(result, reference=fine and fine[0], coarser=coarse and coarse[0])
+        return dict(result, reference=fine[0], coarser=coarse[0])
     recommended = dict(setting.split("=", 1) for setting in advice["recommended"]["settings"])
     result["recommended"] = advice["recommended"]["description"]
     result["promised"] = advice["recommended"]["error"]
     runs.run_scheme = recommended.get(SCHEME, runs.run_scheme)
     advised = runs.value("advised", {}, 60, runs.folder / "advice/advised.xml")
     runs.run_scheme = case["settings"][SCHEME]
-    if advised is None:
+    if advised[0] is None:
         return dict(result, status="advised run failed")
     result["value"], result["seconds"] = advised
-    if case["quantity"] == "energy error":
+    if is_error:
         result["error"] = advised[0]
-    elif fine is None or coarse is None:
+    elif fine[0] is None or coarse[0] is None:
         return dict(result, status="no reference")
     else:
         result["reference"], result["coarser"] = fine[0], coarse[0]
@@ -154,29 +155,31 @@ def grid(result, runs):
     costs, robust = [most], [most]
     for scheme in dict.fromkeys([own[SCHEME], "Generalized-Alpha", "Bathe Composite"]):
         for element in elements:
-            found = {}
+            found, dear = {}, []
 
             def run(i, j, limit):
                 if (i, j) not in found:
                     settings = scaled({**own, SCHEME: scheme, **element}, steps[i], meshes[j])
-                    found[i, j] = settings and runs.value("grid", settings, limit)
+                    found[i, j] = (None, 0) if settings is None else runs.value("grid", settings, limit)
                 return found[i, j]
 
             def within(i, j, limit):
                 if not (0 <= i < len(steps) and 0 <= j < len(meshes)):
                     return False
-                one = run(i, j, limit)
-                return one is not None and runs.error(one[0], result.get("reference")) <= tolerance
+                value = run(i, j, limit)[0]
+                return value is not None and runs.error(value, result.get("reference")) <= tolerance
 
             for j in range(len(meshes)):
                 for i in range(len(steps)):
-                    one = run(i, j, most)
-                    if one is not None and one[1] > most:
+                    if any(k <= i and l <= j for k, l in dear):
                         break
-                    if within(i, j, most):
-                        costs.append(one[1])
-                        if one[1] < min(robust) and within(i + 1, j, 60) and within(i, j + 1, 60):
-                            robust.append(one[1])
+                    seconds = run(i, j, most)[1]
+                    if seconds > most:
+                        dear.append((i, j))
+                    elif within(i, j, most):
+                        costs.append(seconds)
+                        if seconds < min(robust) and within(i + 1, j, 60) and within(i, j + 1, 60):
+                            robust.append(seconds)
     return {"grid": min(costs), "robust_grid": min(robust)}
 
 
