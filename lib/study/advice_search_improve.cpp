@@ -6,6 +6,7 @@ namespace ixos {
 namespace {
 
 constexpr double times_the_plan = 8;  ///< the cost of all runs over that of the recommended run
+constexpr double promising = 2;       ///< accuracy over that of the scene's own, of trials that others do not hold up
 constexpr double worthwhile = 0.5;    ///< cost of a trial over what it may save in one run
 constexpr std::size_t most_rounds = 100;
 
@@ -24,8 +25,9 @@ AdvicePoint AdviceSearch::own_plan(const std::vector<AdviceCandidate>& all) cons
   return corner;
 }
 
-/// Carries out the best of trials, as many as run at a time: each for itself, and all that a direction had so far, must
-/// take at most its allowance in seconds. Returns whether there were some.
+/// Carries out the best of trials, as many as run at a time: each for itself must take at most its allowance in
+/// seconds, and so must all that a direction had so far, unless the trial promises much. Returns whether there were
+/// some.
 bool AdviceSearch::try_best(std::vector<AdviceTrial> trials, const std::vector<double>& allowance) {
   const AdviceCosts cost = costs();
   const auto value = [&](const AdviceTrial& trial) {
@@ -39,7 +41,8 @@ bool AdviceSearch::try_best(std::vector<AdviceTrial> trials, const std::vector<d
   double total = 0;
   for (const AdviceTrial& trial : trials) {
     const double seconds = cost.seconds(trial.point);
-    if (planned[trial.direction] + seconds > allowance[trial.direction] || !runs_.affords(total + seconds)) continue;
+    const double before = trial.promise < promising ? planned[trial.direction] : 0;
+    if (before + seconds > allowance[trial.direction] || !runs_.affords(total + seconds)) continue;
     total += seconds;
     planned[trial.direction] += seconds;
     batch.push_back(trial);
