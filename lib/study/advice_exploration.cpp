@@ -33,7 +33,7 @@ bool next_level(const std::vector<AdviceSample>& samples, const AdviceErrors& er
   place.level = planned - std::min<std::size_t>(planned, 2);
   if (!levels.empty()) {
     const std::size_t coarsest = levels.front(), finest = levels.back();
-    // What is known badly of the limit counts in both errors alike, and hides which one is the smaller.
+    // The uncertainty of the limit is a part of both errors, and hides which is the smaller.
     const double unknown = errors.limit_uncertainty(d);
     const double error = error_of(errors, trial.point, d, {place.branch, finest});
     const double net = error - unknown, own = error_of(errors, trial.point, d, {0, finest}) - unknown;

@@ -14,7 +14,7 @@ cells along an edge. It tells the cheapest run within the tolerance, and the che
 coincidence: a run with half the step, and one with twice the cells along an edge, are within the tolerance, too.
 
 Each case is a line of OUTPUT/cases.jsonl: the same command resumes. --report FILE prints the numbers of such a file,
---table FILE writes it as a table of comma-separated values.
+--table FILE CSV also writes it as a table, as advice_cases.csv.
 """
 import argparse
 import csv
@@ -30,7 +30,7 @@ import time
 import advice_scenes
 from advice_scenes import BODY, ELEMENT, ROOT, SCHEME, STEP, scaled
 
-# What ixos-study sets for its runs: no server, no networks.
+# Variables that ixos-study sets for its runs: no server, no networks.
 ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self",
          "OMPI_MCA_orte_create_session_dirs": "0", "OPENBLAS_NUM_THREADS": "1"}
 STEP_MEANS = ("Average Vector Field", "Energy-Momentum", "Gautam-Sauer Composite")  # reactions of the step's middle
