@@ -17,7 +17,7 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-constexpr double fewest_steps = 60;
+constexpr double fewest_steps = 30;
 constexpr int coarser_steps = 4, finer_steps = 5;
 constexpr double perturbation_size = 1e-10;
 

@@ -49,7 +49,7 @@ struct AdviceDirections {
 inline constexpr std::size_t time_direction = 0, mesh_direction = 1;
 
 /// Returns what can be varied in a complete scene. Refines the time step and the mesh by factors of two. The coarsest
-/// step divides the run into at least 60 steps, and is at most 16 times the scene's; the coarsest mesh has up to
+/// step divides the run into at least 30 steps, and is at most 16 times the scene's; the coarsest mesh has up to
 /// eight times the cell length of the scene's, as far as its numbers of cells can be halved.
 AdviceDirections advice_directions(const Teuchos::ParameterList& complete);
 

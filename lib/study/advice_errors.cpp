@@ -219,6 +219,13 @@ double AdviceErrors::finest_error(std::size_t direction, std::size_t branch) con
   return largest;
 }
 
+double AdviceErrors::limit_uncertainty(std::size_t direction) const {
+  double largest = 0;
+  for (std::size_t q = 0; q < is_error_.size(); ++q)
+    largest = std::max(largest, lines_[direction][0].errors[q].limit_uncertainty / scale(q));
+  return largest;
+}
+
 std::string AdviceErrors::reason(std::size_t direction, std::size_t quantity) const {
   return lines_[direction][0].errors[quantity].reason;
 }

@@ -46,6 +46,9 @@ class AdviceErrors {
   /// Returns the errors to hope for if a direction is refined once more and the sequence turns out to be asymptotic.
   AdviceErrors hopeful(std::size_t direction) const;
 
+  /// Returns the largest uncertainty of the limits in a direction, over the quantities, relative to the exact value.
+  double limit_uncertainty(std::size_t direction) const;
+
   /// Returns whether the scene's own sequence in a direction has an order for all quantities that have one.
   bool has_order(std::size_t direction) const;
 

@@ -7,6 +7,8 @@ namespace ixos {
 namespace {
 
 constexpr double saving_of_a_choice = 0.25;
+constexpr double least_gain =
+    1.3;  ///< over the scene's own elements or scheme, of others that are tried at finer levels
 constexpr double least_share = 0.25;  ///< of the tolerance, that counts as left for a direction
 
 bool was_run(const std::vector<AdviceSample>& samples, const AdvicePoint& point) {
@@ -31,15 +33,17 @@ bool next_level(const std::vector<AdviceSample>& samples, const AdviceErrors& er
   place.level = planned - std::min<std::size_t>(planned, 2);
   if (!levels.empty()) {
     const std::size_t coarsest = levels.front(), finest = levels.back();
+    // The uncertainty of the limit is a part of both errors, and hides which is the smaller.
+    const double unknown = errors.limit_uncertainty(d);
     const double error = error_of(errors, trial.point, d, {place.branch, finest});
-    const double own = error_of(errors, trial.point, d, {0, finest});
+    const double net = error - unknown, own = error_of(errors, trial.point, d, {0, finest}) - unknown;
     const bool coarser = coarsest > 0 && error_of(errors, trial.point, d, {place.branch, coarsest}) <= tolerance;
     // One run may be accurate by coincidence; runs that are not good enough may still tell the limit.
     const bool finer =
-        finest < planned && error <= std::max(own, tolerance) && (levels.size() == 1 || error > tolerance);
+        finest < planned && net <= std::max(own / least_gain, tolerance) && (levels.size() == 1 || error > tolerance);
     if (!coarser && !finer) return false;
     place.level = coarser ? coarsest - 1 : finest + 1;
-    trial.promise = own / std::max(error, tolerance / 100);
+    trial.promise = std::max(own, 0.0) / std::max(net, tolerance / 100);
   }
   return !was_run(samples, trial.point);
 }

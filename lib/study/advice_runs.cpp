@@ -12,7 +12,7 @@ namespace ixos {
 namespace {
 
 /// A run may take this much more processor time than the budget has left, before it is ended.
-constexpr double grace_factor = 1.5, grace_seconds = 2;
+constexpr double grace_seconds = 1;
 
 /// Settings of all runs: nothing but the history is needed.
 const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time Interval=0"};
@@ -35,7 +35,7 @@ StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
 
 void AdviceRuns::run(const std::vector<StudyRun>& runs) {
   if (budget_ > 0)
-    pool_.limit_time(grace_factor * std::max(0.0, budget_ - spent_) + grace_seconds);
+    pool_.limit_time(std::max(0.0, budget_ - spent_) + grace_seconds);
   else
     pool_.limit_time(0);
   const bool complete = pool_.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {

@@ -72,9 +72,11 @@ void AdviceSearch::begin(const Teuchos::ParameterList& control) {
 AdviceStatus AdviceSearch::find() {
   if (!start()) return AdviceStatus::NoRun;
   if (!is_predictable(base_)) return AdviceStatus::Chaotic;
-  // Lines have a level finer than the base.
+  // Lines have a level finer than the base. The longest step that causes no error to speak of is the cheapest.
   const std::vector<std::size_t> steps = errors().levels(time_direction, 0);
-  base_[time_direction].level = steps[steps.size() - std::min<std::size_t>(steps.size(), 2)];
+  std::size_t first = 0;
+  while (first + 2 < steps.size() && !is_negligible(moved(time_direction, steps[first]), time_direction)) ++first;
+  base_[time_direction].level = steps[first];
   for (std::size_t round = 0; round < most_rounds; ++round) {
     const AdviceStatus status = refine();
     if (status != AdviceStatus::Advised) return status;

@@ -34,8 +34,11 @@ class AdviceSearch {
   bool is_predictable(const AdvicePoint& point);
   bool needs_perturbation(const AdvicePoint& point) const;
   bool extend(std::size_t d);
+  bool extend_or_move(std::size_t d);
   bool has_line(std::size_t d) const;
   bool is_base_coarse(std::size_t d) const;
+  bool is_negligible(const AdvicePoint& point, std::size_t d) const;
+  bool spoils(std::size_t d, std::size_t other) const;
   AdvicePoint finer_base(std::size_t d) const;
   bool move_base(const std::vector<std::size_t>& directions);
   double finest_part(std::size_t d) const;
@@ -65,7 +68,7 @@ class AdviceSearch {
   std::vector<double> last_part_;  ///< of each direction: its part before the last refinement
   std::vector<Sensitivity> sensitivities_;
   std::vector<AdvicePoint> perturbed_;
-  std::string problem_;
+  std::string problem_, obstacle_;
 };
 
 }  // namespace ixos

@@ -6,6 +6,7 @@ namespace ixos {
 namespace {
 
 constexpr double times_the_plan = 8;  ///< the cost of all runs over that of the recommended run
+constexpr double promising = 2;       ///< accuracy over that of the scene's own, of trials that others do not hold up
 constexpr double worthwhile = 0.5;    ///< cost of a trial over what it may save in one run
 constexpr std::size_t most_rounds = 100;
 
@@ -24,8 +25,9 @@ AdvicePoint AdviceSearch::own_plan(const std::vector<AdviceCandidate>& all) cons
   return corner;
 }
 
-/// Carries out the best of trials, as many as run at a time: each for itself, and all that a direction had so far, must
-/// take at most its allowance in seconds. Returns whether there were some.
+/// Carries out the best of trials, as many as run at a time: each for itself must take at most its allowance in
+/// seconds, and so must all that a direction had so far, unless the trial promises much. Returns whether there were
+/// some.
 bool AdviceSearch::try_best(std::vector<AdviceTrial> trials, const std::vector<double>& allowance) {
   const AdviceCosts cost = costs();
   const auto value = [&](const AdviceTrial& trial) {
@@ -39,7 +41,8 @@ bool AdviceSearch::try_best(std::vector<AdviceTrial> trials, const std::vector<d
   double total = 0;
   for (const AdviceTrial& trial : trials) {
     const double seconds = cost.seconds(trial.point);
-    if (planned[trial.direction] + seconds > allowance[trial.direction] || !runs_.affords(total + seconds)) continue;
+    const double before = trial.promise < promising ? planned[trial.direction] : 0;
+    if (before + seconds > allowance[trial.direction] || !runs_.affords(total + seconds)) continue;
     total += seconds;
     planned[trial.direction] += seconds;
     batch.push_back(trial);
@@ -85,11 +88,10 @@ bool AdviceSearch::confirm_order(const AdviceCandidate& plan, double least) {
   return false;
 }
 
-/// Returns whether a run leaves enough for the plan, of the user's budget or a multiple of the plan's cost.
+/// Returns whether a run leaves enough for the plan, of the budget and of a multiple of the plan's cost.
 bool AdviceSearch::pays(double seconds, const AdviceCandidate& plan) const {
-  const double most = question_.budget > 0 ? runs_.budget() : times_the_plan * plan.seconds;
   const double total = seconds + plan.seconds;
-  return runs_.spent() + total <= most && runs_.affords(total);
+  return runs_.spent() + total <= times_the_plan * plan.seconds && runs_.affords(total);
 }
 
 /// Tries other choices, and confirms orders, while the runs cost little beside what they may save in one run.

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +12,11 @@ namespace {
 
 constexpr std::size_t least_points = 3;  ///< of a line that settings are recommended by
 constexpr std::size_t most_points = 3;   ///< of a line that moves with the base
-constexpr double helpful = 0.9;          ///< largest part of an error that a refinement which helps leaves of it
+/// Largest part of the tolerance that an error may be to count as known at a coarse base: it may be misjudged there by
+/// a factor of ten or so.
+constexpr double negligible_part = 0.05;
+constexpr long most_failures = 2;  ///< of runs of one level, before the search gives up
+constexpr double helpful = 0.9;    ///< largest part of an error that a refinement which helps leaves of it
 constexpr std::size_t most_rounds = 100;
 
 /// Returns the largest error of a base. Two relative errors interact by about their product, which should be a part of
@@ -19,19 +25,53 @@ double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
 
 }  // namespace
 
-/// Runs the next finer level of a direction at the base. Returns whether it reached its end.
+/// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says
+/// why.
 bool AdviceSearch::extend(std::size_t d) {
   const std::size_t level = errors().finest(d, 0) + 1;
-  if (level >= levels(d)) return false;
+  if (level >= levels(d)) {
+    obstacle_ = fmt::format("The {} has no finer level.", directions_.all[d].name);
+    return false;
+  }
   const AdvicePoint next = moved(d, level);
-  if (const AdviceSample* known = runs_.sample(next); known != nullptr) return false;  // it failed
-  if (!runs_.affords(costs().seconds(next))) return false;
-  runs_.carry_out({next});
-  return runs_.sample(next)->good;
+  if (runs_.sample(next) == nullptr) {
+    if (const double seconds = costs().seconds(next); !runs_.affords(seconds)) {
+      obstacle_ =
+          fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
+                      description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent()));
+      return false;
+    }
+    runs_.carry_out({next});
+  }
+  const AdviceSample* sample = runs_.sample(next);
+  if (!sample->good)
+    obstacle_ = fmt::format("A finer run ({}) failed: {}.", description_of(directions_, next), sample->reason);
+  return sample->good;
 }
 
-/// Returns whether the line of a direction has enough points, as far as there are levels.
+/// Extends the line of step or mesh. If the finer run fails, the base moves in the other direction, twice at most: with
+/// a shorter step a finer mesh may reach its end. Returns whether anything changed.
+bool AdviceSearch::extend_or_move(std::size_t d) {
+  if (extend(d)) return true;
+  if (d > mesh_direction) return false;
+  const std::size_t level = errors().finest(d, 0) + 1, other = d == time_direction ? mesh_direction : time_direction;
+  if (level >= levels(d) || runs_.sample(moved(d, level)) == nullptr) return false;
+  const std::vector<AdviceSample>& all = runs_.samples();
+  const auto failed = [&](const AdviceSample& sample) {
+    return !sample.good && sample.point[d] == AdvicePlace{0, level};
+  };
+  if (std::count_if(all.begin(), all.end(), failed) > most_failures) return false;
+  const std::string obstacle = obstacle_;
+  if (finer_base(other).empty()) extend(other);
+  if (move_base({other})) return true;
+  obstacle_ = obstacle;
+  return false;
+}
+
+/// Returns whether the line of a direction has enough points, as far as there are levels. A run tells its own error if
+/// all quantities are errors.
 bool AdviceSearch::has_line(std::size_t d) const {
+  if (std::all_of(is_error_.begin(), is_error_.end(), [](bool is_error) { return is_error; })) return true;
   const std::size_t first = d == mesh_direction ? coarsest_mesh_ : 0;
   return errors().tested(d, 0) >= std::min(least_points, levels(d) - first);
 }
@@ -41,6 +81,18 @@ bool AdviceSearch::is_base_coarse(std::size_t d) const {
   for (const std::vector<double>& parts : errors().estimate(base_).parts)
     if (!(parts[d] <= largest_base_error(question_.tolerance))) return true;
   return false;
+}
+
+/// Returns whether the error of a direction at a point is so small that even a coarse base measures it well enough.
+bool AdviceSearch::is_negligible(const AdvicePoint& point, std::size_t d) const {
+  for (const std::vector<double>& parts : errors().estimate(point).parts)
+    if (!(parts[d] <= negligible_part * question_.tolerance)) return false;
+  return true;
+}
+
+/// Returns whether the base should be finer in a direction for the sake of the errors of another.
+bool AdviceSearch::spoils(std::size_t d, std::size_t other) const {
+  return is_base_coarse(d) && !is_negligible(base_, other);
 }
 
 /// Returns the runs that the line of a direction through another base needs, and that were not carried out: the base
@@ -100,17 +152,18 @@ double AdviceSearch::finest_part(std::size_t d) const {
 }
 
 /// Refines a direction once more. If its sequence has no order, or the last refinement did not help, it does not
-/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction.
+/// converge at this base: coarse meshes ripple. Then it is measured at a base that is finer in the other direction, if
+/// that has an error to speak of.
 bool AdviceSearch::refine_line(std::size_t d) {
   const double part = finest_part(d);
   const bool irregular = !errors().has_order(d), futile = part > helpful * last_part_[d];
-  if ((irregular || futile) && d <= mesh_direction &&
-      move_base({d == time_direction ? mesh_direction : time_direction})) {
+  const std::size_t other = d == time_direction ? mesh_direction : time_direction;
+  if ((irregular || futile) && d <= mesh_direction && !is_negligible(base_, other) && move_base({other})) {
     last_part_[d] = std::numeric_limits<double>::infinity();
     return true;
   }
   last_part_[d] = part;
-  return extend(d);
+  return extend_or_move(d);
 }
 
 /// Reduces the largest part of the error that the finest settings of all lines have. Returns whether anything changed.
@@ -148,16 +201,17 @@ AdviceStatus AdviceSearch::refine() {
     // Chaos may show on finer meshes, or with some steps, only.
     if (needs_perturbation(base_) && !is_predictable(base_)) return AdviceStatus::Chaotic;
     if (!has_line(time_direction) || !has_line(mesh_direction)) {
-      if (extend(has_line(time_direction) ? mesh_direction : time_direction)) continue;
-      return AdviceStatus::Unreachable;
+      if (extend_or_move(has_line(time_direction) ? mesh_direction : time_direction)) continue;
+      break;
     }
     if (examine_suspects()) continue;
-    if (is_base_coarse(mesh_direction) && move_base({mesh_direction})) continue;
-    if (is_base_coarse(time_direction) && move_base({time_direction})) continue;
+    if (spoils(mesh_direction, time_direction) && move_base({mesh_direction})) continue;
+    if (spoils(time_direction, mesh_direction) && move_base({time_direction})) continue;
     const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
     if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
     if (!sharpen()) break;
   }
+  problem_ = obstacle_;
   return AdviceStatus::Unreachable;
 }
 

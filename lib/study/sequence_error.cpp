@@ -16,6 +16,7 @@ constexpr double agreement = 0.2;       ///< part of the order by which two orde
 constexpr double confirmed_part = 0.5;  ///< uncertainty over the extrapolated error, of a confirmed order
 constexpr double single_part = 2;       ///< the same, of an order that three points alone give
 constexpr double bound_factor = 1.5;    ///< of a bound by differences
+constexpr double slowest = 0.4;         ///< power of the size with which differences fall at least
 constexpr double rounding = 1e-13;      ///< part of a value below which a difference is rounding
 
 /// Returns the order p of q = limit + C h^p through three points whose differences have the same sign; NaN if there is
@@ -36,6 +37,17 @@ double observed_order(const SequencePoint& a, const SequencePoint& b, const Sequ
 }
 
 bool same_sign(double a, double b) { return a * b > 0; }
+
+/// Returns the power with which the differences of the three finest points fall, between `slowest` and 1; 1 if there
+/// are fewer points, or if they oscillate.
+double power_of_fall(const std::vector<SequencePoint>& points) {
+  const std::size_t n = points.size();
+  if (n < 3) return 1;
+  const SequencePoint &a = points[n - 3], &b = points[n - 2], &c = points[n - 1];
+  if (!same_sign(a.value - b.value, b.value - c.value)) return 1;
+  const double power = std::log((a.value - b.value) / (b.value - c.value)) / std::log(b.size / c.size);
+  return std::clamp(power, slowest, 1.0);
+}
 
 /// Returns whether three coarser points confirm an order, and lowers the order to theirs.
 bool confirms(const SequencePoint& a, const SequencePoint& b, const SequencePoint& c, double& order) {
@@ -93,9 +105,9 @@ SequenceErrors sequence_errors(const std::vector<SequencePoint>& points) {
   } else {
     extrapolate(points, result);
     if (result.order == 0) {
-      // The finest point's own error, if errors fall at least in proportion to the size.
+      // The finest point's own error, if errors fall at least in proportion to the size, or as slowly as they do.
       const double ratio = points[points.size() - 2].size / finest.size;
-      result.limit_uncertainty = bound_factor * largest / std::min(1.0, ratio - 1);
+      result.limit_uncertainty = bound_factor * largest / std::min(1.0, std::pow(ratio, power_of_fall(points)) - 1);
     }
   }
   result.errors = errors_against(points, result.limit, result.limit_uncertainty);

@@ -33,7 +33,8 @@ struct SequenceErrors {
 ///
 /// Without an order, the error of the finest point is at most 1.5 times the largest difference of neighbours, each
 /// reduced in proportion to the size: this holds for a sequence whose errors fall at least in proportion to the size,
-/// and also for one that oscillates. A sequence of two points is bounded in this way.
+/// and also for one that oscillates. A sequence of two points is bounded in this way. If the last two differences have
+/// the same sign and fall more slowly, with the power 0.4 or more, the bound grows to what is left with that power.
 ///
 /// Each error is at least that of every finer point: a coarse value near the limit is a coincidence.
 ///

@@ -196,6 +196,35 @@ TEST_F(AdviceTest, RunsThatFailAreAvoided) {
   EXPECT_NE(none.problem.find("negative"), std::string::npos) << none.problem;
 }
 
+TEST_F(AdviceTest, AFineMeshThatFailsWithALongStepIsRunWithAShorterOne) {
+  const Advice found = advice("-1 if h < 1.5 and dt > 0.04 else 1 + 4 * dt**2 + 0.08 * h**2", 0.05);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  EXPECT_LE(4 * dt * dt + 0.08 * h * h, 0.05) << dt << ' ' << h;
+  EXPECT_LE(dt, 0.04);
+}
+
+TEST_F(AdviceTest, AnErrorNeedsNoFinerMesh) {
+  // The stand-in's energy error is the value of its formula.
+  const Advice found = advice("4 * dt**2", 0.02, "energy error");
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction);
+  EXPECT_LE(4 * dt * dt, 0.02);
+  for (const AdviceSample& sample : found.samples)
+    EXPECT_EQ(sample.point[mesh_direction].level, found.samples.front().point[mesh_direction].level);
+}
+
+TEST_F(AdviceTest, TellsWhyItStops) {
+  const Advice fails = advice("-1 if h < 1.5 else 1 + dt**2 + h**2", 0.01);
+  EXPECT_EQ(fails.status, AdviceStatus::Unreachable);
+  EXPECT_NE(fails.problem.find("failed: negative"), std::string::npos) << fails.problem;
+  options_.folder += "-budget";
+  question_.budget = 0.6;
+  const Advice poor = advice("1 + dt**2 + 0.5 * h**0.5", 0.001);
+  EXPECT_EQ(poor.status, AdviceStatus::Unreachable);
+  EXPECT_NE(poor.problem.find("the budget has"), std::string::npos) << poor.problem;
+}
+
 TEST_F(AdviceTest, BadQuestionsAreRefused) {
   EXPECT_THROW(advice("1", 0.01, "final forse"), InputError);
   EXPECT_THROW(advice("1", 0.01, "mean force [20, 30]"), InputError);

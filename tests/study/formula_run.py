@@ -3,7 +3,7 @@
 
     IXOS_FORMULA='...' formula_run.py SCENE --quiet --output FOLDER --overwrite --set "Path=value"...
 
-IXOS_FORMULA is an expression in Python: the value of the column "force" at the last row. It may use dt, the time step;
+IXOS_FORMULA is an expression in Python: the value of the column "force", and the energy error. It may use dt, the time step;
 h, 8 over the number of cells along the box; scheme; element; tolerance, of Newton's method; change, the relative
 change of the density; and sin. If it is negative, the run diverges. Each run adds a line to the file runs.txt beside
 the scene. Processor time grows with steps and cells.
@@ -45,7 +45,7 @@ def main():
         f'value="{scheme}"/></ParameterList></ParameterList>')
     (folder / "summary.json").write_text(json.dumps({
         "status": "completed" if value >= 0 else "diverged", "reason": "" if value >= 0 else "negative", "steps": steps,
-        "dofs": 2 * (cells + 1) ** 2, "wall_seconds": 1e-7 * steps * cells * cells, "max_energy_error": 0.0}))
+        "dofs": 2 * (cells + 1) ** 2, "wall_seconds": 1e-7 * steps * cells * cells, "max_energy_error": abs(value)}))
     sys.exit(0 if value >= 0 else 3)
 
 

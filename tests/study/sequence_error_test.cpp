@@ -126,6 +126,15 @@ TEST(SequenceErrorTest, BoundsHoldForErrorsOfSeveralPowers) {
   }
 }
 
+TEST(SequenceErrorTest, BoundsHoldForErrorsThatFallSlowly) {
+  for (double power : {0.45, 0.5, 0.6}) {
+    const auto points = halved(3, [&](double h) { return 1 + std::pow(h, power); });
+    const SequenceErrors found = sequence_errors(points);
+    EXPECT_EQ(found.order, 0) << power;
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_GE(found.errors[i], points[i].value - 1) << power;
+  }
+}
+
 TEST(SequenceErrorTest, OtherSequencesAreJudgedByTheLimit) {
   const std::vector<SequencePoint> points{{1, 1.001}, {0.5, 1.05}};
   const std::vector<double> errors = errors_against(points, 1, 0.01);
