@@ -33,6 +33,7 @@ class AdviceSearch {
   bool start();
   bool is_predictable(const AdvicePoint& point);
   bool needs_perturbation(const AdvicePoint& point) const;
+  void meets(const std::string& obstacle);
   bool extend(std::size_t d);
   bool extend_or_move(std::size_t d);
   bool has_line(std::size_t d) const;

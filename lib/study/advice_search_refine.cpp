@@ -26,27 +26,31 @@ double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
 }  // namespace
 
 /// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says
-/// why.
+/// why, unless it has an earlier reason of this round.
 bool AdviceSearch::extend(std::size_t d) {
   const std::size_t level = errors().finest(d, 0) + 1;
   if (level >= levels(d)) {
-    obstacle_ = fmt::format("The {} has no finer level.", directions_.all[d].name);
+    meets(fmt::format("The {} has no finer level.", directions_.all[d].name));
     return false;
   }
   const AdvicePoint next = moved(d, level);
   if (runs_.sample(next) == nullptr) {
     if (const double seconds = costs().seconds(next); !runs_.affords(seconds)) {
-      obstacle_ =
-          fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
-                      description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent()));
+      meets(fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
+                        description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent())));
       return false;
     }
     runs_.carry_out({next});
   }
   const AdviceSample* sample = runs_.sample(next);
   if (!sample->good)
-    obstacle_ = fmt::format("A finer run ({}) failed: {}.", description_of(directions_, next), sample->reason);
+    meets(fmt::format("A finer run ({}) failed: {}.", description_of(directions_, next), sample->reason));
   return sample->good;
+}
+
+/// Notes what stops a round; its first obstacle is that of the largest error.
+void AdviceSearch::meets(const std::string& obstacle) {
+  if (obstacle_.empty()) obstacle_ = obstacle;
 }
 
 /// Extends the line of step or mesh. If the finer run fails, the base moves in the other direction, twice at most: with
@@ -61,11 +65,12 @@ bool AdviceSearch::extend_or_move(std::size_t d) {
     return !sample.good && sample.point[d] == AdvicePlace{0, level};
   };
   if (std::count_if(all.begin(), all.end(), failed) > most_failures) return false;
-  const std::string obstacle = obstacle_;
-  if (finer_base(other).empty()) extend(other);
-  if (move_base({other})) return true;
-  obstacle_ = obstacle;
-  return false;
+  const bool more = finer_base(other).empty() && extend(other);
+  if (move_base({other})) {
+    last_part_[d] = std::numeric_limits<double>::infinity();  // that of the old base
+    return true;
+  }
+  return more;
 }
 
 /// Returns whether the line of a direction has enough points, as far as there are levels. A run tells its own error if
@@ -198,6 +203,7 @@ bool AdviceSearch::examine_suspects() {
 /// Refines until settings keep the tolerance.
 AdviceStatus AdviceSearch::refine() {
   for (std::size_t round = 0; round < most_rounds; ++round) {
+    obstacle_.clear();
     // Chaos may show on finer meshes, or with some steps, only.
     if (needs_perturbation(base_) && !is_predictable(base_)) return AdviceStatus::Chaotic;
     if (!has_line(time_direction) || !has_line(mesh_direction)) {
@@ -211,7 +217,7 @@ AdviceStatus AdviceSearch::refine() {
     if (cheapest_within(all, question_.tolerance) != nullptr) return AdviceStatus::Advised;
     if (!sharpen()) break;
   }
-  problem_ = obstacle_;
+  problem_ = obstacle_.empty() ? "No refinement reduces the error." : obstacle_;
   return AdviceStatus::Unreachable;
 }
 

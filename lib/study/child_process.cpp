@@ -22,9 +22,8 @@
 namespace ixos {
 namespace {
 
-/// Returns this process's environment without what mpirun tells its own ranks: the child starts its own MPI. Adds those
-/// variables that are not in it.
-std::vector<char*> environment(std::vector<std::string>& variables) {
+/// Returns this process's environment without what mpirun tells its own ranks: the child starts its own MPI.
+std::vector<char*> environment() {
   std::vector<char*> result;
   for (char** variable = environ; *variable != nullptr; ++variable) {
     const std::string text = *variable;
@@ -33,16 +32,13 @@ std::vector<char*> environment(std::vector<std::string>& variables) {
         !begins("OMPI_MCA_orte_") && !begins("OMPI_MCA_ess"))
       result.push_back(*variable);
   }
-  for (std::string& variable : variables)
-    if (std::getenv(variable.substr(0, variable.find('=')).c_str()) == nullptr) result.push_back(variable.data());
   result.push_back(nullptr);
   return result;
 }
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log,
-                           std::vector<std::string> variables)
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::string& log)
     : pid_(-1), start_(std::chrono::steady_clock::now()) {
   std::vector<char*> arguments;
   arguments.reserve(command.size() + 1);
@@ -53,7 +49,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
   if (output < 0) throw FileError(log + ": cannot be written: " + std::strerror(errno));
   setenv("OPENBLAS_NUM_THREADS", "1", 0);
   std::signal(SIGCHLD, SIG_DFL);  // a parent may have had it ignored, and children would leave no trace
-  const std::vector<char*> all_variables = environment(variables);
+  const std::vector<char*> variables = environment();
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) {
@@ -61,7 +57,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::s
     if (getppid() != parent) _exit(127);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
-    execve(arguments[0], arguments.data(), all_variables.data());
+    execve(arguments[0], arguments.data(), variables.data());
     _exit(127);
   }
   close(output);

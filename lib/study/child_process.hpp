@@ -19,10 +19,8 @@ struct ChildOutcome {
 /// The child ends with its parent, however the parent ends.
 class ChildProcess {
  public:
-  /// `variables`: "NAME=value", that the child has unless this process has a variable of that name. Throws FileError
-  /// if no process can be made.
-  ChildProcess(const std::vector<std::string>& command, const std::string& log,
-               std::vector<std::string> variables = {});
+  /// Throws FileError if no process can be made.
+  ChildProcess(const std::vector<std::string>& command, const std::string& log);
   ~ChildProcess();  ///< Kills a child that still runs.
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&&) = delete;

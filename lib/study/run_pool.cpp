@@ -17,13 +17,6 @@
 namespace ixos {
 namespace {
 
-/// A run is one process. Without these, Open MPI starts a server for it and looks for networks, which takes a third of
-/// a second. Processes without a server would share a folder of temporary files, and remove it from under each other;
-/// one process needs none.
-const std::vector<std::string> single_process{"OMPI_MCA_ess_singleton_isolated=1",
-                                              "OMPI_MCA_orte_create_session_dirs=0", "OMPI_MCA_pml=ob1",
-                                              "OMPI_MCA_btl=self"};
-
 using Json = nlohmann::json;
 
 Json read_json(const std::string& path) {
@@ -110,7 +103,7 @@ RunPool::Active RunPool::start(const StudyRun& run, std::size_t number, std::str
   std::vector<std::string> command{options_.driver, options_.scene, "--quiet", "--output",
                                    folder(run),     "--overwrite",  "--set",   "Output/Checkpoint/Keep=0"};
   for (const std::string& assignment : run.settings) command.insert(command.end(), {"--set", assignment});
-  return {number, std::move(scene), ChildProcess(command, folder(run) + "/log.txt", single_process)};
+  return {number, std::move(scene), ChildProcess(command, folder(run) + "/log.txt")};
 }
 
 /// Returns whether the run has ended, after writing its record. Ends a run that exceeds the time limit.

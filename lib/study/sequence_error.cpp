@@ -38,14 +38,15 @@ double observed_order(const SequencePoint& a, const SequencePoint& b, const Sequ
 
 bool same_sign(double a, double b) { return a * b > 0; }
 
-/// Returns the power with which the differences of the three finest points fall, between `slowest` and 1; 1 if there
-/// are fewer points, or if they oscillate.
+/// Returns the power of the size with which the three finest points approach a limit, between `slowest`, also for
+/// differences that grow, and 1; 1 if there are fewer points, or if they oscillate.
 double power_of_fall(const std::vector<SequencePoint>& points) {
   const std::size_t n = points.size();
   if (n < 3) return 1;
   const SequencePoint &a = points[n - 3], &b = points[n - 2], &c = points[n - 1];
   if (!same_sign(a.value - b.value, b.value - c.value)) return 1;
-  const double power = std::log((a.value - b.value) / (b.value - c.value)) / std::log(b.size / c.size);
+  const double power = observed_order(a, b, c);
+  if (std::isnan(power)) return std::abs(a.value - b.value) > std::abs(b.value - c.value) ? 1 : slowest;
   return std::clamp(power, slowest, 1.0);
 }
 
@@ -105,7 +106,7 @@ SequenceErrors sequence_errors(const std::vector<SequencePoint>& points) {
   } else {
     extrapolate(points, result);
     if (result.order == 0) {
-      // The finest point's own error, if errors fall at least in proportion to the size, or as slowly as they do.
+      // The finest point's own error, if errors fall with the power that the last differences show.
       const double ratio = points[points.size() - 2].size / finest.size;
       result.limit_uncertainty = bound_factor * largest / std::min(1.0, std::pow(ratio, power_of_fall(points)) - 1);
     }

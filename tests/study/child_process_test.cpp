@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <functional>
 #include <thread>
 
@@ -35,15 +34,6 @@ TEST_F(ChildProcessTest, TellsHowItEnded) {
   EXPECT_EQ(outcome(child).exit_status, 3);
   EXPECT_EQ(last_line(folder_.path() + "/log"), "second");
   EXPECT_EQ(child.processor_seconds(), 0);
-}
-
-TEST_F(ChildProcessTest, HasVariablesThatThisProcessDoesNotSet) {
-  setenv("IXOS_TEST_OWN", "own", 1);
-  unsetenv("IXOS_TEST_MISSING");
-  ChildProcess child({"/bin/sh", "-c", "echo $IXOS_TEST_OWN $IXOS_TEST_MISSING"}, folder_.path() + "/log",
-                     {"IXOS_TEST_OWN=other", "IXOS_TEST_MISSING=given"});
-  EXPECT_EQ(outcome(child).exit_status, 0);
-  EXPECT_EQ(last_line(folder_.path() + "/log"), "own given");
 }
 
 TEST_F(ChildProcessTest, ProcessorTimeGrowsWithWorkOnly) {

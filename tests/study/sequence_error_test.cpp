@@ -135,6 +135,18 @@ TEST(SequenceErrorTest, BoundsHoldForErrorsThatFallSlowly) {
   }
 }
 
+/// A run of size 2 failed. Differences that grow have no power.
+TEST(SequenceErrorTest, BoundsHoldWhereALevelIsMissing) {
+  for (double power : {0.45, 0.5, 0.6}) {
+    std::vector<SequencePoint> points;
+    for (double h : {4.0, 1.0, 0.5}) points.push_back({h, 1 + std::pow(h, power)});
+    const SequenceErrors found = sequence_errors(points);
+    for (std::size_t i = 0; i < points.size(); ++i) EXPECT_GE(found.errors[i], points[i].value - 1) << power;
+  }
+  const SequenceErrors growing = sequence_errors({{4, 1.1}, {2, 1.2}, {1, 1.4}});
+  EXPECT_NEAR(growing.errors[2], 1.5 * 0.2 / (std::pow(2, 0.4) - 1), 1e-12);
+}
+
 TEST(SequenceErrorTest, OtherSequencesAreJudgedByTheLimit) {
   const std::vector<SequencePoint> points{{1, 1.001}, {0.5, 1.05}};
   const std::vector<double> errors = errors_against(points, 1, 0.01);
