@@ -65,7 +65,7 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
     const bool is_choice = !direction.converges || (d > mesh_direction && points.size() > 1);
     own.reason = is_choice ? "the scene's own counts as exact" : is_error_[q] ? "changes of the base" : "not examined";
   } else if (points.size() > 1) {
-    own = sequence_errors(points);
+    own = sequence_errors(points, true);
     share_limit(d, q, own);
     exact_[q] += own.limit - base_values_[q];
   } else {
@@ -86,7 +86,7 @@ void AdviceErrors::share_limit(std::size_t d, std::size_t q, SequenceErrors& own
   std::size_t best = 0;
   for (std::size_t b = 1; b < lines.size(); ++b) {
     if (!directions_.all[d].branches[b].same_limit || lines[b].levels.size() < 3) continue;
-    const SequenceErrors other = sequence_errors(lines[b].points[q]);
+    const SequenceErrors other = sequence_errors(lines[b].points[q], true);
     if (other.order == 0) continue;
     limits.emplace_back(other.limit_uncertainty, other.limit);
     if (other.limit_uncertainty < own.limit_uncertainty) best = b;

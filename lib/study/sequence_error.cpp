@@ -88,7 +88,7 @@ void extrapolate(const std::vector<SequencePoint>& points, SequenceErrors& resul
 
 }  // namespace
 
-SequenceErrors sequence_errors(const std::vector<SequencePoint>& points) {
+SequenceErrors sequence_errors(const std::vector<SequencePoint>& points, bool may_fall_slowly) {
   if (points.size() < 2) throw std::invalid_argument("sequence_errors: fewer than two points");
   for (std::size_t i = 1; i < points.size(); ++i)
     if (!(points[i].size > 0 && points[i].size < points[i - 1].size))
@@ -108,7 +108,8 @@ SequenceErrors sequence_errors(const std::vector<SequencePoint>& points) {
     if (result.order == 0) {
       // The finest point's own error, if errors fall with the power that the last differences show.
       const double ratio = points[points.size() - 2].size / finest.size;
-      result.limit_uncertainty = bound_factor * largest / std::min(1.0, std::pow(ratio, power_of_fall(points)) - 1);
+      const double power = may_fall_slowly ? power_of_fall(points) : 1;
+      result.limit_uncertainty = bound_factor * largest / std::min(1.0, std::pow(ratio, power) - 1);
     }
   }
   result.errors = errors_against(points, result.limit, result.limit_uncertainty);

@@ -33,13 +33,14 @@ struct SequenceErrors {
 ///
 /// Without an order, the error of the finest point is at most 1.5 times the largest difference of neighbours, each
 /// reduced in proportion to the size: this holds for a sequence whose errors fall at least in proportion to the size,
-/// and also for one that oscillates. A sequence of two points is bounded in this way. If the last two differences have
-/// the same sign and fall more slowly, with the power 0.4 or more, the bound grows to what is left with that power.
+/// and also for one that oscillates. A sequence of two points is bounded in this way. If
+/// `may_fall_slowly` and the last two differences have the same sign and fall more slowly, with the power 0.4 or more,
+/// the bound grows to what is left with that power: meshes converge slowly before edges.
 ///
 /// Each error is at least that of every finer point: a coarse value near the limit is a coincidence.
 ///
 /// Throws std::invalid_argument for fewer than two points, or sizes that do not fall.
-SequenceErrors sequence_errors(const std::vector<SequencePoint>& points);
+SequenceErrors sequence_errors(const std::vector<SequencePoint>& points, bool may_fall_slowly = false);
 
 /// Returns bounds of the errors of points against a limit that another sequence knows to within `uncertainty`. Each is
 /// at least that of every finer point.
