@@ -30,9 +30,6 @@ import time
 import advice_scenes
 from advice_scenes import BODY, ELEMENT, ROOT, SCHEME, STEP, scaled
 
-# Variables that ixos-study sets for its runs: no server, no networks.
-ALONE = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self",
-         "OMPI_MCA_orte_create_session_dirs": "0", "OPENBLAS_NUM_THREADS": "1"}
 STEP_MEANS = ("Average Vector Field", "Energy-Momentum", "Gautam-Sauer Composite")  # reactions of the step's middle
 COLUMNS = ("number", "kind", "quantity", "tolerance", "status", "recommended", "promised", "error", "kept",
            "reference_change", "seconds", "spent", "runs", "grid", "robust_grid", "problem")
@@ -53,7 +50,8 @@ class Runs:
         done = subprocess.run(
             [self.drivers / "ixos", scene or self.scene, "--quiet", "--output", self.folder / name, "--overwrite"] +
             words + ["--set", "Output/Fields Interval=0", "--set", "Output/Fields Time Interval=0", "--set",
-                     "Output/Checkpoint/Keep=0"], capture_output=True, check=False, env={**os.environ, **ALONE},
+                     "Output/Checkpoint/Keep=0"],
+            capture_output=True, check=False, env={**os.environ, "OPENBLAS_NUM_THREADS": "1"},
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2)))
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
@@ -129,7 +127,7 @@ def measure(case, runs, options):
     advised = runs.value("advised", {}, 60, runs.folder / "advice/advised.xml")
     runs.run_scheme = case["settings"][SCHEME]
     if advised[0] is None:
-        return dict(result, status="advised run failed")
+        return dict(result, status="advised run failed", kept=False)
     result["value"], result["seconds"] = advised
     if is_error:
         result["error"] = advised[0]
@@ -146,7 +144,8 @@ def measure(case, runs, options):
 def grid(result, runs):
     """Returns the costs of the cheapest setting of a full grid within the tolerance: of all, and without coincidences.
 
-    Runs that take longer than the advised one are left out, for they do not count."""
+    Runs that take longer than the advised one, which is within the tolerance, are left out, for they do not count. A
+    run is no coincidence if half its step and half its cells' length are within the tolerance, too."""
     kind, tolerance, most = result["kind"], result["tolerance"], result["seconds"]
     own = result["settings"]
     elements = [{}, {BODY[kind] + "Element Formulation": "Enhanced"}, {ELEMENT: "Q1C4"},
@@ -233,7 +232,7 @@ def main():
     parser.add_argument("--first", type=int, default=0, help="number of the first case")
     parser.add_argument("--cases", type=int, default=100)
     parser.add_argument("--minutes", type=float, default=1e9, help="begin no case after so many minutes")
-    parser.add_argument("--grid", type=int, default=8, help="every so manieth advised case has a grid; 0: none")
+    parser.add_argument("--grid", type=int, default=8, help="a grid for one of so many advised cases; 0: none")
     parser.add_argument("--budget", type=float, default=20, help="seconds of processor time of an advice")
     parser.add_argument("--reference", type=float, default=60, help="seconds that a reference may take")
     parser.add_argument("--reference-always", action="store_true", help="run references also without an advice")
@@ -267,14 +266,14 @@ def main():
         begin = time.monotonic()
         case = dict(measure(case, runs, options), seed=options.seed)
         advised = sum("kept" in other for other in done)
-        if "kept" in case and options.grid and advised % options.grid == 0:
+        if case.get("kept") and options.grid and advised % options.grid == 0:
             case.update(grid(case, runs))
         case["wall_seconds"] = round(time.monotonic() - begin, 1)
         done.append(case)
         with open(record, "a", encoding="utf-8") as file:
             file.write(json.dumps(case) + "\n")
-        shown = ("number", "kind", "quantity", "tolerance", "status", "error", "promised", "reference_change", "seconds",
-                 "spent", "runs", "grid", "robust_grid", "wall_seconds")
+        shown = ("number", "kind", "quantity", "tolerance", "status", "error", "promised", "reference_change",
+                 "seconds", "spent", "runs", "grid", "robust_grid", "wall_seconds")
         print(json.dumps({key: case[key] for key in shown if key in case}), flush=True)
     report(done)
 

@@ -3,7 +3,7 @@
 
     IXOS_FORMULA='...' formula_run.py SCENE --quiet --output FOLDER --overwrite --set "Path=value"...
 
-IXOS_FORMULA is an expression in Python: the value of the column "force", and the energy error. It may use dt, the time step;
+IXOS_FORMULA is an expression in Python: the value of the column "force", and the energy error. It may use dt, the step;
 h, 8 over the number of cells along the box; scheme; element; tolerance, of Newton's method; change, the relative
 change of the density; and sin. If it is negative, the run diverges. Each run adds a line to the file runs.txt beside
 the scene. Processor time grows with steps and cells.
