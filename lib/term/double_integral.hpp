@@ -15,9 +15,9 @@ namespace ixos {
 /// each other than a third of the gap.
 ///
 /// `distance`: the interaction of the same surfaces by the least distance. It says which gaps and steps are admissible,
-/// and it reports gaps, normals, pressures, measures and rounding. Energy and force are those of the double integral. It
-/// follows rules with points. A rank evaluates the secondary sides near its nodes, all of them if it owns a node of the
-/// primary surface. Mesh, surfaces and pattern must outlive the term.
+/// and it reports gaps, normals, pressures, measures and rounding. Energy and force are those of the double integral.
+/// It follows rules with points. A rank evaluates the secondary sides near its nodes, all of them if it owns a node of
+/// the primary surface. Mesh, surfaces and pattern must outlive the term.
 template <std::size_t D>
 std::unique_ptr<Interaction> make_double_integral(const LocalMesh& mesh, PairSurfaces<D> surfaces,
                                                   const Pattern& pattern, std::unique_ptr<Interaction> distance,

@@ -39,8 +39,8 @@ TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
   std::istringstream rows(history);
   for (std::string row; std::getline(rows, row);)
     if (row.front() != 's') times.push_back(std::stod(row.substr(row.find(',') + 1)));
-  for (double grid = 4; grid < times.back(); grid += 4)
-    EXPECT_TRUE(std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - grid) < 1e-9; })) << grid;
+  for (int step = 4; step < times.back(); step += 4)
+    EXPECT_TRUE(std::any_of(times.begin(), times.end(), [&](double t) { return std::abs(t - step) < 1e-9; })) << step;
   const std::string header = history.substr(0, history.find('\n'));
   EXPECT_NE(header.find(",reaction_right_x,reaction_right_y,P_ux,P_uy,P_vx,P_vy,edge_ux,"), std::string::npos)
       << header;
