@@ -9,6 +9,7 @@
 #include "interaction/friction_law.hpp"
 #include "interaction/gap_law.hpp"
 #include "model/model.hpp"
+#include "term/patch_points.hpp"
 #include "term/surface_patches.hpp"
 
 namespace ixos {
@@ -22,12 +23,6 @@ enum class Passes { One, Two, TwoWithoutReaction, DoubleIntegral };
 /// The most nodes that both surfaces of a double integral may have together. Its matrix is dense: in space it takes
 /// 0.65 GB for so many, and each rank has it several times.
 inline constexpr std::size_t most_nodes_of_double_integral = 3000;
-
-/// The most Gauss points per direction on a side.
-inline constexpr int most_points_on_a_side = 64;
-
-/// Returns the number of Gauss points per direction on a side: `asked`, or the default if that is 0.
-constexpr int points_on_a_side(int asked) { return asked > 0 ? asked : 5; }
 
 /// The gaps g of a secondary (slave) surface are its signed least distances to a primary (master) one. The law is
 /// integrated over the secondary surface in the undeformed body, the sum of w psi(g), and the primary one takes the

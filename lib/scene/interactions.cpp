@@ -101,7 +101,7 @@ const Options<Parameters>& options() {
           .add("Surface Points", &Parameters::surface_points,
                "Number of Gauss points per direction on each side of the surface. With 0 it is 5, or 8 for Q1C3, Q1C4, "
                "Q1CH and Q2C4.",
-               between(0, 64))
+               between(0, most_points_on_a_side))
           .add("Cutoff", &Parameters::cutoff,
                "Gap beyond which the interaction is neglected [L0]. The error of the traction is at most the traction "
                "at this gap. 0: no cutoff.",

@@ -7,8 +7,8 @@ namespace ixos {
 namespace {
 
 constexpr double saving_of_a_choice = 0.25;
-constexpr double least_gain =
-    1.3;  ///< over the scene's own elements or scheme, of others that are tried at finer levels
+/// Accuracy of other elements or schemes over the scene's own for which finer levels are tried.
+constexpr double least_gain = 1.3;
 constexpr double least_share = 0.25;  ///< of the tolerance, that counts as left for a direction
 
 bool was_run(const std::vector<AdviceSample>& samples, const AdvicePoint& point) {

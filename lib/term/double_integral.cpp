@@ -21,16 +21,9 @@ class DoubleIntegral final : public Interaction {
         distance_(std::move(distance)),
         pairs_(surfaces_, kernel, points),
         nodes_(surfaces_.secondary.nodes),
+        acts_(acting_patches(surfaces_, mesh.owned_nodes)),
         scratch_(coordinates_.size()) {
     nodes_.insert(nodes_.end(), surfaces_.primary.nodes.begin(), surfaces_.primary.nodes.end());
-    const auto is_owned = [&](int node) { return node < mesh.owned_nodes; };
-    const std::vector<int>& primary = surfaces_.primary.nodes;
-    const bool has_primary = std::any_of(primary.begin(), primary.end(), is_owned);
-    for (const SurfacePatch<D>& patch : surfaces_.secondary.patches)
-      acts_.push_back(
-          has_primary ||
-          std::any_of(patch.nodes.begin(), patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.count),
-                      [&](int node) { return is_owned(surfaces_.secondary.nodes[static_cast<std::size_t>(node)]); }));
   }
 
   bool needs_positive_gaps() const override { return true; }

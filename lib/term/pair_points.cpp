@@ -5,20 +5,13 @@
 #include <numeric>
 
 #include "base/vector3.hpp"
-#include "fem/quadrature.hpp"
 #include "fem/revolved.hpp"
+#include "term/patch_points.hpp"
 
 namespace ixos {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-template <std::size_t D>
-bool any_owned(const SurfacePatch<D>& patch, const SurfacePatches<D>& surface, int owned_nodes) {
-  for (std::size_t a = 0; a < patch.count; ++a)
-    if (surface.nodes[static_cast<std::size_t>(patch.nodes[a])] < owned_nodes) return true;
-  return false;
-}
 
 /// Returns the factor at a place X with the parameters xi of a patch, whose corners' nodal factors count linearly.
 template <std::size_t D>
@@ -56,10 +49,10 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       range_(law_->range()),
       share_(options.share),
       reacts_(options.reacts),
+      adds_to_own_(acting_patches(surfaces_, mesh.owned_nodes)),
       search_(surfaces_) {
-  const std::size_t n = static_cast<std::size_t>(options.points > 0 ? options.points : 5);
-  per_patch_ = D == 2 ? n : n * n;
-  const Quadrature gauss = gauss_legendre_unit(static_cast<int>(n));
+  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
+  per_patch_ = on_a_patch.size();
   const std::vector<double> rest(coordinates_.size(), 0.0);
   const std::vector<Vec<D>> x = places(rest.data()).secondary;
   const bool self = options.exclusion > 0;
@@ -67,25 +60,17 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
     sight_ = std::make_unique<SelfSight<D>>(secondary().patches, x, options.exclusion, range_);
     sight_->look(x, range_);
   }
-  const bool has_primary =
-      std::any_of(primary().nodes.begin(), primary().nodes.end(), [&](int node) { return node < mesh.owned_nodes; });
   for (const SurfacePatch<D>& patch : secondary().patches) {
     const PlacedPatch<D> own = patch.placed(patch.among(x));
-    for (std::size_t q = 0; q < per_patch_; ++q) {
-      PatchParameters<D> xi{gauss.points[q % n]};
-      double weight = gauss.weights[q % n];
-      if constexpr (D == 3) {
-        xi[1] = gauss.points[q / n];
-        weight *= gauss.weights[q / n];
-      }
+    for (const PatchPoint<D>& point : on_a_patch) {
+      const PatchParameters<D>& xi = point.xi;
       const auto frame = own.frame(xi);
-      double area = weight * stretch(frame);
+      double area = point.weight * stretch(frame);
       if (mesh.axisymmetric) area *= circumference(frame.place[0]);
       const double factor =
           factor_at(options.factor, frame.place, xi, patch, secondary().nodes) * share_ / (self ? 2 : 1);
       points_.push_back({patch.weights(xi), factor * area, area});
     }
-    adds_to_own_.push_back(has_primary || any_owned(patch, secondary(), mesh.owned_nodes) ? 1 : 0);
   }
 }
 

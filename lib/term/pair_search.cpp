@@ -113,6 +113,23 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<Pai
   return last_;
 }
 
+template <std::size_t D>
+std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes) {
+  const SurfacePatches<D>& secondary = surfaces.secondary;
+  const auto is_owned = [&](int node) { return node < owned_nodes; };
+  const bool all = std::any_of(surfaces.primary.nodes.begin(), surfaces.primary.nodes.end(), is_owned);
+  std::vector<char> result;
+  for (const SurfacePatch<D>& patch : secondary.patches) {
+    bool acts = all;
+    for (std::size_t a = 0; a < patch.count; ++a)
+      acts = acts || is_owned(secondary.nodes[static_cast<std::size_t>(patch.nodes[a])]);
+    result.push_back(acts ? 1 : 0);
+  }
+  return result;
+}
+
+template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
+template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double);
 template struct PairPlaces<2>;

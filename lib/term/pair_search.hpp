@@ -21,6 +21,11 @@ struct PairPlaces {
   bool is_finite() const;
 };
 
+/// Returns, by secondary patch, whether forces between its points and the primary surface act on owned local nodes,
+/// those below `owned_nodes`: all of them if a primary node is owned.
+template <std::size_t D>
+std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes);
+
 /// Secondary patches, and the primary ones that their points can have feet on.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending

@@ -1,7 +1,7 @@
 #include "term/surface_elements.hpp"
 
 #include "base/vector3.hpp"
-#include "fem/quadrature.hpp"
+#include "term/patch_points.hpp"
 
 namespace ixos {
 namespace {
@@ -14,20 +14,13 @@ std::array<double, 9> cross_matrix(const Vec<3>& a) { return {0, -a[2], a[1], a[
 
 template <std::size_t D>
 SurfaceElements<D>::SurfaceElements(const SurfacePatches<D>& surface, int points) : surface_(surface) {
-  const auto n = static_cast<std::size_t>(points);
-  per_patch_ = D == 2 ? n : n * n;
-  const Quadrature gauss = gauss_legendre_unit(points);
+  const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points);
+  per_patch_ = on_a_patch.size();
   for (std::size_t s = 0; s < surface.patches.size(); ++s)
-    for (std::size_t q = 0; q < per_patch_; ++q) {
-      PatchParameters<D> xi{gauss.points[q % n]};
-      double weight = gauss.weights[q % n];
-      if constexpr (D == 3) {
-        xi[1] = gauss.points[q / n];
-        weight *= gauss.weights[q / n];
-      }
-      const typename SurfacePatch<D>::Shape shape = surface.patches[s].shape(xi);
+    for (const PatchPoint<D>& point : on_a_patch) {
+      const typename SurfacePatch<D>::Shape shape = surface.patches[s].shape(point.xi);
       points_.push_back({s, shape.value, shape.slopes});
-      for (double& slope : points_.back().slopes[0]) slope *= weight;
+      for (double& slope : points_.back().slopes[0]) slope *= point.weight;
     }
 }
 

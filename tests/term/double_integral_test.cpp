@@ -8,7 +8,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "support/comparison.hpp"
-#include "support/pair_of_bodies.hpp"
+#include "support/pair_checks.hpp"
 #include "support/tangents.hpp"
 #include "term/dense_pairs.hpp"
 
@@ -20,11 +20,6 @@ struct Bodies : test::PairOfBodies {
   Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary,
          Smoothing smoothing = Smoothing::CatmullRom)
       : PairOfBodies(mesh, secondary, primary, smoothing, 0, gap_law(VanDerWaals(2.5, 25)), Passes::DoubleIntegral, 3) {
-  }
-  std::vector<double> force(const Segment& segment, const Rule& rule, bool allowed = true) const {
-    std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
-    EXPECT_EQ(term->add_force(segment, rule, f.data()), allowed);
-    return f;
   }
 };
 
@@ -46,41 +41,7 @@ std::vector<Bodies> cases() {
 
 /// The matrix couples all nodes of both surfaces, so nothing is left out.
 TEST(DoubleIntegralTest, ForceAndTangentAreDerivatives) {
-  for (const Bodies& bodies : cases()) {
-    const std::vector<double> from = test::smooth_field(*bodies.model, 0.02),
-                              to = test::smooth_field(*bodies.model, -0.02), way = test::noise(*bodies.model, 1);
-    const auto owned = static_cast<std::size_t>(bodies.model->space().owned());
-    const double h = 1e-6;
-    const std::vector<double> ahead = test::moved(to, h, way), behind = test::moved(to, -h, way);
-    const auto f = bodies.force({nullptr, nullptr, to.data()}, end_rule());
-    double work = 0;
-    for (std::size_t k = 0; k < owned; ++k) work += f[k] * way[k];
-    bodies.model->space().sum(&work, 1);
-    EXPECT_NEAR((bodies.energy(ahead) - bodies.energy(behind)) / (2 * h), work, 1e-8 * (1 + std::abs(work)));
-    EXPECT_GT(std::abs(work), 1e-4);
-    for (const Rule& rule : {end_rule(), gauss_rule(2)}) {
-      const auto f1 = bodies.force({from.data(), nullptr, ahead.data()}, rule);
-      const auto f0 = bodies.force({from.data(), nullptr, behind.data()}, rule);
-      const Segment segment{from.data(), nullptr, to.data()};
-      std::vector<double> values = test::no_values(*bodies.model);
-      bodies.term->add_tangent(segment, rule, Tangent::Exact, values.data());
-      const auto k_way = test::matrix_product(*bodies.model, values.data(), way);
-      double largest = 0;
-      for (std::size_t k = 0; k < owned; ++k) largest = std::max(largest, std::abs(k_way[k]));
-      largest = bodies.model->space().maximum(largest);
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR((f1[k] - f0[k]) / (2 * h), k_way[k], 1e-8 * largest + 1e-9);
-      EXPECT_GT(largest, 1e-3);
-      const auto action = bodies.term->create_action();
-      action->linearize(segment, rule, Tangent::Exact, {});
-      std::vector<double> y(to.size(), 0.0), diagonal(to.size(), 0.0), sums(to.size(), 0.0);
-      action->add_product(way.data(), y.data());
-      action->add_diagonal(diagonal.data());
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR(y[k], k_way[k], 1e-6 * largest);  // single precision
-      if (!rule.has_end()) continue;
-      EXPECT_TRUE(bodies.term->add_row_sums({nullptr, nullptr, to.data()}, sums.data()));
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_GE(sums[k], std::abs(diagonal[k]) - 1e-14);
-    }
-  }
+  for (const Bodies& bodies : cases()) test::expect_derivatives(bodies, 2, 1e-9, 1e-3);
 }
 
 /// The matrix without negative stiffness has none.
@@ -104,26 +65,7 @@ TEST(DoubleIntegralTest, TheConvexTangentIsPositive) {
 }
 
 TEST(DoubleIntegralTest, NetForceAndNetMomentVanish) {
-  for (const Bodies& bodies : cases()) {
-    const LocalMesh& mesh = bodies.model->mesh();
-    const std::vector<double> u = test::smooth_field(*bodies.model, 0.02);
-    const auto f = bodies.force({nullptr, nullptr, u.data()}, end_rule());
-    const auto d = static_cast<std::size_t>(mesh.dimension);
-    double sums[7] = {0, 0, 0, 0, 0, 0, 0};  // three components of the force, three of the moment, the size
-    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += d)
-      for (std::size_t i = 0; i < d; ++i) {
-        sums[i] += f[k + i];
-        sums[6] += std::abs(f[k + i]);
-        const std::size_t j = (i + 1) % d;
-        if (d == 3 || i == 0)
-          sums[3 + i] +=
-              (mesh.coordinates[k + i] + u[k + i]) * f[k + j] - (mesh.coordinates[k + j] + u[k + j]) * f[k + i];
-      }
-    bodies.model->space().sum(sums, 7);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], 0, 2e-14 * sums[6]);
-    for (int i = 3; i < 6; ++i) EXPECT_NEAR(sums[i], 0, 1e-12 * sums[6]);
-    EXPECT_GT(sums[6], 1e-3);
-  }
+  for (const Bodies& bodies : cases()) test::expect_no_net_force(bodies, 2e-14, 1e-12, 1e-3);
 }
 
 /// Exchanged surfaces have the same energy and force, and the report says the force on the secondary one.

@@ -11,7 +11,7 @@
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
 #include "support/comparison.hpp"
-#include "support/pair_of_bodies.hpp"
+#include "support/pair_checks.hpp"
 #include "support/tangents.hpp"
 #include "term/surface_terms.hpp"
 
@@ -32,16 +32,6 @@ struct Bodies : test::PairOfBodies {
     std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
     std::iota(all.begin(), all.end(), 0);
     model->couple({all});  // the pair's own coupling leaves out what is far
-  }
-  std::vector<double> force(const Segment& segment, const Rule& rule, bool allowed = true) const {
-    std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
-    EXPECT_EQ(term->add_force(segment, rule, f.data()), allowed);
-    return f;
-  }
-  std::vector<double> product(const Segment& segment, const Rule& rule, const std::vector<double>& x) const {
-    std::vector<double> values = test::no_values(*model);
-    term->add_tangent(segment, rule, Tangent::Exact, values.data());
-    return test::matrix_product(*model, values.data(), x);
   }
 };
 
@@ -77,61 +67,12 @@ std::vector<Bodies> cases() {
 }
 
 TEST(PairTermTest, ForceAndTangentAreDerivatives) {
-  for (const Bodies& bodies : cases()) {
-    const std::vector<double> from = test::smooth_field(*bodies.model, 0.02),
-                              to = test::smooth_field(*bodies.model, -0.02), way = test::noise(*bodies.model, 1);
-    const auto owned = static_cast<std::size_t>(bodies.model->space().owned());
-    const double h = 1e-6;
-    const std::vector<double> ahead = test::moved(to, h, way), behind = test::moved(to, -h, way);
-    const auto f = bodies.force({nullptr, nullptr, to.data()}, end_rule());
-    double work = 0;
-    for (std::size_t k = 0; k < owned; ++k) work += f[k] * way[k];
-    bodies.model->space().sum(&work, 1);
-    EXPECT_NEAR((bodies.energy(ahead) - bodies.energy(behind)) / (2 * h), work, 1e-8 * (1 + std::abs(work)));
-    for (const Rule& rule : {end_rule(), gauss_rule(4)}) {
-      const auto f1 = bodies.force({from.data(), nullptr, ahead.data()}, rule);
-      const auto f0 = bodies.force({from.data(), nullptr, behind.data()}, rule);
-      const Segment segment{from.data(), nullptr, to.data()};
-      const auto k_way = bodies.product(segment, rule, way);
-      double largest = 0;
-      for (std::size_t k = 0; k < owned; ++k) largest = std::max(largest, std::abs(k_way[k]));
-      largest = bodies.model->space().maximum(largest);
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR((f1[k] - f0[k]) / (2 * h), k_way[k], 1e-8 * largest + 1e-8);
-      EXPECT_GT(largest, 0.01);
-      const auto action = bodies.term->create_action();
-      action->linearize(segment, rule, Tangent::Exact, {});
-      std::vector<double> y(to.size(), 0.0), diagonal(to.size(), 0.0), sums(to.size(), 0.0);
-      action->add_product(way.data(), y.data());
-      action->add_diagonal(diagonal.data());
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_NEAR(y[k], k_way[k], 1e-6 * largest);  // single precision
-      if (!rule.has_end()) continue;
-      EXPECT_TRUE(bodies.term->add_row_sums({nullptr, nullptr, to.data()}, sums.data()));
-      for (std::size_t k = 0; k < owned; ++k) EXPECT_GE(sums[k], std::abs(diagonal[k]) - 1e-14);
-    }
-  }
+  for (const Bodies& bodies : cases()) test::expect_derivatives(bodies, 4, 1e-8, 0.01);
 }
 
 TEST(PairTermTest, NetForceAndNetMomentVanish) {
-  for (const Bodies& bodies : cases()) {
-    const LocalMesh& mesh = bodies.model->mesh();
-    const std::vector<double> u = test::smooth_field(*bodies.model, 0.02);
-    const auto f = bodies.force({nullptr, nullptr, u.data()}, end_rule());
-    const auto d = static_cast<std::size_t>(mesh.dimension);
-    double sums[7] = {0, 0, 0, 0, 0, 0, 0};  // three components of the force, three of the moment, the size
-    for (std::size_t k = 0; k < static_cast<std::size_t>(bodies.model->space().owned()); k += d)
-      for (std::size_t i = 0; i < d; ++i) {
-        sums[i] += f[k + i];
-        sums[6] += std::abs(f[k + i]);
-        const std::size_t j = (i + 1) % d;
-        if (d == 3 || i == 0)
-          sums[3 + i] +=
-              (mesh.coordinates[k + i] + u[k + i]) * f[k + j] - (mesh.coordinates[k + j] + u[k + j]) * f[k + i];
-      }
-    bodies.model->space().sum(sums, 7);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(sums[i], 0, 1e-14 * bodies.rounding * sums[6]);
-    for (int i = 3; i < 6; ++i) EXPECT_NEAR(sums[i], 0, 1e-13 * bodies.rounding * sums[6]);
-    EXPECT_GT(sums[6], 0.01);
-  }
+  for (const Bodies& bodies : cases())
+    test::expect_no_net_force(bodies, 1e-14 * bodies.rounding, 1e-13 * bodies.rounding, 0.01);
 }
 
 /// A flat primary surface at rest is the rigid wall: the forces on the secondary one are those of the flat term. Smooth

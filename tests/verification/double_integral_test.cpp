@@ -7,6 +7,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "mesh/cell_order.hpp"
 #include "scene/explanation.hpp"
+#include "support/pair_of_bodies.hpp"
 #include "support/refusal.hpp"
 #include "term/dense_pairs.hpp"
 #include "verification/collision.hpp"
@@ -43,19 +44,13 @@ double largest_attraction(const Force& force) {
 double pull_off_of_cylinders(double radius, int core, int points, Passes passes = Passes::DoubleIntegral) {
   const double gap = 0.2;
   const Mesh mesh = test::two_disks(radius, {0, 2 * radius + gap}, core, 1);
-  const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
-  SurfacePair pair;
-  pair.secondary = "a_surface";
-  pair.primary = "b_surface";
-  pair.law = gap_law(VanDerWaals(2.5, 25));
-  pair.passes = passes;
-  pair.points = points;
-  add_pair(*model, pair);
+  const test::PairOfBodies bodies(mesh, "a_surface", "b_surface", Smoothing::CatmullRom, 0,
+                                  gap_law(VanDerWaals(2.5, 25)), passes, points);
   return largest_attraction([&](double at) {
-    std::vector<double> u = test::at_rest(*model);
+    std::vector<double> u = test::at_rest(*bodies.model);
     for (std::size_t k = 0; k < u.size(); k += 2)
-      if (model->mesh().coordinates[k + 1] > radius + gap / 2) u[k + 1] = at - gap;
-    return model->interaction_report(u.data()).force[1];
+      if (bodies.model->mesh().coordinates[k + 1] > radius + gap / 2) u[k + 1] = at - gap;
+    return bodies.model->interaction_report(u.data()).force[1];
   });
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "interaction/van_der_waals.hpp"
+#include "support/pair_of_bodies.hpp"
 #include "support/refusal.hpp"
 #include "verification/collision.hpp"
 
@@ -101,21 +102,15 @@ TEST(PairSymmetrySerialTest, NumbersOfNodesDoNotMatter) {
 TEST(PairSymmetrySerialTest, AMirrorMirrorsTheForces) {
   for (const Passes passes : {Passes::One, Passes::Two, Passes::DoubleIntegral}) {
     const auto forces = [&](double side) {
-      const Mesh mesh = test::two_disks(3, {5, side * 3.6});
-      const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
-      SurfacePair pair;
-      pair.secondary = "a_surface";
-      pair.primary = "b_surface";
-      pair.law = gap_law(VanDerWaals(2.5, 25));
-      pair.passes = passes;
-      add_pair(*model, pair);
-      const std::vector<double>& x = model->mesh().coordinates;
+      const test::PairOfBodies bodies(test::two_disks(3, {5, side * 3.6}), "a_surface", "b_surface",
+                                      Smoothing::CatmullRom, 0, gap_law(VanDerWaals(2.5, 25)), passes);
+      const std::vector<double>& x = bodies.model->mesh().coordinates;
       std::vector<double> u(x.size()), f(x.size(), 0.0);
       for (std::size_t k = 0; k < u.size(); k += 2) {
         u[k] = 0.05 * std::sin(x[k] + 0.5 * side * x[k + 1]);
         u[k + 1] = side * 0.05 * std::cos(1.3 * x[k] - side * x[k + 1]);
       }
-      EXPECT_TRUE(model->force(Part::Interaction, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
+      EXPECT_TRUE(bodies.model->force(Part::Interaction, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
       std::vector<std::array<double, 4>> rows;  // place and force, mirrored to the first side
       for (std::size_t k = 0; k < u.size(); k += 2) rows.push_back({x[k], side * x[k + 1], f[k], side * f[k + 1]});
       return rows;
