@@ -14,7 +14,7 @@ SurfacePatch<2> straight_patch(int a, int b) {
   SurfacePatch<2> patch;
   patch.nodes = {a, b};
   patch.count = 2;
-  patch.coefficients = {1, -1, 0, 1};
+  patch.set_functions({1, -1, 0, 1});
   return patch;
 }
 
@@ -47,11 +47,13 @@ SurfacePatch<2> smooth_patch(const std::array<int, 4>& nodes, const std::array<d
     add_chord(end_slope);
   SurfacePatch<2> patch;
   patch.degree = 3;
+  std::vector<double> functions;
   for (const std::size_t place : {1U, 2U, 0U, 3U}) {
     if (nodes[place] < 0) continue;
     patch.nodes[patch.count++] = nodes[place];
-    patch.coefficients.insert(patch.coefficients.end(), by_place[place].begin(), by_place[place].end());
+    for (const double coefficient : by_place[place]) functions.push_back(coefficient);
   }
+  patch.set_functions(functions);
   patch.smooth = {nodes[0] >= 0, nodes[3] >= 0};
   return patch;
 }

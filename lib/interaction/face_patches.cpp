@@ -50,12 +50,14 @@ SurfacePatch<3> bilinear_patch(const std::array<int, 4>& corners) {
   SurfacePatch<3> patch;
   patch.count = 4;
   std::copy(corners.begin(), corners.end(), patch.nodes.begin());
+  std::vector<double> functions;
   for (const auto& place : places) {
     const std::array<double, 2> a{place[0] == 0 ? 1.0 : 0.0, place[0] == 0 ? -1.0 : 1.0},
         b{place[1] == 0 ? 1.0 : 0.0, place[1] == 0 ? -1.0 : 1.0};
     for (const double by_second : b)
-      for (const double by_first : a) patch.coefficients.push_back(by_first * by_second);
+      for (const double by_first : a) functions.push_back(by_first * by_second);
   }
+  patch.set_functions(functions);
   return patch;
 }
 
@@ -76,8 +78,10 @@ SurfacePatch<3> bicubic_patch(const std::array<int, 4>& corners, const std::arra
   patch.degree = 3;
   patch.count = sum.nodes.size();
   std::copy(sum.nodes.begin(), sum.nodes.end(), patch.nodes.begin());
+  std::vector<double> functions;
   for (const Powers& polynomial : sum.polynomials)
-    patch.coefficients.insert(patch.coefficients.end(), polynomial.begin(), polynomial.end());
+    functions.insert(functions.end(), polynomial.begin(), polynomial.end());
+  patch.set_functions(functions);
   return patch;
 }
 

@@ -31,10 +31,18 @@ double refine(const PlacedPatch<2>& curve, const Vec<2>& place, double low, doub
   return t;
 }
 
-PatchParameters<2> nearest_parameters(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>&) {
+/// The parameters of a point with its derivatives.
+template <std::size_t D>
+struct Point {
+  PatchParameters<D> xi;
+  typename PlacedPatch<D>::Frame frame;
+};
+
+Point<2> find_nearest(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>&) {
+  const auto point_at = [&](double t) -> Point<2> { return {{t}, curve.frame({t})}; };
   if (curve.degree == 1) {
     const Vec<2>& side = curve.coefficients[1];
-    return {std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0)};
+    return point_at(std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0));
   }
   // The distance may have several minima: looks near each sample that is as near as its neighbours.
   constexpr int samples = 8;
@@ -51,7 +59,7 @@ PatchParameters<2> nearest_parameters(const PlacedPatch<2>& curve, const Vec<2>&
     least = distance(own);
     found = own;
   }
-  return {found};
+  return point_at(found);
 }
 
 using Parameters = PatchParameters<3>;
@@ -59,13 +67,14 @@ using Parameters = PatchParameters<3>;
 /// Half the squared distance with its gradient and second derivatives.
 struct Objective {
   Parameters xi;
+  PlacedPatch<3>::Frame frame;
   double value;
   std::array<double, 2> gradient;
   double h00, h01, h11;
   bool is_convex;  ///< the second derivatives are positive definite; otherwise those of Gauss and Newton, which are
 
-  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at) : xi(at) {
-    const auto frame = patch.frame(xi);
+  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at)
+      : xi(at), frame(patch.frame(at)) {
     const Vec<3> r = frame.place - place;
     const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
     value = inner(r, r) / 2;
@@ -101,14 +110,24 @@ struct Objective {
     for (std::size_t k = 0; k < 2; ++k) result[k] = std::clamp(xi[k] + share * step[k], 0.0, 1.0);
     return result;
   }
+  Point<3> point() const { return {xi, frame}; }
+  /// Returns the point after a step of less than 1e-7, in which third derivatives are lost in rounding.
+  Point<3> point_at(const Parameters& next) const {
+    const double s = next[0] - xi[0], t = next[1] - xi[1];
+    const auto& [by_ss, by_st, by_tt] = frame.bends;
+    const Vec<3> turn_s = s * by_ss + t * by_st, turn_t = s * by_st + t * by_tt;
+    const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
+    return {next, {frame.place + (s * (a + 0.5 * turn_s) + t * (b + 0.5 * turn_t)), {a + turn_s, b + turn_t},
+                   frame.bends}};
+  }
 };
 
 /// Minimises the distance by Newton's method, projected to the unit square.
-Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+Point<3> refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
   Objective here(patch, place, start);
   for (int i = 0, small_steps = 0; i < 60; ++i) {
     const std::array<bool, 2> held = here.held();
-    if (held[0] && held[1]) return here.xi;
+    if (held[0] && held[1]) return here.point();
     std::array<double, 2> step = here.step(held);
     const Parameters next = here.moved(1, step);
     const double change = std::max(std::abs(next[0] - here.xi[0]), std::abs(next[1] - here.xi[1]));
@@ -116,7 +135,7 @@ Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parame
       // Differences of the distance are rounding. Newton's next step would be of the order of this one's square, unless
       // a bound stops this one.
       const bool stopped = next[0] != here.xi[0] + step[0] || next[1] != here.xi[1] + step[1];
-      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return next;
+      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return here.point_at(next);
       here = Objective(patch, place, next);
       continue;
     }
@@ -134,14 +153,14 @@ Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parame
           improved = there.value < here.value;
         }
       }
-      if (!improved) return here.xi;
+      if (!improved) return here.point();
     }
     here = there;
   }
-  return here.xi;
+  return here.point();
 }
 
-Parameters nearest_parameters(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+Point<3> find_nearest(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
   if (patch.degree < 4) return refine(patch, place, start);
   Parameters best{};
   double least = HUGE_VAL;
@@ -162,8 +181,9 @@ template <std::size_t D>
 PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
                            const Vec<D>& place, const PatchParameters<D>& start) {
   PatchFoot<D> foot;
-  foot.xi = nearest_parameters(patch, place, start);
-  foot.frame = patch.frame(foot.xi);
+  const Point<D> nearest = find_nearest(patch, place, start);
+  foot.xi = nearest.xi;
+  foot.frame = nearest.frame;
   foot.distance = length(foot.frame.place - place);
   for (std::size_t k = 0; k < D - 1; ++k)
     foot.fixed[k] = (foot.xi[k] == 0 && !smooth[2 * k]) || (foot.xi[k] == 1 && !smooth[2 * k + 1]);

@@ -86,68 +86,74 @@ PlacedSurface<D>::PlacedSurface(PlacedSurface&&) noexcept = default;
 /// Makes the patch the best one if it is nearer; of two that are equally near, the one with the lower number counts.
 template <std::size_t D>
 void PlacedSurface<D>::look(int patch, const std::array<bool, SurfacePatch<D>::sides>& smooth, const Vec<D>& place,
-                            Best& best, const PatchParameters<D>* start) const {
+                            Best& best, const std::optional<PatchParameters<D>>& start) const {
   const PatchBound<D>& bound = bounds_[slot(patch)];
-  if (bound.distance(place) > best.foot.distance) return;
+  const auto is_farther = [&](double distance) {
+    if (distance > best.foot.distance) best.others = std::min(best.others, distance);
+    return distance > best.foot.distance;
+  };
+  if (is_farther(bound.distance(place))) return;
   const PlacedPatch<D>& own_patch = this->patch(patch);
-  const PatchParameters<D> from = start != nullptr ? *start : bound.start(place);
-  if (start == nullptr && bound.distance(place, own_patch.at(from)) > best.foot.distance) return;
+  const PatchParameters<D> from = start ? *start : bound.start(place);
+  if (!start && is_farther(bound.distance(place, own_patch.at(from)))) return;
   const PatchFoot<D> own = nearest_point(own_patch, smooth, place, from);
   const bool equal = own.distance == best.foot.distance && best.patch > patch;
-  if (!(own.distance < best.foot.distance) && !equal) return;
+  if (!(own.distance < best.foot.distance) && !equal) {
+    best.others = std::min(best.others, own.distance);
+    return;
+  }
+  if (best.patch >= 0) best.others = std::min(best.others, best.foot.distance);
   best.foot = own;
   best.patch = patch;
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, int guess,
-                                         const SurfaceFoot<D>* start) const {
+SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, const FootGuess<D>& guess,
+                                         double slack) const {
   namespace index = bg::index;
   Best best(range);
   const auto look_at = [&](int i) { look(i, patches_[at(i)].smooth, place, best); };
-  if (start != nullptr && start->patch >= 0) {
-    guess = start->patch;
-    look(guess, patches_[at(guess)].smooth, place, best, &start->xi);
-  } else if (guess >= 0) {
-    look_at(guess);
-  }
+  if (guess.patch >= 0) look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
   if (std::isfinite(best.foot.distance)) {
     const auto visit = [&](const typename Tree::Entry& entry) {
-      if (entry.second != guess) look_at(entry.second);
+      if (entry.second != guess.patch) look_at(entry.second);
     };
-    tree_->index.query(index::intersects(grown(place, place, best.foot.distance)),
+    tree_->index.query(index::intersects(grown(place, place, best.foot.distance + slack)),
                        boost::make_function_output_iterator(visit));
   } else {
     // The query yields patches in the order of the distances of their boxes.
     const auto count = static_cast<unsigned>(patches_.size());
     for (auto entry = tree_->index.qbegin(index::nearest(point(place), count)); entry != tree_->index.qend(); ++entry) {
-      if (bg::distance(point(place), entry->first) > best.foot.distance) break;
-      if (entry->second != guess) look_at(entry->second);
+      if (bg::distance(point(place), entry->first) > best.foot.distance + slack) break;
+      if (entry->second != guess.patch) look_at(entry->second);
     }
   }
-  return complete(place, best, [](int) { return true; });
+  return complete(place, best, [](int) { return true; }, slack);
 }
 
 template <std::size_t D>
 SurfaceFoot<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
-                                               int guess, const SurfaceFoot<D>* start) const {
+                                               const FootGuess<D>& guess, double slack) const {
   Best best(range);
-  const bool starts = start != nullptr && start->patch >= 0;
-  if (starts) guess = start->patch;
-  if (std::binary_search(patches.begin(), patches.end(), guess))
-    look(guess, patches_[at(guess)].smooth, place, best, starts ? &start->xi : nullptr);
-  else
-    guess = -1;
+  const bool helps = std::binary_search(patches.begin(), patches.end(), guess.patch);
+  if (helps) look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
   for (const int i : patches)
-    if (i != guess) look(i, patches_[at(i)].smooth, place, best);
-  return complete(place, best, [](int) { return true; });
+    if (!helps || i != guess.patch) look(i, patches_[at(i)].smooth, place, best);
+  return complete(place, best, [](int) { return true; }, slack);
+}
+
+template <std::size_t D>
+SurfaceFoot<D> PlacedSurface<D>::nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const {
+  Best best(range);
+  look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
+  return complete(place, best, [](int) { return true; }, 0);
 }
 
 /// From a place in the ball, the surface is not farther than from the center by more than the radius, and no patch
 /// nearer.
 template <std::size_t D>
 std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, const Vec<D>& center, double radius,
-                                           double range) const {
+                                           double range, double slack) const {
   std::vector<double> bounds;
   bounds.reserve(patches.size());
   for (const int i : patches) bounds.push_back(bound(i, center));
@@ -157,7 +163,7 @@ std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, cons
     const int nearest = patches[static_cast<std::size_t>(first - bounds.begin())];
     look(nearest, patches_[at(nearest)].smooth, center, best);
   }
-  const double farthest = std::min(range, best.foot.distance + radius) + radius;
+  const double farthest = std::min(range, best.foot.distance + radius) + radius + slack;
   std::vector<int> result;
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (bounds[k] <= farthest) result.push_back(patches[k]);
@@ -175,15 +181,17 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_of(const std::vector<int>& patches, con
       smooth[side] = smooth[side] && counts(own.neighbours[side]);
     look(i, smooth, place, best);
   }
-  return complete(place, best, counts);
+  return complete(place, best, counts, 0);
 }
 
 /// Returns the foot. `counts`: whether a patch counts; beyond a side without such a neighbour is a free rim.
 template <std::size_t D>
 template <class Counts>
-SurfaceFoot<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best& best, const Counts& counts) const {
+SurfaceFoot<D> PlacedSurface<D>::complete(const Vec<D>& place, const Best& best, const Counts& counts,
+                                          double slack) const {
   SurfaceFoot<D> foot;
   foot.patch = best.patch;
+  foot.lead = best.lead(slack);
   if (foot.patch < 0) return foot;
   foot.xi = best.foot.xi;
   foot.fixed = best.foot.fixed;

@@ -1,7 +1,9 @@
 /// A surface, its sides as patches, at one place of its nodes: the search for nearest points.
 #pragma once
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "interaction/patch_bound.hpp"
@@ -19,6 +21,15 @@ struct SurfaceFoot {
   double gap = std::numeric_limits<double>::infinity();  ///< signed least distance, negative in the body [L0]
   Vec<D> normal{};                                       ///< unit vector, the gap's gradient in the place
   typename PlacedPatch<D>::Frame frame{};                ///< of the patch at the foot
+  /// How much farther all other patches are at least; without a foot, by how much all patches are out of range [L0].
+  double lead = 0;
+};
+
+/// Where the nearest point is likely to be. It changes the time of a search, and the result by rounding errors at most.
+template <std::size_t D>
+struct FootGuess {
+  int patch = -1;  ///< -1: unknown
+  std::optional<PatchParameters<D>> xi{};
 };
 
 /// Some of the patches of a surface.
@@ -46,19 +57,22 @@ class PlacedSurface {
   PlacedSurface& operator=(const PlacedSurface&) = delete;
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
-  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `guess`: a patch that is
-  /// likely near, or -1; it changes the time of the search only. `start`: the nearest point of a place near by, or
-  /// null; it changes the result by rounding errors at most, and its patch replaces the guess, if it has one. The gap
-  /// is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
+  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `slack`: the greatest lead that
+  /// the foot can have; more of it costs time. The gap is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
   /// angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in
   /// the tree.
-  SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(), int guess = -1,
-                         const SurfaceFoot<D>* start = nullptr) const;
-  /// Does the same among these patches, ascending, which must contain all patches that are nearer than `range`.
-  SurfaceFoot<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range, int guess = -1,
-                               const SurfaceFoot<D>* start = nullptr) const;
-  /// Returns those of these patches that can hold the point nearest to a place in a ball, if it is nearer than `range`.
-  std::vector<int> reduced(const std::vector<int>& patches, const Vec<D>& center, double radius, double range) const;
+  SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
+                         const FootGuess<D>& guess = {}, double slack = 0) const;
+  /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the
+  /// nearest one and the slack.
+  SurfaceFoot<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
+                               const FootGuess<D>& guess = {}, double slack = 0) const;
+  /// Returns the nearest point of the patch that is known to be the nearest one. `guess`: names the patch.
+  SurfaceFoot<D> nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const;
+  /// Returns those of these patches that can hold the point nearest to a place in a ball, if it is nearer than `range`,
+  /// and those that are farther by no more than the slack.
+  std::vector<int> reduced(const std::vector<int>& patches, const Vec<D>& center, double radius, double range,
+                           double slack = 0) const;
   /// Returns the nearest point of these patches, ascending, if it is nearer than `range`. A side beyond which no such
   /// patch lies counts as a free rim.
   SurfaceFoot<D> nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const;
@@ -90,21 +104,23 @@ class PlacedSurface {
     }
   };
   struct Tree;
-  /// A patch with its distance, which is less than `range`, or none.
+  /// A patch with its distance, which is less than `range`, or none; and a bound on the distance of all others.
   struct Best {
     int patch = -1;
     PatchFoot<D> foot;
+    double others = std::numeric_limits<double>::infinity();
     explicit Best(double range) { foot.distance = range; }
+    double lead(double slack) const { return std::max(0.0, std::min(others - foot.distance, slack)); }
   };
   void place(const std::vector<Vec<D>>& x, const std::vector<int>& patches);
   std::size_t slot(int patch) const { return static_cast<std::size_t>(subset_ ? subset_->slots[at(patch)] : patch); }
   static std::size_t at(int number) { return static_cast<std::size_t>(number); }
   double bound(int patch, const Vec<D>& place) const { return bounds_[slot(patch)].distance(place); }
   void look(int patch, const std::array<bool, SurfacePatch<D>::sides>& smooth, const Vec<D>& place, Best& best,
-            const PatchParameters<D>* start = nullptr) const;
+            const std::optional<PatchParameters<D>>& start = std::nullopt) const;
   std::vector<int> near(const Box& box, double range) const;
   template <class Counts>
-  SurfaceFoot<D> complete(const Vec<D>& place, const Best& best, const Counts& counts) const;
+  SurfaceFoot<D> complete(const Vec<D>& place, const Best& best, const Counts& counts, double slack) const;
   bool is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>& foot) const;
 
   const std::vector<SurfacePatch<D>>& patches_;

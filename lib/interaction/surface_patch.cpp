@@ -143,6 +143,12 @@ auto with_degree(int degree, const Visit& visit) {
   }
 }
 
+/// weights += factor * x, for `count` nodes.
+template <class Weights>
+void add_scaled(double factor, const double* x, std::size_t count, Weights& weights) {
+  for (std::size_t a = 0; a < count; ++a) weights[a] += factor * x[a];
+}
+
 double binomial(int n, int k) {
   double result = 1;
   for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
@@ -215,11 +221,18 @@ boost::container::static_vector<Vec<D>, PlacedPatch<D>::most> PlacedPatch<D>::hu
 }
 
 template <std::size_t D>
+void SurfacePatch<D>::set_functions(const std::vector<double>& by_node) {
+  coefficients.resize(by_node.size());
+  const std::size_t size = powers();
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t k = 0; k < size; ++k) coefficients[k * count + a] = by_node[a * size + k];
+}
+
+template <std::size_t D>
 typename SurfacePatch<D>::Weights SurfacePatch<D>::weights(const PatchParameters<D>& xi) const {
   const Tensors<D> tensors(xi, degree);
   Weights n{};
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t k = 0; k < tensors.size; ++k) n[a] += coefficients[a * tensors.size + k] * tensors.value[k];
+  for (std::size_t k = 0; k < tensors.size; ++k) add_scaled(tensors.value[k], &coefficients[k * count], count, n);
   return n;
 }
 
@@ -228,8 +241,7 @@ typename SurfacePatch<D>::Shape SurfacePatch<D>::shape(const PatchParameters<D>&
   const Tensors<D> tensors(xi, degree);
   Shape result;
   const auto set = [&](Weights& weights, const Tensor<D>& tensor) {
-    for (std::size_t a = 0; a < count; ++a)
-      for (std::size_t k = 0; k < tensors.size; ++k) weights[a] += coefficients[a * tensors.size + k] * tensor[k];
+    for (std::size_t k = 0; k < tensors.size; ++k) add_scaled(tensor[k], &coefficients[k * count], count, weights);
   };
   set(result.value, tensors.value);
   for (std::size_t k = 0; k < tensors.first.size(); ++k) set(result.slopes[k], tensors.first[k]);
@@ -248,9 +260,9 @@ PlacedPatch<D> SurfacePatch<D>::placed(const Points& x) const {
   PlacedPatch<D> result;
   result.degree = degree;
   const std::size_t size = powers();
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t k = 0; k < size; ++k)
-      for (std::size_t i = 0; i < D; ++i) result.coefficients[k][i] += coefficients[a * size + k] * x[a][i];
+  for (std::size_t k = 0; k < size; ++k)
+    for (std::size_t a = 0; a < count; ++a)
+      for (std::size_t i = 0; i < D; ++i) result.coefficients[k][i] += coefficients[k * count + a] * x[a][i];
   return result;
 }
 
@@ -258,8 +270,8 @@ template <std::size_t D>
 double SurfacePatch<D>::amplification() const {
   std::vector<double> sums(powers(), 0.0);
   for (std::size_t a = 0; a < count; ++a) {
-    const double* const own = coefficients.data() + a * sums.size();
-    std::vector<double> weights(own, own + sums.size());
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < sums.size(); ++k) weights.push_back(coefficients[k * count + a]);
     to_bernstein<D>(degree, weights.data());
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += std::abs(weights[k]);
   }

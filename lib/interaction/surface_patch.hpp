@@ -61,13 +61,15 @@ struct SurfacePatch {
   std::array<int, most> nodes{};  ///< the first `count` count
   std::size_t count = 0;
   int degree = 1;                    ///< of the weights in each parameter, at most 4
-  std::vector<double> coefficients;  ///< by node and power, the powers as in PlacedPatch
+  std::vector<double> coefficients;  ///< by power, as in PlacedPatch, and node
   /// By side: true if the next patch has the same tangents at the whole side, false at a kink or a free rim.
   std::array<bool, sides> smooth{};
   /// By side: the patch beyond it; -1 at a free rim.
   std::array<int, sides> neighbours{};
 
   std::size_t powers() const { return coefficients.size() / count; }
+  /// Sets the coefficients from those by node and power, once the nodes are set.
+  void set_functions(const std::vector<double>& by_node);
   Weights weights(const PatchParameters<D>& xi) const;
   Shape shape(const PatchParameters<D>& xi) const;
   /// Returns a bound on the sum of |N_a| at a point of the patch: no point moves by more than this times the largest

@@ -63,11 +63,13 @@ SurfacePatch<D> patch_of(const std::vector<int>& nodes, const std::vector<InnerN
   }
   SurfacePatch<D> patch;
   patch.degree = Order;
+  std::vector<double> by_node;
   for (std::size_t a = 0; a < nodes.size(); ++a) {
     if (functions[a].empty()) continue;
     patch.nodes[patch.count++] = nodes[a];
-    patch.coefficients.insert(patch.coefficients.end(), functions[a].begin(), functions[a].end());
+    by_node.insert(by_node.end(), functions[a].begin(), functions[a].end());
   }
+  patch.set_functions(by_node);
   return patch;
 }
 

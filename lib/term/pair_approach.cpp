@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace ixos {
 namespace {
@@ -33,7 +34,7 @@ void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>
   const double longest = longest_side(patches, x);
   int guess = -1;
   const auto look = [&](const Vec<D>& place) {
-    const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), guess);
+    const SurfaceFoot<D> foot = other.nearest(place, std::max(std::abs(lowest.gap), longest), {guess, {}});
     guess = foot.patch;
     lower_to<D>(place, foot.gap, lowest);
   };
@@ -122,17 +123,17 @@ Vec<D> PairApproach<D>::interpolate(const Contact& contact, const std::vector<Ve
 
 template <std::size_t D>
 double PairApproach<D>::free_step(const std::vector<Places>& times, const Places& ways,
-                                  const std::vector<double>& shares, double most) const {
-  const auto at_end = [&](std::size_t k) {
-    Places end = times[k];
-    advance<D>(end, most * shares[k], ways);
-    return end;
-  };
-  std::vector<Places> ends;
-  for (std::size_t k = 0; k < times.size(); ++k) ends.push_back(at_end(k));
+                                  const std::vector<double>& shares) const {
+  std::vector<Places> ends = times;
+  for (std::size_t k = 0; k < times.size(); ++k) advance<D>(ends[k], shares[k], ways);
   const auto contacts = points_.contacts(times, PairPoints<D>::Share::Forces, -1, ends);
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    if (shares[k] == 0 || most == 0) continue;
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // The longest way restricts the step most, and the others then hardly do.
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+  double most = 1;
+  for (const std::size_t k : order) {
+    if (shares[k] == 0 || most == 0) break;
     Places own = ways;
     for (auto* way : {&own.secondary, &own.primary})
       for (Vec<D>& w : *way) w = (most * shares[k]) * w;
@@ -168,7 +169,7 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
                                                         contacts->candidates(c)));
     }
     done += own;
-    if (own == 0 || done >= 1) break;
+    if (own <= 0.01 * done || done >= 1) break;
     x = start.places;
     advance<D>(x, done, ways);
     later = points_.contacts({x}, PairPoints<D>::Share::Forces, -1, {start.places, end});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/vector3.hpp"
 #include "fem/revolved.hpp"
@@ -98,8 +99,9 @@ typename PairPoints<D>::Places PairPoints<D>::ways(const double* direction) cons
 template <std::size_t D>
 std::vector<typename PairPoints<D>::Places> PairPoints<D>::places(const Segment& segment, const Rule& rule) const {
   std::vector<Places> result;
-  result.reserve(rule.points.size());
+  result.reserve(rule.points.size() + 1);
   for (const RulePoint& point : rule.points) result.push_back(places(segment, point));
+  if (is_positive() && !rule.has_end()) result.push_back(places(segment.to));
   return result;
 }
 
@@ -140,7 +142,10 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   for (std::size_t k = 0; k < times.size(); ++k) {
     (*result)[k].places = std::move(times[k]);
     (*result)[k].neighbours = near;
-    find_feet((*result)[k], k > 0 ? &(*result)[k - 1] : nullptr, share, range);
+  }
+  const std::vector<Before> known = before(*result);
+  for (std::size_t k = 0; k < result->size(); ++k) {
+    find_feet((*result)[k], known[k], share, range);
     evaluate_law((*result)[k]);
   }
   if (keeps) {
@@ -151,8 +156,60 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   return result;
 }
 
+/// The times of a rule follow each other along a path that hardly bends.
 template <std::size_t D>
-void PairPoints<D>::find_feet(Contacts& contacts, const Contacts* before, Share share, double range) const {
+std::vector<typename PairPoints<D>::Before> PairPoints<D>::before(const Times& times) const {
+  std::vector<Before> result(times.size());
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    const Places &from = times[k - 1].places, &to = times[k].places;
+    result[k].last = &times[k - 1];
+    result[k].motion = search_.motion(from, to);
+    if (k < 2) continue;
+    const Places& earlier = times[k - 2].places;
+    result[k].last_but_one = &times[k - 2];
+    double product = 0, square = 0;
+    const auto add = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b, const std::vector<Vec<D>>& c) {
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        const Vec<D> way = b[i] - a[i];
+        product += inner(way, c[i] - b[i]);
+        square += inner(way, way);
+      }
+    };
+    add(earlier.secondary, from.secondary, to.secondary);
+    add(earlier.primary, from.primary, to.primary);
+    result[k].longer = square > 0 ? product / square : 0;
+  }
+  double to_come = 0;
+  for (std::size_t k = times.size(); k-- > 1;) {
+    to_come += result[k].motion;
+    result[k - 1].slack = std::isfinite(to_come) ? std::min(2 * to_come, law_->equilibrium_gap()) : 0;
+  }
+  return result;
+}
+
+/// A foot's patch comes no farther than by the motion while others come no nearer than by it.
+template <std::size_t D>
+double PairPoints<D>::Before::lead(std::size_t point) const {
+  if (last == nullptr || !last->primary) return 0;
+  const SurfaceFoot<D>& foot = last->all[point].foot;
+  return foot.lead - (foot.patch < 0 ? 1 : 2) * motion;
+}
+
+template <std::size_t D>
+FootGuess<D> PairPoints<D>::Before::guess(std::size_t point, int patch) const {
+  if (last == nullptr || last->all[point].foot.patch < 0) return {patch, {}};
+  const SurfaceFoot<D>& foot = last->all[point].foot;
+  FootGuess<D> result{foot.patch, foot.xi};
+  if (last_but_one == nullptr || last_but_one->all[point].foot.patch != foot.patch || !std::isfinite(longer))
+    return result;
+  const PatchParameters<D>& earlier = last_but_one->all[point].foot.xi;
+  for (std::size_t k = 0; k < foot.xi.size(); ++k)
+    (*result.xi)[k] = std::clamp(foot.xi[k] + longer * (foot.xi[k] - earlier[k]), 0.0, 1.0);
+  return result;
+}
+
+template <std::size_t D>
+void PairPoints<D>::find_feet(Contacts& contacts, const Before& before, Share share, double range) const {
   const PairNeighbours& near = *contacts.neighbours;
   if (contacts.places.is_finite())
     contacts.primary =
@@ -174,26 +231,31 @@ void PairPoints<D>::find_feet(Contacts& contacts, const Contacts* before, Share 
       middle = middle + 1 / static_cast<double>(per_patch_) * places[q];
     }
     const std::vector<int>& candidates = near.primary[entry];
-    std::vector<int> nearest;
-    if (contacts.primary && !candidates.empty() && !sight_) {
-      double radius = 0;
-      for (const Vec<D>& place : places) radius = std::max(radius, length(place - middle));
-      nearest = contacts.primary->reduced(candidates, middle, radius, range);
-    }
+    std::optional<std::vector<int>> nearest;  // of the candidates, for points that need them
     for (std::size_t q = 0; q < per_patch_; ++q) {
       Contact contact{s, q, entry, places[q]};
-      const SurfaceFoot<D>* const start = before != nullptr ? &before->all[contacts.all.size()].foot : nullptr;
+      const FootGuess<D> start = before.guess(contacts.all.size(), guess);
+      const double lead = before.lead(contacts.all.size());
       if (!contacts.primary) {
         contact.foot.patch = 0;
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
         for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
-      } else if (candidates.empty()) {
-        contact.foot = contacts.primary->nearest(places[q], range, guess, start);
+      } else if (lead > 0) {
+        const int known = before.last->all[contacts.all.size()].foot.patch;
+        if (known >= 0) contact.foot = contacts.primary->nearest_on(start, places[q], range);
+        contact.foot.lead = contact.foot.patch == known ? lead : 0;
       } else if (sight_) {
         contact.foot = contacts.primary->nearest_of(candidates, places[q], range);
-      } else if (!nearest.empty()) {
-        contact.foot = contacts.primary->nearest_among(nearest, places[q], range, guess, start);
+      } else if (candidates.empty()) {
+        contact.foot = contacts.primary->nearest(places[q], range, start, before.slack);
+      } else {
+        if (!nearest) {
+          double radius = 0;
+          for (const Vec<D>& place : places) radius = std::max(radius, length(place - middle));
+          nearest = contacts.primary->reduced(candidates, middle, radius, range, before.slack);
+        }
+        contact.foot = contacts.primary->nearest_among(*nearest, places[q], range, start, before.slack);
       }
       guess = contact.foot.patch;
       contacts.all.push_back(contact);

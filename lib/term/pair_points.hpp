@@ -70,7 +70,8 @@ class PairPoints {
   Places places(const Segment& segment, const RulePoint& point) const;
   /// Returns ways as places: a displacement without the undeformed body's coordinates.
   Places ways(const double* direction) const;
-  /// Returns the places at the points of a rule.
+  /// Returns the places at the points of a rule and, after them, those at the end of the step if the law needs positive
+  /// gaps there and the rule has no point there.
   std::vector<Places> places(const Segment& segment, const Rule& rule) const;
   /// Returns the points that have neighbours at one of these places or at those of `also`, their gaps and what the law
   /// says. If a coordinate is NaN, all gaps and tractions are NaN. `range`: of gaps; negative: that of the law. The
@@ -124,8 +125,19 @@ class PairPoints {
   };
   Places combine(double rest, const NodeParts& parts) const;
   std::shared_ptr<const PairNeighbours> neighbours(const std::vector<Places>& times, double range) const;
-  /// `before`: the same points at places near by, or null.
-  void find_feet(Contacts& contacts, const Contacts* before, Share share, double range) const;
+  /// What feet at the places before say of those at the present ones.
+  struct Before {
+    const Contacts *last = nullptr, *last_but_one = nullptr;  ///< the same points
+    double longer = 0;   ///< the way to the present places over that between the last ones
+    double motion = 0;   ///< a bound on the change of a gap since the last places [L0]
+    double slack = 0;    ///< the lead that feet need until the last places, or the most that is worth its time [L0]
+    /// Returns where the foot of the point of this number is likely to be.
+    FootGuess<D> guess(std::size_t point, int patch) const;
+    /// Returns the least lead that the foot still has.
+    double lead(std::size_t point) const;
+  };
+  std::vector<Before> before(const Times& times) const;
+  void find_feet(Contacts& contacts, const Before& before, Share share, double range) const;
   void evaluate_law(Contacts& contacts) const;
   void add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
            std::size_t& used) const;
@@ -157,7 +169,7 @@ void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tan
   std::size_t used = 0;
   const std::vector<Contact>& all = times->front().all;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t k = 0; k < times->size(); ++k)
+    for (std::size_t k = 0; k < rule.points.size(); ++k)
       if (const double factor = rule.points[k].weight * rule.points[k].to; factor != 0)
         add((*times)[k].all[i], factor, kind, blocks, used);
     for (std::size_t b = 0; b < used; ++b) blocks[b].sums.end_point(weights(all[i]));

@@ -89,14 +89,11 @@ class PairTerm final : public Interaction {
       const double least = PairGradient<D>(points_).add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
-    double least = std::numeric_limits<double>::infinity();
     const auto times = points_.contacts(points_.places(segment, rule), Share::Forces);
-    for (std::size_t k = 0; k < times->size(); ++k)
-      least = std::min(least, add_force((*times)[k], rule.points[k].weight, f));
-    if (!needs_positive_gaps()) return true;
-    if (!rule.has_end())
-      least = std::min(least, points_.contacts({points_.places(segment.to)}, Share::Energies)->front().least_gap);
-    return least > 0;
+    for (std::size_t k = 0; k < rule.points.size(); ++k) add_force((*times)[k], rule.points[k].weight, f);
+    return !needs_positive_gaps() || std::all_of(times->begin(), times->end(), [](const Contacts& contacts) {
+      return contacts.least_gap > 0;
+    });
   }
 
   /// Leaves out nodes that are not coupled, see PairCoupling.
@@ -132,11 +129,10 @@ class PairTerm final : public Interaction {
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!needs_positive_gaps()) return 1;
-    std::vector<double> shares;
-    for (const RulePoint& point : rule.points) shares.push_back(point.to);
-    const Places ways = points_.ways(direction);
-    return approach_.free_step({points_.places(segment.to)}, ways, {1.0},
-                               approach_.free_step(points_.places(segment, rule), ways, shares));
+    const std::vector<Places> times = points_.places(segment, rule);
+    std::vector<double> shares(times.size(), 1.0);  // that of the end
+    for (std::size_t k = 0; k < rule.points.size(); ++k) shares[k] = rule.points[k].to;
+    return approach_.free_step(times, points_.ways(direction), shares);
   }
 
   /// Throws std::logic_error: the mean over the path has no closed form.
@@ -215,8 +211,8 @@ class PairTerm final : public Interaction {
   }
 
  private:
-  /// Adds the forces times the weight. Returns the least gap.
-  double add_force(const Contacts& contacts, double weight, double* f) const {
+  /// Adds the forces times the weight.
+  void add_force(const Contacts& contacts, double weight, double* f) const {
     for (const Contact& contact : contacts.all) {
       if (contact.foot.patch < 0) continue;
       const Vec<D> force = (-weight * points_.measure(contact) * contact.traction) * contact.foot.normal;
@@ -226,7 +222,6 @@ class PairTerm final : public Interaction {
       add_to_nodes(points_.primary(), static_cast<std::size_t>(contact.foot.patch), patch.weights(contact.foot.xi),
                    -1 * force, f);
     }
-    return contacts.least_gap;
   }
   static void add_to_nodes(const SurfacePatches<D>& surface, std::size_t patch,
                            const typename SurfacePatch<D>::Weights& weights, const Vec<D>& force, double* f) {

@@ -129,7 +129,7 @@ TEST(PlacedSurfaceTest, AGuessChangesNothing) {
   for (int i = 0; i < 60; ++i) {
     const double angle = 0.1 * i;
     const Vec<2> place{(3.2 + 0.05 * i) * std::cos(angle), (3.2 + 0.05 * i) * std::sin(angle)};
-    const SurfaceFoot<2> plain = curves.nearest(place), guessed = curves.nearest(place, 100, (7 * i) % sides);
+    const SurfaceFoot<2> plain = curves.nearest(place), guessed = curves.nearest(place, 100, {(7 * i) % sides, {}});
     EXPECT_EQ(plain.patch, guessed.patch);
     EXPECT_EQ(plain.gap, guessed.gap);
     EXPECT_EQ(plain.xi, guessed.xi);
@@ -170,9 +170,9 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
       const Vec<3> place = center + radius / std::max(1.0, length(way)) * way;
       const SurfaceFoot<3> foot = all.nearest(place, range);
       expect_equal(some.nearest_among(near, place, range), foot);
-      expect_equal(some.nearest_among(reduced, place, range, reduced.empty() ? -1 : reduced.back()), foot);
+      expect_equal(some.nearest_among(reduced, place, range, {reduced.empty() ? -1 : reduced.back(), {}}), foot);
       const SurfaceFoot<3> beside = all.nearest(place + Vec<3>{1e-3, -2e-3, 1e-3}, range);
-      const SurfaceFoot<3> started = some.nearest_among(reduced, place, range, -1, &beside);
+      const SurfaceFoot<3> started = some.nearest_among(reduced, place, range, {beside.patch, beside.xi});
       EXPECT_EQ(started.patch < 0, foot.patch < 0);
       if (foot.patch >= 0) {
         EXPECT_NEAR(started.gap, foot.gap, 1e-14);
