@@ -73,8 +73,7 @@ struct Objective {
   double h00, h01, h11;
   bool is_convex;  ///< the second derivatives are positive definite; otherwise those of Gauss and Newton, which are
 
-  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at)
-      : xi(at), frame(patch.frame(at)) {
+  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at) : xi(at), frame(patch.frame(at)) {
     const Vec<3> r = frame.place - place;
     const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
     value = inner(r, r) / 2;
@@ -117,8 +116,8 @@ struct Objective {
     const auto& [by_ss, by_st, by_tt] = frame.bends;
     const Vec<3> turn_s = s * by_ss + t * by_st, turn_t = s * by_st + t * by_tt;
     const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
-    return {next, {frame.place + (s * (a + 0.5 * turn_s) + t * (b + 0.5 * turn_t)), {a + turn_s, b + turn_t},
-                   frame.bends}};
+    return {next,
+            {frame.place + (s * (a + 0.5 * turn_s) + t * (b + 0.5 * turn_t)), {a + turn_s, b + turn_t}, frame.bends}};
   }
 };
 

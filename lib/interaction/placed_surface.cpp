@@ -128,7 +128,8 @@ SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, cons
       if (entry->second != guess.patch) look_at(entry->second);
     }
   }
-  return complete(place, best, [](int) { return true; }, slack);
+  return complete(
+      place, best, [](int) { return true; }, slack);
 }
 
 template <std::size_t D>
@@ -139,14 +140,16 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_among(const std::vector<int>& patches, 
   if (helps) look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
   for (const int i : patches)
     if (!helps || i != guess.patch) look(i, patches_[at(i)].smooth, place, best);
-  return complete(place, best, [](int) { return true; }, slack);
+  return complete(
+      place, best, [](int) { return true; }, slack);
 }
 
 template <std::size_t D>
 SurfaceFoot<D> PlacedSurface<D>::nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const {
   Best best(range);
   look(guess.patch, patches_[at(guess.patch)].smooth, place, best, guess.xi);
-  return complete(place, best, [](int) { return true; }, 0);
+  return complete(
+      place, best, [](int) { return true; }, 0);
 }
 
 /// From a place in the ball, the surface is not farther than from the center by more than the radius, and no patch
@@ -168,6 +171,13 @@ std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, cons
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (bounds[k] <= farthest) result.push_back(patches[k]);
   return result;
+}
+
+template <std::size_t D>
+std::vector<int> PlacedSurface<D>::reduced(const Vec<D>& center, double radius, double range, double slack) const {
+  const SurfaceFoot<D> foot = nearest(center, range + radius);
+  const double farthest = std::min(range, std::abs(foot.gap) + radius) + radius + slack;
+  return near(std::array<Vec<D>, 1>{center}, farthest);
 }
 
 template <std::size_t D>

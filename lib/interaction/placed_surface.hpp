@@ -57,10 +57,10 @@ class PlacedSurface {
   PlacedSurface& operator=(const PlacedSurface&) = delete;
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
-  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `slack`: the greatest lead that
-  /// the foot can have; more of it costs time. The gap is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
-  /// angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in
-  /// the tree.
+  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `slack`: the greatest lead
+  /// that the foot can have; more of it costs time. The gap is positive on the outer side. At a kink, the sum of the
+  /// normals of the patches that meet there, weighted by their angles, tells the outer side (Baerentzen and Aanaes
+  /// 2005); beyond a free rim the gap is positive. It searches in the tree.
   SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
                          const FootGuess<D>& guess = {}, double slack = 0) const;
   /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the
@@ -73,6 +73,8 @@ class PlacedSurface {
   /// and those that are farther by no more than the slack.
   std::vector<int> reduced(const std::vector<int>& patches, const Vec<D>& center, double radius, double range,
                            double slack = 0) const;
+  /// Returns at least those of all patches, searched in the tree.
+  std::vector<int> reduced(const Vec<D>& center, double radius, double range, double slack) const;
   /// Returns the nearest point of these patches, ascending, if it is nearer than `range`. A side beyond which no such
   /// patch lies counts as a free rim.
   SurfaceFoot<D> nearest_of(const std::vector<int>& patches, const Vec<D>& place, double range) const;

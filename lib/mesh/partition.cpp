@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 #include <stdexcept>
 
 #include "base/memory.hpp"
@@ -22,9 +23,60 @@ int points_per_cell(CellType type) {
   });
 }
 
+/// Throws if METIS failed.
+void check(int status) {
+  if (status == METIS_ERROR_MEMORY) {
+    note_failed_allocation(0);
+    throw std::bad_alloc();
+  }
+  if (status != METIS_OK) throw std::runtime_error(fmt::format("METIS failed with status {}", status));
+}
+
+/// Nodes of common cells are neighbours.
+struct NodalGraph {
+  std::vector<idx_t> start, neighbours, weights;
+};
+
+NodalGraph nodal_graph(idx_t cells, idx_t nodes, std::vector<idx_t>& start, std::vector<idx_t>& nodes_of_cells) {
+  idx_t base = 0, *first = nullptr, *neighbours = nullptr;
+  check(METIS_MeshToNodal(&cells, &nodes, start.data(), nodes_of_cells.data(), &base, &first, &neighbours));
+  NodalGraph graph;
+  graph.start.assign(first, first + nodes + 1);
+  graph.neighbours.assign(neighbours, neighbours + first[nodes]);
+  graph.weights.assign(graph.neighbours.size(), 1);
+  METIS_Free(first);
+  METIS_Free(neighbours);
+  return graph;
+}
+
+/// Adds an edge for each pair of nodes, once in each direction, that is cut only if nothing else is possible.
+NodalGraph with_edges(const NodalGraph& graph, const std::vector<std::pair<int, int>>& pairs) {
+  constexpr idx_t heavy = 1000;
+  std::set<std::pair<idx_t, idx_t>> edges;
+  for (const auto& [a, b] : pairs)
+    if (a != b) edges.insert({{a, b}, {b, a}});
+  NodalGraph result;
+  auto edge = edges.begin();
+  for (std::size_t node = 0; node + 1 < graph.start.size(); ++node) {
+    result.start.push_back(static_cast<idx_t>(result.neighbours.size()));
+    for (auto k = static_cast<std::size_t>(graph.start[node]); k < static_cast<std::size_t>(graph.start[node + 1]);
+         ++k) {
+      result.neighbours.push_back(graph.neighbours[k]);
+      result.weights.push_back(graph.weights[k]);
+    }
+    for (; edge != edges.end() && edge->first == static_cast<idx_t>(node); ++edge) {
+      result.neighbours.push_back(edge->second);
+      result.weights.push_back(heavy);
+    }
+  }
+  result.start.push_back(static_cast<idx_t>(result.neighbours.size()));
+  return result;
+}
+
 }  // namespace
 
-std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& contact, int solve) {
+std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& contact, int solve,
+                           const std::vector<Side>& facing) {
   std::vector<double> work(static_cast<std::size_t>(mesh.nodes()), solve);
   const auto share = [&work](const int* nodes, int count, double units) {
     for (int a = 0; a < count; ++a) work[static_cast<std::size_t>(nodes[a])] += units / count;
@@ -36,15 +88,18 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
     const double units = (mesh.dimension == 2 ? 4 : 24) * (n / plain) * (points_per_cell(block.type) / plain);
     for (int cell = 0; cell < block.cells(); ++cell) share(&block.nodes[cell_entry(cell, n)], n, units);
   }
+  const auto share_side = [&](const Side& side, double units_of_a_node) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    std::vector<int> nodes;
+    for (int a : side_nodes(block.type, side.side))
+      nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+    share(nodes.data(), static_cast<int>(nodes.size()), units_of_a_node * static_cast<double>(nodes.size()));
+  };
+  // Eight time points on a plain side cost as much as the cell behind it, before another body as much as a hundred
+  // cells with their part in the linear solve.
   for (const std::string& name : contact)
-    for (const Side& side : side_set_named(mesh, name).sides) {
-      const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-      std::vector<int> nodes;
-      for (int a : side_nodes(block.type, side.side))
-        nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-      // Eight time points on a plain side cost as much as the cell behind it.
-      share(nodes.data(), static_cast<int>(nodes.size()), 6.0 * static_cast<double>(nodes.size()));
-    }
+    for (const Side& side : side_set_named(mesh, name).sides) share_side(side, 6);
+  for (const Side& side : facing) share_side(side, mesh.dimension == 2 ? 5000 : 15000);
   // METIS adds them up in 32 bits.
   double total = 0;
   for (double units : work) total += units;
@@ -55,7 +110,8 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
   return weights;
 }
 
-std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<int>& work) {
+std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<int>& work,
+                                 const std::vector<std::pair<int, int>>& facing) {
   std::vector<int> owner(static_cast<std::size_t>(mesh.nodes()), 0);
   if (ranks == 1) return owner;
   if (mesh.nodes() <= 2 * ranks) {
@@ -75,20 +131,22 @@ std::vector<int> partition_nodes(const Mesh& mesh, int ranks, const std::vector<
   idx_t node_count = mesh.nodes();
   idx_t parts = ranks;
   idx_t cut = 0;
-  std::vector<idx_t> cell_part(static_cast<std::size_t>(cells));
   std::vector<idx_t> node_part(static_cast<std::size_t>(node_count));
   std::vector<idx_t> options(METIS_NOPTIONS);
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_SEED] = 1;
   std::vector<idx_t> weights(work.begin(), work.end());
-  const int status =
-      METIS_PartMeshNodal(&cells, &node_count, start.data(), nodes.data(), weights.empty() ? nullptr : weights.data(),
-                          nullptr, &parts, nullptr, options.data(), &cut, cell_part.data(), node_part.data());
-  if (status == METIS_ERROR_MEMORY) {
-    note_failed_allocation(0);
-    throw std::bad_alloc();
+  idx_t* const of_nodes = weights.empty() ? nullptr : weights.data();
+  if (facing.empty()) {
+    std::vector<idx_t> cell_part(static_cast<std::size_t>(cells));
+    check(METIS_PartMeshNodal(&cells, &node_count, start.data(), nodes.data(), of_nodes, nullptr, &parts, nullptr,
+                              options.data(), &cut, cell_part.data(), node_part.data()));
+  } else {
+    NodalGraph graph = with_edges(nodal_graph(cells, node_count, start, nodes), facing);
+    idx_t constraints = 1;
+    check(METIS_PartGraphKway(&node_count, &constraints, graph.start.data(), graph.neighbours.data(), of_nodes, nullptr,
+                              graph.weights.data(), &parts, nullptr, nullptr, options.data(), &cut, node_part.data()));
   }
-  if (status != METIS_OK) throw std::runtime_error(fmt::format("METIS failed with status {}", status));
   for (std::size_t i = 0; i < owner.size(); ++i) owner[i] = static_cast<int>(node_part[i]);
   return owner;
 }

@@ -292,6 +292,19 @@ std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& in
   return {names.begin(), names.end()};
 }
 
+FacingNodes facing_nodes(const std::vector<SceneInteraction>& interactions, const Mesh& mesh) {
+  FacingNodes all;
+  for (const SceneInteraction& own : interactions) {
+    if (!own.is_pair() || own.primary == own.side_set) continue;
+    const double range = own.cutoff > 0 ? own.cutoff : own.law->range();
+    const FacingNodes near =
+        facing_nodes(mesh, own.side_set, own.primary, std::min(range, 20 * own.law->equilibrium_gap()));
+    all.pairs.insert(all.pairs.end(), near.pairs.begin(), near.pairs.end());
+    all.sides.insert(all.sides.end(), near.sides.begin(), near.sides.end());
+  }
+  return all;
+}
+
 const std::string& name_of(ContactElement element) {
   for (const auto& [name, value] : contact_elements())
     if (value == element) return name;

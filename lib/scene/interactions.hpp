@@ -10,6 +10,7 @@
 #include "interaction/friction_law.hpp"
 #include "interaction/gap_law.hpp"
 #include "mesh/enrichment/enrich.hpp"
+#include "mesh/facing_nodes.hpp"
 #include "model/model.hpp"
 #include "model/surface_pair.hpp"
 #include "parameters/scene_node.hpp"
@@ -57,6 +58,10 @@ std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interacti
 
 /// Returns the side sets of which each rank needs all sides: those of two bodies' interactions.
 std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& interactions);
+
+/// Returns the sides of two bodies that face each other within the reach of their interactions, with those of all
+/// interactions together. A surface that interacts with itself has none.
+FacingNodes facing_nodes(const std::vector<SceneInteraction>& interactions, const Mesh& mesh);
 
 /// Returns the name of a contact element in scenes.
 const std::string& name_of(ContactElement element);

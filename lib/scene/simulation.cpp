@@ -122,8 +122,10 @@ std::vector<int> Simulation::partition(const Mesh& mesh, int ranks, Inertia iner
   if (ranks == 1) return partition_nodes(mesh, ranks);
   std::vector<std::string> contact;
   for (const SceneInteraction& interaction : interactions_) contact.push_back(interaction.side_set);
+  const FacingNodes facing = facing_nodes(interactions_, mesh);
   // An explicit step solves nothing; of an implicit one the residual is a few per cent.
-  return partition_nodes(mesh, ranks, node_work(mesh, contact, inertia == Inertia::Lumped ? 0 : 500));
+  const int solve = inertia == Inertia::Lumped ? 0 : 500;
+  return partition_nodes(mesh, ranks, node_work(mesh, contact, solve, facing.sides), facing.pairs);
 }
 
 LocalMesh Simulation::local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks,

@@ -17,9 +17,9 @@ class PairApproach {
   /// `margin`: see PairOptions. The points must outlive it.
   PairApproach(const PairPoints<D>& points, double margin) : points_(points), margin_(margin) {}
 
-  /// Returns an s in [0, 1], nearly the largest, for which the gaps at all places + s share ways surely have the margin.
-  /// Follows the surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound of a part
-  /// does not know the direction of the motion. `shares`: of each place.
+  /// Returns an s in [0, 1], nearly the largest, for which the gaps at all places + s share ways surely have the
+  /// margin. Follows the surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound
+  /// of a part does not know the direction of the motion. `shares`: of each place.
   double free_step(const std::vector<Places>& times, const Places& ways, const std::vector<double>& shares) const;
   /// Returns the lowest point of the surfaces, also on the straight way from `start`, if that is given: a scheme that
   /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as

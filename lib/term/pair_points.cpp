@@ -51,6 +51,8 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       share_(options.share),
       reacts_(options.reacts),
       adds_to_own_(acting_patches(surfaces_, mesh.owned_nodes)),
+      owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh.owned_nodes)),
+      owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh.owned_nodes)),
       search_(surfaces_) {
   const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
   per_patch_ = on_a_patch.size();
@@ -133,8 +135,8 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   covered.insert(covered.end(), also.begin(), also.end());
   const std::shared_ptr<const PairNeighbours> near = neighbours(covered, range);
   const bool keeps = share != Share::Energies;
-  if (keeps && last_ && last_share_ == share && last_range_ == range && last_->size() == times.size() &&
-      std::equal(times.begin(), times.end(), last_->begin(), [&](const Places& x, const Contacts& kept) {
+  const bool alike = keeps && last_ && last_share_ == share && last_range_ == range && last_->size() == times.size();
+  if (alike && std::equal(times.begin(), times.end(), last_->begin(), [&](const Places& x, const Contacts& kept) {
         return kept.neighbours == near && kept.places.secondary == x.secondary && kept.places.primary == x.primary;
       }))
     return last_;
@@ -142,10 +144,18 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   for (std::size_t k = 0; k < times.size(); ++k) {
     (*result)[k].places = std::move(times[k]);
     (*result)[k].neighbours = near;
+    place_primary((*result)[k]);
   }
-  const std::vector<Before> known = before(*result);
+  const std::vector<EarlierFeet<D>> earlier =
+      earlier_feet<D>(*result, alike && remembers_ ? last_.get() : nullptr, search_, law_->equilibrium_gap());
+  std::vector<char> looks(near->secondary.size(), 1);
+  if (share == Share::Forces)
+    looks = acting(*result, range);
+  else if (share == Share::Energies)
+    std::transform(near->secondary.begin(), near->secondary.end(), looks.begin(),
+                   [&](std::size_t s) { return counts(s) ? 1 : 0; });
   for (std::size_t k = 0; k < result->size(); ++k) {
-    find_feet((*result)[k], known[k], share, range);
+    find_feet((*result)[k], earlier[k], looks, range);
     evaluate_law((*result)[k]);
   }
   if (keeps) {
@@ -156,106 +166,107 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
   return result;
 }
 
-/// The times of a rule follow each other along a path that hardly bends.
 template <std::size_t D>
-std::vector<typename PairPoints<D>::Before> PairPoints<D>::before(const Times& times) const {
-  std::vector<Before> result(times.size());
-  for (std::size_t k = 1; k < times.size(); ++k) {
-    const Places &from = times[k - 1].places, &to = times[k].places;
-    result[k].last = &times[k - 1];
-    result[k].motion = search_.motion(from, to);
-    if (k < 2) continue;
-    const Places& earlier = times[k - 2].places;
-    result[k].last_but_one = &times[k - 2];
-    double product = 0, square = 0;
-    const auto add = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b, const std::vector<Vec<D>>& c) {
-      for (std::size_t i = 0; i < a.size(); ++i) {
-        const Vec<D> way = b[i] - a[i];
-        product += inner(way, c[i] - b[i]);
-        square += inner(way, way);
-      }
-    };
-    add(earlier.secondary, from.secondary, to.secondary);
-    add(earlier.primary, from.primary, to.primary);
-    result[k].longer = square > 0 ? product / square : 0;
+void PairPoints<D>::place_primary(Contacts& contacts) const {
+  if (!contacts.places.is_finite()) return;
+  const std::vector<Vec<D>>& x = contacts.places.primary;
+  if (const auto& together = contacts.neighbours->together; together)
+    contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x, together);
+  else
+    contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x);
+}
+
+template <std::size_t D>
+void PairPoints<D>::place_points(std::size_t s, const Places& at, PlacedPoints& points) const {
+  const SurfacePatch<D>& patch = secondary().patches[s];
+  const typename SurfacePatch<D>::Points x = patch.among(at.secondary);
+  points.places.resize(per_patch_);
+  points.middle = {};
+  for (std::size_t q = 0; q < per_patch_; ++q) {
+    const auto& weights = points_[s * per_patch_ + q].weights;
+    Vec<D> place{};
+    for (std::size_t a = 0; a < patch.count; ++a) place = place + weights[a] * x[a];
+    points.places[q] = place;
+    points.middle = points.middle + 1 / static_cast<double>(per_patch_) * place;
   }
-  double to_come = 0;
-  for (std::size_t k = times.size(); k-- > 1;) {
-    to_come += result[k].motion;
-    result[k - 1].slack = std::isfinite(to_come) ? std::min(2 * to_come, law_->equilibrium_gap()) : 0;
-  }
+}
+
+template <std::size_t D>
+double PairPoints<D>::PlacedPoints::radius() const {
+  double result = 0;
+  for (const Vec<D>& place : places) result = std::max(result, length(place - middle));
   return result;
 }
 
-/// A foot's patch comes no farther than by the motion while others come no nearer than by it.
+/// A patch without own nodes acts on them where its points can have feet on primary patches with own nodes.
 template <std::size_t D>
-double PairPoints<D>::Before::lead(std::size_t point) const {
-  if (last == nullptr || !last->primary) return 0;
-  const SurfaceFoot<D>& foot = last->all[point].foot;
-  return foot.lead - (foot.patch < 0 ? 1 : 2) * motion;
-}
-
-template <std::size_t D>
-FootGuess<D> PairPoints<D>::Before::guess(std::size_t point, int patch) const {
-  if (last == nullptr || last->all[point].foot.patch < 0) return {patch, {}};
-  const SurfaceFoot<D>& foot = last->all[point].foot;
-  FootGuess<D> result{foot.patch, foot.xi};
-  if (last_but_one == nullptr || last_but_one->all[point].foot.patch != foot.patch || !std::isfinite(longer))
-    return result;
-  const PatchParameters<D>& earlier = last_but_one->all[point].foot.xi;
-  for (std::size_t k = 0; k < foot.xi.size(); ++k)
-    (*result.xi)[k] = std::clamp(foot.xi[k] + longer * (foot.xi[k] - earlier[k]), 0.0, 1.0);
-  return result;
-}
-
-template <std::size_t D>
-void PairPoints<D>::find_feet(Contacts& contacts, const Before& before, Share share, double range) const {
-  const PairNeighbours& near = *contacts.neighbours;
-  if (contacts.places.is_finite())
-    contacts.primary =
-        near.together ? std::make_unique<PlacedSurface<D>>(primary().patches, contacts.places.primary, near.together)
-                      : std::make_unique<PlacedSurface<D>>(primary().patches, contacts.places.primary);
-  contacts.all.reserve(near.secondary.size() * per_patch_);
-  int guess = -1;
-  std::vector<Vec<D>> places(per_patch_);
+std::vector<char> PairPoints<D>::acting(const Times& times, double range) const {
+  const Contacts& first = times.front();
+  const PairNeighbours& near = *first.neighbours;
+  std::vector<char> result;
+  for (const std::size_t s : near.secondary) result.push_back(adds_to_own_[s]);
+  const auto all_own = [](const std::vector<char>& own) {
+    return std::all_of(own.begin(), own.end(), [](char o) { return o != 0; });
+  };
+  if (sight_ || !first.primary || all_own(owns_secondary_)) return result;
+  double motion = 0;
+  for (const Contacts& later : times) motion = std::max(motion, search_.motion(first.places, later.places));
+  if (!std::isfinite(motion)) return result;
+  PlacedPoints points;
   for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
     const std::size_t s = near.secondary[entry];
-    if ((share == Share::Energies && !counts(s)) || (share == Share::Forces && adds_to_own_[s] == 0)) continue;
-    const SurfacePatch<D>& patch = secondary().patches[s];
-    const typename SurfacePatch<D>::Points x = patch.among(contacts.places.secondary);
-    Vec<D> middle{};
-    for (std::size_t q = 0; q < per_patch_; ++q) {
-      const auto& weights = points_[s * per_patch_ + q].weights;
-      places[q] = {};
-      for (std::size_t a = 0; a < patch.count; ++a) places[q] = places[q] + weights[a] * x[a];
-      middle = middle + 1 / static_cast<double>(per_patch_) * places[q];
-    }
+    if (result[entry] == 0 || owns_secondary_[s] != 0) continue;
+    place_points(s, first.places, points);
+    const std::vector<int>& candidates = near.primary[entry];
+    const double radius = points.radius(), slack = 2 * motion;
+    const std::vector<int> possible = candidates.empty()
+                                          ? first.primary->reduced(points.middle, radius, range, slack)
+                                          : first.primary->reduced(candidates, points.middle, radius, range, slack);
+    result[entry] = std::any_of(possible.begin(), possible.end(),
+                                [&](int p) { return owns_primary_[static_cast<std::size_t>(p)] != 0; })
+                        ? 1
+                        : 0;
+  }
+  return result;
+}
+
+template <std::size_t D>
+void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks,
+                              double range) const {
+  const PairNeighbours& near = *contacts.neighbours;
+  contacts.all.reserve(near.secondary.size() * per_patch_);
+  contacts.first.assign(secondary().patches.size(), -1);
+  int guess = -1;
+  PlacedPoints points;
+  for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
+    if (looks[entry] == 0) continue;
+    const std::size_t s = near.secondary[entry];
+    contacts.first[s] = static_cast<int>(contacts.all.size());
+    place_points(s, contacts.places, points);
     const std::vector<int>& candidates = near.primary[entry];
     std::optional<std::vector<int>> nearest;  // of the candidates, for points that need them
     for (std::size_t q = 0; q < per_patch_; ++q) {
-      Contact contact{s, q, entry, places[q]};
-      const FootGuess<D> start = before.guess(contacts.all.size(), guess);
-      const double lead = before.lead(contacts.all.size());
+      const Vec<D>& place = points.places[q];
+      Contact contact{s, q, entry, place};
+      const FootGuess<D> start = earlier.guess(s, q, guess);
+      const double lead = earlier.lead(s, q);
       if (!contacts.primary) {
         contact.foot.patch = 0;
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
         for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
       } else if (lead > 0) {
-        const int known = before.last->all[contacts.all.size()].foot.patch;
-        if (known >= 0) contact.foot = contacts.primary->nearest_on(start, places[q], range);
+        const int known = earlier.last->find(s, q)->foot.patch;
+        if (known >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
         contact.foot.lead = contact.foot.patch == known ? lead : 0;
       } else if (sight_) {
-        contact.foot = contacts.primary->nearest_of(candidates, places[q], range);
+        contact.foot = contacts.primary->nearest_of(candidates, place, range);
       } else if (candidates.empty()) {
-        contact.foot = contacts.primary->nearest(places[q], range, start, before.slack);
+        contact.foot = contacts.primary->nearest(place, range, start, earlier.slack);
       } else {
-        if (!nearest) {
-          double radius = 0;
-          for (const Vec<D>& place : places) radius = std::max(radius, length(place - middle));
-          nearest = contacts.primary->reduced(candidates, middle, radius, range, before.slack);
-        }
-        contact.foot = contacts.primary->nearest_among(*nearest, places[q], range, start, before.slack);
+        if (!nearest)
+          nearest = contacts.primary->reduced(candidates, points.middle, points.radius(), range, earlier.slack);
+        contact.foot = contacts.primary->nearest_among(*nearest, place, range, start, earlier.slack);
       }
       guess = contact.foot.patch;
       contacts.all.push_back(contact);

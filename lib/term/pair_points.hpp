@@ -10,7 +10,7 @@
 #include "interaction/pair_gap.hpp"
 #include "term/interaction.hpp"
 #include "term/pair_block.hpp"
-#include "term/pair_search.hpp"
+#include "term/pair_contacts.hpp"
 #include "term/pair_sums.hpp"
 #include "term/self_sight.hpp"
 
@@ -29,8 +29,8 @@ struct PairOptions {
 
 /// The secondary surface (slave), on which the law is integrated, Pi = sum of w psi(g), and the primary one (master),
 /// from which its gaps g are measured: signed least distances. All ranks have all sides of both. A rank looks at the
-/// points that add to forces at its own nodes: all of them if it owns nodes of the primary surface, otherwise those of
-/// patches with own nodes.
+/// points that add to forces at its own nodes: those of patches with own nodes, and others whose feet can lie on
+/// primary patches with own nodes.
 template <std::size_t D>
 class PairPoints {
  public:
@@ -43,29 +43,16 @@ class PairPoints {
   /// The points that a function visits: those that add to this rank's forces, those that energies count here, or all.
   enum class Share { Forces, Energies, All };
   using Places = PairPlaces<D>;
-  /// A quadrature point at one place of the surfaces. A point beyond the law's range has no foot and no force.
-  struct Contact {
-    std::size_t patch, point;
-    std::size_t entry;  ///< of the patch among those with neighbours
-    Vec<D> place{};
-    SurfaceFoot<D> foot{};
-    double traction = 0, stiffness = 0;  ///< T and -dT/dg
-  };
-  struct Contacts {
-    Places places;
-    std::shared_ptr<const PairNeighbours> neighbours;
-    std::vector<Contact> all;  ///< of the secondary patches with neighbours
-    double least_gap = std::numeric_limits<double>::infinity();
-    std::unique_ptr<PlacedSurface<D>> primary;  ///< null if a place is no number
-    /// Returns the primary patches that a point can have its foot on; null: all.
-    const std::vector<int>* candidates(const Contact& c) const {
-      const std::vector<int>& own = neighbours->primary[c.entry];
-      return own.empty() ? nullptr : &own;
-    }
-  };
-  /// The contacts at several places of the surfaces: the same points in the same order.
-  using Times = std::vector<Contacts>;
+  using Contact = PairContact<D>;
+  using Contacts = PairContacts<D>;
+  using Times = PairTimes<D>;
 
+  /// Forgets all feet, so that those of a step depend on it alone. From then on the feet at one place are searched from
+  /// those at the last ones.
+  void begin_step() {
+    last_ = nullptr;
+    remembers_ = true;
+  }
   Places places(const double* u) const;
   Places places(const Segment& segment, const RulePoint& point) const;
   /// Returns ways as places: a displacement without the undeformed body's coordinates.
@@ -125,19 +112,18 @@ class PairPoints {
   };
   Places combine(double rest, const NodeParts& parts) const;
   std::shared_ptr<const PairNeighbours> neighbours(const std::vector<Places>& times, double range) const;
-  /// What feet at the places before say of those at the present ones.
-  struct Before {
-    const Contacts *last = nullptr, *last_but_one = nullptr;  ///< the same points
-    double longer = 0;   ///< the way to the present places over that between the last ones
-    double motion = 0;   ///< a bound on the change of a gap since the last places [L0]
-    double slack = 0;    ///< the lead that feet need until the last places, or the most that is worth its time [L0]
-    /// Returns where the foot of the point of this number is likely to be.
-    FootGuess<D> guess(std::size_t point, int patch) const;
-    /// Returns the least lead that the foot still has.
-    double lead(std::size_t point) const;
+  /// The points of a patch at one place of the surface.
+  struct PlacedPoints {
+    std::vector<Vec<D>> places;
+    Vec<D> middle;
+    double radius() const;  ///< of a ball around the middle that holds them
   };
-  std::vector<Before> before(const Times& times) const;
-  void find_feet(Contacts& contacts, const Before& before, Share share, double range) const;
+  void place_points(std::size_t patch, const Places& at, PlacedPoints& points) const;
+  void place_primary(Contacts& contacts) const;
+  /// Returns, by entry of the neighbours, whether its points act on nodes of this rank at one of these times.
+  std::vector<char> acting(const Times& times, double range) const;
+  /// `looks`: by entry of the neighbours, whether its points count.
+  void find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks, double range) const;
   void evaluate_law(Contacts& contacts) const;
   void add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
            std::size_t& used) const;
@@ -150,14 +136,17 @@ class PairPoints {
   bool reacts_;
   std::size_t per_patch_;
   std::vector<Point> points_;
-  std::vector<char> adds_to_own_;  ///< by patch
-  // The results of the last search and of the last evaluation save time. Results do not depend on them.
+  std::vector<char> adds_to_own_;                    ///< by patch: acting_patches()
+  std::vector<char> owns_secondary_, owns_primary_;  ///< by patch: some node is this rank's
+  // The results of the last search and of the last evaluation save time. Results depend on them by rounding errors at
+  // most.
   mutable PairSearch<D> search_;
   mutable std::shared_ptr<const PairNeighbours> seen_;
   mutable long seen_version_ = -1;
   mutable std::shared_ptr<const Times> last_;
   mutable Share last_share_ = Share::Forces;  ///< of `last_`
   mutable double last_range_ = 0;
+  bool remembers_ = false;  ///< whether feet begin at those of the last evaluation
 };
 
 template <std::size_t D>

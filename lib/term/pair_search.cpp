@@ -114,20 +114,28 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<Pai
 }
 
 template <std::size_t D>
-std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes) {
-  const SurfacePatches<D>& secondary = surfaces.secondary;
-  const auto is_owned = [&](int node) { return node < owned_nodes; };
-  const bool all = std::any_of(surfaces.primary.nodes.begin(), surfaces.primary.nodes.end(), is_owned);
+std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes) {
   std::vector<char> result;
-  for (const SurfacePatch<D>& patch : secondary.patches) {
-    bool acts = all;
-    for (std::size_t a = 0; a < patch.count; ++a)
-      acts = acts || is_owned(secondary.nodes[static_cast<std::size_t>(patch.nodes[a])]);
-    result.push_back(acts ? 1 : 0);
+  for (const SurfacePatch<D>& patch : surface.patches) {
+    const auto end = patch.nodes.begin() + static_cast<std::ptrdiff_t>(patch.count);
+    result.push_back(std::any_of(patch.nodes.begin(), end,
+                                 [&](int a) { return surface.nodes[static_cast<std::size_t>(a)] < owned_nodes; })
+                         ? 1
+                         : 0);
   }
   return result;
 }
 
+template <std::size_t D>
+std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes) {
+  const std::vector<int>& nodes = surfaces.primary.nodes;
+  if (std::any_of(nodes.begin(), nodes.end(), [&](int node) { return node < owned_nodes; }))
+    return std::vector<char>(surfaces.secondary.patches.size(), 1);
+  return patches_with_own_nodes(surfaces.secondary, owned_nodes);
+}
+
+template std::vector<char> patches_with_own_nodes(const SurfacePatches<2>&, int);
+template std::vector<char> patches_with_own_nodes(const SurfacePatches<3>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);

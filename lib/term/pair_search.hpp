@@ -26,6 +26,10 @@ struct PairPlaces {
 template <std::size_t D>
 std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_nodes);
 
+/// Returns, by patch, whether one of its nodes is an owned local node.
+template <std::size_t D>
+std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes);
+
 /// Secondary patches, and the primary ones that their points can have feet on.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending

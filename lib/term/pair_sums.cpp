@@ -61,7 +61,7 @@ void PairSums<D>::add(const PairGap<D>& gap, double along, double across) {
         for (std::size_t c = 0; c < square; ++c) row[c] += weight * m[D * k + i][c];
       }
       Pack* const sums = among_primary_.data() + (a * square + D * i) * n;
-      for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t p = a / width; p < n; ++p)  // the others follow by symmetry
         for (std::size_t j = 0; j < D; ++j) {
           Pack sum = sums[j * n + p];
           for (std::size_t l = 0; l < D; ++l) sum += row[D * l + j] * weights_[l * n + p];
@@ -94,12 +94,12 @@ void PairSums<D>::write(std::vector<double>& matrix, bool reacts) const {
   const std::size_t size = D * (secondary_ + primary_);
   matrix.assign(size * size, 0.0);
   const auto copy = [&](const std::vector<Pack>& from, std::size_t rows, std::size_t first_row, std::size_t columns,
-                        std::size_t first_column, bool twice) {
+                        std::size_t first_column, bool twice, bool upper = false) {
     for (std::size_t a = 0; a < rows; ++a)
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) {
           const Pack* const own = from.data() + (a * square + D * i + j) * packs(columns);
-          for (std::size_t b = 0; b < columns; ++b) {
+          for (std::size_t b = upper ? a / width * width : 0; b < columns; ++b) {
             const std::size_t r = D * (first_row + a) + i, c = D * (first_column + b) + j;
             const double value = own[b / width][b % width];
             matrix[r * size + c] = value;
@@ -109,7 +109,7 @@ void PairSums<D>::write(std::vector<double>& matrix, bool reacts) const {
   };
   copy(among_secondary_, secondary_, 0, secondary_, 0, false);
   copy(across_, secondary_, 0, primary_, secondary_, reacts);
-  if (reacts) copy(among_primary_, primary_, secondary_, primary_, secondary_, false);
+  if (reacts) copy(among_primary_, primary_, secondary_, primary_, secondary_, true, true);
 }
 
 template class PairSums<2>;

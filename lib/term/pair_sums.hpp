@@ -28,13 +28,14 @@ class PairSums {
   static constexpr std::size_t square = D * D;
   void load(const PairGap<D>& gap);
 
-  std::size_t secondary_ = 0, primary_ = 0;                     ///< nodes
-  std::size_t secondary_packs_ = 0, primary_packs_ = 0;         ///< of one number of each node
-  bool open_ = false;                                           ///< the present point has been added to
-  std::array<double, square> own_{};                            ///< of the present point: M_0i0j, summed
-  std::vector<Pack> mixed_;                                     ///< of the present point, M_0ilj w^l_b: [i D + j][b]
-  std::vector<Pack> weights_;                                   ///< [l][b] of a foot, or the point's own
-  std::vector<Pack> among_secondary_, across_, among_primary_;  ///< [a][i D + j][b]
+  std::size_t secondary_ = 0, primary_ = 0;              ///< nodes
+  std::size_t secondary_packs_ = 0, primary_packs_ = 0;  ///< of one number of each node
+  bool open_ = false;                                    ///< the present point has been added to
+  std::array<double, square> own_{};                     ///< of the present point: M_0i0j, summed
+  std::vector<Pack> mixed_;                              ///< of the present point, M_0ilj w^l_b: [i D + j][b]
+  std::vector<Pack> weights_;                            ///< [l][b] of a foot, or the point's own
+  std::vector<Pack> among_secondary_, across_;           ///< [a][i D + j][b]
+  std::vector<Pack> among_primary_;                      ///< the same, from the pack of a on
 };
 
 extern template class PairSums<2>;

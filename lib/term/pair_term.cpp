@@ -61,6 +61,7 @@ class PairTerm final : public Interaction {
   /// Decides which parts of a surface face each other. If these are others than in the last accepted step, the energy
   /// jumps at the start of the step.
   void begin_step(const KnownState& start, double, double dt) override {
+    points_.begin_step();
     if (points_.sight() == nullptr) {
       if (needs_positive_gaps()) start_ = points_.places(start.u);
       return;
@@ -91,9 +92,8 @@ class PairTerm final : public Interaction {
     }
     const auto times = points_.contacts(points_.places(segment, rule), Share::Forces);
     for (std::size_t k = 0; k < rule.points.size(); ++k) add_force((*times)[k], rule.points[k].weight, f);
-    return !needs_positive_gaps() || std::all_of(times->begin(), times->end(), [](const Contacts& contacts) {
-      return contacts.least_gap > 0;
-    });
+    return !needs_positive_gaps() ||
+           std::all_of(times->begin(), times->end(), [](const Contacts& contacts) { return contacts.least_gap > 0; });
   }
 
   /// Leaves out nodes that are not coupled, see PairCoupling.

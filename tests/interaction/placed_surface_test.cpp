@@ -182,6 +182,43 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
   EXPECT_LT(2 * after, before);
 }
 
+/// All other patches are farther than the foot by its lead, and without a foot all are out of range by it.
+TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
+  const test::SpherePatches sphere(1, 6, Smoothing::CatmullRom);
+  const PlacedSurface<3> all(sphere.patches(), sphere.x);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const double range = 0.4, slack = 0.1;
+  int leads = 0, out = 0;
+  for (int n = 0; n < 200; ++n) {
+    Vec<3> place{number(random), number(random), number(random)};
+    place = (1.25 + 0.4 * number(random)) / length(place) * place;
+    const std::vector<int> near = all.near(std::vector<Vec<3>>{place}, range + slack);
+    const std::vector<int> few = all.reduced(near, place, 0, range, slack), fewer = all.reduced(place, 0, range, slack);
+    for (const SurfaceFoot<3>& foot :
+         {all.nearest(place, range, {}, slack), all.nearest_among(few, place, range, {}, slack),
+          all.nearest_among(fewer, place, range, {few.empty() ? -1 : few.back(), {}}, slack)}) {
+      EXPECT_GE(foot.lead, 0);
+      EXPECT_LE(foot.lead, slack);
+      leads += foot.lead > 0.01 ? 1 : 0;
+      out += foot.patch < 0 ? 1 : 0;
+      for (std::size_t p = 0; p < sphere.patches().size(); ++p) {
+        const int patch = static_cast<int>(p);
+        if (patch == foot.patch) continue;
+        const PlacedPatch<3>& placed = all.patch(patch);
+        const double distance =
+            nearest_point(placed, sphere.patches()[p].smooth, place, PatchBound<3>(placed).start(place)).distance;
+        EXPECT_GE(distance, (foot.patch < 0 ? range : std::abs(foot.gap)) + foot.lead - 1e-12);
+      }
+      if (foot.patch >= 0) {
+        EXPECT_NEAR(all.nearest_on({foot.patch, PatchParameters<3>{0.5, 0.5}}, place, range).gap, foot.gap, 1e-14);
+      }
+    }
+  }
+  EXPECT_GT(leads, 200);
+  EXPECT_GT(out, 100);
+}
+
 TEST(PlacedSurfaceTest, BeforeASphereGapsAreThoseOfTheSphere) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> number(-1, 1);

@@ -1,0 +1,79 @@
+#include "mesh/facing_nodes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+#include <cmath>
+
+#include "base/vec.hpp"
+#include "mesh/selection.hpp"
+
+namespace ixos {
+namespace {
+
+namespace bg = boost::geometry;
+using TreePoint = bg::model::point<double, 3, bg::cs::cartesian>;
+
+/// A side with its middle and the radius of a ball around it that holds the nodes.
+struct Ball {
+  Side side;
+  std::vector<int> nodes;
+  Vec<3> middle{};
+  double radius = 0;
+};
+
+Vec<3> place(const Mesh& mesh, int node) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  Vec<3> result{};
+  for (std::size_t i = 0; i < d; ++i) result[i] = mesh.coordinates[d * static_cast<std::size_t>(node) + i];
+  return result;
+}
+
+std::vector<Ball> balls(const Mesh& mesh, const std::string& name) {
+  std::vector<Ball> result;
+  for (const Side& side : side_set_named(mesh, name).sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    Ball ball{side, {}};
+    for (const int a : side_nodes(block.type, side.side))
+      ball.nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+    for (const int node : ball.nodes)
+      ball.middle = ball.middle + 1 / static_cast<double>(ball.nodes.size()) * place(mesh, node);
+    for (const int node : ball.nodes) ball.radius = std::max(ball.radius, length(place(mesh, node) - ball.middle));
+    result.push_back(std::move(ball));
+  }
+  return result;
+}
+
+TreePoint point(const Vec<3>& x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+FacingNodes facing_nodes(const Mesh& mesh, const std::string& first, const std::string& second, double distance) {
+  const std::vector<Ball> own = balls(mesh, first), other = balls(mesh, second);
+  using Entry = std::pair<TreePoint, std::size_t>;
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < other.size(); ++k) entries.emplace_back(point(other[k].middle), k);
+  const bg::index::rtree<Entry, bg::index::quadratic<8>> tree(entries);
+  FacingNodes result;
+  for (const Ball& ball : own) {
+    std::vector<Entry> found;
+    tree.query(bg::index::nearest(point(ball.middle), 1), std::back_inserter(found));
+    if (found.empty()) continue;
+    const Ball& near = other[found.front().second];
+    if (!(length(near.middle - ball.middle) < distance + near.radius + ball.radius)) continue;
+    result.sides.push_back(ball.side);
+    for (const int node : ball.nodes) {
+      const auto nearer = [&](int a, int b) {
+        return length(place(mesh, a) - place(mesh, node)) < length(place(mesh, b) - place(mesh, node));
+      };
+      result.pairs.emplace_back(node, *std::min_element(near.nodes.begin(), near.nodes.end(), nearer));
+    }
+  }
+  std::sort(result.pairs.begin(), result.pairs.end());
+  result.pairs.erase(std::unique(result.pairs.begin(), result.pairs.end()), result.pairs.end());
+  return result;
+}
+
+}  // namespace ixos
