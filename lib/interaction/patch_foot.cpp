@@ -38,15 +38,90 @@ struct Point {
   typename PlacedPatch<D>::Frame frame;
 };
 
-Point<2> find_nearest(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>&) {
+constexpr std::size_t most_powers = 7;  ///< of the second derivative of a squared distance, for curves of degree 4
+
+constexpr double binomial(std::size_t n, std::size_t k) {
+  double result = 1;
+  for (std::size_t i = 1; i <= k; ++i) result = result * static_cast<double>(n - k + i) / static_cast<double>(i);
+  return result;
+}
+
+/// Returns the factors C(i, k)/C(n, k) that convert powers to Bernstein polynomials of degree n, by i and k.
+constexpr std::array<std::array<double, most_powers>, most_powers> to_bernstein(std::size_t n) {
+  std::array<std::array<double, most_powers>, most_powers> result{};
+  for (std::size_t i = 0; i <= n; ++i)
+    for (std::size_t k = 0; k <= i; ++k) result[i][k] = binomial(i, k) / binomial(n, k);
+  return result;
+}
+
+/// Returns whether the squared distance of the place surely is a convex function on the whole curve: all Bernstein
+/// coefficients of half its second derivative, x' . x' + (x - place) . x'', are positive.
+template <std::size_t Degree>
+bool is_convex(const PlacedPatch<2>& curve, const Vec<2>& place) {
+  constexpr std::size_t degree = 2 * Degree - 2;
+  static constexpr auto shares = to_bernstein(degree);
+  std::array<double, degree + 1> powers{};
+  for (std::size_t i = 0; i <= Degree; ++i) {
+    const Vec<2> r = i == 0 ? curve.coefficients[0] - place : curve.coefficients[i];
+    for (std::size_t j = i == 0 ? 2 : 1; j <= Degree; ++j) {
+      const auto a = static_cast<double>(i), b = static_cast<double>(j);
+      powers[i + j - 2] += (a * b + b * (b - 1)) * inner(r, curve.coefficients[j]);
+    }
+  }
+  for (std::size_t i = 0; i <= degree; ++i) {
+    double coefficient = 0;
+    for (std::size_t k = 0; k <= i; ++k) coefficient += shares[i][k] * powers[k];
+    if (!(coefficient > 0)) return false;
+  }
+  return true;
+}
+
+bool is_convex(const PlacedPatch<2>& curve, const Vec<2>& place) {
+  switch (curve.degree) {
+    case 2:
+      return is_convex<2>(curve, place);
+    case 3:
+      return is_convex<3>(curve, place);
+    default:
+      return is_convex<4>(curve, place);
+  }
+}
+
+/// Returns the nearest point of a curve whose squared distance is convex, by Newton's method from t.
+Point<2> descend(const PlacedPatch<2>& curve, const Vec<2>& place, double t) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const auto frame = curve.frame({t});
+    const Vec<2> r = frame.place - place;
+    const double slope = inner(r, frame.tangents[0]);
+    if ((t == 0 && slope >= 0) || (t == 1 && slope <= 0)) return {{t}, frame};
+    (slope > 0 ? high : low) = t;
+    const double step = -slope / (inner(frame.tangents[0], frame.tangents[0]) + inner(r, frame.bends[0]));
+    double next = t + step;
+    if (std::abs(step) < 1e-9 && next > 0 && next < 1) {
+      // The next step would be of the order of this one's square.
+      const Vec<2> turn = step * frame.bends[0];
+      return {{next}, {frame.place + step * (frame.tangents[0] + 0.5 * turn), {frame.tangents[0] + turn}, frame.bends}};
+    }
+    if (!(next > low && next < high)) next = next <= 0 && low == 0 ? 0 : next >= 1 && high == 1 ? 1 : (low + high) / 2;
+    t = next;
+  }
+  return {{t}, curve.frame({t})};
+}
+
+Point<2> find_nearest(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>& start) {
   const auto point_at = [&](double t) -> Point<2> { return {{t}, curve.frame({t})}; };
   if (curve.degree == 1) {
     const Vec<2>& side = curve.coefficients[1];
     return point_at(std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0));
   }
+  if (is_convex(curve, place)) return descend(curve, place, start[0]);
   // The distance may have several minima: looks near each sample that is as near as its neighbours.
   constexpr int samples = 8;
-  const auto distance = [&](double t) { return length(curve.at({t}) - place); };
+  const auto distance = [&](double t) {  // squared
+    const Vec<2> r = curve.at({t}) - place;
+    return inner(r, r);
+  };
   std::array<double, samples + 3> sampled;
   sampled.front() = sampled.back() = HUGE_VAL;
   for (int i = 0; i <= samples; ++i) sampled[static_cast<std::size_t>(i) + 1] = distance(i / double(samples));

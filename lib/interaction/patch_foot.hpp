@@ -18,7 +18,8 @@ struct PatchFoot {
 /// Returns the point of the patch that is nearest to the place. `smooth`: see SurfacePatch. In space it finds the
 /// minimum of the squared distance by Newton's method, from `start` or, if the degree is 4, from the nearest of a grid
 /// of points: patches that bend by less than about 60 degrees have no other minimum near that from PatchBound::start().
-/// In the plane it looks at all minima.
+/// In the plane it does so where the squared distance is convex along the whole curve, and looks at all minima
+/// elsewhere.
 template <std::size_t D>
 PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
                            const Vec<D>& place, const PatchParameters<D>& start);

@@ -46,6 +46,22 @@ TEST(PatchFootTest, TheNearestPointOfACurveIsTheLeastOfManyPoints) {
   EXPECT_GT(inside, 400);
 }
 
+/// Wherever the search starts, near a curve that bends little and far away, where the distance has several minima.
+TEST(PatchFootTest, TheStartOfASearchAlongACurveChangesRoundingOnly) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const SurfacePatch<2> patch = smooth_patch({0, 1, 2, 3}, {1.0, 1.0, 1.0});
+  for (int i = 0; i < 300; ++i) {
+    SurfacePatch<2>::Points x{};
+    for (std::size_t a = 0; a < 4; ++a) x[a] = {static_cast<double>(patch.nodes[a]), 0.3 * number(random)};
+    const PlacedPatch<2> placed = patch.placed(x);
+    const Vec<2> place{1.5 + 1.5 * number(random), (i % 2 == 0 ? 0.3 : 4) * number(random)};
+    const double distance = nearest_point(placed, patch.smooth, place, {0.5}).distance;
+    for (const double start : {0.0, 0.2, 0.999, 1.0})
+      EXPECT_NEAR(nearest_point(placed, patch.smooth, place, {start}).distance, distance, 2e-15 * (1 + distance));
+  }
+}
+
 /// A bicubic patch over a unit square with random heights at the 16 nodes of its grid.
 SurfacePatch<3> bicubic() {
   std::array<CornerDerivatives, 4> derivatives;
