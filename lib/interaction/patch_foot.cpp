@@ -258,7 +258,8 @@ PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2
   const Point<D> nearest = find_nearest(patch, place, start);
   foot.xi = nearest.xi;
   foot.frame = nearest.frame;
-  foot.distance = length(foot.frame.place - place);
+  const Vec<D> r = foot.frame.place - place;
+  foot.distance = std::sqrt(inner(r, r));
   for (std::size_t k = 0; k < D - 1; ++k)
     foot.fixed[k] = (foot.xi[k] == 0 && !smooth[2 * k]) || (foot.xi[k] == 1 && !smooth[2 * k + 1]);
   return foot;

@@ -209,7 +209,7 @@ Vec<D> PlacedPatch<D>::normal(const Frame& frame) {
   } else {
     n = cross(a, frame.tangents[1]);
   }
-  return (1 / length(n)) * n;
+  return (1 / std::sqrt(inner(n, n))) * n;
 }
 
 template <std::size_t D>

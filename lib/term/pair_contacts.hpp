@@ -43,8 +43,8 @@ struct PairContacts {
 template <std::size_t D>
 using PairTimes = std::vector<PairContacts<D>>;
 
-/// What feet at earlier places say of those at the present ones. It changes the time of a search, and the feet by
-/// rounding errors at most.
+/// Feet at earlier places, at which the search for those at the present ones begins. They change the time of a search,
+/// and the feet by rounding errors at most.
 template <std::size_t D>
 struct EarlierFeet {
   const PairContacts<D>* last = nullptr;          ///< at the places that are nearest
