@@ -6,6 +6,7 @@
 
 #include "base/simd_width.hpp"
 #include "console.hpp"
+#include "ixos/launch.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "solve/factorization.hpp"
 #include "solve/klu2_repair.hpp"
@@ -28,6 +29,7 @@ void print_schemes() {
 void print_version() {
   console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION, simd_width(),
                fmt::format("{}", fmt::join(factorizations(), ", ")), klu2_library());
+  if (const int threads = blas_threads(); threads > 0) console::say("Threads of OpenBLAS: {}\n", threads);
 }
 
 }  // namespace ixos

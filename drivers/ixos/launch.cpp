@@ -1,5 +1,7 @@
 #include "ixos/launch.hpp"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
 #include <utility>
 
@@ -22,6 +24,18 @@ SingleStart::SingleStart() {
 
 SingleStart::~SingleStart() {
   for (const char* name : set_) unsetenv(name);
+}
+
+void use_one_blas_thread() {
+  for (const char* name : {"OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"})
+    if (std::getenv(name) != nullptr) return;
+  if (void* const set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"); set != nullptr)
+    reinterpret_cast<void (*)(int)>(set)(1);
+}
+
+int blas_threads() {
+  void* const get = dlsym(RTLD_DEFAULT, "openblas_get_num_threads");
+  return get != nullptr ? reinterpret_cast<int (*)()>(get)() : 0;
 }
 
 }  // namespace ixos

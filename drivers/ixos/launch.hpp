@@ -23,4 +23,12 @@ class SingleStart {
   std::vector<const char*> set_;
 };
 
+/// Lets OpenBLAS work on one thread, unless the user set a number of threads (OPENBLAS_NUM_THREADS, OMP_NUM_THREADS).
+/// Ranks already use all cores. Matrices of a factorisation are so small that threads wait for each other: a scene
+/// takes several times as long if another program needs the cores. Other libraries of BLAS stay as they are.
+void use_one_blas_thread();
+
+/// Returns the number of threads of OpenBLAS; 0 if BLAS is another library.
+int blas_threads();
+
 }  // namespace ixos

@@ -219,6 +219,7 @@ int run_program(int argc, char** argv) {
       const ixos::SingleStart alone;
       guard.emplace(&none, &argv);
     }
+    ixos::use_one_blas_thread();
     ixos::end_on_mpi_errors();
     std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
     running = true;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <thread>
 
 #include "drivers/driver_test.hpp"
 #include "support/files.hpp"
@@ -224,6 +225,16 @@ TEST_F(DriverTest, SchemesAreListedWithWhatTheyConserve) {
 
 TEST_F(DriverTest, TheRepairedSolverIsInForceInTheDriver) {
   EXPECT_NE(ixos({"--version"}, folder_).output.find("KLU2 from: libixos"), std::string::npos);
+}
+
+TEST_F(DriverTest, OpenBlasHasOneThreadUnlessTheUserSetsMore) {
+  const std::string unset = "env -u OPENBLAS_NUM_THREADS -u OMP_NUM_THREADS ", version = quoted_driver() + " --version";
+  const std::string text = shell(unset + version, folder_).output;
+  if (text.find("Threads of OpenBLAS") == std::string::npos) GTEST_SKIP() << "BLAS is another library";
+  EXPECT_NE(text.find("Threads of OpenBLAS: 1\n"), std::string::npos) << text;
+  if (std::thread::hardware_concurrency() < 2) return;  // OpenBLAS has no more threads than the machine
+  EXPECT_NE(shell(unset + "OPENBLAS_NUM_THREADS=2 " + version, folder_).output.find("OpenBLAS: 2\n"),
+            std::string::npos);
 }
 
 TEST_F(DriverTest, ResultsAreWrittenAndTheEffectiveSceneRepeatsTheRun) {
