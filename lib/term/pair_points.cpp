@@ -35,6 +35,14 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
            ((1 - xi[1]) * ((1 - xi[0]) * at(0) + xi[0] * at(1)) + xi[1] * ((1 - xi[0]) * at(3) + xi[0] * at(2)));
 }
 
+/// Returns whether the patch of the point's earlier foot, if it had one, is among the candidates. It may not be if that
+/// was beyond the range now.
+template <std::size_t D>
+bool holds(const EarlierFeet<D>& earlier, std::size_t patch, std::size_t point, const std::vector<int>& candidates) {
+  const int known = earlier.last->find(patch, point)->foot.patch;
+  return known < 0 || candidates.empty() || std::binary_search(candidates.begin(), candidates.end(), known);
+}
+
 /// Returns length or area for a change of the parameters.
 double stretch(const PlacedPatch<2>::Frame& frame) { return length(frame.tangents[0]); }
 double stretch(const PlacedPatch<3>::Frame& frame) { return length(cross(frame.tangents[0], frame.tangents[1])); }
@@ -255,7 +263,7 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
         for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
-      } else if (lead > 0) {
+      } else if (lead > 0 && holds(earlier, s, q, candidates)) {
         const int known = earlier.last->find(s, q)->foot.patch;
         if (known >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
         contact.foot.lead = contact.foot.patch == known ? lead : 0;
