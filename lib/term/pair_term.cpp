@@ -99,10 +99,12 @@ class PairTerm final : public Interaction {
     return least > 0;
   }
 
-  /// Leaves out nodes that are not coupled, see PairCoupling.
+  /// Leaves out patches that are not coupled, see PairCoupling.
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     check(rule);
-    const auto add = [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); };
+    const auto add = [&](const PairBlock& block) {
+      if (coupling_.covers(block)) add_to_matrix<D>(block, pattern_, values);
+    };
     if (rule.mean == Mean::DiscreteGradient)
       PairGradient<D>(points_).for_each_block(segment, kind, add);
     else

@@ -17,6 +17,7 @@ namespace {
 
 using test::Collision;
 using test::count;
+using test::expect_kept;
 using test::list;
 using test::material;
 using test::number;
@@ -24,9 +25,8 @@ using test::scene_of;
 using test::texts;
 using test::word;
 
-constexpr double work_of_adhesion_of_the_law = 0.01549567;
-
-/// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme.
+/// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme,
+/// also where the matrix lacks the stiffness of far sides.
 TEST(TwoBodiesTest, LinearMomentumIsKept) {
   for (const char* scheme : {"Newmark", "Generalized-Alpha", "Midpoint", "Bathe Composite", "Gautam-Sauer Composite",
                              "Average Vector Field", "Central Difference"}) {
@@ -39,7 +39,7 @@ TEST(TwoBodiesTest, LinearMomentumIsKept) {
       ASSERT_TRUE(collision.simulation().integrator().step(dt).converged) << scheme << " " << step;
       least = std::min(least, collision.least_gap());
     }
-    for (double momentum : collision.momenta().linear) EXPECT_NEAR(momentum, 0, 1e-12 * mass_times_speed) << scheme;
+    for (double momentum : collision.momenta().linear) EXPECT_NEAR(momentum, 0, 2e-14 * mass_times_speed) << scheme;
     EXPECT_LT(least, 0.25) << scheme;
   }
 }
@@ -47,35 +47,6 @@ TEST(TwoBodiesTest, LinearMomentumIsKept) {
 /// Two balls that meet in space: 3 Gauss points a direction.
 Mesh balls() { return test::two_balls(3, {6.1, 1.9, 1.5}, 4, 1); }
 const std::string in_space = count("Surface Points", 3) + number("Cutoff", 2);
-
-/// Sums over both bodies of a collision.
-struct Sums {
-  double energy;
-  Momenta momenta;
-  explicit Sums(Collision& collision)
-      : energy(test::total_energy(collision.simulation())), momenta(collision.momenta()) {}
-};
-
-/// Expects that energy, over W L0, and both momenta, over the sum of m |v| (times R), stay within these bounds.
-void expect_kept(Collision& collision, double dt, int steps, double energy, double linear, double angular) {
-  const Sums before(collision);
-  const double size =
-      std::sqrt(2 * before.momenta.kinetic_energy * 5e-7 * 4 * M_PI * 27);  // of the balls; more for disks
-  double least = 1, energy_error = 0, linear_error = 0, angular_error = 0;
-  for (int step = 0; step < steps; ++step) {
-    const StepResult result = collision.simulation().integrator().step(dt);
-    ASSERT_TRUE(result.converged) << step << ": " << result.reason;
-    const Sums now(collision);
-    energy_error = std::max(energy_error, std::abs(now.energy - before.energy));
-    linear_error = std::max(linear_error, test::distance(now.momenta.linear, before.momenta.linear));
-    angular_error = std::max(angular_error, test::distance(now.momenta.angular, before.momenta.angular));
-    least = std::min(least, collision.least_gap());
-  }
-  EXPECT_LT(energy_error, energy * work_of_adhesion_of_the_law);
-  EXPECT_LT(linear_error, linear * size);
-  EXPECT_LT(angular_error, angular * 3 * size);
-  EXPECT_LT(least, 0.25);
-}
 
 /// Energy-Momentum keeps energy and both momenta to the solver's tolerance, on straight sides as on smooth ones.
 TEST(TwoBodiesTest, EnergyMomentumKeepsEnergyAndBothMomenta) {
@@ -122,7 +93,7 @@ TEST(TwoBodiesTest, TheAverageVectorFieldKeepsTheEnergy) {
     largest = std::max(largest, std::abs(test::total_energy(collision.simulation()) - before));
     least = std::min(least, collision.least_gap());
   }
-  EXPECT_LT(largest, 1e-7 * work_of_adhesion_of_the_law);
+  EXPECT_LT(largest, 1e-7 * Collision::work_of_adhesion);
   EXPECT_LT(least, 0.25);
 }
 
@@ -254,7 +225,7 @@ TEST(TwoBodiesTest, AHairpinSticksToItself) {
   }
   EXPECT_LT(least, 0.3);
   EXPECT_GT(contact, 2);
-  EXPECT_LT(largest, 1e-3 * work_of_adhesion_of_the_law);
+  EXPECT_LT(largest, 1e-3 * Collision::work_of_adhesion);
   const Momenta momenta = simulation.model().momenta(integrator.state().u.data(), integrator.state().v.data());
   for (const double momentum : momenta.linear) EXPECT_NEAR(momentum, 0, 1e-9 * 24 * 5e-7 * 3);
 }
