@@ -35,9 +35,9 @@ class Collision {
  public:
   Collision(const std::string& scheme, double step, const std::string& options = "", const std::string& pair = "",
             const Mesh& bodies = two_disks(3, {6.1, 2.4}), const std::string& secondary = "a_surface",
-            const std::string& primary = "b_surface", double angle = 0)
+            const std::string& primary = "b_surface", double angle = 0, const Comm& comm = world())
       : simulation_(scene_of("a_body", "b_body", secondary, primary, time_integrator(scheme, step, 1, options), pair),
-                    bodies, world()) {
+                    bodies, comm) {
     const LocalMesh& mesh = simulation_.model().mesh();
     std::vector<double> u = at_rest(simulation_.model()), v = u;
     const double c = std::cos(angle), s = std::sin(angle);

@@ -1,6 +1,7 @@
 // Two bodies that stick to each other: conservation laws, closed forms, and the rigid wall.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "interaction/van_der_waals.hpp"
@@ -259,6 +260,39 @@ TEST(TwoBodiesTest, ScenesThatPairsDoNotTakeAreRefusedAtTheirPlace) {
   EXPECT_THROW(Simulation(scene, test::two_disks(3, {6.1, 2.4}), test::world()), InputError);
   scene = scene_of("a_body", "b_body", "a_surface", "b_surface", time);
   EXPECT_THROW(Simulation(scene, test::two_disks(3, {5, 2.4}), test::world()), InputError);  // they overlap
+}
+
+/// Faces have the direction of their cells: a cell of the wrong direction is refused by its number, and so is a side
+/// whose outer side is its own body.
+TEST(TwoBodiesTest, FacesInsideOutAreRefusedAtTheirPlace) {
+  const auto refusal = [](const Mesh& mesh) {
+    return test::refusal([&] {
+      Simulation(scene_of("a_body", "b_body", "a_surface", "b_surface", test::time_integrator("Newmark", 0.001, 1), "",
+                          list("Mesh", word("Type", "Given") + list("Given", count("Dimension", mesh.dimension)))),
+                 mesh, test::world());
+    });
+  };
+  for (const Mesh& sound : {test::two_disks(3, {6.1, 2.4}), test::two_balls(3, {6.1, 1.9, 1.5}, 2, 1)}) {
+    ASSERT_EQ(sound.side_sets.back().name, "b_surface");
+    const Side& side = sound.side_sets.back().sides.front();
+    Mesh mesh = sound;
+    ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const auto corners = static_cast<std::ptrdiff_t>(nodes_per_cell(block.type));
+    const auto first = block.nodes.begin() + corners * side.cell;
+    if (mesh.dimension == 2)
+      std::reverse(first, first + corners);
+    else
+      std::swap_ranges(first, first + 4, first + 4);
+    std::string message = refusal(mesh);
+    test::expect_contains(message, "block \"b_body\", ");
+    test::expect_contains(message, "inverted");
+    mesh = sound;
+    mesh.side_sets.back().sides.push_back({side.block, 0, 0});  // of the core
+    message = refusal(mesh);
+    test::expect_contains(message, "Interactions/Pair/Primary Side Set");
+    test::expect_contains(message, "side 1 of element");
+    test::expect_contains(message, "inside the body");
+  }
 }
 
 TEST(TwoBodiesTest, SchemesWithMeansInClosedFormAreRefused) {
