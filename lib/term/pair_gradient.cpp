@@ -4,24 +4,45 @@
 #include <cmath>
 
 namespace ixos {
-namespace {
-
-/// Returns f in [0, 1] and its derivative by t: 1 but for a fall to 0 at the ends that fade.
-std::array<double, 2> fading(double t, bool at_0, bool at_1) {
-  if (at_0 && at_1) return {4 * t * (1 - t), 4 - 8 * t};
-  if (at_0) return {t * (2 - t), 2 - 2 * t};
-  if (at_1) return {1 - t * t, -2 * t};
-  return {1, 0};
-}
-
-}  // namespace
-
 template <std::size_t D>
 PairGradient<D>::PairGradient(const PairPoints<D>& points) : points_(points) {
   const GapLaw& law = points.law();
   const double equilibrium = law.equilibrium_gap();
   stiffness_ = 3 * std::abs(law.stiffness(equilibrium)[0]);
   if (stiffness_ == 0) stiffness_ = 3 * law.magnitude(equilibrium)[0] / equilibrium;
+  kinks_.assign(points.primary().nodes.size(), 0);
+  for (const SurfacePatch<D>& patch : points.primary().patches)
+    for (std::size_t side = 0; side < patch.smooth.size(); ++side)
+      for (std::size_t corner = 0; corner < corners && !patch.smooth[side]; ++corner)
+        if (at_end(corner, side / 2) == (side % 2 == 1)) kinks_[static_cast<std::size_t>(patch.nodes[corner])] = 1;
+}
+
+/// Between the corners, 0 or 1, f is bilinear, so that it is the same on both sides of an edge; a bubble lifts it
+/// inside.
+template <std::size_t D>
+void PairGradient<D>::fade(const SurfacePatch<D>& patch, const PatchParameters<D>& xi, Point& point) const {
+  double rest = 0, bubble = 1;  // 1 - f on the edges
+  PatchParameters<D> rest_slopes{}, bubble_slopes{};
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    if (kinks_[static_cast<std::size_t>(patch.nodes[corner])] == 0) continue;
+    double share = 1;
+    for (std::size_t k = 0; k + 1 < D; ++k) share *= at_end(corner, k) ? xi[k] : 1 - xi[k];
+    rest += share;
+    for (std::size_t k = 0; k + 1 < D; ++k) {
+      double slope = at_end(corner, k) ? 1 : -1;
+      for (std::size_t l = 0; l + 1 < D; ++l)
+        if (l != k) slope *= at_end(corner, l) ? xi[l] : 1 - xi[l];
+      rest_slopes[k] += slope;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < D; ++k) bubble *= 4 * xi[k] * (1 - xi[k]);
+  for (std::size_t k = 0; k + 1 < D; ++k) {
+    bubble_slopes[k] = 4 - 8 * xi[k];
+    for (std::size_t l = 0; l + 1 < D; ++l)
+      if (l != k) bubble_slopes[k] *= 4 * xi[l] * (1 - xi[l]);
+  }
+  point.f = 1 - rest * (1 - bubble);
+  for (std::size_t k = 0; k + 1 < D; ++k) point.f_slopes[k] = rest * bubble_slopes[k] - rest_slopes[k] * (1 - bubble);
 }
 
 /// Returns S, in the order of the contact's nodes.
@@ -97,12 +118,13 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
   }
   point.v = point.a * point.a + sum / point.size;
   point.along.clear();
+  fade(patch, mean.foot.xi, point);
   for (std::size_t j = 0; j + 1 < D; ++j) {
     if (mean.foot.fixed[j]) continue;
-    const auto [f, slope] = fading(mean.foot.xi[j], !patch.smooth[2 * j], !patch.smooth[2 * j + 1]);
     const Vec<D>& t = mean.foot.frame.tangents[j];
-    const double change = inner(t, point.d) + inner(point.r, turns[j]), square = inner(t, t), b = f * change / square;
-    point.along.push_back({j, t, turns[j], change, f, slope, square, b});
+    const double change = inner(t, point.d) + inner(point.r, turns[j]), square = inner(t, t),
+                 b = point.f * change / square;
+    point.along.push_back({j, t, turns[j], change, square, b});
     point.v += b * change;
   }
   point.traction = law.mean_traction(g0, g1)[0];

@@ -143,6 +143,8 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
       dw[k] = inner(corner.d, at_corner[k][0]) + inner(corner.r, at_corner[k][1]);
       dv += 2 * corner.w * dw[k] / point.size;
     }
+    double df = 0;
+    for (std::size_t k = 0; k < free.size(); ++k) df += point.f_slopes[free[k]] * dxi[k][c];
     // Of the tangents t_j, of dt_j and of b_j.
     std::array<Vec<D>, D - 1> d_tangent;
     std::array<double, D - 1> db{};
@@ -160,8 +162,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
       }
       const double dq =
           inner(d_tangent[j], point.d) + inner(along.t, dd) + inner(dr, along.way) + inner(point.r, d_way);
-      db[j] = (along.slope * dxi[j][c] * along.change + along.f * dq - 2 * along.b * inner(along.t, d_tangent[j])) /
-              along.square;
+      db[j] = (df * along.change + point.f * dq - 2 * along.b * inner(along.t, d_tangent[j])) / along.square;
       dv += db[j] * along.change + along.b * dq;
     }
     const double dc = point.c_by_e * de + point.c_by_v * dv;

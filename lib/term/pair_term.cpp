@@ -30,6 +30,7 @@ class PairTerm final : public Interaction {
            const PairOptions& options)
       : pattern_(pattern),
         points_(mesh, std::move(surfaces), std::move(law), options),
+        gradient_(points_),
         coupling_(points_),
         approach_(points_, options.margin) {}
 
@@ -86,7 +87,7 @@ class PairTerm final : public Interaction {
     check(rule);
     if (rule.mean == Mean::DiscreteGradient) {
       coupling_.join();
-      const double least = PairGradient<D>(points_).add_force(segment, f);
+      const double least = gradient_.add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
     double least = std::numeric_limits<double>::infinity();
@@ -106,7 +107,7 @@ class PairTerm final : public Interaction {
       if (coupling_.covers(block)) add_to_matrix<D>(block, pattern_, values);
     };
     if (rule.mean == Mean::DiscreteGradient)
-      PairGradient<D>(points_).for_each_block(segment, kind, add);
+      gradient_.for_each_block(segment, kind, add);
     else
       points_.for_each_block(segment, rule, kind, add);
   }
@@ -294,6 +295,7 @@ class PairTerm final : public Interaction {
 
   const Pattern& pattern_;
   PairPoints<D> points_;
+  PairGradient<D> gradient_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   PairApproach<D> approach_;
   std::optional<Places> start_;         ///< of a step that is under way
