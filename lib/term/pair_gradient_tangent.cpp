@@ -145,7 +145,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
     }
     double df = 0;
     for (std::size_t k = 0; k < free.size(); ++k) df += point.f_slopes[free[k]] * dxi[k][c];
-    // Of the tangents t_j, of dt_j and of b_j.
+    // The changes of f, and then of the tangents t_j and of b_j.
     std::array<Vec<D>, D - 1> d_tangent;
     std::array<double, D - 1> db{};
     for (std::size_t j = 0; j < free.size(); ++j) {
