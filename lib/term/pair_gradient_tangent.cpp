@@ -5,30 +5,18 @@
 namespace ixos {
 namespace {
 
-/// Returns t^k ... for k = 0 to 4, or their first or second derivative.
-std::array<double, 5> powers(double t, int derivative) {
-  std::array<double, 5> result{};
-  double power = 1;
-  for (int k = derivative; k < 5; ++k) {
-    const double factor = derivative == 0 ? 1 : derivative == 1 ? k : k * (k - 1);
-    result[static_cast<std::size_t>(k)] = factor * power;
-    power *= t;
-  }
-  return result;
-}
-
-/// Returns N_,jk of the patch's nodes, in the order of second_derivative().
+/// Returns N_,jk of the patch's nodes, in the order of second_derivative(): the second derivatives of patches that have
+/// a unit vector at a node, D nodes at a time.
 template <std::size_t D>
 std::array<typename SurfacePatch<D>::Weights, second_derivatives(D - 1)> bends_of(const SurfacePatch<D>& patch,
                                                                                   const PatchParameters<D>& xi) {
   std::array<typename SurfacePatch<D>::Weights, second_derivatives(D - 1)> result{};
-  const auto n = static_cast<std::size_t>(patch.degree) + 1;
-  for (std::size_t b = 0; b < result.size(); ++b) {
-    const std::array<double, 5> first = powers(xi[0], 2 - static_cast<int>(b)),
-                                second = powers(xi[D - 2], static_cast<int>(b));
-    for (std::size_t a = 0; a < patch.count; ++a)
-      for (std::size_t i = 0; i < patch.powers(); ++i)
-        result[b][a] += patch.coefficients[a * patch.powers() + i] * first[i % n] * (D == 2 ? 1 : second[i / n]);
+  for (std::size_t a = 0; a < patch.count; a += D) {
+    typename SurfacePatch<D>::Points units{};
+    for (std::size_t i = 0; i < D && a + i < patch.count; ++i) units[a + i][i] = 1;
+    const auto frame = patch.placed(units).frame(xi);
+    for (std::size_t b = 0; b < result.size(); ++b)
+      for (std::size_t i = 0; i < D && a + i < patch.count; ++i) result[b][a + i] = frame.bends[b][i];
   }
   return result;
 }

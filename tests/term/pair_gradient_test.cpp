@@ -83,7 +83,7 @@ TEST(PairGradientTest, ItsNetForceAndItsNetMomentVanish) {
 TEST(PairGradientTest, ItsTangentIsItsDerivative) {
   for (const Bodies& bodies : cases()) {
     const std::vector<double> way = test::noise(*bodies.model, 1);
-    const double h = 1e-7;  // the force bends sharply where points begin to slide
+    const double h = 1e-7;
     const auto up = bodies.force(test::moved(bodies.to, h, way)), down = bodies.force(test::moved(bodies.to, -h, way));
     const Model& model = *bodies.model;
     const std::vector<double> product =
