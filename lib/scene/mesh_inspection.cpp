@@ -25,10 +25,11 @@ class Inspection {
   Inspection(const Mesh& mesh, const std::vector<SceneNode>& lists)
       : mesh_(mesh), lists_(lists), held_(static_cast<std::size_t>(mesh.nodes()), false) {}
 
-  void sides(const SceneNode& node, bool holds) {
-    const SideSet* set = find(mesh_.side_sets, node.text("Side Set"));
+  /// `parameter`: the one that names the side set.
+  void sides(const SceneNode& node, bool holds, const char* parameter = "Side Set") {
+    const SideSet* set = find(mesh_.side_sets, node.text(parameter));
     if (set == nullptr) return;
-    at(node.path_of("Side Set"), [&] {
+    at(node.path_of(parameter), [&] {
       require_sides(*set);
       if (is_read(*set)) require_outer_sides(mesh_, *set);
     });
@@ -74,7 +75,10 @@ std::vector<std::string> faults(const Mesh& mesh, const std::vector<bool>& held)
 std::vector<std::string> inspect_mesh(const SceneNode& scene, const Mesh& mesh) {
   const std::vector<SceneNode> lists = part_lists(scene.sublist("Mesh"));
   Inspection inspection(mesh, lists);
-  for (const SceneNode& node : scene.sublist("Interactions").sublists()) inspection.sides(node, true);
+  for (const SceneNode& node : scene.sublist("Interactions").sublists()) {
+    inspection.sides(node, true);
+    inspection.sides(node, true, "Primary Side Set");
+  }
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists()) {
     const std::string& type = node.text("Type");
     if (type == "Traction") inspection.sides(node, false);

@@ -16,6 +16,7 @@ struct PairBlock {
   int primary = -1;           ///< patch with the feet
   std::vector<int> nodes;     ///< local
   std::vector<double> k;
+  int next = -1;  ///< primary patch with feet at another time, whose nodes stand here, too; -1: none
 };
 
 /// Calls a function for each matrix of a tangent.

@@ -92,6 +92,14 @@ std::vector<std::vector<int>> PairCoupling<D>::stencils() const {
 }
 
 template <std::size_t D>
+bool PairCoupling<D>::covers(const PairBlock& block) const {
+  const auto has = [&](int primary) {
+    return std::binary_search(pairs_.begin(), pairs_.end(), Pair(static_cast<int>(block.secondary), primary));
+  };
+  return has(block.primary) && (block.next < 0 || (joined_ && has(block.next)));
+}
+
+template <std::size_t D>
 void PairCoupling<D>::transfer(Record& record) {
   if (record.loading() && !record.same_partition()) return begin_anew();
   std::vector<double> pairs;

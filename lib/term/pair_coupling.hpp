@@ -11,8 +11,10 @@ namespace ixos {
 
 /// The pairs of a secondary and a primary patch that were within reach, and a skin beyond it, at the last search. A new
 /// search is due when the nodes have moved so far that others can be within reach. It changes the pairs only if one
-/// within reach is missing. The matrix leaves out patches that are farther apart. They act on each other all the same,
-/// with less than 1e-3 of the largest stiffness beyond the equilibrium gap (reach_of_stiffness()).
+/// within reach is missing. The matrix leaves out the blocks of patches that are farther apart. They act on each other
+/// all the same, with less than 1e-3 of the largest stiffness beyond the equilibrium gap (reach_of_stiffness()). It
+/// leaves them out as a whole: the columns of each block have no sum, so that a step of Newton's method changes the
+/// linear momentum by no more than rounding, whatever the matrix lacks.
 template <std::size_t D>
 class PairCoupling {
  public:
@@ -29,6 +31,8 @@ class PairCoupling {
   }
   /// Returns the local nodes of each pair, or of each secondary patch and its primary ones.
   std::vector<std::vector<int>> stencils() const;
+  /// Returns whether all nodes of the block are coupled, alike on all ranks.
+  bool covers(const PairBlock& block) const;
   /// Makes a search due, whose pairs do not depend on those of earlier ones.
   void begin_anew() { last_.clear(); }
   /// Transfers the pairs and the places of the last search. Loading on another partition begins anew.

@@ -4,13 +4,45 @@
 #include <cmath>
 
 namespace ixos {
-
 template <std::size_t D>
 PairGradient<D>::PairGradient(const PairPoints<D>& points) : points_(points) {
   const GapLaw& law = points.law();
   const double equilibrium = law.equilibrium_gap();
   stiffness_ = 3 * std::abs(law.stiffness(equilibrium)[0]);
   if (stiffness_ == 0) stiffness_ = 3 * law.magnitude(equilibrium)[0] / equilibrium;
+  kinks_.assign(points.primary().nodes.size(), 0);
+  for (const SurfacePatch<D>& patch : points.primary().patches)
+    for (std::size_t side = 0; side < patch.smooth.size(); ++side)
+      for (std::size_t corner = 0; corner < corners && !patch.smooth[side]; ++corner)
+        if (at_end(corner, side / 2) == (side % 2 == 1)) kinks_[static_cast<std::size_t>(patch.nodes[corner])] = 1;
+}
+
+/// Between the corners, 0 or 1, f is bilinear, so that it is the same on both sides of an edge; a bubble lifts it
+/// inside.
+template <std::size_t D>
+void PairGradient<D>::fade(const SurfacePatch<D>& patch, const PatchParameters<D>& xi, Point& point) const {
+  double rest = 0, bubble = 1;  // 1 - f on the edges
+  PatchParameters<D> rest_slopes{}, bubble_slopes{};
+  for (std::size_t corner = 0; corner < corners; ++corner) {
+    if (kinks_[static_cast<std::size_t>(patch.nodes[corner])] == 0) continue;
+    double share = 1;
+    for (std::size_t k = 0; k + 1 < D; ++k) share *= at_end(corner, k) ? xi[k] : 1 - xi[k];
+    rest += share;
+    for (std::size_t k = 0; k + 1 < D; ++k) {
+      double slope = at_end(corner, k) ? 1 : -1;
+      for (std::size_t l = 0; l + 1 < D; ++l)
+        if (l != k) slope *= at_end(corner, l) ? xi[l] : 1 - xi[l];
+      rest_slopes[k] += slope;
+    }
+  }
+  for (std::size_t k = 0; k + 1 < D; ++k) bubble *= 4 * xi[k] * (1 - xi[k]);
+  for (std::size_t k = 0; k + 1 < D; ++k) {
+    bubble_slopes[k] = 4 - 8 * xi[k];
+    for (std::size_t l = 0; l + 1 < D; ++l)
+      if (l != k) bubble_slopes[k] *= 4 * xi[l] * (1 - xi[l]);
+  }
+  point.f = 1 - rest * (1 - bubble);
+  for (std::size_t k = 0; k + 1 < D; ++k) point.f_slopes[k] = rest * bubble_slopes[k] - rest_slopes[k] * (1 - bubble);
 }
 
 /// Returns S, in the order of the contact's nodes.
@@ -58,15 +90,22 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
   point.at_mean = &mean;
   point.d = end.place - start.place;
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
-  const typename SurfacePatch<D>::Weights n = patch.weights(mean.foot.xi);
+  const typename SurfacePatch<D>::Shape n = patch.shape(mean.foot.xi);
+  std::array<Vec<D>, D - 1> turns{};  // of the tangents
   for (std::size_t a = 0; a < patch.count; ++a) {
     const auto node = static_cast<std::size_t>(patch.nodes[a]);
-    point.d = point.d - n[a] * (step.end.places.primary[node] - step.start.places.primary[node]);
+    const Vec<D> way = step.end.places.primary[node] - step.start.places.primary[node];
+    point.d = point.d - n.value[a] * way;
+    for (std::size_t j = 0; j + 1 < D; ++j) turns[j] = turns[j] + n.slopes[j][a] * way;
   }
+  const Vec<D>& m = mean.foot.normal;
+  point.r = mean.foot.gap * m;
+  point.a = inner(m, point.d);
   // The foot's way is that of its weights.
   const Vec<D> foot_way = end.place - start.place - point.d;
   const SurfacePatch<D>& own = points_.secondary().patches[mean.patch];
-  point.size = point.v = 0;
+  double sum = 0;
+  point.size = 0;
   for (std::size_t k = 0; k < corners; ++k) {
     const auto node = static_cast<std::size_t>(own.nodes[k]);
     const Vec<D>& before = step.start.places.secondary[node];
@@ -75,15 +114,31 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     corner.d = step.end.places.secondary[node] - before - foot_way;
     corner.w = inner(corner.r, corner.d);
     point.size += inner(before - start.place, before - start.place);
-    point.v += corner.w * corner.w;
+    sum += corner.w * corner.w;
   }
-  point.v /= point.size;
+  point.v = point.a * point.a + sum / point.size;
+  point.along.clear();
+  fade(patch, mean.foot.xi, point);
+  for (std::size_t j = 0; j + 1 < D; ++j) {
+    if (mean.foot.fixed[j]) continue;
+    const Vec<D>& t = mean.foot.frame.tangents[j];
+    const double change = inner(t, point.d) + inner(point.r, turns[j]), square = inner(t, t),
+                 b = point.f * change / square;
+    point.along.push_back({j, t, turns[j], change, square, b});
+    point.v += b * change;
+  }
   point.traction = law.mean_traction(g0, g1)[0];
   point.mean_slope = acts(end) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
-  const double off = g1 - g0 - inner(mean.foot.normal, point.d), e = -point.traction * off;
+  const double off = g1 - g0 - point.a;
   point.by_gap = acts(end) ? point.mean_slope * off - point.traction : 0.0;
+  share(-point.traction * off, point);
+  return true;
+}
+
+template <std::size_t D>
+void PairGradient<D>::share(double e, Point& point) const {
   point.c = point.rest = point.c_by_e = point.c_by_v = 0;
-  if (e == 0 || length(point.d) <= 1e-5 * law.equilibrium_gap()) return true;
+  if (e == 0 || length(point.d) <= 1e-5 * points_.law().equilibrium_gap()) return;
   const double k = stiffness_, v = point.v;
   if (k * v >= std::abs(e)) {
     point.c = e / v;
@@ -96,7 +151,6 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     point.c_by_v = -k * k / e;
     point.rest = (e - point.c * v) / inner(point.d, point.d);
   }
-  return true;
 }
 
 template <std::size_t D>
@@ -119,6 +173,11 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
       all = all + point.force(k);
     }
     for (std::size_t a = 0; a < nodes.size(); ++a) add(a, s[a] * (a < count ? own : all));
+    if (point.c == 0) continue;
+    const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(point.at_mean->foot.patch)];
+    const auto slopes = patch.shape(point.at_mean->foot.xi).slopes;
+    for (const Along& j : point.along)
+      for (std::size_t a = 0; a < patch.count; ++a) add(count + a, slopes[j.parameter][a] * point.turn(j));
   }
   return step.end.least_gap;
 }
@@ -132,139 +191,6 @@ PairBlock PairGradient<D>::convex_block_of(const Point& point) const {
   block.nodes = points_.nodes_of(*point.at_mean);
   block.k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);
   gap.add(points_.measure(*point.at_mean) * std::max(0.0, point.mean_slope) / 2, 0, block.k.data());
-  return block;
-}
-
-/// With the force w s_I t at node I, its derivative is w (ds_I t + s_I dt). Mean places move half as far as the end's.
-/// With the parameters' changes dxi at the mean places and the position r = g m of the point from its foot, dr = S du/2
-/// - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step. Corners
-/// have dr and dd likewise, with their own weight in place of the point's.
-template <std::size_t D>
-PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const {
-  const Contact &mean = *point.at_mean, &end = *point.at_end;
-  const SurfacePatch<D>& secondary = points_.secondary().patches[mean.patch];
-  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
-  const std::size_t count = secondary.count, size = count + patch.count;
-  PairBlock block;
-  block.secondary = mean.patch;
-  block.primary = mean.foot.patch;
-  block.nodes = points_.nodes_of(mean);
-  std::vector<double> end_weights(size, 0.0);  // of the end's gap, by node of the block
-  if (acts(end)) {
-    const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.foot.patch)];
-    const std::vector<int> nodes = points_.nodes_of(end);
-    const typename SurfacePatch<D>::Weights n = last.weights(end.foot.xi);
-    for (std::size_t a = 0; a < count; ++a) end_weights[a] = points_.weights(end)[a];
-    for (std::size_t a = 0; a < last.count; ++a) {
-      if (end.foot.patch == mean.foot.patch) {
-        end_weights[count + a] = -n[a];
-      } else {
-        block.nodes.push_back(nodes[count + a]);
-        end_weights.push_back(-n[a]);
-      }
-    }
-  }
-  const std::size_t all = block.nodes.size(), columns = D * all;
-  const auto shape = patch.shape(mean.foot.xi);
-  std::vector<double> s = weights_of(mean);
-  s.resize(all, 0.0);
-  const Vec<D>& m = mean.foot.normal;
-  const double g = mean.foot.gap;
-  const auto& frame = mean.foot.frame;
-
-  // Changes of the free parameters, as rows over the block's degrees of freedom.
-  std::vector<std::size_t> free;
-  for (std::size_t k = 0; k + 1 < D; ++k)
-    if (!mean.foot.fixed[k]) free.push_back(k);
-  std::array<std::array<double, D - 1>, D - 1> a{};
-  for (std::size_t k = 0; k < free.size(); ++k)
-    for (std::size_t l = 0; l < free.size(); ++l)
-      a[k][l] = inner(frame.tangents[free[k]], frame.tangents[free[l]]) -
-                g * inner(frame.bends[second_derivative(free[k], free[l])], m);
-  std::array<std::vector<double>, D - 1> dxi;
-  for (std::size_t k = 0; k < free.size(); ++k) dxi[k].assign(columns, 0.0);
-  for (std::size_t node = 0; node < size; ++node)
-    for (std::size_t i = 0; i < D; ++i) {
-      std::array<double, D - 1> right{};
-      for (std::size_t k = 0; k < free.size(); ++k) {
-        const double slope = node < count ? 0 : shape.slopes[free[k]][node - count];
-        right[k] = (s[node] * frame.tangents[free[k]][i] + g * slope * m[i]) / 2;
-      }
-      const std::size_t c = D * node + i;
-      if (free.size() == 1) dxi[0][c] = right[0] / a[0][0];
-      if (free.size() == 2) {
-        const double det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
-        dxi[0][c] = (a[1][1] * right[0] - a[0][1] * right[1]) / det;
-        dxi[D - 2][c] = (a[0][0] * right[1] - a[1][0] * right[0]) / det;
-      }
-    }
-  // N_,k dX, the foot's own displacement as its parameters change.
-  std::array<Vec<D>, D - 1> slide{};
-  for (std::size_t k = 0; k < free.size(); ++k)
-    for (std::size_t b = 0; b < patch.count; ++b) {
-      const auto node = static_cast<std::size_t>(patch.nodes[b]);
-      slide[k] =
-          slide[k] + shape.slopes[free[k]][b] * (step.end.places.primary[node] - step.start.places.primary[node]);
-    }
-  const Vec<D> t = point.force();
-  Vec<D> on_foot = t;
-  for (std::size_t k = 0; k < corners; ++k) on_foot = on_foot + point.force(k);
-  const double square = inner(point.d, point.d);
-  std::vector<Vec<D>> dt(columns), d_on_foot(columns);
-  std::array<std::vector<Vec<D>>, corners> d_corner;
-  for (auto& row : d_corner) row.resize(columns);
-  for (std::size_t c = 0; c < columns; ++c) {
-    const std::size_t node = c / D, i = c % D;
-    // Changes of a relative position at the mean places and of its way in the step, by the weight of the node.
-    const auto change = [&](double weight) {
-      std::array<Vec<D>, 2> result{};
-      result[0][i] = weight / 2;
-      result[1][i] = weight;
-      for (std::size_t k = 0; k < free.size(); ++k) {
-        result[0] = result[0] - dxi[k][c] * frame.tangents[free[k]];
-        result[1] = result[1] - dxi[k][c] * slide[k];
-      }
-      return result;
-    };
-    const auto [dr, dd] = change(s[node]);
-    const Vec<D> dm = g == 0 ? Vec<D>{} : 1 / g * (dr - inner(m, dr) * m);
-    const double dg = end_weights[node] * end.foot.normal[i], da = inner(m, dd) + inner(point.d, dm);
-    const double de = point.by_gap * dg + point.traction * da;
-    std::array<std::array<Vec<D>, 2>, corners> at_corner;
-    std::array<double, corners> dw{};
-    double dv = 0;
-    for (std::size_t k = 0; k < corners; ++k) {
-      at_corner[k] = change(node < count ? (node == k ? 1.0 : 0.0) : s[node]);
-      const Corner& corner = point.corner[k];
-      dw[k] = inner(corner.d, at_corner[k][0]) + inner(corner.r, at_corner[k][1]);
-      dv += 2 * corner.w * dw[k] / point.size;
-    }
-    const double dc = point.c_by_e * de + point.c_by_v * dv;
-    double drest = 0;
-    if (point.rest != 0) drest = (de - dc * point.v - point.c * dv - 2 * point.rest * inner(point.d, dd)) / square;
-    dt[c] = (point.mean_slope * dg) * m - point.traction * dm + drest * point.d + point.rest * dd;
-    d_on_foot[c] = dt[c];
-    for (std::size_t k = 0; k < corners; ++k) {
-      const Corner& corner = point.corner[k];
-      d_corner[k][c] =
-          1 / point.size * ((dc * corner.w + point.c * dw[k]) * corner.r + point.c * corner.w * at_corner[k][0]);
-      d_on_foot[c] = d_on_foot[c] + d_corner[k][c];
-    }
-  }
-  const double w = points_.measure(mean);
-  block.k.assign(columns * columns, 0.0);
-  for (std::size_t node = 0; node < size; ++node)
-    for (std::size_t i = 0; i < D; ++i) {
-      double* const row = block.k.data() + (D * node + i) * columns;
-      for (std::size_t c = 0; c < columns; ++c) {
-        double sum = s[node] * (node < count ? dt[c][i] : d_on_foot[c][i]);
-        if (node < corners) sum += d_corner[node][c][i];
-        if (node >= count)
-          for (std::size_t k = 0; k < free.size(); ++k)
-            sum -= shape.slopes[free[k]][node - count] * on_foot[i] * dxi[k][c];
-        row[c] = w * sum;
-      }
-    }
   return block;
 }
 

@@ -30,6 +30,7 @@ class PairTerm final : public Interaction {
            const PairOptions& options)
       : pattern_(pattern),
         points_(mesh, std::move(surfaces), std::move(law), options),
+        gradient_(points_),
         coupling_(points_),
         approach_(points_, options.margin) {}
 
@@ -87,7 +88,7 @@ class PairTerm final : public Interaction {
     check(rule);
     if (rule.mean == Mean::DiscreteGradient) {
       coupling_.join();
-      const double least = PairGradient<D>(points_).add_force(segment, f);
+      const double least = gradient_.add_force(segment, f);
       return !needs_positive_gaps() || least > 0;
     }
     const auto times = points_.contacts(points_.places(segment, rule), Share::Forces);
@@ -96,12 +97,14 @@ class PairTerm final : public Interaction {
            std::all_of(times->begin(), times->end(), [](const Contacts& contacts) { return contacts.least_gap > 0; });
   }
 
-  /// Leaves out nodes that are not coupled, see PairCoupling.
+  /// Leaves out patches that are not coupled, see PairCoupling.
   void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
     check(rule);
-    const auto add = [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); };
+    const auto add = [&](const PairBlock& block) {
+      if (coupling_.covers(block)) add_to_matrix<D>(block, pattern_, values);
+    };
     if (rule.mean == Mean::DiscreteGradient)
-      PairGradient<D>(points_).for_each_block(segment, kind, add);
+      gradient_.for_each_block(segment, kind, add);
     else
       points_.for_each_block(segment, rule, kind, add);
   }
@@ -287,6 +290,7 @@ class PairTerm final : public Interaction {
 
   const Pattern& pattern_;
   PairPoints<D> points_;
+  PairGradient<D> gradient_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   PairApproach<D> approach_;
   std::optional<Places> start_;         ///< of a step that is under way

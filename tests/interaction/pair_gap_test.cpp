@@ -7,6 +7,7 @@
 
 #include "interaction/curve_patches.hpp"
 #include "interaction/face_patches.hpp"
+#include "support/automatic_differentiation.hpp"
 
 namespace ixos {
 namespace {
@@ -122,6 +123,118 @@ void expect_derivatives(const std::vector<Pair<D>>& pairs) {
 
 TEST(PairGapTest, DerivativesInThePlaneAgreeWithDifferences) { expect_derivatives(plane_pairs()); }
 TEST(PairGapTest, DerivativesInSpaceAgreeWithDifferences) { expect_derivatives(space_pairs()); }
+
+/// A number with a derivative, whose derivative has one, too.
+using Twice = Sacado::Fad::Exp::GeneralFad<Sacado::Fad::Exp::StaticFixedStorage<test::Dual<1>, 1>>;
+
+/// Returns t^k, or its first or second derivative.
+Twice power(const Twice& t, int k, int derivative) {
+  Twice result = derivative == 0 ? 1.0 : derivative == 1 ? k : k * (k - 1);
+  for (int i = derivative; i < k; ++i) result = result * t;
+  return result;
+}
+
+/// The gap with its derivatives: the foot's free parameters solve x_,k . (p - y) = 0 by Newton's method in numbers with
+/// derivatives, from the foot on, so that each step makes derivatives of one more order exact. `x`: component by
+/// component, as Pair::x.
+template <std::size_t D>
+Twice differentiated_gap(const Pair<D>& pair, const SurfaceFoot<D>& foot, const std::vector<Twice>& x) {
+  const SurfacePatch<D>& patch = pair.patch;
+  std::array<Twice, D - 1> xi;
+  for (std::size_t k = 0; k + 1 < D; ++k) xi[k] = foot.xi[k];
+  // The derivative of the patch's place, of these orders in the parameters.
+  const auto place = [&](std::array<int, 2> orders) {
+    std::array<Twice, D> sum;
+    sum.fill(0.0);
+    const int n = patch.degree + 1;
+    for (std::size_t a = 0; a < patch.count; ++a) {
+      typename SurfacePatch<D>::Points unit{};
+      unit[a][0] = 1;
+      const PlacedPatch<D> function = patch.placed(unit);  // its weight
+      Twice weight = 0.0;
+      for (std::size_t j = 0; j < patch.powers(); ++j) {
+        const int first = static_cast<int>(j) % n, second = static_cast<int>(j) / n;
+        Twice term = function.coefficients[j][0] * power(xi[0], first, orders[0]);
+        if (D == 3) term = term * power(xi[D - 2], second, orders[1]);
+        weight = weight + term;
+      }
+      for (std::size_t i = 0; i < D; ++i) sum[i] = sum[i] + weight * x[D * pair.number(4 + a) + i];
+    }
+    return sum;
+  };
+  const auto dot = [](const std::array<Twice, D>& a, const std::array<Twice, D>& b) {
+    Twice sum = 0.0;
+    for (std::size_t i = 0; i < D; ++i) sum = sum + a[i] * b[i];
+    return sum;
+  };
+  const auto from_foot = [&] {
+    std::array<Twice, D> r = place({0, 0});
+    for (std::size_t i = 0; i < D; ++i) {
+      Twice point = 0.0;
+      for (std::size_t a = 0; a < 4; ++a) point = point + pair.weights[a] * x[D * a + i];
+      r[i] = point - r[i];
+    }
+    return r;
+  };
+  std::vector<std::size_t> free;
+  for (std::size_t k = 0; k + 1 < D; ++k)
+    if (!foot.fixed[k]) free.push_back(k);
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    const std::array<Twice, D> r = from_foot();
+    std::array<std::array<Twice, 2>, 2> a;
+    std::array<Twice, 2> b;
+    const auto orders = [](std::size_t k) { return std::array<int, 2>{k == 0 ? 1 : 0, k == 1 ? 1 : 0}; };
+    for (std::size_t k = 0; k < free.size(); ++k) {
+      const auto own = orders(free[k]);
+      b[k] = dot(place(own), r);
+      for (std::size_t l = 0; l < free.size(); ++l) {
+        const auto other = orders(free[l]);
+        a[k][l] = dot(place(own), place(other)) - dot(place({own[0] + other[0], own[1] + other[1]}), r);
+      }
+    }
+    if (free.size() == 1) xi[free[0]] = xi[free[0]] + b[0] / a[0][0];
+    if (free.size() == 2) {
+      const Twice det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+      xi[0] = xi[0] + (a[1][1] * b[0] - a[0][1] * b[1]) / det;
+      xi[D - 2] = xi[D - 2] + (a[0][0] * b[1] - a[1][0] * b[0]) / det;
+    }
+  }
+  const std::array<Twice, D> r = from_foot();
+  const Twice distance = sqrt(dot(r, r));
+  return foot.gap < 0 ? Twice(-distance) : distance;
+}
+
+template <std::size_t D>
+void expect_automatic_derivatives(const std::vector<Pair<D>>& pairs) {
+  for (const Pair<D>& pair : pairs) {
+    const auto [foot, gap] = pair.find();
+    const auto gradient = gap.gradient();
+    const std::size_t size = D * gap.nodes();
+    std::vector<double> second(size * size, 0.0);
+    gap.add(0, 1, second.data());
+    const auto number = [&](std::size_t k) { return D * pair.number(k / D) + k % D; };
+    for (std::size_t r = 0; r < size; ++r)
+      for (std::size_t c = 0; c < size; ++c) {
+        std::vector<Twice> x;
+        for (const Vec<D>& place : pair.x)
+          for (const double component : place) x.emplace_back(component);
+        const double at_r = x[number(r)].val().val();
+        // The inner derivative is that by r, the outer one that by c.
+        x[number(r)] = Twice(test::variable<1>(0, at_r));
+        const test::Dual<1> value = x[number(c)].val();
+        x[number(c)] = Twice(1, 0, value);
+        const Twice g = differentiated_gap(pair, foot, x);
+        EXPECT_NEAR(g.val().val(), foot.gap, 1e-14);
+        EXPECT_NEAR(g.val().dx(0), gradient[r], 1e-13);
+        EXPECT_NEAR(g.dx(0).dx(0), second[r * size + c], 2e-9) << r << " " << c;
+      }
+  }
+}
+
+TEST(PairGapTest, DerivativesInThePlaneAreThoseOfAutomaticDifferentiation) {
+  expect_automatic_derivatives(plane_pairs());
+}
+TEST(PairGapTest, DerivativesInSpaceAreThoseOfAutomaticDifferentiation) { expect_automatic_derivatives(space_pairs()); }
 
 TEST(PairGapTest, TheCasesInSpaceHaveFeetInsideOnASideAndAtACorner) {
   const std::vector<Pair<3>> pairs = space_pairs();

@@ -27,7 +27,6 @@ elsewhere = {
     "term/friction_interaction.hpp": ("term/friction_term_test.cpp", "terms that have it as their base"),
     "term/friction_points.hpp": ("term/friction_term_test.cpp", "points that stick, slide and are accepted"),
     "term/point_matrices.hpp": ("term/curved_surface_term_test.cpp", "products of actions"),
-    "term/dense_pairs.hpp": ("term/double_integral_test.cpp", "energies, forces and tangents"),
     "interaction/law_history.hpp": ("interaction/damage_law_test.cpp", "traits; a law with a history"),
     "interaction/law_parameters.hpp": ("interaction/laws_test.cpp", "parameters that are refused"),
     "io/hdf5_image.hpp": ("io/hdf5_series_test.cpp", "frames that the ordinary HDF5 driver reads; full disks"),

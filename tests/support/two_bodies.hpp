@@ -1,5 +1,6 @@
 /// Two bodies in one mesh.
 #pragma once
+#include <cmath>
 #include <string>
 
 #include "mesh/generators/shapes.hpp"
@@ -43,6 +44,36 @@ inline Mesh two_disks(double radius, std::array<double, 2> center, int core = 4,
   append(mesh, disk(shape), "a_");
   shape.center = center;
   append(mesh, disk(shape), "b_");
+  return mesh;
+}
+
+/// A ring of `cells` by `layers` quadrilaterals. Its side set "surface" is the outer boundary.
+inline Mesh ring(double outer, double inner, std::array<double, 2> center, int cells, int layers) {
+  Mesh mesh;
+  ElementBlock body{"body", CellType::Quad4, {}};
+  SideSet surface{"surface", {}};
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j <= layers; ++j) {
+      const double angle = 2 * M_PI * i / cells, r = inner + (outer - inner) * j / layers;
+      mesh.coordinates.insert(mesh.coordinates.end(),
+                              {center[0] + r * std::cos(angle), center[1] + r * std::sin(angle)});
+    }
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < layers; ++j) {
+      const int own = i * (layers + 1) + j, next = (i + 1) % cells * (layers + 1) + j;
+      if (j + 1 == layers) surface.sides.push_back({0, body.cells(), 1});  // from own + 1 to next + 1
+      body.nodes.insert(body.nodes.end(), {own, own + 1, next + 1, next});
+    }
+  mesh.blocks.push_back(std::move(body));
+  mesh.side_sets.push_back(std::move(surface));
+  return mesh;
+}
+
+/// Two rings, as two_disks().
+inline Mesh two_rings(double outer, double inner, std::array<double, 2> center, int cells, int layers) {
+  Mesh mesh;
+  append(mesh, ring(outer, inner, {0, 0}, cells, layers), "a_");
+  append(mesh, ring(outer, inner, center, cells, layers), "b_");
   return mesh;
 }
 

@@ -77,6 +77,39 @@ TEST(PairCouplingSerialTest, CouplesWhatIsNearAndSearchesWhenItIsDue) {
   EXPECT_TRUE(coupling.update(disks.moved(-5.7, 5))) << "other patches face each other";
 }
 
+TEST(PairCouplingSerialTest, CoversTheBlocksOfItsPairs) {
+  const Disks disks(6.3);
+  PairCoupling<2> coupling(*disks.points);
+  ASSERT_TRUE(coupling.update(disks.moved(0, 0)));
+  const std::vector<std::vector<int>> stencils = coupling.stencils();
+  const auto& secondary = disks.points->secondary().patches;
+  const auto& primary = disks.points->primary().patches;
+  std::size_t covered = 0, last = primary.size();
+  for (std::size_t s = 0; s < secondary.size(); ++s)
+    for (std::size_t p = 0; p < primary.size(); ++p) {
+      PairBlock block;
+      block.secondary = s;
+      block.primary = static_cast<int>(p);
+      const std::vector<int> nodes = disks.points->nodes_of(s, block.primary);
+      const bool coupled = std::find(stencils.begin(), stencils.end(), nodes) != stencils.end();
+      EXPECT_EQ(coupling.covers(block), coupled);
+      covered += coupled ? 1 : 0;
+      if (coupled && last < primary.size()) {  // with those of a primary patch before
+        block.next = static_cast<int>(last);
+        EXPECT_FALSE(coupling.covers(block)) << "not joined";
+      }
+      last = coupled ? p : primary.size();
+    }
+  EXPECT_GT(covered, 4U);
+  EXPECT_LT(covered, secondary.size() * primary.size() / 2);
+  coupling.join();
+  ASSERT_TRUE(coupling.update(disks.moved(0, 0)));
+  PairBlock block{0, 0, {}, {}};
+  while (!coupling.covers(block)) ++block.secondary;
+  for (block.next = 0; block.next < static_cast<int>(primary.size()); ++block.next)
+    EXPECT_EQ(coupling.covers(block), coupling.covers({block.secondary, block.next, {}, {}}));
+}
+
 TEST(PairCouplingSerialTest, WhatItKeepsComesBack) {
   const Disks disks(12);
   PairCoupling<2> coupling(*disks.points), other(*disks.points);

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
@@ -28,11 +27,7 @@ struct Bodies : test::PairOfBodies {
   double rounding = 1;  ///< of sums of weights, over that of sides of low order
 
   Bodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing)
-      : PairOfBodies(mesh, secondary, primary, smoothing) {
-    std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
-    std::iota(all.begin(), all.end(), 0);
-    model->couple({all});  // the pair's own coupling leaves out what is far
-  }
+      : PairOfBodies(mesh, secondary, primary, smoothing) {}
 };
 
 /// Disks and blocks, balls and boxes, smooth and with straight sides.
@@ -68,6 +63,24 @@ std::vector<Bodies> cases() {
 
 TEST(PairTermTest, ForceAndTangentAreDerivatives) {
   for (const Bodies& bodies : cases()) test::expect_derivatives(bodies, 4, 1e-8, 0.01);
+}
+
+/// The matrix leaves out sides that are far apart, as a whole: a common motion of both bodies has no force.
+TEST(PairTermTest, TheMatrixLeavesOutLittle) {
+  for (const Bodies& bodies : cases()) {
+    const std::vector<double> u = test::smooth_field(*bodies.model, 0.02), way = test::noise(*bodies.model, 1),
+                              common(u.size(), 1.0);
+    const Segment segment{nullptr, nullptr, u.data()};
+    const auto matrix = bodies.matrix_times(segment, end_rule(), way), all = bodies.product(segment, end_rule(), way),
+               none = bodies.matrix_times(segment, end_rule(), common);
+    double largest = 0;
+    for (const double value : all) largest = std::max(largest, std::abs(value));
+    largest = bodies.model->space().maximum(largest);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      EXPECT_NEAR(matrix[k], all[k], 1e-2 * largest);
+      EXPECT_NEAR(none[k], 0, 1e-13 * bodies.rounding * largest);
+    }
+  }
 }
 
 TEST(PairTermTest, NetForceAndNetMomentVanish) {

@@ -1,5 +1,8 @@
 // Two bodies that collide off centre.
 #pragma once
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -32,9 +35,9 @@ class Collision {
  public:
   Collision(const std::string& scheme, double step, const std::string& options = "", const std::string& pair = "",
             const Mesh& bodies = two_disks(3, {6.1, 2.4}), const std::string& secondary = "a_surface",
-            const std::string& primary = "b_surface", double angle = 0)
+            const std::string& primary = "b_surface", double angle = 0, const Comm& comm = world())
       : simulation_(scene_of("a_body", "b_body", secondary, primary, time_integrator(scheme, step, 1, options), pair),
-                    bodies, world()) {
+                    bodies, comm) {
     const LocalMesh& mesh = simulation_.model().mesh();
     std::vector<double> u = at_rest(simulation_.model()), v = u;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -54,9 +57,47 @@ class Collision {
     return simulation_.model().interaction_report(simulation_.integrator().state().u.data()).least_gap;
   }
   static constexpr double speed = 15;
+  static constexpr double work_of_adhesion = 0.01549567;  ///< of the law [E0 L0]
 
  private:
   Simulation simulation_;
 };
+
+/// The largest changes of the energy, over W L0, of the linear momentum, over the sum of m |v| at the start, and of the
+/// angular one, over that times the radius 3; and the least gap.
+struct KeptErrors {
+  double energy = 0, linear = 0, angular = 0, least_gap = 1;
+};
+
+/// Takes steps; stops with a failure if one does not converge. Collective.
+inline KeptErrors kept_errors(Collision& collision, double dt, int steps) {
+  const double energy = total_energy(collision.simulation());
+  const Momenta before = collision.momenta();
+  const double size = 2 * before.kinetic_energy / Collision::speed;  // all nodes have this speed
+  KeptErrors errors;
+  for (int step = 0; step < steps; ++step) {
+    const StepResult result = collision.simulation().integrator().step(dt);
+    if (!result.converged) {
+      ADD_FAILURE() << step << ": " << result.reason;
+      break;
+    }
+    const Momenta now = collision.momenta();
+    errors.energy =
+        std::max(errors.energy, std::abs(total_energy(collision.simulation()) - energy) / Collision::work_of_adhesion);
+    errors.linear = std::max(errors.linear, distance(now.linear, before.linear) / size);
+    errors.angular = std::max(errors.angular, distance(now.angular, before.angular) / (3 * size));
+    errors.least_gap = std::min(errors.least_gap, collision.least_gap());
+  }
+  return errors;
+}
+
+/// Expects that the errors stay below these bounds, and that the bodies meet.
+inline void expect_kept(Collision& collision, double dt, int steps, double energy, double linear, double angular) {
+  const KeptErrors errors = kept_errors(collision, dt, steps);
+  EXPECT_LT(errors.energy, energy);
+  EXPECT_LT(errors.linear, linear);
+  EXPECT_LT(errors.angular, angular);
+  EXPECT_LT(errors.least_gap, 0.25);
+}
 
 }  // namespace ixos::test

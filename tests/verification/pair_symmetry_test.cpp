@@ -130,13 +130,8 @@ TEST(PairSymmetrySerialTest, AMirrorMirrorsTheForces) {
   }
 }
 
-struct Errors {
-  double energy, linear, angular;
-};
-
-/// Returns the largest errors of energy, over W L0, and momenta, over the sum of m |v| (and times R), of a collision of
-/// disks whose meshes are turned against each other.
-Errors errors_of(const std::string& pair) {
+/// Returns the errors of a collision of disks whose meshes are turned against each other.
+test::KeptErrors errors_of(const std::string& pair) {
   Mesh mesh = disks();
   const double c = std::cos(0.3), s = std::sin(0.3);
   for (std::size_t k = 0; k < mesh.coordinates.size(); k += 2) {
@@ -146,23 +141,12 @@ Errors errors_of(const std::string& pair) {
     mesh.coordinates[k + 1] = 2.4 + s * x + c * y;
   }
   Collision collision = collide(pair, mesh);
-  const Momenta before = collision.momenta();
-  const double energy = test::total_energy(collision.simulation()), size = 2 * M_PI * 9 * 5e-7 * Collision::speed;
-  Errors largest{};
-  for (int step = 0; step < 60; ++step) {
-    EXPECT_TRUE(collision.simulation().integrator().step(dt).converged) << step;
-    const Momenta now = collision.momenta();
-    largest.energy =
-        std::max(largest.energy, std::abs(test::total_energy(collision.simulation()) - energy) / 0.01549567);
-    largest.linear = std::max(largest.linear, test::distance(now.linear, before.linear) / size);
-    largest.angular = std::max(largest.angular, test::distance(now.angular, before.angular) / (3 * size));
-  }
-  return largest;
+  return test::kept_errors(collision, dt, 60);
 }
 
 /// With reactions energy and linear momentum stay. Without, the forces on both bodies differ, and neither stays.
 TEST(PairSymmetryTest, PassesWithoutReactionLoseEnergyAndMomentum) {
-  const Errors with = errors_of(two), without = errors_of(word("Passes", "Two Without Reaction"));
+  const test::KeptErrors with = errors_of(two), without = errors_of(word("Passes", "Two Without Reaction"));
   EXPECT_LT(with.energy, 1e-5);
   EXPECT_LT(with.linear, 1e-12);
   EXPECT_LT(with.angular, 1e-2);

@@ -1,6 +1,7 @@
 // Two bodies that stick to each other: conservation laws, closed forms, and the rigid wall.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "interaction/van_der_waals.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 using test::Collision;
 using test::count;
+using test::expect_kept;
 using test::list;
 using test::material;
 using test::number;
@@ -24,9 +26,8 @@ using test::scene_of;
 using test::texts;
 using test::word;
 
-constexpr double work_of_adhesion_of_the_law = 0.01549567;
-
-/// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme.
+/// Off centre, two disks meet, roll over each other and vibrate: linear momentum stays to rounding with every scheme,
+/// also where the matrix lacks the stiffness of far sides.
 TEST(TwoBodiesTest, LinearMomentumIsKept) {
   for (const char* scheme : {"Newmark", "Generalized-Alpha", "Midpoint", "Bathe Composite", "Gautam-Sauer Composite",
                              "Average Vector Field", "Central Difference"}) {
@@ -39,7 +40,7 @@ TEST(TwoBodiesTest, LinearMomentumIsKept) {
       ASSERT_TRUE(collision.simulation().integrator().step(dt).converged) << scheme << " " << step;
       least = std::min(least, collision.least_gap());
     }
-    for (double momentum : collision.momenta().linear) EXPECT_NEAR(momentum, 0, 1e-12 * mass_times_speed) << scheme;
+    for (double momentum : collision.momenta().linear) EXPECT_NEAR(momentum, 0, 2e-14 * mass_times_speed) << scheme;
     EXPECT_LT(least, 0.25) << scheme;
   }
 }
@@ -47,35 +48,6 @@ TEST(TwoBodiesTest, LinearMomentumIsKept) {
 /// Two balls that meet in space: 3 Gauss points a direction.
 Mesh balls() { return test::two_balls(3, {6.1, 1.9, 1.5}, 4, 1); }
 const std::string in_space = count("Surface Points", 3) + number("Cutoff", 2);
-
-/// Sums over both bodies of a collision.
-struct Sums {
-  double energy;
-  Momenta momenta;
-  explicit Sums(Collision& collision)
-      : energy(test::total_energy(collision.simulation())), momenta(collision.momenta()) {}
-};
-
-/// Expects that energy, over W L0, and both momenta, over the sum of m |v| (times R), stay within these bounds.
-void expect_kept(Collision& collision, double dt, int steps, double energy, double linear, double angular) {
-  const Sums before(collision);
-  const double size =
-      std::sqrt(2 * before.momenta.kinetic_energy * 5e-7 * 4 * M_PI * 27);  // of the balls; more for disks
-  double least = 1, energy_error = 0, linear_error = 0, angular_error = 0;
-  for (int step = 0; step < steps; ++step) {
-    const StepResult result = collision.simulation().integrator().step(dt);
-    ASSERT_TRUE(result.converged) << step << ": " << result.reason;
-    const Sums now(collision);
-    energy_error = std::max(energy_error, std::abs(now.energy - before.energy));
-    linear_error = std::max(linear_error, test::distance(now.momenta.linear, before.momenta.linear));
-    angular_error = std::max(angular_error, test::distance(now.momenta.angular, before.momenta.angular));
-    least = std::min(least, collision.least_gap());
-  }
-  EXPECT_LT(energy_error, energy * work_of_adhesion_of_the_law);
-  EXPECT_LT(linear_error, linear * size);
-  EXPECT_LT(angular_error, angular * 3 * size);
-  EXPECT_LT(least, 0.25);
-}
 
 /// Energy-Momentum keeps energy and both momenta to the solver's tolerance, on straight sides as on smooth ones.
 TEST(TwoBodiesTest, EnergyMomentumKeepsEnergyAndBothMomenta) {
@@ -122,7 +94,7 @@ TEST(TwoBodiesTest, TheAverageVectorFieldKeepsTheEnergy) {
     largest = std::max(largest, std::abs(test::total_energy(collision.simulation()) - before));
     least = std::min(least, collision.least_gap());
   }
-  EXPECT_LT(largest, 1e-7 * work_of_adhesion_of_the_law);
+  EXPECT_LT(largest, 1e-7 * Collision::work_of_adhesion);
   EXPECT_LT(least, 0.25);
 }
 
@@ -254,7 +226,7 @@ TEST(TwoBodiesTest, AHairpinSticksToItself) {
   }
   EXPECT_LT(least, 0.3);
   EXPECT_GT(contact, 2);
-  EXPECT_LT(largest, 1e-3 * work_of_adhesion_of_the_law);
+  EXPECT_LT(largest, 1e-3 * Collision::work_of_adhesion);
   const Momenta momenta = simulation.model().momenta(integrator.state().u.data(), integrator.state().v.data());
   for (const double momentum : momenta.linear) EXPECT_NEAR(momentum, 0, 1e-9 * 24 * 5e-7 * 3);
 }
@@ -288,6 +260,39 @@ TEST(TwoBodiesTest, ScenesThatPairsDoNotTakeAreRefusedAtTheirPlace) {
   EXPECT_THROW(Simulation(scene, test::two_disks(3, {6.1, 2.4}), test::world()), InputError);
   scene = scene_of("a_body", "b_body", "a_surface", "b_surface", time);
   EXPECT_THROW(Simulation(scene, test::two_disks(3, {5, 2.4}), test::world()), InputError);  // they overlap
+}
+
+/// Faces have the direction of their cells: a cell of the wrong direction is refused by its number, and so is a side
+/// whose outer side is its own body.
+TEST(TwoBodiesTest, FacesInsideOutAreRefusedAtTheirPlace) {
+  const auto refusal = [](const Mesh& mesh) {
+    return test::refusal([&] {
+      Simulation(scene_of("a_body", "b_body", "a_surface", "b_surface", test::time_integrator("Newmark", 0.001, 1), "",
+                          list("Mesh", word("Type", "Given") + list("Given", count("Dimension", mesh.dimension)))),
+                 mesh, test::world());
+    });
+  };
+  for (const Mesh& sound : {test::two_disks(3, {6.1, 2.4}), test::two_balls(3, {6.1, 1.9, 1.5}, 2, 1)}) {
+    ASSERT_EQ(sound.side_sets.back().name, "b_surface");
+    const Side& side = sound.side_sets.back().sides.front();
+    Mesh mesh = sound;
+    ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const auto corners = static_cast<std::ptrdiff_t>(nodes_per_cell(block.type));
+    const auto first = block.nodes.begin() + corners * side.cell;
+    if (mesh.dimension == 2)
+      std::reverse(first, first + corners);
+    else
+      std::swap_ranges(first, first + 4, first + 4);
+    std::string message = refusal(mesh);
+    test::expect_contains(message, "block \"b_body\", ");
+    test::expect_contains(message, "inverted");
+    mesh = sound;
+    mesh.side_sets.back().sides.push_back({side.block, 0, 0});  // of the core
+    message = refusal(mesh);
+    test::expect_contains(message, "Interactions/Pair/Primary Side Set");
+    test::expect_contains(message, "side 1 of element");
+    test::expect_contains(message, "inside the body");
+  }
 }
 
 TEST(TwoBodiesTest, SchemesWithMeansInClosedFormAreRefused) {

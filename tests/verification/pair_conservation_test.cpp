@@ -1,0 +1,84 @@
+// Collisions keep energy and momenta, also over 2,000 steps.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "verification/collision.hpp"
+
+namespace ixos {
+namespace {
+
+using test::Collision;
+using test::count;
+using test::KeptErrors;
+using test::number;
+using test::word;
+
+constexpr int many = 2000;
+
+const Mesh& disks() {
+  static const Mesh mesh = test::two_disks(3, {6.1, 2.4});
+  return mesh;
+}
+
+/// The errors, which it prints, of a scheme; points: in time, 0 for none.
+KeptErrors errors_of(const char* what, const char* scheme, const Mesh& mesh, double dt, int steps, int points = 0,
+                     const std::string& pair = "") {
+  Collision collision(scheme, dt, points > 0 ? count("Interaction Points", points) : "",
+                      mesh.dimension == 3 ? count("Surface Points", 3) + number("Cutoff", 2) : pair, mesh);
+  const KeptErrors errors = test::kept_errors(collision, dt, steps);
+  if (test::world()->getRank() == 0)
+    std::printf("%s, %s, %d steps of %g, points %d: energy %.1e, linear momentum %.1e, angular momentum %.1e\n", what,
+                scheme, steps, dt, points, errors.energy, errors.linear, errors.angular);
+  EXPECT_LT(errors.least_gap, 0.25) << what;
+  return errors;
+}
+
+void expect_all_kept(const KeptErrors& errors) {
+  EXPECT_LT(errors.energy, 1e-11);
+  EXPECT_LT(errors.linear, 1e-12);
+  EXPECT_LT(errors.angular, 1e-11);
+}
+
+/// The disks and the rings stick, the balls part.
+TEST(PairConservationLongTest, EnergyMomentumKeepsEnergyAndBothMomenta) {
+  const char* scheme = "Energy-Momentum";
+  expect_all_kept(errors_of("disks", scheme, disks(), 0.002, many));
+  expect_all_kept(errors_of("disks of straight sides", scheme, disks(), 0.001, many, 0, word("Smoothing", "None")));
+  expect_all_kept(errors_of("rings", scheme, test::two_rings(3, 2.2, {6.1, 2.4}, 32, 2), 0.001, many));
+  expect_all_kept(errors_of("balls", scheme, test::two_balls(3, {6.1, 1.9, 1.5}, 3, 1), 0.001, many));
+}
+
+/// Two disks of 64 sides each attract each other from rest. The feet of many points roll.
+TEST(PairConservationTest, EnergyMomentumTakesFeetThatRoll) {
+  Collision collision("Energy-Momentum", 0.0005, "", "", test::two_disks(2, {0.3, 4.4}, 16), "b_surface", "a_surface");
+  Simulation& simulation = collision.simulation();
+  const std::vector<double> rest = test::at_rest(simulation.model());
+  simulation.integrator().initialize(rest, rest, 0);
+  const double before = test::total_energy(simulation);
+  for (int step = 0; step < 50; ++step) {
+    const StepResult result = simulation.integrator().step(0.0005);
+    ASSERT_TRUE(result.converged) << step << ": " << result.reason;
+    EXPECT_NEAR(test::total_energy(simulation), before, 1e-11 * Collision::work_of_adhesion);
+  }
+}
+
+TEST(PairConservationLongTest, TheAverageVectorFieldKeepsEnergyAndLinearMomentum) {
+  const char* scheme = "Average Vector Field";
+  const KeptErrors of_disks = errors_of("disks", scheme, disks(), 0.0005, many, 16);
+  EXPECT_LT(of_disks.energy, 2e-7);
+  EXPECT_LT(of_disks.linear, 1e-12);
+  const KeptErrors of_balls = errors_of("balls", scheme, test::two_balls(3, {6.1, 1.9, 1.5}, 3, 1), 0.001, many, 8);
+  EXPECT_LT(of_balls.energy, 1e-5);
+  EXPECT_LT(of_balls.linear, 1e-12);
+}
+
+TEST(PairConservationTest, TheAverageVectorFieldsErrorOfTheAngularMomentumIsOfSecondOrder) {
+  const char* scheme = "Average Vector Field";
+  const double coarse = errors_of("disks", scheme, disks(), 0.0005, 120, 8).angular;
+  const double fine = errors_of("disks", scheme, disks(), 0.00025, 240, 8).angular;
+  EXPECT_NEAR(coarse / fine, 4, 0.6);
+}
+
+}  // namespace
+}  // namespace ixos
