@@ -10,7 +10,8 @@ namespace {
 
 constexpr double part_of_mesh = 0.5;     ///< of the tolerance, that the mesh may use up
 constexpr double part_of_budget = 0.25;  ///< of what is left, that the trial of other elements may take
-constexpr double worthwhile = 0.8;       ///< cost with other elements over that with the present ones
+constexpr double worthwhile = 1.2;       ///< cost with other elements over that with the present ones, at most
+constexpr double part_of_change = 0.5;   ///< error of the finest run over its last change
 /// Powers of the cell length with which errors are expected to fall, and the gain by a higher order.
 constexpr double least_power = 1, largest_power = 2, gain_of_order = 0.5;
 
@@ -23,16 +24,19 @@ double AdviceSearch::cost_of_cells(std::size_t branch, std::size_t quantity, dou
   const std::vector<std::size_t>& tested = known.levels(mesh_direction, branch);
   const std::vector<SequencePoint>& points = known.points(mesh_direction, branch, quantity);
   const std::size_t n = points.size();
-  const double change = std::abs(points[n - 1].value - points[n - 2].value);
-  // The finest run of all may be the limit itself. Its error is about the last change, less what a level gains.
-  const double error = std::max(std::abs(points[n - 1].value - limit), change / 3);
-  double power = std::log2(std::max(std::abs(points[n - 2].value - limit) / error, 1e-3));
-  power = std::clamp(power, least_power, largest_power);
+  // Equal values tell nothing of the error.
+  const double change = 1e-12 * std::abs(limit) + std::abs(points[n - 1].value - points[n - 2].value);
+  const double wanted = part_of_mesh * question_.tolerance * std::abs(limit);
+  // The finest run of all may be the limit itself. Its own error is a part of the last change.
+  const auto error = [&](std::size_t i) { return std::abs(points[i].value - limit) + part_of_change * change; };
+  double power = std::clamp(std::log2(error(n - 2) / error(n - 1)), least_power, largest_power);
   if (directions_.all[mesh_direction].branches[branch].higher_order)
     power = std::min(largest_power, std::max(power, least_power + gain_of_order));
-  const double wanted = part_of_mesh * question_.tolerance * std::abs(limit);
-  const double finer = std::ceil(std::max(0.0, std::log2(error / wanted) / power) - 1e-9);
-  const double level = static_cast<double>(tested.back()) + finer;
+  std::size_t coarsest = n;
+  while (coarsest > 0 && error(coarsest - 1) <= wanted) --coarsest;
+  const double level =
+      coarsest < n ? static_cast<double>(tested[coarsest])
+                   : static_cast<double>(tested.back()) + std::ceil(std::log2(error(n - 1) / wanted) / power - 1e-9);
   if (!(level < static_cast<double>(levels(mesh_direction)))) return std::numeric_limits<double>::infinity();
   AdvicePoint point = base_;
   point[mesh_direction] = {branch, static_cast<std::size_t>(level)};
