@@ -49,8 +49,8 @@ bool has_short_steps(const ProblemSize& size) {
 bool keep_factorization(const ProblemSize& size) { return size.dofs > 2000; }
 
 /// Whether small bodies of quadratic cells are better off with two levels than with a factorisation. Cubes of 4^3, 6^3
-/// and 8^3 quadratic cells before a wall, 40 steps, take 0.43, 0.22 and 0.12 times the processor time of MUMPS, most of
-/// which the factorisations take. Of the levels of a slender body, none has many nodes.
+/// and 8^3 quadratic cells on a wall take 0.5, 0.2 and 0.1 times the processor time of MUMPS. The levels of a slender
+/// body have few nodes.
 bool is_compact_and_quadratic(const ProblemSize& size) {
   return size.quadratic && size.ranks == 1 && keep_factorization(size) &&
          size.width > std::pow(static_cast<double>(size.dofs) / 3, 2.0 / 3);
