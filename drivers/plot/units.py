@@ -12,6 +12,7 @@ QUANTITIES = {
     "time": (lambda d: (0, 0, 1), "s", "s"),
     "length": (lambda d: (1, 0, 0), "m", "m"),
     "speed": (lambda d: (1, 0, -1), "m/s", "m/s"),
+    "acceleration": (lambda d: (1, 0, -2), "m/s²", "m/s²"),
     "stress": (lambda d: (0, 1, 0), "Pa", "Pa"),
     "measure": (lambda d: (d - 1, 0, 0), "m²", "m"),
     "force": (lambda d: (d - 1, 1, 0), "N", "N/m"),
@@ -31,7 +32,9 @@ COLUMNS = [(r"time|time_step", "time"), (r"\w+_energy|external_work|dissipated_.
            (r"contact_force_(.*_)?[xyz]|friction_force_.*_[xyz]|reaction_.*_[xyz]", "force"),
            (r"(contact_)?moment_.*_[xyz]", "moment"), (r"min_gap(_.*)?|mean_slip_.*", "length"),
            (r"contact_measure(_.*)?|sliding_measure_.*|sticking_measure_.*", "measure"),
-           (r".*_u[xyz]", "length"), (r".*_v[xyz]", "speed")]
+           (r".*_u[xyz]|norm_displacement", "length"), (r".*_v[xyz]|norm_velocity", "speed"),
+           (r"norm_acceleration", "acceleration"),
+           (r"norm_(.*_stress|stress|(dissipated_)?energy_density)", "stress")]
 
 _shown = None  # the scales whose prefixes the axes have
 
@@ -76,7 +79,7 @@ def converts():
 def prefix(quantity, dimension):
     """The exponent of the prefix of a quantity's SI unit, and the power of ten that it stands for."""
     name = si_name(quantity, dimension)
-    power = 2 if name.endswith("²") else 1
+    power = 2 if name == "m²" else 1  # a prefix is squared with its unit
     value = _shown.si(quantity, dimension) * (1 + 1e-9)
     exponent = max((e for e in PREFIXES if 10.0 ** (e * power) <= value), default=min(PREFIXES))
     return exponent, 10.0 ** (exponent * power)

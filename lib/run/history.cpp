@@ -19,7 +19,9 @@ constexpr double empty = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 History::History(Simulation& simulation)
-    : simulation_(simulation), max_energy_error_(simulation.output().energies ? 0.0 : empty) {
+    : simulation_(simulation),
+      max_energy_error_(simulation.output().energies ? 0.0 : empty),
+      norms_(simulation.output().norms, simulation.model()) {
   const Model& model = simulation.model();
   HistoryColumns columns = history_columns(simulation);
   columns_ = std::move(columns.names);
@@ -169,6 +171,7 @@ void History::record(const RowCounts& counts) {
   for (const std::vector<double>& values : {single_interactions(), frictions()})
     row.insert(row.end(), values.begin(), values.end());
   for (double dissipated : integrator.dissipations()) row.push_back(output.energies ? dissipated : empty);
+  for (double norm : norms_.values(simulation_.integrator())) row.push_back(norm);
   together(model.space().comm(), [&] {
     if (file_) file_->write(row);
   });

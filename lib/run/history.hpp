@@ -9,6 +9,7 @@
 #include "base/record.hpp"
 #include "io/history_file.hpp"
 #include "run/contact_events.hpp"
+#include "run/field_norms.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {
@@ -79,7 +80,8 @@ class History {
   std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
   ContactEvents contacts_{{}};
   std::vector<InteractionGroup> frictions_;  ///< those with friction
-  std::vector<std::size_t> reaction_sets_;   ///< node set numbers
+  FieldNorms norms_;
+  std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;
   double contact_measure_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   std::vector<std::pair<std::string, double>> forces_;                 ///< of the last step

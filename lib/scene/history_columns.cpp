@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "io/history_file.hpp"
 #include "model/grips.hpp"
+#include "scene/output_norms.hpp"
 
 namespace ixos {
 namespace {
@@ -95,6 +96,7 @@ HistoryColumns history_columns(const Simulation& simulation) {
       for (const char* stem : {"mean_slip_", "sliding_measure_", "sticking_measure_"}) columns.add(path, stem + name);
     }
   for (const std::string& source : model.dissipation_names()) columns.add(list_of(source), dissipation_column(source));
+  for (const std::string& field : simulation.output().norms) columns.add("Output/Norms", norm_column(field));
   return {columns.names(), reactions};
 }
 

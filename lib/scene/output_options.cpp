@@ -3,6 +3,7 @@
 #include "parameters/options.hpp"
 #include "parameters/range_validator.hpp"
 #include "scene/output_fields.hpp"
+#include "scene/output_norms.hpp"
 
 namespace ixos {
 namespace {
@@ -69,6 +70,7 @@ const Options<OutputOptions>& options() {
                   "interaction under its name. Automatic: if the scene has several interactions and Interaction is "
                   "true.")
           .add("Reactions", &OutputOptions::reactions, "Node sets whose reactions become columns of history.csv.")
+          .add("Norms", &OutputOptions::norms, output_norms_documentation())
           .add("Quantities", &OutputOptions::quantities,
                "Numbers of the run that the option accuracy of ixos asks for, such as {peak reaction_top_y, mean "
                "contact_force_y [20, 50]} (docs/user-guide.md, Advice). The option advise of ixos-study takes them if "
@@ -96,6 +98,7 @@ void declare_output(Teuchos::ParameterList& list) { options().declare(list); }
 OutputOptions read_output(const SceneNode& output, const std::vector<std::string>& interactions) {
   OutputOptions result = options().read(output);
   check_field_names(output, "Fields", result.fields, interactions);
+  check_norm_names(output, "Norms", result.norms);
   return result;
 }
 

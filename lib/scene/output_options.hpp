@@ -44,6 +44,7 @@ struct OutputOptions {
   bool interaction = true;  ///< the same
   InteractionColumns interaction_columns = InteractionColumns::Automatic;
   std::vector<std::string> reactions{};   ///< node sets whose reactions are recorded
+  std::vector<std::string> norms{};       ///< fields whose norms are recorded
   std::vector<std::string> quantities{};  ///< numbers of the run whose accuracy counts
 
   bool has_frames() const { return fields_interval > 0 || fields_time_interval > 0; }

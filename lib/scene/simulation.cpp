@@ -28,6 +28,7 @@
 #include "scene/newton_options.hpp"
 #include "scene/obstacle_files.hpp"
 #include "scene/output_fields.hpp"
+#include "scene/output_norms.hpp"
 #include "scene/scene_facts.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
@@ -192,6 +193,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
                        "\" is prescribed, so it has no reaction");
   }
   chosen_fields(output_.fields, *model_);  // refuses those that the model does not have
+  norm_fields(output_.norms, *model_);     // the same
   history_columns(*this);                  // refuses names that make no columns
 }
 

@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::array<double, 5> other_tolerances{10, 3, 1, 1.0 / 3, 0.1};
 constexpr std::size_t extrapolated_levels = 3;
+/// Costs of the runs that lead to settings, over that of these settings: each refinement about halves them.
+constexpr double runs_on_the_way = 3;
 
 /// Returns what the places off the recommended point contribute to the errors: of step and mesh, other branches at
 /// their finest tested level.
@@ -68,6 +70,9 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
     const AdviceCandidate* found = cheapest_within(further, factor * question.tolerance);
     advice.other_tolerances.emplace_back(factor * question.tolerance, found == nullptr ? AdviceCandidate() : *found);
   }
+  if (const AdviceCandidate* hoped = cheapest_within(further, question.tolerance);
+      hoped != nullptr && advice.status == AdviceStatus::Unreachable)
+    advice.sufficient_budget = search.runs().spent() + runs_on_the_way * hoped->seconds;
   for (std::size_t q = 0; q < question.quantities.size(); ++q) {
     advice.exact.push_back(known.exact(q));
     advice.interaction = std::max(advice.interaction, known.interaction(best->point, q));

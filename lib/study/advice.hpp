@@ -58,6 +58,7 @@ struct Advice {
   std::vector<std::pair<double, AdviceCandidate>> other_tolerances;
   double verified = -1;          ///< largest relative change of a quantity in a finer run; negative if there was none
   double budget = 0, spent = 0;  ///< seconds of processor time
+  double sufficient_budget = 0;  ///< that may do where the budget did not; 0: not known
   std::string problem;           ///< why there is no recommendation; a sentence
 };
 

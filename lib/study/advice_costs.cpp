@@ -8,10 +8,22 @@ namespace {
 
 /// The steps of an adaptive run grow as its tolerance falls, with this power: that of a scheme of second order.
 constexpr double adaptive_power = 1.0 / 3;
+constexpr double other_branch = 100;  ///< levels that a run of another branch counts as farther
 
 /// Returns whether a place has the scene's own cost but for its steps and degrees of freedom.
 bool is_own(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {
   return point[d].branch == 0 && (d <= mesh_direction || point[d].level == directions.all[d].scene_level);
+}
+
+/// Returns the degrees of freedom of a branch over those of the first one on the same mesh.
+double dofs_of_cells(const AdviceDirections& directions, std::size_t branch) {
+  return directions.all[mesh_direction].branches[branch].higher_order ? std::pow(2.0, directions.dimension) : 1;
+}
+
+/// Returns the seconds of a run's steps, without its start; all seconds if they are not known apart.
+double loop_seconds(const AdviceSample& sample) {
+  const double loop = sample.seconds_per_step * sample.steps;
+  return loop > 0 ? std::min(loop, sample.seconds) : sample.seconds;
 }
 
 /// Returns in how many directions a point is not the scene's own; the last of them is `direction`.
@@ -29,12 +41,23 @@ std::size_t others(const AdviceDirections& directions, const AdvicePoint& point,
 
 AdviceCosts::AdviceCosts(const AdviceDirections& directions, const std::vector<AdviceSample>& samples)
     : directions_(directions) {
-  std::vector<CostSample> own;
+  std::vector<double> starts;
   for (const AdviceSample& sample : samples) {
-    if (!(sample.steps > 0 && sample.dofs > 0 && sample.seconds > 0)) continue;
+    // A run that was ended tells nothing of the whole.
+    if (!((sample.good || sample.reached_end) && sample.steps > 0 && sample.dofs > 0 && sample.seconds > 0)) continue;
     samples_.push_back(sample);
+    starts.push_back(sample.seconds - loop_seconds(sample));
+  }
+  if (!starts.empty()) {
+    const auto middle = starts.begin() + static_cast<std::ptrdiff_t>(starts.size() / 2);
+    std::nth_element(starts.begin(), middle, starts.end());
+    start_ = *middle;
+  }
+  std::vector<CostSample> own;
+  for (const AdviceSample& sample : samples_) {
     std::size_t direction = 0;
-    if (others(directions, sample.point, direction) == 0) own.push_back({sample.steps, sample.dofs, sample.seconds});
+    if (others(directions, sample.point, direction) == 0)
+      own.push_back({sample.steps, sample.dofs, loop_seconds(sample)});
   }
   model_ = fit_costs(own);
   // Geometric means of the runs that differ from the scene's own in one choice.
@@ -48,7 +71,7 @@ AdviceCosts::AdviceCosts(const AdviceDirections& directions, const std::vector<A
     std::size_t d = 0;
     if (others(directions, sample.point, d) != 1) continue;
     const std::size_t level = d <= mesh_direction ? 0 : sample.point[d].level, branch = sample.point[d].branch;
-    factors_[d][branch][level] += std::log(sample.seconds / model_.seconds(sample.steps, sample.dofs));
+    factors_[d][branch][level] += std::log(loop_seconds(sample) / model_.seconds(sample.steps, sample.dofs));
     ++counts[d][branch][level];
   }
   for (std::size_t d = 0; d < factors_.size(); ++d)
@@ -67,7 +90,7 @@ const AdviceSample* AdviceCosts::nearest(const AdvicePoint& point, std::size_t d
   for (const AdviceSample& sample : samples_) {
     const AdvicePlace &here = sample.point[d], &wanted = point[d];
     const double levels = std::abs(static_cast<double>(here.level) - static_cast<double>(wanted.level));
-    const double far = levels + (here.branch == wanted.branch ? 0 : 0.5);
+    const double far = levels + (here.branch == wanted.branch ? 0 : other_branch);
     if (best != nullptr && far >= least) continue;
     best = &sample;
     least = far;
@@ -88,7 +111,9 @@ double AdviceCosts::dofs(const AdvicePoint& point) const {
   if (sample == nullptr) return 0;
   const double ratio =
       level_at(directions_, sample->point, mesh_direction).size / level_at(directions_, point, mesh_direction).size;
-  return sample->dofs * std::pow(ratio, directions_.dimension);
+  const double cells = dofs_of_cells(directions_, point[mesh_direction].branch) /
+                       dofs_of_cells(directions_, sample->point[mesh_direction].branch);
+  return sample->dofs * cells * std::pow(ratio, directions_.dimension);
 }
 
 double AdviceCosts::seconds(const AdvicePoint& point) const {
@@ -96,7 +121,7 @@ double AdviceCosts::seconds(const AdvicePoint& point) const {
     if (sample.good && sample.point == point) return sample.seconds;
   double seconds = model_.seconds(steps(point), dofs(point));
   for (std::size_t d = 0; d < point.size(); ++d) seconds *= factor(point, d);
-  return seconds;
+  return start_ + seconds;
 }
 
 }  // namespace ixos

@@ -7,8 +7,8 @@
 
 namespace ixos {
 
-/// Costs of points from those of the runs: steps and degrees of freedom by the model that is fitted to the runs, and a
-/// factor for each choice that is not the scene's own.
+/// Costs of points from those of the runs: the time of a start, which all runs have in common; steps and degrees of
+/// freedom by the model that is fitted to the rest; and a factor for each choice that is not the scene's own.
 class AdviceCosts {
  public:
   AdviceCosts(const AdviceDirections& directions, const std::vector<AdviceSample>& samples);
@@ -27,7 +27,8 @@ class AdviceCosts {
 
   const AdviceDirections& directions_;
   std::vector<AdviceSample> samples_;
-  CostModel model_;
+  double start_ = 0;  ///< seconds of a run without its steps, the median
+  CostModel model_;   ///< of the rest
   /// By direction, branch and level; of step and mesh, the first level stands for all.
   std::vector<std::vector<std::vector<double>>> factors_;
 };

@@ -72,7 +72,7 @@ AdviceDirection meshes(const List& scene, const MeshLevels& found) {
   if (contact && own_formulation == "Standard") {
     Assignments quadratic = in_all("Interactions", walls, "Contact Element=Q2C2");
     quadratic.emplace_back("Mesh/Cell Order=2");
-    direction.branches.push_back({"quadratic cells", quadratic, found.levels});
+    direction.branches.push_back({"quadratic cells", quadratic, found.levels, true, true, true});
   }
   // The richer ones come first.
   bool richer = true;

@@ -22,6 +22,7 @@ struct AdviceBranch {
   std::vector<AdviceLevel> levels;  ///< the coarsest first; at least one
   bool same_limit = true;           ///< whether refinement leads to the solution that the first branch leads to, too
   bool may_be_better = true;        ///< whether the branch may be more accurate than the first at the same level
+  bool higher_order = false;        ///< whether it has elements of a higher order than the first
 };
 
 /// Branches that exclude each other. The first one is the scene's own.

@@ -12,6 +12,9 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 constexpr double order_of_schemes = 2;
 /// The part of an uncertainty that is left if one more level confirms the order of three.
 constexpr double hoped_part = 0.25;
+/// Error of a step over the change that twice the step causes on the same mesh: a third with second order, times 1.5.
+constexpr double part_of_change = 0.5;
+constexpr double doubted_part = 0.35;  ///< of the distance of another branch, by which two sizes may be wrong
 
 template <class Range>
 std::size_t place_of_largest(const Range& values) {
@@ -32,15 +35,18 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
   base_values_.assign(quantities, std::numeric_limits<double>::quiet_NaN());
   for (const AdviceSample& sample : samples) {
     if (sample.good && sample.point == base_) base_values_ = sample.values;
-    if (!sample.good) failed_.push_back(sample.point);
+    if (sample.good)
+      good_.push_back(sample);
+    else
+      failed_.push_back(sample.point);
   }
   exact_ = base_values_;
   for (std::size_t d = 0; d < directions.all.size(); ++d) {
     std::vector<Line>& lines = lines_.emplace_back();
-    const Line direct = line(d, 0, {}, samples);  // there is nothing to compare with elsewhere
-    lines.push_back(line(d, 0, direct, samples));
-    for (std::size_t b = 1; b < directions.all[d].branches.size(); ++b)
-      lines.push_back(line(d, b, lines.front(), samples));
+    const Line direct = line(d, own(d), {}, samples);  // there is nothing to compare with elsewhere
+    const Line leading = line(d, own(d), direct, samples);
+    for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b)
+      lines.push_back(b == own(d) ? leading : line(d, b, leading, samples));
     for (std::size_t q = 0; q < quantities; ++q) judge(d, q);
   }
   for (std::size_t q = 0; q < quantities; ++q)
@@ -52,10 +58,11 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
 void AdviceErrors::judge(std::size_t d, std::size_t q) {
   std::vector<Line>& lines = lines_[d];
   SequenceErrors own;
-  const std::vector<SequencePoint>& points = lines[0].points[q];
+  const std::size_t leading = this->own(d);
+  const std::vector<SequencePoint>& points = lines[leading].points[q];
   const AdviceDirection& direction = directions_.all[d];
-  const bool refined = direction.converges && direction.branches[0].levels.size() > 1;
-  const bool unexamined = d > mesh_direction && finest(d, 0) <= direction.scene_level;
+  const bool refined = direction.converges && direction.branches[leading].levels.size() > 1;
+  const bool unexamined = d > mesh_direction && finest(d, leading) <= direction.scene_level;
   if (is_error_[q] && d == time_direction) {
     own.errors = errors_against(points, 0, 0);
     own.reason = "the quantity is an error itself";
@@ -66,6 +73,7 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
     own.reason = is_choice ? "the scene's own counts as exact" : is_error_[q] ? "changes of the base" : "not examined";
   } else if (points.size() > 1) {
     own = sequence_errors(points, true);
+    if (points.size() == 2) doubt_two_sizes(d, q, own);
     share_limit(d, q, own);
     exact_[q] += own.limit - base_values_[q];
   } else {
@@ -74,39 +82,54 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
     own.errors.assign(points.size(), unknown);
     own.reason = "one size only";
   }
-  lines[0].errors.push_back(own);
-  for (std::size_t b = 1; b < lines.size(); ++b) judge_branch(d, b, q);
+  lines[leading].errors.push_back(own);
+  for (std::size_t b = 0; b < lines.size(); ++b)
+    if (b != leading) judge_branch(d, b, q);
 }
 
-/// Replaces the limit of the scene's own branch by that of another branch with the same exact solution that knows it
+/// Raises the uncertainty of a limit that two sizes give to a part of the distance of another branch with the same
+/// exact solution: two coarse runs may agree by coincidence.
+void AdviceErrors::doubt_two_sizes(std::size_t d, std::size_t q, SequenceErrors& own) const {
+  for (std::size_t b = 0; b < lines_[d].size(); ++b) {
+    const Line& other = lines_[d][b];
+    if (b == this->own(d) || !directions_.all[d].branches[b].same_limit || other.levels.size() < 3) continue;
+    const double limit = sequence_errors(other.points[q], true).limit;  // or the finest value
+    for (double value : {other.points[q].back().value, limit})
+      own.limit_uncertainty = std::max(own.limit_uncertainty, doubted_part * std::abs(value - own.limit));
+  }
+  own.errors = errors_against(lines_[d][this->own(d)].points[q], own.limit, own.limit_uncertainty);
+}
+
+/// Replaces the limit of the base's own branch by that of another branch with the same exact solution that knows it
 /// better. If limits differ by more than their uncertainties, the uncertainty grows by the rest.
 void AdviceErrors::share_limit(std::size_t d, std::size_t q, SequenceErrors& own) const {
   const std::vector<Line>& lines = lines_[d];
   std::vector<std::pair<double, double>> limits{{own.limit_uncertainty, own.limit}};
-  std::size_t best = 0;
-  for (std::size_t b = 1; b < lines.size(); ++b) {
-    if (!directions_.all[d].branches[b].same_limit || lines[b].levels.size() < 3) continue;
+  const std::size_t leading = this->own(d);
+  std::size_t best = leading;
+  for (std::size_t b = 0; b < lines.size(); ++b) {
+    if (b == leading || !directions_.all[d].branches[b].same_limit || lines[b].levels.size() < 3) continue;
     const SequenceErrors other = sequence_errors(lines[b].points[q], true);
     if (other.order == 0) continue;
     limits.emplace_back(other.limit_uncertainty, other.limit);
     if (other.limit_uncertainty < own.limit_uncertainty) best = b;
     own.limit_uncertainty = std::min(own.limit_uncertainty, other.limit_uncertainty);
   }
-  if (best == 0) return;
+  if (best == leading) return;
   const auto [least, limit] = *std::min_element(limits.begin(), limits.end());
   double uncertainty = least;
   for (const auto& [other_uncertainty, other_limit] : limits)
     uncertainty = std::max(uncertainty, std::abs(other_limit - limit) - other_uncertainty);
   own.limit = limit;
   own.limit_uncertainty = uncertainty;
-  own.errors = errors_against(lines[0].points[q], limit, uncertainty);
+  own.errors = errors_against(lines[leading].points[q], limit, uncertainty);
   own.reason += "; the limit is that of " + directions_.all[d].branches[best].label;
 }
 
-/// Compares another branch with the limit of the scene's own. Its errors count as falling at most with the order of the
+/// Compares another branch with the limit of the base's own. Its errors count as falling at most with the order of the
 /// schemes: a smaller one at its finest point is a coincidence.
 void AdviceErrors::judge_branch(std::size_t d, std::size_t b, std::size_t q) {
-  const SequenceErrors& own = lines_[d][0].errors[q];
+  const SequenceErrors& own = lines_[d][this->own(d)].errors[q];
   Line& line = lines_[d][b];
   const std::vector<SequencePoint>& points = line.points[q];
   SequenceErrors errors;
@@ -124,7 +147,7 @@ double AdviceErrors::part(std::size_t d, std::size_t q, const AdvicePlace& place
   if (line.levels.empty()) return unknown;
   if (!direction.converges) return line.errors[q].errors.back();
   // One run of another branch may be near the limit by coincidence, and beyond its runs nothing is known.
-  if (place.branch > 0 && (line.levels.size() < 2 || place.level > line.levels.back())) return unknown;
+  if (place.branch != own(d) && (line.levels.size() < 2 || place.level > line.levels.back())) return unknown;
   return error_at(line.points[q], line.errors[q], direction.branches[place.branch].levels[place.level].size);
 }
 
@@ -177,9 +200,22 @@ double AdviceErrors::interaction(const AdvicePoint& point, std::size_t quantity)
   return std::isfinite(smallest_of_farther) ? smallest_of_farther : largest;
 }
 
+/// Returns the change of a quantity by twice the step with everything else as at a point; 0 if a run is missing.
+double AdviceErrors::change_by_step(const AdvicePoint& point, std::size_t q) const {
+  if (point[time_direction].level == 0 || is_error_[q]) return 0;
+  AdvicePoint twin = point;
+  --twin[time_direction].level;
+  const AdviceSample *here = nullptr, *there = nullptr;
+  for (const AdviceSample& sample : good_) {
+    if (sample.point == point) here = &sample;
+    if (sample.point == twin) there = &sample;
+  }
+  return here == nullptr || there == nullptr ? 0 : std::abs(here->values[q] - there->values[q]);
+}
+
 AdviceErrors AdviceErrors::hopeful(std::size_t direction) const {
   AdviceErrors result = *this;
-  Line& line = result.lines_[direction][0];
+  Line& line = result.lines_[direction][own(direction)];
   for (std::size_t q = 0; q < line.errors.size(); ++q) {
     SequenceErrors& own = line.errors[q];
     own.limit_uncertainty *= hoped_part;
@@ -195,7 +231,8 @@ AdviceEstimate AdviceErrors::estimate(const AdvicePoint& point) const {
     double sum = noise_[q] + interaction(point, q);
     std::vector<double>& parts = result.parts.emplace_back();
     for (std::size_t d = 0; d < point.size(); ++d) {
-      parts.push_back(part(d, q, point[d]) / scale(q));
+      const double here = d == time_direction ? part_of_change * change_by_step(point, q) : 0;
+      parts.push_back(std::max(part(d, q, point[d]), here) / scale(q));
       sum += parts.back();
     }
     result.errors.push_back(failed || std::isnan(sum) ? unknown : sum);
@@ -210,28 +247,21 @@ AdviceEstimate AdviceErrors::estimate(const AdvicePoint& point) const {
 
 double AdviceErrors::scale(std::size_t q) const { return is_error_[q] ? 1 : std::abs(exact_[q]); }
 
-double AdviceErrors::finest_error(std::size_t direction, std::size_t branch) const {
+double AdviceErrors::finest_error(std::size_t direction, std::size_t branch, std::size_t quantity) const {
   const Line& line = lines_[direction][branch];
-  if (line.levels.empty()) return unknown;
-  double largest = 0;
-  for (std::size_t q = 0; q < is_error_.size(); ++q)
-    largest = std::max(largest, line.errors[q].errors.back() / scale(q));
-  return largest;
+  return line.levels.empty() ? unknown : line.errors[quantity].errors.back() / scale(quantity);
 }
 
-double AdviceErrors::limit_uncertainty(std::size_t direction) const {
-  double largest = 0;
-  for (std::size_t q = 0; q < is_error_.size(); ++q)
-    largest = std::max(largest, lines_[direction][0].errors[q].limit_uncertainty / scale(q));
-  return largest;
+double AdviceErrors::limit_uncertainty(std::size_t direction, std::size_t quantity) const {
+  return lines_[direction][own(direction)].errors[quantity].limit_uncertainty / scale(quantity);
 }
 
 std::string AdviceErrors::reason(std::size_t direction, std::size_t quantity) const {
-  return lines_[direction][0].errors[quantity].reason;
+  return lines_[direction][own(direction)].errors[quantity].reason;
 }
 
 bool AdviceErrors::has_order(std::size_t direction) const {
-  const std::vector<SequenceErrors>& errors = lines_[direction][0].errors;
+  const std::vector<SequenceErrors>& errors = lines_[direction][own(direction)].errors;
   for (std::size_t q = 0; q < errors.size(); ++q)
     if (!is_error_[q] && errors[q].order == 0 && errors[q].limit_uncertainty > 0) return false;
   return true;

@@ -20,10 +20,11 @@ struct AdviceEstimate {
 };
 
 /// Adds the errors of all directions. Each is measured with everything else at a base, which may be much coarser than
-/// the point; differences that were measured elsewhere count where the base has none. Runs that differ from the base in
-/// several directions measure the interaction of directions, which the sum leaves out. interaction() returns that of
-/// the point's own run, or else the smallest one of the runs that are farther from the base in every direction, or else
-/// the largest one of all.
+/// the point; the base's own branch leads in each direction, and other branches are compared with its limit.
+/// Differences that were measured elsewhere count where the base has none. Runs that differ from the base in several
+/// directions measure the interaction of directions, which the sum leaves out. interaction() returns that of the
+/// point's own run, or else the smallest one of the runs that are farther from the base in every direction, or else the
+/// largest one of all.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
@@ -46,10 +47,10 @@ class AdviceErrors {
   /// Returns the errors to hope for if a direction is refined once more and the sequence turns out to be asymptotic.
   AdviceErrors hopeful(std::size_t direction) const;
 
-  /// Returns the largest uncertainty of the limits in a direction, over the quantities, relative to the exact value.
-  double limit_uncertainty(std::size_t direction) const;
+  /// Returns the uncertainty of a quantity's limit in a direction, relative to the exact value.
+  double limit_uncertainty(std::size_t direction, std::size_t quantity) const;
 
-  /// Returns whether the scene's own sequence in a direction has an order for all quantities that have one.
+  /// Returns whether the base's own sequence in a direction has an order for all quantities that have one.
   bool has_order(std::size_t direction) const;
 
   /// Returns the number of good runs on a line, their levels, and the finest level among them.
@@ -57,8 +58,17 @@ class AdviceErrors {
   const std::vector<std::size_t>& levels(std::size_t direction, std::size_t branch) const;
   std::size_t finest(std::size_t direction, std::size_t branch) const;
 
-  /// Returns the largest relative error, over the quantities, of the finest run on a line; infinite without one.
-  double finest_error(std::size_t direction, std::size_t branch) const;
+  /// Returns the relative error of a quantity in the finest run on a line; infinite without one.
+  double finest_error(std::size_t direction, std::size_t branch, std::size_t quantity) const;
+  std::size_t quantities() const { return is_error_.size(); }
+
+  /// Returns the good runs on a line, the coarsest first.
+  const std::vector<SequencePoint>& points(std::size_t direction, std::size_t branch, std::size_t quantity) const {
+    return lines_[direction][branch].points[quantity];
+  }
+
+  /// Returns the branch of the base in a direction.
+  std::size_t own(std::size_t direction) const { return base_[direction].branch; }
 
  private:
   /// The runs of a branch, by quantity.
@@ -79,9 +89,11 @@ class AdviceErrors {
   static double levels_between(std::size_t d, const AdvicePoint& a, const AdvicePoint& b);
   static double levels_of(const AdvicePlace& a, const AdvicePlace& b);
   void judge(std::size_t d, std::size_t q);
+  void doubt_two_sizes(std::size_t d, std::size_t q, SequenceErrors& own) const;
   void share_limit(std::size_t d, std::size_t q, SequenceErrors& own) const;
   void judge_branch(std::size_t d, std::size_t b, std::size_t q);
   double part(std::size_t d, std::size_t q, const AdvicePlace& place) const;
+  double change_by_step(const AdvicePoint& point, std::size_t q) const;
   double scale(std::size_t q) const;
   void measure_interaction(const std::vector<AdviceSample>& samples);
   bool is_farther(const AdvicePoint& far, const AdvicePoint& near) const;
@@ -93,6 +105,7 @@ class AdviceErrors {
   std::vector<std::vector<Line>> lines_;
   std::vector<Defect> defects_;
   std::vector<AdvicePoint> failed_;  ///< points of runs that did not reach their end
+  std::vector<AdviceSample> good_;   ///< the others
 };
 
 }  // namespace ixos

@@ -7,7 +7,7 @@
 namespace ixos {
 
 /// Returns the runs of a branch with everything else at the base, the coarsest first. Where a run at the base is
-/// missing, its difference from a run of the scene's own branch is taken from elsewhere, as near to the base as
+/// missing, its difference from a run of the base's own branch is taken from elsewhere, as near to the base as
 /// possible.
 AdviceErrors::Line AdviceErrors::line(std::size_t d, std::size_t b, const Line& own,
                                       const std::vector<AdviceSample>& samples) const {
@@ -40,7 +40,7 @@ std::vector<double> AdviceErrors::from_elsewhere(std::size_t d, const AdvicePlac
   for (const AdviceSample& sample : samples) {
     if (!sample.good || !(sample.point[d] == place)) continue;
     for (const AdviceSample& twin : samples) {
-      if (!twin.good || twin.point[d].branch != 0) continue;
+      if (!twin.good || twin.point[d].branch != this->own(d)) continue;
       AdvicePoint same = twin.point;
       same[d] = place;
       const auto found = std::find(own.levels.begin(), own.levels.end(), twin.point[d].level);

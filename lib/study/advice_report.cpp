@@ -137,6 +137,11 @@ std::string advice_text(const AdviceQuestion& question, const Advice& advice) {
         percent(question.tolerance), percent(advice.best.error), limiting(advice).name, best, advice.best.seconds);
   }
   if (!advice.problem.empty()) text += advice.problem + "\n";
+  if (advice.sufficient_budget > advice.budget)
+    text +=
+        fmt::format("If errors and costs go on as they did, a budget of {:.2g} s will do.\n", advice.sufficient_budget);
+  else if (advice.status == AdviceStatus::Unreachable && known)
+    text += "The runs do not tell what budget would do.\n";
   if (known) {
     text += error_lines(question, advice);
     if (advice.status == AdviceStatus::Advised)
@@ -156,6 +161,7 @@ void write_advice(const AdviceQuestion& question, const Advice& advice, const st
   json["tolerance"] = question.tolerance;
   json["budget_seconds"] = advice.budget;
   json["spent_seconds"] = advice.spent;
+  json["sufficient_budget_seconds"] = advice.sufficient_budget > 0 ? Json(advice.sufficient_budget) : Json(nullptr);
   json["problem"] = advice.problem;
   json["recommended"] = advice.status == AdviceStatus::Advised ? json_of(advice, advice.best) : Json(nullptr);
   json["most_accurate"] = advice.status == AdviceStatus::Unreachable ? json_of(advice, advice.best) : Json(nullptr);

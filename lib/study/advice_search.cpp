@@ -20,6 +20,7 @@ constexpr double budget_power = 0.85;
 /// Change by a perturbation of 1e-10 below which finer runs are not perturbed, too: they will not amplify it as much
 /// as a tolerance needs.
 constexpr double calm = 1e-8;
+constexpr std::size_t far_from_base = 2;  ///< levels of a mesh on which errors of the step are measured anew
 constexpr std::size_t most_rounds = 100;
 
 }  // namespace
@@ -73,7 +74,7 @@ AdviceStatus AdviceSearch::find() {
   if (!start()) return AdviceStatus::NoRun;
   if (!is_predictable(base_)) return AdviceStatus::Chaotic;
   // Lines have a level finer than the base. The longest step that causes no error to speak of is the cheapest.
-  const std::vector<std::size_t> steps = errors().levels(time_direction, 0);
+  const std::vector<std::size_t> steps = errors().levels(time_direction, own(time_direction));
   std::size_t first = 0;
   while (first + 2 < steps.size() && !is_negligible(moved(time_direction, steps[first]), time_direction)) ++first;
   base_[time_direction].level = steps[first];
@@ -89,10 +90,25 @@ AdviceStatus AdviceSearch::find() {
       runs_.carry_out({plan->point});
       continue;
     }
+    if (const AdvicePoint twin = twin_of(plan->point); !twin.empty()) {
+      runs_.carry_out({twin});
+      continue;
+    }
     if (!needs_perturbation(plan->point)) break;
     if (!is_predictable(plan->point)) return AdviceStatus::Chaotic;
   }
   return AdviceStatus::Advised;
+}
+
+/// Returns the plan with twice the step, if that run is to be carried out: a step may cause more error on the plan's
+/// mesh than on a much coarser base.
+AdvicePoint AdviceSearch::twin_of(const AdvicePoint& plan) const {
+  const bool near = plan[mesh_direction].branch == own(mesh_direction) &&
+                    plan[mesh_direction].level < base_[mesh_direction].level + far_from_base;
+  if (near || plan[time_direction].level == 0) return {};
+  AdvicePoint twin = plan;
+  --twin[time_direction].level;
+  return runs_.sample(twin) != nullptr || !runs_.affords(costs().seconds(twin)) ? AdvicePoint() : twin;
 }
 
 /// Runs coarse steps until some reach their end, on the coarsest mesh on which any do, and chooses the base.
@@ -116,10 +132,10 @@ bool AdviceSearch::start() {
     }
     for (std::size_t level = least_points; level < levels(time_direction); ++level) {
       const AdvicePoint next = moved(time_direction, level);
-      if (errors().tested(time_direction, 0) > 0 || !runs_.affords(costs().seconds(next))) break;
+      if (errors().tested(time_direction, own(time_direction)) > 0 || !runs_.affords(costs().seconds(next))) break;
       runs_.carry_out({next});
     }
-    const std::vector<std::size_t> good = errors().levels(time_direction, 0);
+    const std::vector<std::size_t> good = errors().levels(time_direction, own(time_direction));
     if (good.empty()) continue;
     base_[time_direction].level = good.back();
     coarsest_mesh_ = base_[mesh_direction].level;

@@ -55,7 +55,11 @@ class AdviceSearch {
   bool pays(double seconds, const AdviceCandidate& plan) const;
   AdvicePoint moved(std::size_t d, std::size_t level) const;
   std::vector<AdvicePoint> missing_line(const AdvicePoint& base, std::size_t d) const;
-  std::size_t levels(std::size_t d) const { return directions_.all[d].branches[0].levels.size(); }
+  std::size_t own(std::size_t d) const { return base_[d].branch; }
+  std::size_t levels(std::size_t d) const { return directions_.all[d].branches[own(d)].levels.size(); }
+  bool adopt_better_cells();
+  AdvicePoint twin_of(const AdvicePoint& plan) const;
+  double cost_of_cells(std::size_t branch, std::size_t quantity, double limit) const;
 
   const AdviceQuestion& question_;
   const AdviceOptions& options_;
@@ -69,6 +73,7 @@ class AdviceSearch {
   std::vector<double> last_part_;  ///< of each direction: its part before the last refinement
   std::vector<Sensitivity> sensitivities_;
   std::vector<AdvicePoint> perturbed_;
+  bool sought_better_cells_ = false;
   std::string problem_, obstacle_;
 };
 

@@ -12,16 +12,16 @@ constexpr std::size_t most_rounds = 100;
 
 }  // namespace
 
-/// Returns the coarsest settings with the scene's own scheme and elements within the tolerance, or the finest tested.
+/// Returns the coarsest settings with the base's scheme and elements within the tolerance, or the finest tested.
 AdvicePoint AdviceSearch::own_plan(const std::vector<AdviceCandidate>& all) const {
-  const auto own = std::find_if(all.begin(), all.end(), [&](const AdviceCandidate& each) {
-    return each.error <= question_.tolerance && each.point[time_direction].branch == 0 &&
-           each.point[mesh_direction].branch == 0;
+  const auto found = std::find_if(all.begin(), all.end(), [&](const AdviceCandidate& each) {
+    return each.error <= question_.tolerance && each.point[time_direction].branch == base_[time_direction].branch &&
+           each.point[mesh_direction].branch == base_[mesh_direction].branch;
   });
-  if (own != all.end()) return own->point;
+  if (found != all.end()) return found->point;
   const AdviceErrors known = errors();
   AdvicePoint corner = base_;
-  for (std::size_t d = 0; d < corner.size(); ++d) corner[d].level = known.finest(d, 0);
+  for (std::size_t d = 0; d < corner.size(); ++d) corner[d].level = known.finest(d, own(d));
   return corner;
 }
 
@@ -57,7 +57,7 @@ bool AdviceSearch::try_best(std::vector<AdviceTrial> trials, const std::vector<d
 /// Tries other branches of a direction before a dear refinement.
 bool AdviceSearch::try_before(std::size_t d) {
   std::vector<double> allowance(directions_.all.size(), 0);
-  const std::size_t next = std::min(errors().finest(d, 0) + 1, levels(d) - 1);
+  const std::size_t next = std::min(errors().finest(d, own(d)) + 1, levels(d) - 1);
   allowance[d] = costs().seconds(moved(d, next));
   const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);
   std::vector<AdviceTrial> trials =
@@ -74,7 +74,7 @@ bool AdviceSearch::try_before(std::size_t d) {
 bool AdviceSearch::confirm_order(const AdviceCandidate& plan, double least) {
   const AdviceErrors known = errors();
   for (std::size_t d : {time_direction, mesh_direction}) {
-    const AdvicePoint next = moved(d, known.finest(d, 0) + 1);
+    const AdvicePoint next = moved(d, known.finest(d, own(d)) + 1);
     if (next[d].level >= levels(d) || runs_.sample(next) != nullptr) continue;
     const AdviceCosts cost = costs();
     const std::vector<AdviceCandidate> hoped = candidates(directions_, known.hopeful(d), cost, 0);

@@ -28,7 +28,7 @@ double largest_base_error(double tolerance) { return std::sqrt(tolerance) / 2; }
 /// Runs the next finer level of a direction at the base. Returns whether it reached its end; if not, obstacle_ says
 /// why, unless it has an earlier reason of this round.
 bool AdviceSearch::extend(std::size_t d) {
-  const std::size_t level = errors().finest(d, 0) + 1;
+  const std::size_t level = errors().finest(d, own(d)) + 1;
   if (level >= levels(d)) {
     meets(fmt::format("The {} has no finer level.", directions_.all[d].name));
     return false;
@@ -58,11 +58,13 @@ void AdviceSearch::meets(const std::string& obstacle) {
 bool AdviceSearch::extend_or_move(std::size_t d) {
   if (extend(d)) return true;
   if (d > mesh_direction) return false;
-  const std::size_t level = errors().finest(d, 0) + 1, other = d == time_direction ? mesh_direction : time_direction;
+  const std::size_t level = errors().finest(d, own(d)) + 1,
+                    other = d == time_direction ? mesh_direction : time_direction;
   if (level >= levels(d) || runs_.sample(moved(d, level)) == nullptr) return false;
   const std::vector<AdviceSample>& all = runs_.samples();
   const auto failed = [&](const AdviceSample& sample) {
-    return !sample.good && sample.point[d] == AdvicePlace{0, level};
+    return !sample.good && sample.point[d].level == level && sample.point[d].branch == own(d) &&
+           sample.point[other].branch == own(other);
   };
   if (std::count_if(all.begin(), all.end(), failed) > most_failures) return false;
   const bool more = finer_base(other).empty() && extend(other);
@@ -78,7 +80,10 @@ bool AdviceSearch::extend_or_move(std::size_t d) {
 bool AdviceSearch::has_line(std::size_t d) const {
   if (std::all_of(is_error_.begin(), is_error_.end(), [](bool is_error) { return is_error; })) return true;
   const std::size_t first = d == mesh_direction ? coarsest_mesh_ : 0;
-  return errors().tested(d, 0) >= std::min(least_points, levels(d) - first);
+  const AdviceErrors known = errors();
+  // Elements of a higher order are judged by those that were refined before, too.
+  const std::size_t least = d == mesh_direction && own(d) != 0 && known.tested(d, 0) >= least_points ? 2 : least_points;
+  return known.tested(d, own(d)) >= std::min(least, levels(d) - first);
 }
 
 /// Returns whether the error of a direction at the base is so large that it may change those of other directions.
@@ -103,7 +108,7 @@ bool AdviceSearch::spoils(std::size_t d, std::size_t other) const {
 /// Returns the runs that the line of a direction through another base needs, and that were not carried out: the base
 /// and the finest levels that the present line has.
 std::vector<AdvicePoint> AdviceSearch::missing_line(const AdvicePoint& base, std::size_t d) const {
-  std::vector<std::size_t> wanted = errors().levels(d, 0);
+  std::vector<std::size_t> wanted = errors().levels(d, own(d));
   wanted.erase(wanted.begin(), wanted.end() - static_cast<long>(std::min(most_points, wanted.size())));
   wanted.push_back(base[d].level);
   std::vector<AdvicePoint> missing;
@@ -118,7 +123,7 @@ std::vector<AdvicePoint> AdviceSearch::missing_line(const AdvicePoint& base, std
 /// Returns the next finer base in a direction; none if the line does not reach it.
 AdvicePoint AdviceSearch::finer_base(std::size_t d) const {
   const AdvicePoint next = moved(d, base_[d].level + 1);
-  if (next[d].level > errors().finest(d, 0)) return {};
+  if (next[d].level > errors().finest(d, own(d))) return {};
   const AdviceSample* sample = runs_.sample(next);
   return sample != nullptr && sample->good ? next : AdvicePoint();
 }
@@ -151,7 +156,7 @@ bool AdviceSearch::move_base(const std::vector<std::size_t>& directions) {
 double AdviceSearch::finest_part(std::size_t d) const {
   const AdviceErrors known = errors();
   double most = 0;
-  for (const std::vector<double>& parts : known.estimate(moved(d, known.finest(d, 0))).parts)
+  for (const std::vector<double>& parts : known.estimate(moved(d, known.finest(d, own(d)))).parts)
     most = std::max(most, parts[d]);
   return most;
 }
@@ -161,7 +166,9 @@ double AdviceSearch::finest_part(std::size_t d) const {
 /// that has an error to speak of.
 bool AdviceSearch::refine_line(std::size_t d) {
   const double part = finest_part(d);
-  const bool irregular = !errors().has_order(d), futile = part > helpful * last_part_[d];
+  const AdviceErrors known = errors();
+  const bool irregular = !known.has_order(d) && known.tested(d, own(d)) >= least_points,
+             futile = part > helpful * last_part_[d];
   const std::size_t other = d == time_direction ? mesh_direction : time_direction;
   if ((irregular || futile) && d <= mesh_direction && !is_negligible(base_, other) && move_base({other})) {
     last_part_[d] = std::numeric_limits<double>::infinity();
@@ -175,7 +182,7 @@ bool AdviceSearch::refine_line(std::size_t d) {
 bool AdviceSearch::sharpen() {
   const AdviceErrors known = errors();
   AdvicePoint corner = base_;
-  for (std::size_t d = 0; d < corner.size(); ++d) corner[d].level = known.finest(d, 0);
+  for (std::size_t d = 0; d < corner.size(); ++d) corner[d].level = known.finest(d, own(d));
   const AdviceEstimate estimate = known.estimate(corner);
   const std::size_t q = estimate.worst_quantity();
   const std::vector<double>& parts = estimate.parts[q];
@@ -196,7 +203,8 @@ bool AdviceSearch::sharpen() {
 bool AdviceSearch::examine_suspects() {
   const AdviceErrors known = errors();
   for (std::size_t d = mesh_direction + 1; d < directions_.all.size(); ++d)
-    if (directions_.all[d].suspect && known.finest(d, 0) == directions_.all[d].scene_level && extend(d)) return true;
+    if (directions_.all[d].suspect && known.finest(d, own(d)) == directions_.all[d].scene_level && extend(d))
+      return true;
   return false;
 }
 
@@ -211,6 +219,7 @@ AdviceStatus AdviceSearch::refine() {
       break;
     }
     if (examine_suspects()) continue;
+    if (adopt_better_cells()) continue;
     if (spoils(mesh_direction, time_direction) && move_base({mesh_direction})) continue;
     if (spoils(time_direction, mesh_direction) && move_base({time_direction})) continue;
     const std::vector<AdviceCandidate> all = candidates(directions_, errors(), costs(), 0);

@@ -110,8 +110,10 @@ AskedQuantity::AskedQuantity(const std::string& text) : text_(single_spaced(text
 void AskedQuantity::refuse(const std::string& why) const { throw InputError("\"" + text_ + "\": " + why); }
 
 void AskedQuantity::check_columns(const std::vector<std::string>& names) const {
-  if (std::find(names.begin(), names.end(), column_) == names.end())
-    refuse(no_such("column", column_, names, "The scene's history.csv has"));
+  if (std::find(names.begin(), names.end(), column_) != names.end()) return;
+  if (column_.rfind("norm_", 0) == 0)
+    refuse("column \"" + column_ + "\" does not exist; list the field in Output/Norms of the scene");
+  refuse(no_such("column", column_, names, "The scene's history.csv has"));
 }
 
 void AskedQuantity::check_times(double from, double to) const {

@@ -16,6 +16,7 @@ constexpr double agreement = 0.2;       ///< part of the order by which two orde
 constexpr double confirmed_part = 0.5;  ///< uncertainty over the extrapolated error, of a confirmed order
 constexpr double single_part = 2;       ///< the same, of an order that three points alone give
 constexpr double bound_factor = 1.5;    ///< of a bound by differences
+constexpr double power_of_earlier = 2;  ///< of the size, with which a difference before the last two falls
 constexpr double slowest = 0.4;         ///< power of the size with which differences fall at least
 constexpr double rounding = 1e-13;      ///< part of a value below which a difference is rounding
 
@@ -98,7 +99,9 @@ SequenceErrors sequence_errors(const std::vector<SequencePoint>& points, bool ma
   result.limit = finest.value;
   double largest = 0, magnitude = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    largest = std::max(largest, std::abs(points[i].value - points[i - 1].value) * finest.size / points[i].size);
+    const double power = may_fall_slowly && i + 2 < points.size() ? power_of_earlier : 1;
+    largest = std::max(largest,
+                       std::abs(points[i].value - points[i - 1].value) * std::pow(finest.size / points[i].size, power));
     magnitude = std::max(magnitude, std::abs(points[i].value));
   }
   if (largest <= rounding * magnitude) {

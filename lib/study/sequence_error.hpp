@@ -35,7 +35,8 @@ struct SequenceErrors {
 /// reduced in proportion to the size: this holds for a sequence whose errors fall at least in proportion to the size,
 /// and also for one that oscillates. A sequence of two points is bounded in this way. If
 /// `may_fall_slowly` and the last two differences have the same sign and fall more slowly, with the power 0.4 or more,
-/// the bound grows to what is left with that power: meshes converge slowly before edges.
+/// the bound grows to what is left with that power: meshes converge slowly before edges. With `may_fall_slowly`, the
+/// last two differences therefore tell how slowly; earlier ones are reduced with the square of the size.
 ///
 /// Each error is at least that of every finer point: a coarse value near the limit is a coincidence.
 ///

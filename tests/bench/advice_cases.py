@@ -251,8 +251,10 @@ def main():
     options.output.mkdir(parents=True, exist_ok=True)
     record = options.output / "cases.jsonl"
     done = lines(record)
-    if any(case["seed"] != options.seed for case in done):
-        sys.exit(f"{record} has the cases of another seed; choose another --output")
+    settings = {name: getattr(options, name) for name in ("seed", "budget", "reference", "reference_always", "grid")}
+    for name, value in settings.items():
+        if any(case["options"][name] != value for case in done):
+            sys.exit(f"{record} has cases with another --{name.replace('_', '-')}; choose another --output")
     end = time.monotonic() + 60 * options.minutes
     for number in range(options.first, options.first + options.cases):
         if time.monotonic() > end:
@@ -264,7 +266,7 @@ def main():
         case = advice_scenes.draw(options.seed, number)
         runs = Runs(case, folder, options.drivers.resolve())
         begin = time.monotonic()
-        case = dict(measure(case, runs, options), seed=options.seed)
+        case = dict(measure(case, runs, options), options=settings)
         advised = sum("kept" in other for other in done)
         if case.get("kept") and options.grid and advised % options.grid == 0:
             case.update(grid(case, runs))

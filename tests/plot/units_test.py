@@ -45,7 +45,8 @@ class UnitsTest(ScriptTest):
 
     def test_scene_units_stay_without_the_option(self):
         for quantity, dimension, name in (("force", 2, "E₀ L₀"), ("force", 3, "E₀ L₀²"), ("energy", 3, "E₀ L₀³"),
-                                          ("speed", 2, "L₀/T₀"), ("measure", 2, "L₀"), ("time", 2, "T₀")):
+                                          ("speed", 2, "L₀/T₀"), ("measure", 2, "L₀"), ("time", 2, "T₀"),
+                                          ("acceleration", 3, "L₀/T₀²")):
             self.assertEqual(units.name(quantity, dimension), name)
         folder = self.measured("plain", 1e-9, 2e9, 1e-9)
         self.assertEqual(Run(folder)["time"][1], 0.1)
@@ -78,6 +79,7 @@ class UnitsTest(ScriptTest):
                  for dimension in (2, 3)}
         self.assertEqual([names[q] for q in (("time", 2), ("length", 3), ("speed", 2), ("stress", 3), ("measure", 3))],
                          ["ns", "nm", "m/s", "GPa", "nm²"])
+        self.assertEqual(names["acceleration", 3], "Gm/s²")  # L0/T0^2 = 1e9 m/s^2
         # E0 L0 = 2 N/m; E0 L0^2 = 2 nJ/m, or 2 nN; E0 L0^3 = 2e-18 J; E0 L0^2 T0 = 2e-18 N s.
         self.assertEqual([names[q] for q in (("force", 2), ("energy", 2), ("force", 3), ("energy", 3), ("momentum", 3))],
                          ["N/m", "nJ/m", "nN", "aJ", "aN s"])
@@ -107,7 +109,11 @@ class UnitsTest(ScriptTest):
                                  ("moment_Jaw_z", "moment"), ("friction_force_Wall_x", "force"),
                                  ("mean_slip_Upper wall", "length"), ("sliding_measure_Wall", "measure"),
                                  ("sticking_measure_Wall", "measure"), ("dissipated_friction_of_Wall", "energy"),
-                                 ("dissipated_damping", "energy"), ("contact_force_y", "force"), ("P_ux", "length"),
+                                 ("dissipated_damping", "energy"), ("norm_displacement", "length"),
+                                 ("norm_velocity", "speed"), ("norm_acceleration", "acceleration"),
+                                 ("norm_stress", "stress"), ("norm_von_mises_stress", "stress"),
+                                 ("norm_energy_density", "stress"), ("norm_dissipated_energy_density", "stress"),
+                                 ("norm_jacobian", None), ("contact_force_y", "force"), ("P_ux", "length"),
                                  ("angular_momentum_z", "angular momentum"), ("newton_iterations", None)):
             self.assertEqual(quantity(column), expected, column)
         self.assertEqual([units.name("moment", dimension) for dimension in (2, 3)], ["E₀ L₀²", "E₀ L₀³"])

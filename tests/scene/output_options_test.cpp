@@ -39,6 +39,7 @@ TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
   EXPECT_EQ(output.interaction_columns, fresh.interaction_columns);
   EXPECT_TRUE(output.reactions.empty());
   EXPECT_TRUE(output.fields.empty());
+  EXPECT_TRUE(output.norms.empty());
   EXPECT_TRUE(output.quantities.empty());
 }
 
@@ -56,6 +57,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
   user.set("Quantities", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("work", "mean x [1, 2]")));
   user.set("Fields", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("default", "stress")));
+  user.set("Norms", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("stress", "velocity")));
   user.sublist("Checkpoint").set("Interval", 5);
   user.sublist("Checkpoint").set("Wall-Clock Interval", 60.0);
   user.sublist("Checkpoint").set("Keep", 7);
@@ -79,6 +81,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
   EXPECT_EQ(output.quantities, (std::vector<std::string>{"work", "mean x [1, 2]"}));
   EXPECT_EQ(output.fields, (std::vector<std::string>{"default", "stress"}));
+  EXPECT_EQ(output.norms, (std::vector<std::string>{"stress", "velocity"}));
 }
 
 TEST(OutputOptionsTest, SeveralInteractionsHaveColumnsOfTheirOwn) {

@@ -59,13 +59,55 @@ TEST_F(AdviceErrorsTest, OneRunOfAnotherSchemeMayBeLuck) {
   std::vector<AdviceSample> samples = cross(directions_, base_, 3, 2, formula);
   const AdvicePoint other{{1, 2}, {0, 0}, {0, 0}}, coarser{{1, 1}, {0, 0}, {0, 0}};
   samples.push_back(sample_of(directions_, other, formula));
-  EXPECT_LT(errors(samples).finest_error(0, 1), 0.01);
+  EXPECT_LT(errors(samples).finest_error(0, 1, 0), 0.01);
   EXPECT_TRUE(std::isinf(errors(samples).estimate(other).largest()));
   samples.push_back(sample_of(directions_, coarser, formula));
   // The error of the coarser run, 0.075, counts as falling with second order at most.
   EXPECT_GE(errors(samples).estimate(other).parts[0][0], 0.075 / 4);
   EXPECT_GE(errors(samples).estimate(coarser).parts[0][0], 0.07);
   EXPECT_TRUE(std::isinf(errors(samples).estimate({{1, 3}, {0, 0}, {0, 0}}).largest())) << "finer than its runs";
+}
+
+TEST_F(AdviceErrorsTest, TheBranchOfTheBaseLeads) {
+  // The base has the other element, of second order; the first one has an error of first order.
+  const auto formula = [](double dt, double h, const AdvicePoint& point) {
+    return exact * (1 + 0.1 * dt * dt + (point[1].branch == 1 ? 0.02 * h * h : 0.2 * h));
+  };
+  const AdvicePoint base{{0, 2}, {1, 0}, {0, 0}};
+  std::vector<AdviceSample> samples = cross(directions_, base, 3, 2, formula);
+  const AdviceErrors found(directions_, base, samples, {false}, {0.0});
+  EXPECT_EQ(found.own(mesh_direction), 1U);
+  EXPECT_NEAR(found.exact(0), exact, 1e-6);
+  EXPECT_NEAR(found.estimate({{0, 3}, {1, 2}, {0, 0}}).parts[0][1], 0.02 / 16 * 3, 1e-4);
+  // Runs of the first element are judged by that limit.
+  for (std::size_t level : {0, 1}) samples.push_back(sample_of(directions_, {{0, 2}, {0, level}, {0, 0}}, formula));
+  const AdviceErrors both(directions_, base, samples, {false}, {0.0});
+  EXPECT_NEAR(both.estimate({{0, 2}, {0, 1}, {0, 0}}).parts[0][1], 0.1, 0.01);
+}
+
+TEST_F(AdviceErrorsTest, TwoSizesThatAgreeAreDoubtedIfOthersDiffer) {
+  // Two meshes of the other element agree, 0.1 away from the limit that the first element approaches.
+  const auto formula = [](double, double h, const AdvicePoint& point) {
+    return exact * (1 + (point[1].branch == 1 ? 0.1 : 0.05 * h));
+  };
+  const AdvicePoint base{{0, 2}, {1, 0}, {0, 0}};
+  std::vector<AdviceSample> samples = cross(directions_, base, 3, 1, formula);
+  for (std::size_t level : {0, 1, 2}) samples.push_back(sample_of(directions_, {{0, 2}, {0, level}, {0, 0}}, formula));
+  const AdviceErrors found(directions_, base, samples, {false}, {0.0});
+  // A third of the distance at least, from 1.1 to the limit 1.
+  EXPECT_GE(found.estimate(base).parts[0][1], 0.1 / 3 / 1.1);
+}
+
+TEST_F(AdviceErrorsTest, AStepOnAFineMeshCountsBesideTheBase) {
+  const auto formula = [](double dt, double h, const AdvicePoint&) {
+    return exact * (1 + (h < 0.3 ? 1.0 : 0.01) * dt * dt);
+  };
+  std::vector<AdviceSample> samples = cross(directions_, base_, 4, 2, formula);
+  const AdvicePoint fine{{0, 4}, {0, 2}, {0, 0}}, twin{{0, 3}, {0, 2}, {0, 0}};
+  samples.push_back(sample_of(directions_, fine, formula));
+  EXPECT_LT(errors(samples).estimate(fine).parts[0][0], 1e-3);
+  samples.push_back(sample_of(directions_, twin, formula));
+  EXPECT_GE(errors(samples).estimate(fine).parts[0][0], 1.0 / 256);  // (1/16)^2
 }
 
 TEST_F(AdviceErrorsTest, ChoicesCountFromTheScenesOwn) {

@@ -75,5 +75,22 @@ TEST_F(AdviceExplorationTest, ABetterChoicePromisesMore) {
   EXPECT_GT(next[0].promise, 1);
 }
 
+// One quantity has an uncertain limit, which says nothing of the other quantity.
+TEST_F(AdviceExplorationTest, EachQuantityIsComparedWithItself) {
+  const auto both = [&](const AdvicePoint& point) {
+    AdviceSample sample = test::sample_of(directions_, point, formula);
+    sample.values.push_back(point[0].level % 2 == 0 ? 1.2 : 0.8);
+    return sample;
+  };
+  std::vector<AdviceSample> samples;
+  for (const AdviceSample& sample : samples_) samples.push_back(both(sample.point));
+  samples.push_back(both({{1, 1}, {0, 1}, {0, 0}}));
+  const AdviceErrors errors(directions_, base_, samples, {false, false}, {0.0, 0.0});
+  double promise = 0;
+  for (const AdviceTrial& trial : explorations(directions_, base_, plan_, samples, errors, 1e-3))
+    if (trial.direction == time_direction) promise = trial.promise;
+  EXPECT_GT(promise, 3) << "ten times as accurate";
+}
+
 }  // namespace
 }  // namespace ixos

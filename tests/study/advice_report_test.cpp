@@ -57,7 +57,14 @@ TEST_F(AdviceReportTest, TellsTheSmallestErrorIfNothingIsGoodEnough) {
                       "the mesh"),
             std::string::npos)
       << text;
+  EXPECT_NE(text.find("The runs do not tell what budget would do.\n"), std::string::npos) << text;
+  advice_.budget = 20;
+  advice_.sufficient_budget = 130;
+  const std::string hopeful = advice_text(question_, advice_);
+  EXPECT_NE(hopeful.find("If errors and costs go on as they did, a budget of 1.3e+02 s will do.\n"), std::string::npos)
+      << hopeful;
   write_advice(question_, advice_, folder_.path(), "command", "1");
+  EXPECT_EQ(nlohmann::json::parse(test::contents(folder_.path() + "/advice.json"))["sufficient_budget_seconds"], 130);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() + "/advised.xml"));
 }
 

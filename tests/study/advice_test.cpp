@@ -169,6 +169,36 @@ TEST_F(AdviceTest, AToleranceThatNothingReaches) {
   EXPECT_NE(text.find("limited by the mesh"), std::string::npos) << text;
 }
 
+TEST_F(AdviceTest, CellsOfAHigherOrderLeadWhereOthersConvergeSlowly) {
+  // 0.005 of the tolerance needs h = 0.01 with linear cells, which no mesh has, and h = 0.5 with quadratic ones.
+  const Advice found = advice("1 + dt**2 + (0.02 * h**2 if element == 'Q2C2' else 0.5 * h)", 0.01);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  EXPECT_LE(dt * dt + 0.02 * h * h, 0.01);
+  for (const AdviceSample& sample : found.samples)
+    if (sample.point[mesh_direction].branch == 0) {
+      EXPECT_LE(sample.point[mesh_direction].level, 2U) << "three coarse meshes tell how slow linear cells are";
+    }
+}
+
+TEST_F(AdviceTest, TwoMeshesThatAgreeByCoincidenceAreDoubted) {
+  // With quadratic cells, the two coarsest meshes have the same error of 8 %, the others less.
+  const Advice found = advice("1 + dt**2 + (min(0.08, 0.02 * h**2) if element == 'Q2C2' else 0.04 * h)", 0.02);
+  if (found.status == AdviceStatus::Advised) {
+    const double dt = size(found, time_direction), h = size(found, mesh_direction);
+    const bool quadratic = branch_at(found.directions, found.best.point, mesh_direction).higher_order;
+    EXPECT_LE(dt * dt + (quadratic ? std::min(0.08, 0.02 * h * h) : 0.04 * h), 0.02) << told_;
+  }
+}
+
+TEST_F(AdviceTest, AStepIsMeasuredAnewOnAFineMesh) {
+  // On coarse meshes the step has hardly any effect.
+  const Advice found = advice("1 + 0.08 * h**2 + (9 if h < 0.9 else 0.2) * dt**2", 0.02);
+  ASSERT_EQ(found.status, AdviceStatus::Advised) << found.problem << told_;
+  const double dt = size(found, time_direction), h = size(found, mesh_direction);
+  EXPECT_LE(0.08 * h * h + (h < 0.9 ? 9 : 0.2) * dt * dt, 0.02) << told_;
+}
+
 TEST_F(AdviceTest, ChoicesThatCostNothingAreTaken) {
   // Another scheme is nine times as accurate as Newmark.
   const Advice found = advice("1 + (0.5 if scheme == 'Bathe Composite' else 4.5) * dt**2 + 0.001 * h**2", 0.01);

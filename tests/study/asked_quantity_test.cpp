@@ -89,6 +89,7 @@ TEST_F(AskedQuantityTest, TextsThatAreNoQuantity) {
 }
 
 TEST_F(AskedQuantityTest, ColumnsWindowsAndEventsThatAreNot) {
+  expect_refused("final norm_velocity", "column \"norm_velocity\" does not exist; list the field in Output/Norms");
   expect_refused("peak forse", "column \"forse\" does not exist; did you mean \"force\"?");
   expect_refused("mean force [11, 12]", "the run ended at 10 T0, before the end of the window");
   expect_refused("mean force [3.001, 3.009]", "the window holds no rows");

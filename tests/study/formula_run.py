@@ -5,7 +5,7 @@
 
 IXOS_FORMULA is an expression in Python: the value of the column "force", and the energy error. It may use dt, the step;
 h, 8 over the number of cells along the box; scheme; element; tolerance, of Newton's method; change, the relative
-change of the density; and sin. If it is negative, the run diverges. Each run adds a line to the file runs.txt beside
+change of the density; sin and min. If it is negative, the run diverges. Each run adds a line to the file runs.txt beside
 the scene. Processor time grows with steps and cells.
 """
 import json
@@ -32,7 +32,7 @@ def main():
         file.write(folder.name + "\n")
     values = {"dt": dt, "h": 8 / cells, "scheme": scheme, "element": names.get("Contact Element", "Q1C1"),
               "tolerance": float(settings.get("Nonlinear Solver/Tolerance", 1e-11)),
-              "change": float(names.get("Density", DENSITY)) / DENSITY - 1, "sin": math.sin}
+              "change": float(names.get("Density", DENSITY)) / DENSITY - 1, "sin": math.sin, "min": min}
     value = eval(os.environ["IXOS_FORMULA"], {"__builtins__": {}}, values)
     steps = math.ceil(end / dt)
     total = 0.0

@@ -76,6 +76,16 @@ TEST(SequenceErrorTest, AnOscillationIsBounded) {
   expect_bounds(points, found, 1.0);
 }
 
+TEST(SequenceErrorTest, AnAdviceTrustsTheLastTwoDifferences) {
+  const std::vector<SequencePoint> points{{1, 1.2}, {0.5, 0.9}, {0.25, 1.04}, {0.125, 1.0}};
+  // The difference 0.3 counts as falling with the square of the size, 0.14 and 0.04 in proportion to it.
+  EXPECT_NEAR(sequence_errors(points, true).errors[3], 1.5 * 0.07, 1e-12);
+  const std::vector<SequencePoint> calm{{1, 1.2}, {0.5, 0.9}, {0.25, 1.001}, {0.125, 1.0}};
+  EXPECT_NEAR(sequence_errors(calm, true).errors[3], 1.5 * 0.0505, 1e-12);
+  const std::vector<SequencePoint> calmer{{1, 1.2}, {0.5, 0.9}, {0.25, 0.901}, {0.125, 0.9}};
+  EXPECT_NEAR(sequence_errors(calmer, true).errors[3], 1.5 * 0.3 / 16, 1e-12);
+}
+
 TEST(SequenceErrorTest, ALuckyCrossingCountsAsTheFinerErrors) {
   // The ball with Generalized-Alpha: 0.052 at 0.005 T0, but 0.26 at 0.001 T0.
   const std::vector<SequencePoint> points{{0.01, 1.9}, {0.005, 1.052}, {0.001, 1.26}, {0.0005, 1.1}};

@@ -35,7 +35,12 @@ def oscillation(mass, damping):
 
     def displacement(t):
         return 0.1 / w * math.exp(-damping * t / 2) * math.sin(w * t)
-    return {"final P_ux": displacement(5), "peak P_ux": displacement(math.atan2(w, damping / 2) / w),
+
+    def velocity(t):
+        return 0.1 * math.exp(-damping * t / 2) * (math.cos(w * t) - damping / 2 / w * math.sin(w * t))
+    root = math.sqrt(3)  # the displacement is linear in x
+    return {"final P_ux": displacement(5), "final norm_displacement": abs(displacement(5)) / root,
+            "value norm_velocity at 2.5": abs(velocity(2.5)) / root, "peak P_ux": displacement(math.atan2(w, damping / 2) / w),
             "time of P_ux below 0": math.pi / w}
 
 
