@@ -98,11 +98,8 @@ Point<2> descend(const PlacedPatch<2>& curve, const Vec<2>& place, double t) {
     (slope > 0 ? high : low) = t;
     const double step = -slope / (inner(frame.tangents[0], frame.tangents[0]) + inner(r, frame.bends[0]));
     double next = t + step;
-    if (std::abs(step) < 1e-9 && next > 0 && next < 1) {
-      // The next step would be of the order of this one's square.
-      const Vec<2> turn = step * frame.bends[0];
-      return {{next}, {frame.place + step * (frame.tangents[0] + 0.5 * turn), {frame.tangents[0] + turn}, frame.bends}};
-    }
+    // The next step would be of the order of this one's square.
+    if (std::abs(step) < 1e-9 && next > 0 && next < 1) return {{next}, curve.frame({next})};
     if (!(next > low && next < high)) next = next <= 0 && low == 0 ? 0 : next >= 1 && high == 1 ? 1 : (low + high) / 2;
     t = next;
   }
