@@ -63,6 +63,7 @@ std::vector<EarlierFeet<D>> earlier_feet(const PairTimes<D>& times, const PairTi
       if (motion < own.motion) {
         own.last = &(*earlier)[k];
         own.motion = motion;
+        own.same = own.last->places.secondary == places.secondary && own.last->places.primary == places.primary;
         continue;
       }
     }

@@ -48,6 +48,7 @@ using PairTimes = std::vector<PairContacts<D>>;
 template <std::size_t D>
 struct EarlierFeet {
   const PairContacts<D>* last = nullptr;          ///< at the places that are nearest
+  bool same = false;                              ///< these are the present ones
   const PairContacts<D>* last_but_one = nullptr;  ///< at places before them on the same path, or null
   double longer = 0;                              ///< the way since the last places over that between the two
   double motion = 0;                              ///< a bound on the change of a gap since the last places [L0]

@@ -263,10 +263,12 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
         contact.foot.gap = nan;
         contact.foot.normal.fill(nan);
         for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
+      } else if (const Contact* const known = earlier.same ? earlier.last->find(s, q) : nullptr; known != nullptr) {
+        contact.foot = known->foot;  // to the last bit, whatever neighbours a search found in between
       } else if (lead > 0 && holds(earlier, s, q, candidates)) {
-        const int known = earlier.last->find(s, q)->foot.patch;
-        if (known >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
-        contact.foot.lead = contact.foot.patch == known ? lead : 0;
+        const int patch = earlier.last->find(s, q)->foot.patch;
+        if (patch >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
+        contact.foot.lead = contact.foot.patch == patch ? lead : 0;
       } else if (sight_) {
         contact.foot = contacts.primary->nearest_of(candidates, place, range);
       } else if (candidates.empty()) {
