@@ -397,7 +397,8 @@ TEST(TwoLevelSerialTest, LargeQuadraticMeshesGetItInSpace) {
   };
   EXPECT_EQ(choice(3, 30001, true), "Two-Level Direct Matrix-Free");
   EXPECT_EQ(choice(3, 1000000, true), "Two-Level MueLu Matrix-Free");
-  EXPECT_EQ(choice(3, 30000, true), "Direct");
+  EXPECT_EQ(choice(3, 2001, true), "Two-Level Direct Matrix-Free") << "compact";
+  EXPECT_EQ(choice(3, 30000, true, "Assembled"), "Direct");
   EXPECT_EQ(choice(3, 30001, false), "MueLu");
   EXPECT_EQ(choice(3, 30001, true, "Assembled"), "MueLu");
   EXPECT_EQ(choice(2, 300001, true), "MueLu");
