@@ -182,15 +182,6 @@ struct Objective {
     return result;
   }
   Point<3> point() const { return {xi, frame}; }
-  /// Returns the point after a step of less than 1e-7, in which third derivatives are lost in rounding.
-  Point<3> point_at(const Parameters& next) const {
-    const double s = next[0] - xi[0], t = next[1] - xi[1];
-    const auto& [by_ss, by_st, by_tt] = frame.bends;
-    const Vec<3> turn_s = s * by_ss + t * by_st, turn_t = s * by_st + t * by_tt;
-    const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
-    return {next,
-            {frame.place + (s * (a + 0.5 * turn_s) + t * (b + 0.5 * turn_t)), {a + turn_s, b + turn_t}, frame.bends}};
-  }
 };
 
 /// Minimises the distance by Newton's method, projected to the unit square.
@@ -206,7 +197,7 @@ Point<3> refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Paramete
       // Differences of the distance are rounding. Newton's next step would be of the order of this one's square, unless
       // a bound stops this one.
       const bool stopped = next[0] != here.xi[0] + step[0] || next[1] != here.xi[1] + step[1];
-      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return here.point_at(next);
+      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return {next, patch.frame(next)};
       here = Objective(patch, place, next);
       continue;
     }

@@ -176,7 +176,8 @@ std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, cons
 template <std::size_t D>
 std::vector<int> PlacedSurface<D>::reduced(const Vec<D>& center, double radius, double range, double slack) const {
   const SurfaceFoot<D> foot = nearest(center, range + radius);
-  const double farthest = std::min(range, std::abs(foot.gap) + radius) + radius + slack;
+  const double distance = foot.patch < 0 ? range + radius : length(center - foot.frame.place);
+  const double farthest = std::min(range, distance + radius) + radius + slack;
   return near(std::array<Vec<D>, 1>{center}, farthest);
 }
 

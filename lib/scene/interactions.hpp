@@ -59,8 +59,8 @@ std::vector<double> nodal_factors(const std::vector<SceneInteraction>& interacti
 /// Returns the side sets of which each rank needs all sides: those of two bodies' interactions.
 std::vector<std::string> whole_side_sets(const std::vector<SceneInteraction>& interactions);
 
-/// Returns the sides of two bodies that face each other within the reach of their interactions, with those of all
-/// interactions together. A surface that interacts with itself has none.
+/// Returns the sides of two bodies that face each other within the reach of their interactions, a side once for each of
+/// its interactions. A surface that interacts with itself has none.
 FacingNodes facing_nodes(const std::vector<SceneInteraction>& interactions, const Mesh& mesh);
 
 /// Returns the name of a contact element in scenes.

@@ -145,12 +145,11 @@ double PairApproach<D>::free_step(const std::vector<Places>& times, const Places
 template <std::size_t D>
 double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start, const Places& ways) const {
   if (!start.primary) return 1;  // places are no numbers, which shows in the force
-  std::vector<double> least;
+  const auto least = [&](const Contact& at_start) {
+    return margin_ * std::min(at_start.foot.gap, points_.law().equilibrium_gap());
+  };
   double room = std::numeric_limits<double>::infinity();
-  for (const Contact& c : start.all) {
-    least.push_back(margin_ * std::min(c.foot.gap, points_.law().equilibrium_gap()));
-    room = std::min(room, gap_of(c) - least.back());
-  }
+  for (const Contact& c : start.all) room = std::min(room, gap_of(c) - least(c));
   Places x, end = start.places;
   advance<D>(end, 1, ways);
   if (points_.search().motion(start.places, end) <= room) return 1;
@@ -160,16 +159,18 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
   double done = 0;
   for (int part = 0; part < 8; ++part) {
     double own = 1 - done;
-    for (std::size_t p = 0; p < contacts->all.size(); ++p) {
-      const Contact& c = contacts->all[p];
-      if (gap_of(c) - least[p] >= own * (fastest_secondary + fastest_primary)) continue;
+    for (const Contact& c : contacts->all) {
+      const Contact* const before = start.find(c.patch, c.point);
+      if (before == nullptr) continue;  // it acts on no node of this rank, and another rank looks at it
+      const double gap = least(*before), room_of_point = gap_of(c) - gap;
+      if (room_of_point >= own * (fastest_secondary + fastest_primary)) continue;
       const Vec<D> way = interpolate(c, ways.secondary);
-      if (gap_of(c) - least[p] >= own * (length(way) + fastest_primary)) continue;
-      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, fastest_primary, least[p],
+      if (room_of_point >= own * (length(way) + fastest_primary)) continue;
+      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, fastest_primary, gap,
                                                         contacts->candidates(c)));
     }
     done += own;
-    if (own <= 0.01 * done || done >= 1) break;
+    if (own <= 0.01 * done || done >= 1) break;  // further parts are not worth their searches
     x = start.places;
     advance<D>(x, done, ways);
     later = points_.contacts({x}, PairPoints<D>::Share::Forces, -1, {start.places, end});

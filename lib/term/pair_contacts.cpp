@@ -6,7 +6,7 @@
 namespace ixos {
 namespace {
 
-/// Returns how much longer the way from b to c is than that from a to b, along the latter.
+/// Returns how much longer the way from b to c is than that from a to b, along the latter; at most twice as long.
 template <std::size_t D>
 double ratio_of_ways(const PairPlaces<D>& a, const PairPlaces<D>& b, const PairPlaces<D>& c) {
   double product = 0, square = 0;
@@ -20,7 +20,7 @@ double ratio_of_ways(const PairPlaces<D>& a, const PairPlaces<D>& b, const PairP
   };
   add(a.secondary, b.secondary, c.secondary);
   add(a.primary, b.primary, c.primary);
-  return square > 0 && std::isfinite(product / square) ? product / square : 0;
+  return square > 0 ? std::clamp(product / square, -1.0, 2.0) : 0;
 }
 
 }  // namespace
@@ -38,10 +38,11 @@ FootGuess<D> EarlierFeet<D>::guess(std::size_t secondary, std::size_t point, int
   return result;
 }
 
-/// A foot's patch comes no farther than by the motion, and others come no nearer than by it.
+/// A foot's patch comes no farther than by the motion, and others come no nearer than by it. A lead says nothing of
+/// patches that were no neighbours.
 template <std::size_t D>
 double EarlierFeet<D>::lead(std::size_t secondary, std::size_t point) const {
-  const PairContact<D>* const known = last != nullptr && last->primary ? last->find(secondary, point) : nullptr;
+  const PairContact<D>* const known = last != nullptr && same_neighbours ? last->find(secondary, point) : nullptr;
   if (known == nullptr) return 0;
   return known->foot.lead - (known->foot.patch < 0 ? 1 : 2) * motion;
 }
@@ -54,20 +55,19 @@ std::vector<EarlierFeet<D>> earlier_feet(const PairTimes<D>& times, const PairTi
     const PairPlaces<D>& places = times[k].places;
     EarlierFeet<D>& own = result[k];
     own.motion = std::numeric_limits<double>::infinity();
-    if (k > 0) {
-      own.last = &times[k - 1];
-      own.motion = search.motion(times[k - 1].places, places);
-    }
-    if (earlier != nullptr) {
-      const double motion = search.motion((*earlier)[k].places, places);
-      if (motion < own.motion) {
-        own.last = &(*earlier)[k];
-        own.motion = motion;
-        own.same = own.last->places.secondary == places.secondary && own.last->places.primary == places.primary;
-        continue;
-      }
-    }
-    if (k < 2) continue;
+    if (!times[k].primary) continue;
+    const auto look = [&](const PairContacts<D>& at) {
+      const double motion = at.primary ? search.motion(at.places, places) : own.motion;
+      if (!(motion < own.motion)) return;
+      own.last = &at;
+      own.motion = motion;
+    };
+    if (k > 0) look(times[k - 1]);
+    if (earlier != nullptr) look((*earlier)[k]);
+    if (own.last == nullptr) continue;
+    own.same = own.last->places.secondary == places.secondary && own.last->places.primary == places.primary;
+    own.same_neighbours = own.last->neighbours == times[k].neighbours;
+    if (k < 2 || own.last != &times[k - 1] || !times[k - 2].primary) continue;
     own.last_but_one = &times[k - 2];
     own.longer = ratio_of_ways(times[k - 2].places, times[k - 1].places, places);
   }

@@ -49,6 +49,7 @@ template <std::size_t D>
 struct EarlierFeet {
   const PairContacts<D>* last = nullptr;          ///< at the places that are nearest
   bool same = false;                              ///< these are the present ones
+  bool same_neighbours = false;                   ///< the search was among the same neighbours
   const PairContacts<D>* last_but_one = nullptr;  ///< at places before them on the same path, or null
   double longer = 0;                              ///< the way since the last places over that between the two
   double motion = 0;                              ///< a bound on the change of a gap since the last places [L0]

@@ -35,14 +35,6 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
            ((1 - xi[1]) * ((1 - xi[0]) * at(0) + xi[0] * at(1)) + xi[1] * ((1 - xi[0]) * at(3) + xi[0] * at(2)));
 }
 
-/// Returns whether the patch of the point's earlier foot, if it had one, is among the candidates. It may not be if that
-/// was beyond the range now.
-template <std::size_t D>
-bool holds(const EarlierFeet<D>& earlier, std::size_t patch, std::size_t point, const std::vector<int>& candidates) {
-  const int known = earlier.last->find(patch, point)->foot.patch;
-  return known < 0 || candidates.empty() || std::binary_search(candidates.begin(), candidates.end(), known);
-}
-
 /// Returns length or area for a change of the parameters.
 double stretch(const PlacedPatch<2>::Frame& frame) { return length(frame.tangents[0]); }
 double stretch(const PlacedPatch<3>::Frame& frame) { return length(cross(frame.tangents[0], frame.tangents[1])); }
@@ -212,14 +204,14 @@ std::vector<char> PairPoints<D>::acting(const Times& times, double range) const 
   const Contacts& first = times.front();
   const PairNeighbours& near = *first.neighbours;
   std::vector<char> result;
-  for (const std::size_t s : near.secondary) result.push_back(adds_to_own_[s]);
+  for (const std::size_t s : near.secondary) result.push_back(reacts_ ? adds_to_own_[s] : owns_secondary_[s]);
   const auto all_own = [](const std::vector<char>& own) {
     return std::all_of(own.begin(), own.end(), [](char o) { return o != 0; });
   };
-  if (sight_ || !first.primary || all_own(owns_secondary_)) return result;
+  const bool placed = std::all_of(times.begin(), times.end(), [](const Contacts& c) { return c.primary != nullptr; });
+  if (sight_ || !placed || all_own(owns_secondary_)) return result;
   double motion = 0;
   for (const Contacts& later : times) motion = std::max(motion, search_.motion(first.places, later.places));
-  if (!std::isfinite(motion)) return result;
   PlacedPoints points;
   for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
     const std::size_t s = near.secondary[entry];
@@ -265,7 +257,8 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
         for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
       } else if (const Contact* const known = earlier.same ? earlier.last->find(s, q) : nullptr; known != nullptr) {
         contact.foot = known->foot;  // to the last bit, whatever neighbours a search found in between
-      } else if (lead > 0 && holds(earlier, s, q, candidates)) {
+        if (!earlier.same_neighbours) contact.foot.lead = 0;
+      } else if (lead > 0) {
         const int patch = earlier.last->find(s, q)->foot.patch;
         if (patch >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
         contact.foot.lead = contact.foot.patch == patch ? lead : 0;
