@@ -86,6 +86,34 @@ TEST(PairContactsSerialTest, FeetDoNotDependOnEarlierOnes) {
   }
 }
 
+/// As bodies approach little by little, lists of neighbours are used up and replaced. No point in range lacks its foot.
+TEST(PairContactsSerialTest, NoFootIsLostAsListsAreReplaced) {
+  const Mesh bodies = test::two_disks(3, {7.6, 0}, 16, 2);
+  Points<2> together(bodies, "a_surface", "b_surface", 1.0);
+  together.points->begin_step();
+  const auto places = [](const Points<2>& of, double t) {
+    std::vector<double> u(of.mesh.coordinates.size(), 0.0);
+    for (std::size_t k = 0; k < u.size(); k += 2) u[k] = of.mesh.coordinates[k] > 3.8 ? -t : 0;
+    return of.points->places(u.data());
+  };
+  int feet = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double t = 0.004 * i;
+    const auto found =
+        together.points->contacts({places(together, t), places(together, t + 0.003)}, PairPoints<2>::Share::Forces);
+    const Points<2> alone(bodies, "a_surface", "b_surface", 1.0);
+    const auto single = alone.points->contacts({places(alone, t)}, PairPoints<2>::Share::Forces);
+    for (const PairContact<2>& contact : single->front().all) {
+      if (contact.foot.patch < 0) continue;
+      const PairContact<2>* const same = found->front().find(contact.patch, contact.point);
+      ASSERT_TRUE(same != nullptr && same->foot.patch >= 0) << t << ' ' << contact.foot.gap;
+      EXPECT_NEAR(same->foot.gap, contact.foot.gap, 1e-13);
+      ++feet;
+    }
+  }
+  EXPECT_GT(feet, 1000);
+}
+
 /// Places that are no numbers have no feet to begin at, and say so.
 TEST(PairContactsSerialTest, AfterPlacesThatAreNoNumbersASearchBeginsAnew) {
   Points<2> disks(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", 1.5);

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Teuchos_CommHelpers.hpp>
+
 #include <cmath>
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"
+#include "mesh/facing_nodes.hpp"
 #include "support/comparison.hpp"
 #include "support/pair_checks.hpp"
 #include "support/tangents.hpp"
@@ -180,6 +183,40 @@ TEST(PairTermTest, AdmissibleStepsKeepTheMargin) {
   for (std::size_t k = 0; k < u.size(); ++k) u[k] += way[k];
   bodies.force({nullptr, nullptr, u.data()}, end_rule(), false);
   EXPECT_LT(bodies.term->lowest_point(u.data()).gap, 0);
+}
+
+/// Bodies that are cut across slide over the cut and come nearer, in several parts: the ranks' least step is that of
+/// one rank that owns all.
+TEST(PairTermTest, AdmissibleStepsDoNotDependOnRanks) {
+  const Comm comm = test::world();
+  const Mesh mesh = test::two_blocks(0.3, 40, 40);
+  const FacingNodes facing = facing_nodes(mesh, "upper_bottom", "lower_top", 0.3);
+  const auto step = [&](const LocalMesh& part, double slide, double fall) {
+    const auto surface = [&](const char* set) {
+      return surface_patches<2>(part, part.whole_side_sets.at(set), Smoothing::CatmullRom, set);
+    };
+    const Pattern pattern(part);
+    const auto term = make_pair_term<2>(part, {surface("upper_bottom"), surface("lower_top")}, pattern, law(), {});
+    std::vector<double> u(part.coordinates.size(), 0.0), way = u;
+    for (std::size_t k = 0; k < u.size(); k += 2) {
+      if (part.coordinates[k + 1] < 0.1) continue;
+      way[k] = slide;
+      way[k + 1] = -fall * (1 + 0.5 * part.coordinates[k]);
+    }
+    return term->admissible_step({nullptr, nullptr, u.data()}, end_rule(), way.data());
+  };
+  const std::vector<int> owner =
+      partition_nodes(mesh, comm->getSize(), node_work(mesh, {}, 500, facing.sides), facing.pairs);
+  const std::vector<std::string> sets{"upper_bottom", "lower_top"};
+  for (const auto& [slide, fall] : {std::pair{0.8, 0.2}, std::pair{-1.5, 0.4}, std::pair{0.05, 0.06}}) {
+    const double own = step(localize(mesh, owner, comm->getRank(), comm->getSize(), sets), slide, fall);
+    const double whole = step(localize(mesh, partition_nodes(mesh, 1), 0, 1, sets), slide, fall);
+    double least = 0;
+    Teuchos::reduceAll(*comm, Teuchos::REDUCE_MIN, own, Teuchos::outArg(least));
+    EXPECT_NEAR(least, whole, 1e-12) << slide;
+    EXPECT_GT(whole, 0.01);
+    EXPECT_LT(whole, 1);
+  }
 }
 
 TEST(PairTermTest, GapsPressuresAndRatios) {
