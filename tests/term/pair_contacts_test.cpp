@@ -41,6 +41,7 @@ struct Points {
   }
   std::shared_ptr<const PairTimes<D>> at(const std::vector<double>& times) const {
     std::vector<PairPlaces<D>> all;
+    all.reserve(times.size());
     for (const double t : times) all.push_back(places(t));
     return points->contacts(all, PairPoints<D>::Share::Forces);
   }
@@ -54,6 +55,7 @@ void expect_same_feet(const Mesh& bodies, const std::string& first, const std::s
   int feet = 0, leads = 0;
   for (const double start : {0.0, 0.01, 0.011, 0.2, 0.19}) {  // as Newton's iteration may come back
     std::vector<double> times;
+    times.reserve(5);
     for (int k = 0; k < 5; ++k) times.push_back(start + 0.001 * k * (k + 1));
     const auto found = together.at(times);
     for (std::size_t k = 0; k < times.size(); ++k) {
