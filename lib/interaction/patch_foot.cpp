@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "interaction/bernstein.hpp"
+
 namespace ixos {
 namespace {
 
@@ -31,35 +33,12 @@ double refine(const PlacedPatch<2>& curve, const Vec<2>& place, double low, doub
   return t;
 }
 
-/// The parameters of a point with its derivatives.
-template <std::size_t D>
-struct Point {
-  PatchParameters<D> xi;
-  typename PlacedPatch<D>::Frame frame;
-};
-
-constexpr std::size_t most_powers = 7;  ///< of the second derivative of a squared distance, for curves of degree 4
-
-constexpr double binomial(std::size_t n, std::size_t k) {
-  double result = 1;
-  for (std::size_t i = 1; i <= k; ++i) result = result * static_cast<double>(n - k + i) / static_cast<double>(i);
-  return result;
-}
-
-/// Returns the factors C(i, k)/C(n, k) that convert powers to Bernstein polynomials of degree n, by i and k.
-constexpr std::array<std::array<double, most_powers>, most_powers> to_bernstein(std::size_t n) {
-  std::array<std::array<double, most_powers>, most_powers> result{};
-  for (std::size_t i = 0; i <= n; ++i)
-    for (std::size_t k = 0; k <= i; ++k) result[i][k] = binomial(i, k) / binomial(n, k);
-  return result;
-}
-
 /// Returns whether the squared distance of the place surely is a convex function on the whole curve: all Bernstein
 /// coefficients of half its second derivative, x' . x' + (x - place) . x'', are positive.
 template <std::size_t Degree>
 bool is_convex(const PlacedPatch<2>& curve, const Vec<2>& place) {
   constexpr std::size_t degree = 2 * Degree - 2;
-  static constexpr auto shares = to_bernstein(degree);
+  static constexpr auto shares = bernstein_shares<degree>();
   std::array<double, degree + 1> powers{};
   for (std::size_t i = 0; i <= Degree; ++i) {
     const Vec<2> r = i == 0 ? curve.coefficients[0] - place : curve.coefficients[i];
@@ -88,31 +67,31 @@ bool is_convex(const PlacedPatch<2>& curve, const Vec<2>& place) {
 }
 
 /// Returns the nearest point of a curve whose squared distance is convex, by Newton's method from t.
-Point<2> descend(const PlacedPatch<2>& curve, const Vec<2>& place, double t) {
+double descend(const PlacedPatch<2>& curve, const Vec<2>& place, double t) {
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
     const auto frame = curve.frame({t});
     const Vec<2> r = frame.place - place;
     const double slope = inner(r, frame.tangents[0]);
-    if ((t == 0 && slope >= 0) || (t == 1 && slope <= 0)) return {{t}, frame};
+    if ((t == 0 && slope >= 0) || (t == 1 && slope <= 0)) return t;
     (slope > 0 ? high : low) = t;
     const double step = -slope / (inner(frame.tangents[0], frame.tangents[0]) + inner(r, frame.bends[0]));
     double next = t + step;
     // The next step would be of the order of this one's square.
-    if (std::abs(step) < 1e-9 && next > 0 && next < 1) return {{next}, curve.frame({next})};
+    if (std::abs(step) < 1e-9 && next > 0 && next < 1) return next;
     if (!(next > low && next < high)) next = next <= 0 && low == 0 ? 0 : next >= 1 && high == 1 ? 1 : (low + high) / 2;
     t = next;
   }
-  return {{t}, curve.frame({t})};
+  return t;
 }
 
-Point<2> find_nearest(const PlacedPatch<2>& curve, const Vec<2>& place, const PatchParameters<2>& start) {
-  const auto point_at = [&](double t) -> Point<2> { return {{t}, curve.frame({t})}; };
+PatchParameters<2> nearest_parameters(const PlacedPatch<2>& curve, const Vec<2>& place,
+                                      const PatchParameters<2>& start) {
   if (curve.degree == 1) {
     const Vec<2>& side = curve.coefficients[1];
-    return point_at(std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0));
+    return {std::clamp(inner(place - curve.coefficients[0], side) / inner(side, side), 0.0, 1.0)};
   }
-  if (is_convex(curve, place)) return descend(curve, place, start[0]);
+  if (is_convex(curve, place)) return {descend(curve, place, start[0])};
   // The distance may have several minima: looks near each sample that is as near as its neighbours.
   constexpr int samples = 8;
   const auto distance = [&](double t) {  // squared
@@ -131,7 +110,7 @@ Point<2> find_nearest(const PlacedPatch<2>& curve, const Vec<2>& place, const Pa
     least = distance(own);
     found = own;
   }
-  return point_at(found);
+  return {found};
 }
 
 using Parameters = PatchParameters<3>;
@@ -139,13 +118,13 @@ using Parameters = PatchParameters<3>;
 /// Half the squared distance with its gradient and second derivatives.
 struct Objective {
   Parameters xi;
-  PlacedPatch<3>::Frame frame;
   double value;
   std::array<double, 2> gradient;
   double h00, h01, h11;
   bool is_convex;  ///< the second derivatives are positive definite; otherwise those of Gauss and Newton, which are
 
-  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at) : xi(at), frame(patch.frame(at)) {
+  Objective(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& at) : xi(at) {
+    const auto frame = patch.frame(xi);
     const Vec<3> r = frame.place - place;
     const Vec<3>&a = frame.tangents[0], &b = frame.tangents[1];
     value = inner(r, r) / 2;
@@ -181,15 +160,14 @@ struct Objective {
     for (std::size_t k = 0; k < 2; ++k) result[k] = std::clamp(xi[k] + share * step[k], 0.0, 1.0);
     return result;
   }
-  Point<3> point() const { return {xi, frame}; }
 };
 
 /// Minimises the distance by Newton's method, projected to the unit square.
-Point<3> refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+Parameters refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
   Objective here(patch, place, start);
   for (int i = 0, small_steps = 0; i < 60; ++i) {
     const std::array<bool, 2> held = here.held();
-    if (held[0] && held[1]) return here.point();
+    if (held[0] && held[1]) return here.xi;
     std::array<double, 2> step = here.step(held);
     const Parameters next = here.moved(1, step);
     const double change = std::max(std::abs(next[0] - here.xi[0]), std::abs(next[1] - here.xi[1]));
@@ -197,7 +175,7 @@ Point<3> refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Paramete
       // Differences of the distance are rounding. Newton's next step would be of the order of this one's square, unless
       // a bound stops this one.
       const bool stopped = next[0] != here.xi[0] + step[0] || next[1] != here.xi[1] + step[1];
-      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return {next, patch.frame(next)};
+      if (change < (here.is_convex && !stopped ? 1e-9 : 1e-16) || ++small_steps == 2) return next;
       here = Objective(patch, place, next);
       continue;
     }
@@ -215,14 +193,14 @@ Point<3> refine(const PlacedPatch<3>& patch, const Vec<3>& place, const Paramete
           improved = there.value < here.value;
         }
       }
-      if (!improved) return here.point();
+      if (!improved) return here.xi;
     }
     here = there;
   }
-  return here.point();
+  return here.xi;
 }
 
-Point<3> find_nearest(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
+Parameters nearest_parameters(const PlacedPatch<3>& patch, const Vec<3>& place, const Parameters& start) {
   if (patch.degree < 4) return refine(patch, place, start);
   Parameters best{};
   double least = HUGE_VAL;
@@ -243,9 +221,8 @@ template <std::size_t D>
 PatchFoot<D> nearest_point(const PlacedPatch<D>& patch, const std::array<bool, 2 * (D - 1)>& smooth,
                            const Vec<D>& place, const PatchParameters<D>& start) {
   PatchFoot<D> foot;
-  const Point<D> nearest = find_nearest(patch, place, start);
-  foot.xi = nearest.xi;
-  foot.frame = nearest.frame;
+  foot.xi = nearest_parameters(patch, place, start);
+  foot.frame = patch.frame(foot.xi);
   const Vec<D> r = foot.frame.place - place;
   foot.distance = std::sqrt(inner(r, r));
   for (std::size_t k = 0; k < D - 1; ++k)

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/vector3.hpp"
+#include "interaction/bernstein.hpp"
 
 namespace ixos {
 namespace {
@@ -62,6 +63,7 @@ struct Tensors {
 /// Sums over the powers of a patch of N powers in each parameter, with constant bounds.
 template <std::size_t N>
 struct Polynomial {
+  static constexpr std::size_t size = N;
   using Line = std::array<double, N>;
   /// The powers of one parameter and their first two derivatives.
   using Lines = std::array<Line, 3>;
@@ -149,43 +151,26 @@ void add_scaled(double factor, const double* x, std::size_t count, Weights& weig
   for (std::size_t a = 0; a < count; ++a) weights[a] += factor * x[a];
 }
 
-double binomial(int n, int k) {
-  double result = 1;
-  for (int i = 1; i <= k; ++i) result = result * (n - k + i) / i;
-  return result;
-}
-
-/// From powers to Bernstein polynomials of a degree p: b_i = sum_k C(i, k)/C(p, k) c_k.
-using Conversion = std::array<Powers, most_powers>;
-
-Conversion conversion(int degree) {
-  Conversion result{};
-  for (int i = 0; i <= degree; ++i)
-    for (int k = 0; k <= i; ++k)
-      result[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)] = binomial(i, k) / binomial(degree, k);
-  return result;
-}
-
-/// Converts the coefficients of D - 1 parameters in place.
+/// Converts the coefficients of D - 1 parameters in place, from powers to Bernstein polynomials.
 template <std::size_t D, class T>
 void to_bernstein(int degree, T* points) {
-  static const std::array<Conversion, most_powers> all{conversion(0), conversion(1), conversion(2), conversion(3),
-                                                       conversion(4)};
-  const Conversion& share = all[static_cast<std::size_t>(degree)];
-  const auto n = static_cast<std::size_t>(degree) + 1;
-  const auto convert = [&](T* first, std::size_t stride) {
-    for (std::size_t i = n; i-- > 0;) {  // the later ones need the earlier ones' coefficients
-      T sum = share[i][0] * first[0];
-      for (std::size_t k = 1; k <= i; ++k) sum = sum + share[i][k] * first[stride * k];
-      first[stride * i] = sum;
+  with_degree(degree, [&](auto polynomial) {
+    constexpr std::size_t n = decltype(polynomial)::size;
+    static constexpr auto share = bernstein_shares<n - 1>();
+    const auto convert = [&](T* first, std::size_t stride) {
+      for (std::size_t i = n; i-- > 0;) {  // the later ones need the earlier ones' coefficients
+        T sum = share[i][0] * first[0];
+        for (std::size_t k = 1; k <= i; ++k) sum = sum + share[i][k] * first[stride * k];
+        first[stride * i] = sum;
+      }
+    };
+    if constexpr (D == 2) {
+      convert(points, 1);
+    } else {
+      for (std::size_t i = 0; i < n; ++i) convert(points + n * i, 1);
+      for (std::size_t i = 0; i < n; ++i) convert(points + i, n);
     }
-  };
-  if constexpr (D == 2) {
-    convert(points, 1);
-  } else {
-    for (std::size_t i = 0; i < n; ++i) convert(points + n * i, 1);
-    for (std::size_t i = 0; i < n; ++i) convert(points + i, n);
-  }
+  });
 }
 
 }  // namespace

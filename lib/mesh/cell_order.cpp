@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "fem/corner_element.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 
 namespace ixos {
@@ -76,9 +77,8 @@ class Middles {
 std::set<int> nodes_of(const Mesh& mesh, const SideSet& set) {
   std::set<int> nodes;
   for (const Side& side : set.sides) {
-    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    for (int a : side_nodes(block.type, side.side))
-      nodes.insert(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+    const std::vector<int> own = nodes_of_side(mesh, side);
+    nodes.insert(own.begin(), own.end());
   }
   return nodes;
 }

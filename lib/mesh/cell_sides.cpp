@@ -5,6 +5,14 @@
 
 namespace ixos {
 
+std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  std::vector<int> nodes;
+  for (int a : side_nodes(block.type, side.side))
+    nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+  return nodes;
+}
+
 SideCorners corners_of(const Mesh& mesh, const Side& side) {
   const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
   const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];

@@ -22,6 +22,9 @@ struct CellSide {
 /// A range of sides with the same corners.
 using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<CellSide>::const_iterator>;
 
+/// Returns the nodes of a side of a cell: the corners, counter-clockwise seen from outside, then the others.
+std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side);
+
 /// Returns the corners of a side in the order of a linear cell, see side_nodes(); if there are two, -1 follows twice.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 

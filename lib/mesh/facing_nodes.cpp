@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/vec.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
@@ -34,10 +35,7 @@ Vec<3> place(const Mesh& mesh, int node) {
 std::vector<Ball> balls(const Mesh& mesh, const std::string& name) {
   std::vector<Ball> result;
   for (const Side& side : side_set_named(mesh, name).sides) {
-    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    Ball ball{side, {}};
-    for (const int a : side_nodes(block.type, side.side))
-      ball.nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+    Ball ball{side, nodes_of_side(mesh, side)};
     for (const int node : ball.nodes)
       ball.middle = ball.middle + 1 / static_cast<double>(ball.nodes.size()) * place(mesh, node);
     for (const int node : ball.nodes) ball.radius = std::max(ball.radius, length(place(mesh, node) - ball.middle));

@@ -4,6 +4,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/meridian.hpp"
 #include "mesh/selection.hpp"
 
@@ -39,15 +40,6 @@ std::vector<std::vector<int>> touching_cells(const Mesh& mesh, const std::vector
     }
   }
   return result;
-}
-
-/// Returns the nodes of a side, by their numbers in the Mesh.
-std::vector<int> nodes_of(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  std::vector<int> nodes;
-  for (int a : side_nodes(block.type, side.side))
-    nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-  return nodes;
 }
 
 }  // namespace
@@ -94,7 +86,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   }
   for (const std::string& name : whole)
     for (const Side& side : side_set_named(mesh, name).sides)
-      for (const int node : nodes_of(mesh, side))
+      for (const int node : nodes_of_side(mesh, side))
         if (node_owner[static_cast<std::size_t>(node)] != rank) ghosts.push_back(node);
   std::sort(ghosts.begin(), ghosts.end(),
             [&](int a, int b) { return number[static_cast<std::size_t>(a)] < number[static_cast<std::size_t>(b)]; });
@@ -162,7 +154,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
                      side.side,
                      {},
                      node_owner[static_cast<std::size_t>(first)] == rank};
-      for (const int node : nodes_of(mesh, side)) here.nodes.push_back(to_local[static_cast<std::size_t>(node)]);
+      for (const int node : nodes_of_side(mesh, side)) here.nodes.push_back(to_local[static_cast<std::size_t>(node)]);
       sides.push_back(std::move(here));
     }
   }

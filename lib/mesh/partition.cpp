@@ -10,6 +10,7 @@
 
 #include "base/memory.hpp"
 #include "fem/with_element.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
@@ -91,10 +92,7 @@ std::vector<int> node_work(const Mesh& mesh, const std::vector<std::string>& con
     for (int cell = 0; cell < block.cells(); ++cell) share(&block.nodes[cell_entry(cell, n)], n, units);
   }
   const auto share_side = [&](const Side& side, double units_of_a_node) {
-    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-    std::vector<int> nodes;
-    for (int a : side_nodes(block.type, side.side))
-      nodes.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
+    const std::vector<int> nodes = nodes_of_side(mesh, side);
     share(nodes.data(), static_cast<int>(nodes.size()), units_of_a_node * static_cast<double>(nodes.size()));
   };
   // Eight time points on a plain side cost as much as the cell behind it, before another body as much as a hundred

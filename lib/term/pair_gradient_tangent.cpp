@@ -24,10 +24,9 @@ std::array<typename SurfacePatch<D>::Weights, second_derivatives(D - 1)> bends_o
 }  // namespace
 
 /// With the force w s_I t at node I, its derivative is w (ds_I t + s_I dt), and so for N_,j. Mean places move half as
-/// far as the end's. With the parameters' changes dxi at the mean places and the position r = g m of the point from its
-/// foot, dr = S du/2
-/// - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes' way in the step. Corners
-/// have dr and dd likewise, with their own weight in place of the point's.
+/// far as the end's. With the parameters' changes dxi at the mean places and the position r = g m of the point from
+/// its foot, dr = S du/2 - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes'
+/// way in the step. Corners have dr and dd likewise, with their own weight in place of the point's.
 template <std::size_t D>
 PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const {
   const Contact &mean = *point.at_mean, &end = *point.at_end;

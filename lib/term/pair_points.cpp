@@ -50,7 +50,6 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       range_(law_->range()),
       share_(options.share),
       reacts_(options.reacts),
-      adds_to_own_(acting_patches(surfaces_, mesh.owned_nodes)),
       owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh.owned_nodes)),
       owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh.owned_nodes)),
       search_(surfaces_) {
@@ -204,12 +203,11 @@ std::vector<char> PairPoints<D>::acting(const Times& times, double range) const 
   const Contacts& first = times.front();
   const PairNeighbours& near = *first.neighbours;
   std::vector<char> result;
-  for (const std::size_t s : near.secondary) result.push_back(reacts_ ? adds_to_own_[s] : owns_secondary_[s]);
-  const auto all_own = [](const std::vector<char>& own) {
-    return std::all_of(own.begin(), own.end(), [](char o) { return o != 0; });
-  };
+  const auto is_own = [](char own) { return own != 0; };
+  const bool reacts_here = reacts_ && std::any_of(owns_primary_.begin(), owns_primary_.end(), is_own);
+  for (const std::size_t s : near.secondary) result.push_back(reacts_here || owns_secondary_[s] != 0 ? 1 : 0);
   const bool placed = std::all_of(times.begin(), times.end(), [](const Contacts& c) { return c.primary != nullptr; });
-  if (sight_ || !placed || all_own(owns_secondary_)) return result;
+  if (sight_ || !placed || std::all_of(owns_secondary_.begin(), owns_secondary_.end(), is_own)) return result;
   double motion = 0;
   for (const Contacts& later : times) motion = std::max(motion, search_.motion(first.places, later.places));
   PlacedPoints points;

@@ -136,7 +136,6 @@ class PairPoints {
   bool reacts_;
   std::size_t per_patch_;
   std::vector<Point> points_;
-  std::vector<char> adds_to_own_;                    ///< by patch: acting_patches()
   std::vector<char> owns_secondary_, owns_primary_;  ///< by patch: some node is this rank's
   // The results of the last search and of the last evaluation save time. Results depend on them by rounding errors at
   // most.

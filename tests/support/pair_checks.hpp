@@ -1,4 +1,4 @@
-/// What holds for every interaction of two surfaces.
+/// Checks that every interaction of two surfaces must pass.
 #pragma once
 #include <gtest/gtest.h>
 

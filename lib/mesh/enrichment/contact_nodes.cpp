@@ -5,15 +5,9 @@
 #include <cmath>
 #include <map>
 
-namespace ixos {
+#include "mesh/cell_sides.hpp"
 
-std::vector<int> side_corners(const Mesh& mesh, const Side& side) {
-  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
-  std::vector<int> corners;
-  for (int a : side_nodes(block.type, side.side))
-    corners.push_back(block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), a)]);
-  return corners;
-}
+namespace ixos {
 
 int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of) {
   if (derivative_of >= 0 && mesh.derivative_of.empty())
@@ -51,7 +45,7 @@ std::set<Edge> tied_edges(const Mesh& mesh, const SideSet& set) {
       {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   std::map<Edge, int> balance;
   for (const Side& side : set.sides) {
-    const std::vector<int> corners = side_corners(mesh, side);
+    const std::vector<int> corners = nodes_of_side(mesh, side);
     for (std::size_t k = 0; k < 4; ++k) ++balance[edge_key(corners[k], corners[(k + 1) % 4])];
   }
   for (const ElementBlock& block : mesh.blocks) {

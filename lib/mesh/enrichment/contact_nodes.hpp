@@ -15,9 +15,6 @@ struct ExtraNodes {
   unsigned tied = 0;                     ///< see ElementBlock
 };
 
-/// Returns the nodes of a side of a cell: the corners, counter-clockwise seen from outside, then the others.
-std::vector<int> side_corners(const Mesh& mesh, const Side& side);
-
 /// Adds a node at the mesh's end and returns its number; `derivative_of` as in Mesh.
 int add_node(Mesh& mesh, const std::vector<double>& x, int derivative_of);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "mesh/cell_sides.hpp"
 
 namespace ixos {
 namespace {
@@ -39,7 +40,7 @@ Fan take_fan(const std::vector<Face>& faces, int node, int spoke, Around& around
 
 FaceGrid::FaceGrid(const Mesh& mesh, const SideSet& set) : places_(set.sides.size()) {
   for (const Side& side : set.sides) {
-    const std::vector<int> corners = side_corners(mesh, side);
+    const std::vector<int> corners = nodes_of_side(mesh, side);
     faces_.push_back({corners[0], corners[1], corners[2], corners[3]});
   }
   find_fans(mesh, set);

@@ -1,6 +1,7 @@
 #include <map>
 #include <utility>
 
+#include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 
 namespace ixos {
@@ -14,7 +15,7 @@ class HermiteNodes {
   std::vector<ExtraNodes> add() {
     std::vector<Edge> edges;
     for (const Side& side : set_.sides) {
-      const std::vector<int> ends = side_corners(mesh_, side);
+      const std::vector<int> ends = nodes_of_side(mesh_, side);
       edges.emplace_back(ends[0], ends[1]);
       previous_[ends[1]] = ends[0];
       next_[ends[0]] = ends[1];

@@ -1,6 +1,7 @@
 #include <map>
 #include <set>
 
+#include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 
 namespace ixos {
@@ -14,7 +15,7 @@ class LagrangeNodes {
     if (mesh_.dimension == 3) tied_ = tied_edges(mesh_, set_);
     std::vector<ExtraNodes> result;
     for (const Side& side : set_.sides) {
-      const std::vector<int> corners = side_corners(mesh_, side);
+      const std::vector<int> corners = nodes_of_side(mesh_, side);
       const std::size_t edges = corners.size() == 2 ? 1 : corners.size();
       ExtraNodes extra;
       for (std::size_t k = 0; k < edges; ++k) add_edge(corners[k], corners[(k + 1) % corners.size()], k, extra);

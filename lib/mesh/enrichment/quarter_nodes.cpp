@@ -2,6 +2,7 @@
 
 #include "fem/cell_type.hpp"
 #include "fem/quadratic_elements.hpp"
+#include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 
 namespace ixos {
@@ -24,7 +25,7 @@ class QuarterNodes {
     if (mesh_.dimension == 3) tied_ = tied_edges(mesh_, set_);
     std::vector<ExtraNodes> result;
     for (const Side& side : set_.sides) {
-      const std::vector<int> nodes = side_corners(mesh_, side);
+      const std::vector<int> nodes = nodes_of_side(mesh_, side);
       ExtraNodes extra;
       if (mesh_.dimension == 2) {
         add_edge({nodes[0], nodes[1], nodes[2]}, 0, extra);
