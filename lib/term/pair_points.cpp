@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "base/vector3.hpp"
 #include "fem/revolved.hpp"
@@ -11,8 +10,6 @@
 
 namespace ixos {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the factor at a place X with the parameters xi of a patch, whose corners' nodal factors count linearly.
 template <std::size_t D>
@@ -163,116 +160,6 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
     last_range_ = range;
   }
   return result;
-}
-
-template <std::size_t D>
-void PairPoints<D>::place_primary(Contacts& contacts) const {
-  if (!contacts.places.is_finite()) return;
-  const std::vector<Vec<D>>& x = contacts.places.primary;
-  if (const auto& together = contacts.neighbours->together; together)
-    contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x, together);
-  else
-    contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x);
-}
-
-template <std::size_t D>
-void PairPoints<D>::place_points(std::size_t s, const Places& at, PlacedPoints& points) const {
-  const SurfacePatch<D>& patch = secondary().patches[s];
-  const typename SurfacePatch<D>::Points x = patch.among(at.secondary);
-  points.places.resize(per_patch_);
-  points.middle = {};
-  for (std::size_t q = 0; q < per_patch_; ++q) {
-    const auto& weights = points_[s * per_patch_ + q].weights;
-    Vec<D> place{};
-    for (std::size_t a = 0; a < patch.count; ++a) place = place + weights[a] * x[a];
-    points.places[q] = place;
-    points.middle = points.middle + 1 / static_cast<double>(per_patch_) * place;
-  }
-}
-
-template <std::size_t D>
-double PairPoints<D>::PlacedPoints::radius() const {
-  double result = 0;
-  for (const Vec<D>& place : places) result = std::max(result, length(place - middle));
-  return result;
-}
-
-/// A patch without own nodes acts on them where its points can have feet on primary patches with own nodes.
-template <std::size_t D>
-std::vector<char> PairPoints<D>::acting(const Times& times, double range) const {
-  const Contacts& first = times.front();
-  const PairNeighbours& near = *first.neighbours;
-  std::vector<char> result;
-  const auto is_own = [](char own) { return own != 0; };
-  const bool reacts_here = reacts_ && std::any_of(owns_primary_.begin(), owns_primary_.end(), is_own);
-  for (const std::size_t s : near.secondary) result.push_back(reacts_here || owns_secondary_[s] != 0 ? 1 : 0);
-  const bool placed = std::all_of(times.begin(), times.end(), [](const Contacts& c) { return c.primary != nullptr; });
-  if (sight_ || !placed || std::all_of(owns_secondary_.begin(), owns_secondary_.end(), is_own)) return result;
-  double motion = 0;
-  for (const Contacts& later : times) motion = std::max(motion, search_.motion(first.places, later.places));
-  PlacedPoints points;
-  for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
-    const std::size_t s = near.secondary[entry];
-    if (result[entry] == 0 || owns_secondary_[s] != 0) continue;
-    place_points(s, first.places, points);
-    const std::vector<int>& candidates = near.primary[entry];
-    const double radius = points.radius(), slack = 2 * motion;
-    const std::vector<int> possible = candidates.empty()
-                                          ? first.primary->reduced(points.middle, radius, range, slack)
-                                          : first.primary->reduced(candidates, points.middle, radius, range, slack);
-    result[entry] = std::any_of(possible.begin(), possible.end(),
-                                [&](int p) { return owns_primary_[static_cast<std::size_t>(p)] != 0; })
-                        ? 1
-                        : 0;
-  }
-  return result;
-}
-
-template <std::size_t D>
-void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks,
-                              double range) const {
-  const PairNeighbours& near = *contacts.neighbours;
-  contacts.all.reserve(near.secondary.size() * per_patch_);
-  contacts.first.assign(secondary().patches.size(), -1);
-  int guess = -1;
-  PlacedPoints points;
-  for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
-    if (looks[entry] == 0) continue;
-    const std::size_t s = near.secondary[entry];
-    contacts.first[s] = static_cast<int>(contacts.all.size());
-    place_points(s, contacts.places, points);
-    const std::vector<int>& candidates = near.primary[entry];
-    std::optional<std::vector<int>> nearest;  // of the candidates, for points that need them
-    for (std::size_t q = 0; q < per_patch_; ++q) {
-      const Vec<D>& place = points.places[q];
-      Contact contact{s, q, entry, place};
-      const FootGuess<D> start = earlier.guess(s, q, guess);
-      const double lead = earlier.lead(s, q);
-      if (!contacts.primary) {
-        contact.foot.patch = 0;
-        contact.foot.gap = nan;
-        contact.foot.normal.fill(nan);
-        for (Vec<D>& tangent : contact.foot.frame.tangents) tangent.fill(nan);
-      } else if (const Contact* const known = earlier.same ? earlier.last->find(s, q) : nullptr; known != nullptr) {
-        contact.foot = known->foot;  // to the last bit, whatever neighbours a search found in between
-        if (!earlier.same_neighbours) contact.foot.lead = 0;
-      } else if (lead > 0) {
-        const int patch = earlier.last->find(s, q)->foot.patch;
-        if (patch >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
-        contact.foot.lead = contact.foot.patch == patch ? lead : 0;
-      } else if (sight_) {
-        contact.foot = contacts.primary->nearest_of(candidates, place, range);
-      } else if (candidates.empty()) {
-        contact.foot = contacts.primary->nearest(place, range, start, earlier.slack);
-      } else {
-        if (!nearest)
-          nearest = contacts.primary->reduced(candidates, points.middle, points.radius(), range, earlier.slack);
-        contact.foot = contacts.primary->nearest_among(*nearest, place, range, start, earlier.slack);
-      }
-      guess = contact.foot.patch;
-      contacts.all.push_back(contact);
-    }
-  }
 }
 
 template <std::size_t D>
