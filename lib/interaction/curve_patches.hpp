@@ -13,6 +13,12 @@ SurfacePatch<2> straight_patch(int a, int b);
 /// the missing node were 2 x_1 - x_2.
 SurfacePatch<2> smooth_patch(const std::array<int, 4>& nodes, const std::array<double, 3>& lengths);
 
+/// Returns the segment from node 2 to node 3 of the cubic spline whose control points are (-x_0 + 8 x_1 - x_2)/6 at
+/// node 1, and so on: segments with common nodes have one tangent and one curvature where they meet. On evenly spaced
+/// nodes the spline approximates the curve of the nodes to fourth order in their distance (de Boor and Fix 1973).
+/// Negative nodes are none, then so are those beyond them: there the curve ends in the last node, without curvature.
+SurfacePatch<2> spline_patch(const std::array<int, 6>& nodes);
+
 /// Cubic polynomials on [0, 1] that have the value 1, or the slope 1, at one end, and otherwise neither value nor slope
 /// at the ends: coefficients by power.
 using Cubic = std::array<double, 4>;

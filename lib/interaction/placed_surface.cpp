@@ -1,6 +1,7 @@
 #include "interaction/placed_surface.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
@@ -69,7 +70,16 @@ PlacedSurface<D>::PlacedSurface(const std::vector<SurfacePatch<D>>& patches, con
 }
 
 template <std::size_t D>
+void PlacedSurface<D>::move(const std::vector<Vec<D>>& x, std::shared_ptr<const PatchSubset> subset) {
+  subset_ = std::move(subset);
+  tree_.reset();
+  place(x, subset_->patches);
+}
+
+template <std::size_t D>
 void PlacedSurface<D>::place(const std::vector<Vec<D>>& x, const std::vector<int>& patches) {
+  placed_.clear();
+  bounds_.clear();
   placed_.reserve(patches.size());
   bounds_.reserve(patches.size());
   for (const int i : patches) {
@@ -155,10 +165,9 @@ SurfaceFoot<D> PlacedSurface<D>::nearest_on(const FootGuess<D>& guess, const Vec
 /// From a place in the ball, the surface is not farther than from the center by more than the radius, and no patch
 /// nearer.
 template <std::size_t D>
-std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, const Vec<D>& center, double radius,
-                                           double range, double slack) const {
-  std::vector<double> bounds;
-  bounds.reserve(patches.size());
+void PlacedSurface<D>::reduce(const std::vector<int>& patches, const Vec<D>& center, double radius, double range,
+                              double slack, std::vector<int>& result) const {
+  boost::container::small_vector<double, 128> bounds;
   for (const int i : patches) bounds.push_back(bound(i, center));
   const auto first = std::min_element(bounds.begin(), bounds.end());
   Best best(range + radius);
@@ -167,10 +176,9 @@ std::vector<int> PlacedSurface<D>::reduced(const std::vector<int>& patches, cons
     look(nearest, patches_[at(nearest)].smooth, center, best);
   }
   const double farthest = std::min(range, best.foot.distance + radius) + radius + slack;
-  std::vector<int> result;
+  result.clear();
   for (std::size_t k = 0; k < patches.size(); ++k)
     if (bounds[k] <= farthest) result.push_back(patches[k]);
-  return result;
 }
 
 template <std::size_t D>

@@ -56,6 +56,9 @@ class PlacedSurface {
   PlacedSurface(const PlacedSurface&) = delete;
   PlacedSurface& operator=(const PlacedSurface&) = delete;
 
+  /// Places these patches of the same surface, at other places of its nodes. It reuses the memory, and has no tree.
+  void move(const std::vector<Vec<D>>& x, std::shared_ptr<const PatchSubset> subset);
+
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
   /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `slack`: the greatest lead
   /// that the foot can have; more of it costs time. The gap is positive on the outer side. At a kink, the sum of the
@@ -69,10 +72,10 @@ class PlacedSurface {
                                const FootGuess<D>& guess = {}, double slack = 0) const;
   /// Returns the nearest point of the patch that is known to be the nearest one. `guess`: names the patch.
   SurfaceFoot<D> nearest_on(const FootGuess<D>& guess, const Vec<D>& place, double range) const;
-  /// Returns those of these patches that can hold the point nearest to a place in a ball, if it is nearer than `range`,
-  /// and those that are farther by no more than the slack.
-  std::vector<int> reduced(const std::vector<int>& patches, const Vec<D>& center, double radius, double range,
-                           double slack = 0) const;
+  /// Sets `result` to those of these patches that can hold the point nearest to a place in a ball, if it is nearer than
+  /// `range`, and to those that are farther by no more than the slack.
+  void reduce(const std::vector<int>& patches, const Vec<D>& center, double radius, double range, double slack,
+              std::vector<int>& result) const;
   /// Returns at least those of all patches, searched in the tree.
   std::vector<int> reduced(const Vec<D>& center, double radius, double range, double slack) const;
   /// Returns the nearest point of these patches, ascending, if it is nearer than `range`. A side beyond which no such

@@ -1,5 +1,6 @@
 // On which side of a kink of a surface a place is.
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 
 #include "interaction/placed_surface.hpp"
@@ -40,7 +41,7 @@ bool PlacedSurface<D>::is_outside(const Vec<D>& from_foot, const SurfaceFoot<D>&
     int patch;
     PatchParameters<D> xi;
   };
-  std::vector<Here> all{{foot.patch, foot.xi}};
+  boost::container::small_vector<Here, 8> all{{foot.patch, foot.xi}};
   Vec<D> normals{};
   for (std::size_t next = 0; next < all.size(); ++next) {
     const Here here = all[next];

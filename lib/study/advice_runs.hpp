@@ -34,6 +34,9 @@ class AdviceRuns {
   /// Limits the processor time of all runs together.
   void set_budget(double seconds) { budget_ = seconds; }
   bool affords(double seconds) const { return spent_ + seconds <= budget_; }
+  /// Returns whether a run that should take so many seconds may end within the budget: costs that are extrapolated to
+  /// finer meshes can be three times too high.
+  bool may_afford(double seconds) const { return affords(seconds / 3); }
   double budget() const { return budget_; }
 
  private:

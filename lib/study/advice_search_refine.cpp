@@ -35,7 +35,7 @@ bool AdviceSearch::extend(std::size_t d) {
   }
   const AdvicePoint next = moved(d, level);
   if (runs_.sample(next) == nullptr) {
-    if (const double seconds = costs().seconds(next); !runs_.affords(seconds)) {
+    if (const double seconds = costs().seconds(next); !runs_.may_afford(seconds)) {
       meets(fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
                         description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent())));
       return false;

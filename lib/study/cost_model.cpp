@@ -9,7 +9,18 @@ namespace {
 
 /// Weight of the default powers, in samples that differ by a factor e. It decides where the samples do not.
 constexpr double weight_of_defaults = 0.02;
+/// Equal runs differ by this part of their time, and by this many seconds.
+constexpr double accuracy = 0.1, noise = 0.05;
 constexpr double least_power = 0.3, largest_step_power = 1.3, largest_dof_power = 2.5;
+
+/// The logarithms of a sample.
+struct Row {
+  std::array<double, 3> logs;
+  double weight;
+};
+
+/// Returns the weight of a run: the inverse square of the error of its time's logarithm, 1 for long runs.
+double weight_of(double seconds) { return 1 / (1 + std::pow(noise / (accuracy * seconds), 2)); }
 
 }  // namespace
 
@@ -20,19 +31,22 @@ double CostModel::seconds(double steps, double dofs) const {
 CostModel fit_costs(const std::vector<CostSample>& samples) {
   CostModel model;
   const double b0 = model.step_power, a0 = model.dof_power;
-  std::vector<std::array<double, 3>> logs;
-  for (const CostSample& s : samples)
-    if (s.steps > 0 && s.dofs > 0 && s.seconds > 0)
-      logs.push_back({std::log(s.steps), std::log(s.dofs), std::log(s.seconds)});
-  if (logs.empty()) return model;
+  std::vector<Row> rows;
+  double weights = 0;
+  for (const CostSample& s : samples) {
+    if (!(s.steps > 0 && s.dofs > 0 && s.seconds > 0)) continue;
+    rows.push_back({{std::log(s.steps), std::log(s.dofs), std::log(s.seconds)}, weight_of(s.seconds)});
+    weights += rows.back().weight;
+  }
+  if (rows.empty()) return model;
   std::array<double, 3> mean{};
-  for (const auto& row : logs)
-    for (std::size_t k = 0; k < 3; ++k) mean[k] += row[k] / static_cast<double>(logs.size());
+  for (const Row& row : rows)
+    for (std::size_t k = 0; k < 3; ++k) mean[k] += row.weight / weights * row.logs[k];
   // Normal equations of the differences from the defaults.
   double xx = weight_of_defaults, xy = 0, yy = weight_of_defaults, xz = 0, yz = 0;
-  for (const auto& row : logs) {
-    const double x = row[0] - mean[0], y = row[1] - mean[1], z = row[2] - mean[2] - b0 * x - a0 * y;
-    xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+  for (const auto& [logs, w] : rows) {
+    const double x = logs[0] - mean[0], y = logs[1] - mean[1], z = logs[2] - mean[2] - b0 * x - a0 * y;
+    xx += w * x * x, xy += w * x * y, yy += w * y * y, xz += w * x * z, yz += w * y * z;
   }
   const double determinant = xx * yy - xy * xy;
   model.step_power = std::clamp(b0 + (xz * yy - yz * xy) / determinant, least_power, largest_step_power);

@@ -9,23 +9,20 @@ void PairAction<D>::linearize(const Segment& segment, const Rule& rule, Tangent 
   blocks_.clear();
   rows_.clear();
   values_.clear();
-  std::vector<PairBlock> parts;  // of one secondary patch; the first `count` ones count
-  std::size_t count = 0;
-  tangent_(segment, rule, kind, [&](const PairBlock& block) {
-    if (count > 0 && parts[0].secondary != block.secondary) {
-      keep_sum(parts, count);
-      count = 0;
-    }
-    if (count == parts.size()) parts.emplace_back();
-    parts[count++] = block;
+  count_ = 0;
+  tangent_(segment, rule, kind, [this](const PairBlock& block) {
+    if (count_ > 0 && parts_[0].secondary != block.secondary) keep_sum();
+    if (count_ == parts_.size()) parts_.emplace_back();
+    parts_[count_++] = block;
   });
-  if (count > 0) keep_sum(parts, count);
+  if (count_ > 0) keep_sum();
 }
 
 template <std::size_t D>
-void PairAction<D>::keep_sum(const std::vector<PairBlock>& parts, std::size_t count) {
-  std::vector<int> nodes;
-  for (std::size_t k = 0; k < count; ++k) nodes.insert(nodes.end(), parts[k].nodes.begin(), parts[k].nodes.end());
+void PairAction<D>::keep_sum() {
+  std::vector<int>& nodes = nodes_;
+  nodes.clear();
+  for (std::size_t k = 0; k < count_; ++k) nodes.insert(nodes.end(), parts_[k].nodes.begin(), parts_[k].nodes.end());
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   const std::size_t size = D * nodes.size();
@@ -34,24 +31,25 @@ void PairAction<D>::keep_sum(const std::vector<PairBlock>& parts, std::size_t co
     for (std::size_t i = 0; i < D; ++i) rows_.push_back(D * static_cast<std::size_t>(node) + i);
   values_.resize(values_.size() + size * size, 0.0F);
   float* const sum = values_.data() + blocks_.back().values;
-  std::vector<std::size_t> places;
-  for (std::size_t k = 0; k < count; ++k) {
+  std::vector<std::size_t>& places = places_;
+  for (std::size_t k = 0; k < count_; ++k) {
     places.clear();
-    for (const int node : parts[k].nodes)
+    for (const int node : parts_[k].nodes)
       places.push_back(D *
                        static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin()));
-    const double* value = parts[k].k.data();
+    const double* value = parts_[k].k.data();
     for (const std::size_t row : places)
       for (std::size_t i = 0; i < D; ++i)
         for (const std::size_t column : places)
           for (std::size_t j = 0; j < D; ++j) sum[(row + i) * size + column + j] += static_cast<float>(*value++);
   }
+  count_ = 0;
 }
 
 /// The matrices are symmetric: their rows stand for columns.
 template <std::size_t D>
 void PairAction<D>::add_product(const double* x, double* y) const {
-  std::vector<double> sum;
+  std::vector<double>& sum = sum_;
   for (const Block& block : blocks_) {
     const std::size_t* const rows = rows_.data() + block.rows;
     sum.assign(block.size, 0.0);

@@ -24,12 +24,17 @@ class PairAction final : public TangentAction {
   struct Block {
     std::size_t rows, values, size;
   };
-  void keep_sum(const std::vector<PairBlock>& parts, std::size_t count);
+  void keep_sum();
 
   PairBlocks tangent_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> rows_;  ///< degrees of freedom, each once in a block
   std::vector<float> values_;
+  std::vector<PairBlock> parts_;  ///< of one secondary patch; the first `count_` ones count
+  std::size_t count_ = 0;
+  std::vector<int> nodes_;  ///< of these parts
+  std::vector<std::size_t> places_;
+  mutable std::vector<double> sum_;
 };
 
 extern template class PairAction<2>;

@@ -124,17 +124,21 @@ Vec<D> PairApproach<D>::interpolate(const Contact& contact, const std::vector<Ve
 template <std::size_t D>
 double PairApproach<D>::free_step(const std::vector<Places>& times, const Places& ways,
                                   const std::vector<double>& shares) const {
-  std::vector<Places> ends = times;
+  std::vector<Places>& ends = memory_.ends;
+  ends = times;
   for (std::size_t k = 0; k < times.size(); ++k) advance<D>(ends[k], shares[k], ways);
   const auto contacts = points_.contacts(times, PairPoints<D>::Share::Forces, -1, ends);
-  std::vector<std::size_t> order(times.size());
+  std::vector<std::size_t>& order = memory_.order;
+  order.resize(times.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   // The longest way restricts the step most, and the others then hardly do.
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return shares[a] > shares[b] || (shares[a] == shares[b] && a < b); });
   double most = 1;
   for (const std::size_t k : order) {
     if (shares[k] == 0 || most == 0) break;
-    Places own = ways;
+    Places& own = memory_.ways;
+    own = ways;
     for (auto* way : {&own.secondary, &own.primary})
       for (Vec<D>& w : *way) w = (most * shares[k]) * w;
     most *= free_share((*contacts)[k], own);
@@ -150,7 +154,11 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
   };
   double room = std::numeric_limits<double>::infinity();
   for (const Contact& c : start.all) room = std::min(room, gap_of(c) - least(c));
-  Places x, end = start.places;
+  // The places at which contacts must hold: the start and the end.
+  memory_.covered.resize(2);
+  memory_.covered[0] = start.places;
+  Places& end = memory_.covered[1];
+  end = start.places;
   advance<D>(end, 1, ways);
   if (points_.search().motion(start.places, end) <= room) return 1;
   const auto* contacts = &start;
@@ -167,13 +175,14 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
       const Vec<D> way = interpolate(c, ways.secondary);
       if (room_of_point >= own * (length(way) + fastest_primary)) continue;
       own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, fastest_primary, gap,
-                                                        contacts->candidates(c)));
+                                                        &contacts->candidates(c)));
     }
     done += own;
     if (own <= 0.01 * done || done >= 1) break;  // further parts are not worth their searches
-    x = start.places;
-    advance<D>(x, done, ways);
-    later = points_.contacts({x}, PairPoints<D>::Share::Forces, -1, {start.places, end});
+    memory_.part.resize(1);
+    memory_.part[0] = start.places;
+    advance<D>(memory_.part[0], done, ways);
+    later = points_.contacts(memory_.part, PairPoints<D>::Share::Forces, -1, memory_.covered);
     contacts = &later->front();
   }
   return std::min(done, 1.0);

@@ -41,6 +41,13 @@ class PairApproach {
 
   const PairPoints<D>& points_;
   double margin_;
+  /// Memory, so that free_step() needs no new one.
+  struct Memory {
+    std::vector<Places> ends, part, covered;
+    std::vector<std::size_t> order;
+    Places ways;
+  };
+  mutable Memory memory_;
 };
 
 extern template class PairApproach<2>;

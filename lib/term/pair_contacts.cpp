@@ -48,9 +48,9 @@ double EarlierFeet<D>::lead(std::size_t secondary, std::size_t point) const {
 }
 
 template <std::size_t D>
-std::vector<EarlierFeet<D>> earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier,
-                                         const PairSearch<D>& search, double most) {
-  std::vector<EarlierFeet<D>> result(times.size());
+void find_earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier, const PairSearch<D>& search, double most,
+                       std::vector<EarlierFeet<D>>& result) {
+  result.assign(times.size(), {});
   for (std::size_t k = 0; k < times.size(); ++k) {
     const PairPlaces<D>& places = times[k].places;
     EarlierFeet<D>& own = result[k];
@@ -76,14 +76,13 @@ std::vector<EarlierFeet<D>> earlier_feet(const PairTimes<D>& times, const PairTi
     to_come += result[k].motion;
     result[k - 1].slack = std::isfinite(to_come) ? std::min(2 * to_come, most) : 0;
   }
-  return result;
 }
 
 template struct EarlierFeet<2>;
 template struct EarlierFeet<3>;
-template std::vector<EarlierFeet<2>> earlier_feet(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&,
-                                                  double);
-template std::vector<EarlierFeet<3>> earlier_feet(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&,
-                                                  double);
+template void find_earlier_feet(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&, double,
+                                std::vector<EarlierFeet<2>>&);
+template void find_earlier_feet(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&, double,
+                                std::vector<EarlierFeet<3>>&);
 
 }  // namespace ixos

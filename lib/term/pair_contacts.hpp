@@ -26,12 +26,10 @@ struct PairContacts {
   std::vector<PairContact<D>> all;  ///< of the secondary patches with neighbours
   std::vector<int> first;           ///< by secondary patch: its first point in `all`; -1: it has none there
   double least_gap = std::numeric_limits<double>::infinity();
-  std::unique_ptr<PlacedSurface<D>> primary;  ///< null if a place is no number
-  /// Returns the primary patches that a point can have its foot on; null: all.
-  const std::vector<int>* candidates(const PairContact<D>& c) const {
-    const std::vector<int>& own = neighbours->primary[c.entry];
-    return own.empty() ? nullptr : &own;
-  }
+  std::unique_ptr<PlacedSurface<D>> primary;  ///< null if a place, also at another time, is no number
+  std::unique_ptr<PlacedSurface<D>> spare;    ///< memory for `primary`
+  /// Returns the primary patches that a point can have its foot on.
+  const std::vector<int>& candidates(const PairContact<D>& c) const { return neighbours->primary[c.entry]; }
   /// Returns the point of a patch; null if it is not there.
   const PairContact<D>* find(std::size_t patch, std::size_t point) const {
     const int start = first.empty() ? -1 : first[patch];
@@ -62,17 +60,17 @@ struct EarlierFeet {
   double lead(std::size_t secondary, std::size_t point) const;
 };
 
-/// Returns this for each of these times, whose places are set. `earlier`: the same number of times, at other places
-/// near by; null: none. `most`: of slack.
+/// Sets this for each of these times, whose places are set. `earlier`: the same number of times, at other places near
+/// by; null: none. `most`: of slack.
 template <std::size_t D>
-std::vector<EarlierFeet<D>> earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier,
-                                         const PairSearch<D>& search, double most);
+void find_earlier_feet(const PairTimes<D>& times, const PairTimes<D>* earlier, const PairSearch<D>& search, double most,
+                       std::vector<EarlierFeet<D>>& result);
 
 extern template struct EarlierFeet<2>;
 extern template struct EarlierFeet<3>;
-extern template std::vector<EarlierFeet<2>> earlier_feet(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&,
-                                                         double);
-extern template std::vector<EarlierFeet<3>> earlier_feet(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&,
-                                                         double);
+extern template void find_earlier_feet(const PairTimes<2>&, const PairTimes<2>*, const PairSearch<2>&, double,
+                                       std::vector<EarlierFeet<2>>&);
+extern template void find_earlier_feet(const PairTimes<3>&, const PairTimes<3>*, const PairSearch<3>&, double,
+                                       std::vector<EarlierFeet<3>>&);
 
 }  // namespace ixos

@@ -81,11 +81,11 @@ std::vector<std::vector<int>> PairCoupling<D>::stencils() const {
   result.reserve(pairs_.size());
   int last = -1;
   for (const Pair& pair : pairs_) {
-    std::vector<int> nodes = points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second);
+    const auto nodes = points_.nodes_of(static_cast<std::size_t>(pair.first), pair.second);
     if (joined_ && pair.first == last)
       result.back().insert(result.back().end(), nodes.begin(), nodes.end());
     else
-      result.push_back(std::move(nodes));
+      result.emplace_back(nodes.begin(), nodes.end());
     last = pair.first;
   }
   return result;

@@ -47,28 +47,28 @@ void PairGradient<D>::fade(const SurfacePatch<D>& patch, const PatchParameters<D
 
 /// Returns S, in the order of the contact's nodes.
 template <std::size_t D>
-std::vector<double> PairGradient<D>::weights_of(const Contact& contact) const {
+typename PairGradient<D>::Weights PairGradient<D>::weights_of(const Contact& contact) const {
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
   const typename SurfacePatch<D>::Weights &own = points_.weights(contact), n = patch.weights(contact.foot.xi);
-  std::vector<double> s(own.begin(),
-                        own.begin() + static_cast<std::ptrdiff_t>(points_.secondary().patches[contact.patch].count));
+  Weights s(own.begin(), own.begin() + static_cast<std::ptrdiff_t>(points_.secondary().patches[contact.patch].count));
   for (std::size_t a = 0; a < patch.count; ++a) s.push_back(-n[a]);
   return s;
 }
 
 template <std::size_t D>
 typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) const {
-  using Places = typename PairPoints<D>::Places;
-  std::vector<Places> places{points_.places(segment.from), points_.places(segment.to),
-                             points_.places(segment, {1, 0.5, 0, 0.5})};
+  places_.resize(3);
+  points_.place(segment.from, places_[0]);
+  points_.place(segment.to, places_[1]);
+  points_.place(segment, {1, 0.5, 0, 0.5}, places_[2]);
   // A point that is within the law's range at one end has a foot at the mean places, too.
   double way = 0;
   const auto grow = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
     for (std::size_t i = 0; i < a.size(); ++i) way = std::max(way, length(b[i] - a[i]));
   };
-  grow(places[0].secondary, places[1].secondary);
-  grow(places[0].primary, places[1].primary);
-  const auto times = points_.contacts(std::move(places), PairPoints<D>::Share::Forces, points_.law().range() + 4 * way);
+  grow(places_[0].secondary, places_[1].secondary);
+  grow(places_[0].primary, places_[1].primary);
+  const auto times = points_.contacts(places_, PairPoints<D>::Share::Forces, points_.law().range() + 4 * way);
   return {times, (*times)[0], (*times)[1], (*times)[2]};
 }
 
@@ -159,8 +159,8 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
   for (std::size_t i = 0; i < step.mean.all.size(); ++i) {
     Point point;
     if (!evaluate(step, i, point)) continue;
-    const std::vector<int> nodes = points_.nodes_of(*point.at_mean);
-    const std::vector<double> s = weights_of(*point.at_mean);
+    const auto nodes = points_.nodes_of(*point.at_mean);
+    const Weights s = weights_of(*point.at_mean);
     const double w = points_.measure(*point.at_mean);
     const std::size_t count = points_.secondary().patches[point.at_mean->patch].count;
     const auto add = [&](std::size_t a, const Vec<D>& force) {
@@ -183,15 +183,15 @@ double PairGradient<D>::add_force(const Segment& segment, double* f) const {
 }
 
 template <std::size_t D>
-PairBlock PairGradient<D>::convex_block_of(const Point& point) const {
+void PairGradient<D>::set_convex_block(const Point& point, PairBlock& block) const {
   const PairGap<D> gap = points_.gap_of(*point.at_mean);
-  PairBlock block;
   block.secondary = point.at_mean->patch;
   block.primary = point.at_mean->foot.patch;
-  block.nodes = points_.nodes_of(*point.at_mean);
+  block.next = -1;
+  const auto nodes = points_.nodes_of(*point.at_mean);
+  block.nodes.assign(nodes.begin(), nodes.end());
   block.k.assign(D * D * gap.nodes() * gap.nodes(), 0.0);
   gap.add(points_.measure(*point.at_mean) * std::max(0.0, point.mean_slope) / 2, 0, block.k.data());
-  return block;
 }
 
 template <std::size_t D>
@@ -201,7 +201,12 @@ void PairGradient<D>::for_each_block(const Segment& segment, Tangent kind,
   if (!step.mean.primary) return;
   for (std::size_t i = 0; i < step.mean.all.size(); ++i) {
     Point point;
-    if (evaluate(step, i, point)) visit(kind == Tangent::Convex ? convex_block_of(point) : block_of(step, point));
+    if (!evaluate(step, i, point)) continue;
+    if (kind == Tangent::Convex)
+      set_convex_block(point, block_);
+    else
+      set_block(step, point, block_);
+    visit(block_);
   }
 }
 

@@ -97,13 +97,17 @@ class PairGradient {
   void share(double e, Point& point) const;
   /// Sets f and its derivatives at a place of a primary patch.
   void fade(const SurfacePatch<D>& patch, const PatchParameters<D>& xi, Point& point) const;
-  std::vector<double> weights_of(const Contact& contact) const;
-  PairBlock block_of(const Step& step, const Point& point) const;
-  PairBlock convex_block_of(const Point& point) const;
+  using Weights = boost::container::static_vector<double, PairGap<D>::most>;
+  Weights weights_of(const Contact& contact) const;
+  void set_block(const Step& step, const Point& point, PairBlock& block) const;
+  void set_convex_block(const Point& point, PairBlock& block) const;
 
   const PairPoints<D>& points_;
   double stiffness_;         ///< k
   std::vector<char> kinks_;  ///< by node of the primary surface: whether a side with a kink or a rim ends there
+  // Memory, so that steps need no new one.
+  mutable std::vector<typename PairPoints<D>::Places> places_;
+  mutable PairBlock block_;
 };
 
 extern template class PairGradient<2>;

@@ -5,6 +5,13 @@
 namespace ixos {
 namespace {
 
+/// Numbers by node of a block, which has those of a secondary patch and of up to two primary ones, and by its degrees
+/// of freedom.
+template <std::size_t D, class T>
+using ByNode = boost::container::static_vector<T, 3 * SurfacePatch<D>::most>;
+template <std::size_t D, class T>
+using ByDof = boost::container::static_vector<T, D * 3 * SurfacePatch<D>::most>;
+
 /// Returns N_,jk of the patch's nodes, in the order of second_derivative(): the second derivatives of patches that have
 /// a unit vector at a node, D nodes at a time.
 template <std::size_t D>
@@ -28,20 +35,21 @@ std::array<typename SurfacePatch<D>::Weights, second_derivatives(D - 1)> bends_o
 /// its foot, dr = S du/2 - x_k dxi_k, dm = (dr - m m . dr)/g and dd = S du - (N_,k dX) dxi_k, where dX is the nodes'
 /// way in the step. Corners have dr and dd likewise, with their own weight in place of the point's.
 template <std::size_t D>
-PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const {
+void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock& block) const {
   const Contact &mean = *point.at_mean, &end = *point.at_end;
   const SurfacePatch<D>& secondary = points_.secondary().patches[mean.patch];
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(mean.foot.patch)];
   const std::size_t count = secondary.count, size = count + patch.count;
-  PairBlock block;
   block.secondary = mean.patch;
   block.primary = mean.foot.patch;
-  block.nodes = points_.nodes_of(mean);
-  std::vector<double> end_weights(size, 0.0);  // of the end's gap, by node of the block
+  block.next = -1;
+  const auto own_nodes = points_.nodes_of(mean);
+  block.nodes.assign(own_nodes.begin(), own_nodes.end());
+  ByNode<D, double> end_weights(size, 0.0);  // of the end's gap
   if (acts(end)) {
     if (end.foot.patch != mean.foot.patch) block.next = end.foot.patch;
     const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.foot.patch)];
-    const std::vector<int> nodes = points_.nodes_of(end);
+    const auto nodes = points_.nodes_of(end);
     const typename SurfacePatch<D>::Weights n = last.weights(end.foot.xi);
     for (std::size_t a = 0; a < count; ++a) end_weights[a] = points_.weights(end)[a];
     for (std::size_t a = 0; a < last.count; ++a) {
@@ -55,14 +63,15 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   }
   const std::size_t all = block.nodes.size(), columns = D * all;
   const auto shape = patch.shape(mean.foot.xi);
-  std::vector<double> s = weights_of(mean);
+  const Weights own_weights = weights_of(mean);
+  ByNode<D, double> s(own_weights.begin(), own_weights.end());
   s.resize(all, 0.0);
   const Vec<D>& m = mean.foot.normal;
   const double g = mean.foot.gap;
   const auto& frame = mean.foot.frame;
 
   // Changes of the free parameters, as rows over the block's degrees of freedom.
-  std::vector<std::size_t> free;
+  boost::container::static_vector<std::size_t, D - 1> free;
   for (std::size_t k = 0; k + 1 < D; ++k)
     if (!mean.foot.fixed[k]) free.push_back(k);
   std::array<std::array<double, D - 1>, D - 1> a{};
@@ -70,7 +79,7 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
     for (std::size_t l = 0; l < free.size(); ++l)
       a[k][l] = inner(frame.tangents[free[k]], frame.tangents[free[l]]) -
                 g * inner(frame.bends[second_derivative(free[k], free[l])], m);
-  std::array<std::vector<double>, D - 1> dxi;
+  std::array<ByDof<D, double>, D - 1> dxi;
   for (std::size_t k = 0; k < free.size(); ++k) dxi[k].assign(columns, 0.0);
   for (std::size_t node = 0; node < size; ++node)
     for (std::size_t i = 0; i < D; ++i) {
@@ -99,10 +108,10 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
   Vec<D> on_foot = t;
   for (std::size_t k = 0; k < corners; ++k) on_foot = on_foot + point.force(k);
   const double square = inner(point.d, point.d);
-  std::vector<Vec<D>> dt(columns), d_on_foot(columns);
-  std::array<std::vector<Vec<D>>, corners> d_corner;
+  ByDof<D, Vec<D>> dt(columns), d_on_foot(columns);
+  std::array<ByDof<D, Vec<D>>, corners> d_corner;
   for (auto& row : d_corner) row.resize(columns);
-  std::array<std::vector<Vec<D>>, D - 1> d_turn;
+  std::array<ByDof<D, Vec<D>>, D - 1> d_turn;
   for (auto& row : d_turn) row.resize(columns);
   for (std::size_t c = 0; c < columns; ++c) {
     const std::size_t node = c / D, i = c % D;
@@ -189,10 +198,9 @@ PairBlock PairGradient<D>::block_of(const Step& step, const Point& point) const 
         row[c] = w * sum;
       }
     }
-  return block;
 }
 
-template PairBlock PairGradient<2>::block_of(const Step& step, const Point& point) const;
-template PairBlock PairGradient<3>::block_of(const Step& step, const Point& point) const;
+template void PairGradient<2>::set_block(const Step&, const Point&, PairBlock&) const;
+template void PairGradient<3>::set_block(const Step&, const Point&, PairBlock&) const;
 
 }  // namespace ixos

@@ -49,7 +49,7 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       reacts_(options.reacts),
       owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh.owned_nodes)),
       owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh.owned_nodes)),
-      search_(surfaces_) {
+      search_(surfaces_, law_->equilibrium_gap()) {
   const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
   per_patch_ = on_a_patch.size();
   const std::vector<double> rest(coordinates_.size(), 0.0);
@@ -74,38 +74,49 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
 }
 
 template <std::size_t D>
-typename PairPoints<D>::Places PairPoints<D>::combine(double rest, const NodeParts& parts) const {
-  return {combined_places<D>(secondary().nodes, coordinates_, rest, parts),
-          combined_places<D>(primary().nodes, coordinates_, rest, parts)};
+void PairPoints<D>::combine(double rest, const NodeParts& parts, Places& at) const {
+  combine_places<D>(secondary().nodes, coordinates_, rest, parts, at.secondary);
+  combine_places<D>(primary().nodes, coordinates_, rest, parts, at.primary);
 }
 
 template <std::size_t D>
 typename PairPoints<D>::Places PairPoints<D>::places(const double* u) const {
-  return combine(1, {{{1, u}, {0, nullptr}, {0, nullptr}}});
-}
-
-template <std::size_t D>
-typename PairPoints<D>::Places PairPoints<D>::places(const Segment& segment, const RulePoint& point) const {
-  return combine(1, {{{point.to, segment.to}, {point.from, segment.from}, {point.velocity, segment.velocity}}});
-}
-
-template <std::size_t D>
-typename PairPoints<D>::Places PairPoints<D>::ways(const double* direction) const {
-  return combine(0, {{{1, direction}, {0, nullptr}, {0, nullptr}}});
-}
-
-template <std::size_t D>
-std::vector<typename PairPoints<D>::Places> PairPoints<D>::places(const Segment& segment, const Rule& rule) const {
-  std::vector<Places> result;
-  result.reserve(rule.points.size() + 1);
-  for (const RulePoint& point : rule.points) result.push_back(places(segment, point));
-  if (is_positive() && !rule.has_end()) result.push_back(places(segment.to));
+  Places result;
+  place(u, result);
   return result;
 }
 
 template <std::size_t D>
-std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vector<Places>& times, double range) const {
-  if (!sight_ || !std::all_of(times.begin(), times.end(), [](const Places& x) { return x.is_finite(); }))
+void PairPoints<D>::place(const double* u, Places& at) const {
+  combine(1, {{{1, u}, {0, nullptr}, {0, nullptr}}}, at);
+}
+
+template <std::size_t D>
+void PairPoints<D>::place(const Segment& segment, const RulePoint& point, Places& at) const {
+  combine(1, {{{point.to, segment.to}, {point.from, segment.from}, {point.velocity, segment.velocity}}}, at);
+}
+
+template <std::size_t D>
+void PairPoints<D>::place_ways(const double* direction, Places& ways) const {
+  combine(0, {{{1, direction}, {0, nullptr}, {0, nullptr}}}, ways);
+}
+
+template <std::size_t D>
+const std::vector<typename PairPoints<D>::Places>& PairPoints<D>::places(const Segment& segment,
+                                                                         const Rule& rule) const {
+  std::vector<Places>& result = memory_.at_rule;
+  const std::size_t count = rule.points.size();
+  const bool with_end = is_positive() && !rule.has_end();
+  result.resize(count + (with_end ? 1 : 0));
+  for (std::size_t k = 0; k < count; ++k) place(segment, rule.points[k], result[k]);
+  if (with_end) place(segment.to, result.back());
+  return result;
+}
+
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vector<const Places*>& times,
+                                                                double range) const {
+  if (!sight_ || !std::all_of(times.begin(), times.end(), [](const Places* x) { return x->is_finite(); }))
     return search_.cover(times, range);
   if (seen_version_ == sight_->version()) return seen_;
   auto seen = std::make_shared<PairNeighbours>();
@@ -122,13 +133,32 @@ std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vecto
   return seen_;
 }
 
+/// Returns contacts that nobody holds.
 template <std::size_t D>
-std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std::vector<Places> times, Share share,
-                                                                             double range,
+std::shared_ptr<typename PairPoints<D>::Times> PairPoints<D>::unused(std::size_t count) const {
+  for (const std::shared_ptr<Times>& times : memory_.times)
+    if (times.use_count() == 1 && times->size() == count) return times;
+  memory_.times.push_back(std::make_shared<Times>(count));
+  return memory_.times.back();
+}
+
+template <std::size_t D>
+std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(const double* u, Share share,
+                                                                             double range) const {
+  memory_.single.resize(1);
+  place(u, memory_.single.front());
+  return contacts(memory_.single, share, range);
+}
+
+template <std::size_t D>
+std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(const std::vector<Places>& times,
+                                                                             Share share, double range,
                                                                              const std::vector<Places>& also) const {
   if (range < 0) range = range_;
-  std::vector<Places> covered = times;
-  covered.insert(covered.end(), also.begin(), also.end());
+  std::vector<const Places*>& covered = memory_.covered;
+  covered.clear();
+  for (const std::vector<Places>* all : {&times, &also})
+    for (const Places& places : *all) covered.push_back(&places);
   const std::shared_ptr<const PairNeighbours> near = neighbours(covered, range);
   const bool keeps = share != Share::Energies;
   const bool alike = keeps && last_ && last_share_ == share && last_range_ == range && last_->size() == times.size();
@@ -136,22 +166,24 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
         return kept.neighbours == near && kept.places.secondary == x.secondary && kept.places.primary == x.primary;
       }))
     return last_;
-  auto result = std::make_shared<Times>(times.size());
+  const std::shared_ptr<Times> result = unused(times.size());
   for (std::size_t k = 0; k < times.size(); ++k) {
-    (*result)[k].places = std::move(times[k]);
-    (*result)[k].neighbours = near;
-    place_primary((*result)[k]);
+    Contacts& contacts = (*result)[k];
+    contacts.places = times[k];
+    contacts.neighbours = near;
+    place_primary(contacts);
   }
-  const std::vector<EarlierFeet<D>> earlier =
-      earlier_feet<D>(*result, alike && remembers_ ? last_.get() : nullptr, search_, law_->equilibrium_gap());
-  std::vector<char> looks(near->secondary.size(), 1);
+  find_earlier_feet<D>(*result, alike && remembers_ ? last_.get() : nullptr, search_, law_->equilibrium_gap(),
+                       memory_.earlier);
+  std::vector<char>& looks = memory_.looks;
+  looks.assign(near->secondary.size(), 1);
   if (share == Share::Forces)
-    looks = acting(*result, range);
+    find_acting(*result, range, looks);
   else if (share == Share::Energies)
     std::transform(near->secondary.begin(), near->secondary.end(), looks.begin(),
                    [&](std::size_t s) { return counts(s) ? 1 : 0; });
   for (std::size_t k = 0; k < result->size(); ++k) {
-    find_feet((*result)[k], earlier[k], looks, range);
+    find_feet((*result)[k], memory_.earlier[k], looks, range);
     evaluate_law((*result)[k]);
   }
   if (keeps) {
@@ -165,21 +197,26 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairPoints<D>::contacts(std
 template <std::size_t D>
 void PairPoints<D>::evaluate_law(Contacts& contacts) const {
   constexpr auto width = static_cast<std::size_t>(pack_width);
-  std::vector<Contact*> acting;
-  for (Contact& contact : contacts.all)
-    if (contact.foot.patch >= 0) acting.push_back(&contact);
-  for (std::size_t first = 0; first < acting.size(); first += width) {
-    const std::size_t lanes = std::min(width, acting.size() - first);
+  std::array<Contact*, width> acting;
+  std::size_t lanes = 0;
+  contacts.least_gap = std::numeric_limits<double>::infinity();
+  const auto evaluate = [&]() {
     Pack gap(law_->equilibrium_gap());
-    for (std::size_t lane = 0; lane < lanes; ++lane) gap[lane] = acting[first + lane]->foot.gap;
+    for (std::size_t lane = 0; lane < lanes; ++lane) gap[lane] = acting[lane]->foot.gap;
     const Pack traction = law_->traction(gap), stiffness = law_->stiffness(gap);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-      Contact& contact = *acting[first + lane];
-      contact.traction = traction[lane];
-      contact.stiffness = stiffness[lane];
-      contacts.least_gap = std::min(contacts.least_gap, contact.foot.gap);
+      acting[lane]->traction = traction[lane];
+      acting[lane]->stiffness = stiffness[lane];
+      contacts.least_gap = std::min(contacts.least_gap, acting[lane]->foot.gap);
     }
+    lanes = 0;
+  };
+  for (Contact& contact : contacts.all) {
+    if (contact.foot.patch < 0) continue;
+    acting[lanes++] = &contact;
+    if (lanes == width) evaluate();
   }
+  if (lanes > 0) evaluate();
 }
 
 template <std::size_t D>
@@ -189,8 +226,8 @@ PairGap<D> PairPoints<D>::gap_of(const Contact& contact) const {
 }
 
 template <std::size_t D>
-std::vector<int> PairPoints<D>::nodes_of(std::size_t secondary, int primary) const {
-  std::vector<int> result;
+typename PairPoints<D>::Nodes PairPoints<D>::nodes_of(std::size_t secondary, int primary) const {
+  Nodes result;
   const auto append = [&](const SurfacePatches<D>& surface, const SurfacePatch<D>& patch) {
     for (std::size_t a = 0; a < patch.count; ++a)
       result.push_back(surface.nodes[static_cast<std::size_t>(patch.nodes[a])]);
@@ -217,7 +254,8 @@ void PairPoints<D>::add(const Contact& contact, double factor, Tangent kind, std
     if (used == blocks.size()) blocks.emplace_back();
     blocks[b].block.secondary = contact.patch;
     blocks[b].block.primary = contact.foot.patch;
-    blocks[b].block.nodes = nodes_of(contact);
+    const Nodes nodes = nodes_of(contact);
+    blocks[b].block.nodes.assign(nodes.begin(), nodes.end());
     blocks[b].sums.begin(secondary().patches[contact.patch].count,
                          primary().patches[static_cast<std::size_t>(contact.foot.patch)].count);
     ++used;

@@ -1,6 +1,7 @@
 /// The quadrature points of a surface before the surface of another body.
 #pragma once
 #include <array>
+#include <boost/container/static_vector.hpp>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -54,22 +55,27 @@ class PairPoints {
     remembers_ = true;
   }
   Places places(const double* u) const;
-  Places places(const Segment& segment, const RulePoint& point) const;
-  /// Returns ways as places: a displacement without the undeformed body's coordinates.
-  Places ways(const double* direction) const;
+  void place(const double* u, Places& at) const;
+  void place(const Segment& segment, const RulePoint& point, Places& at) const;
+  /// Sets places to ways: a displacement without the undeformed body's coordinates.
+  void place_ways(const double* direction, Places& ways) const;
   /// Returns the places at the points of a rule and, after them, those at the end of the step if the law needs positive
-  /// gaps there and the rule has no point there.
-  std::vector<Places> places(const Segment& segment, const Rule& rule) const;
+  /// gaps there and the rule has no point there. They are valid until the next call.
+  const std::vector<Places>& places(const Segment& segment, const Rule& rule) const;
   /// Returns the points that have neighbours at one of these places or at those of `also`, their gaps and what the law
   /// says. If a coordinate is NaN, all gaps and tractions are NaN. `range`: of gaps; negative: that of the law. The
-  /// last contacts other than those of energies are kept: the tangent at the same places takes them again.
-  std::shared_ptr<const Times> contacts(std::vector<Places> times, Share share, double range = -1,
+  /// last contacts other than those of energies are kept: the tangent at the same places takes them again. Results that
+  /// nobody holds any more lend their memory to later ones.
+  std::shared_ptr<const Times> contacts(const std::vector<Places>& times, Share share, double range = -1,
                                         const std::vector<Places>& also = {}) const;
+  /// Returns them at one displacement.
+  std::shared_ptr<const Times> contacts(const double* u, Share share, double range = -1) const;
   /// Returns the point's gap with its derivatives; the contact must have a foot.
   PairGap<D> gap_of(const Contact& contact) const;
+  using Nodes = boost::container::static_vector<int, PairGap<D>::most>;
   /// Returns the local nodes of a contact, in the order of PairGap.
-  std::vector<int> nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.foot.patch); }
-  std::vector<int> nodes_of(std::size_t secondary, int primary) const;
+  Nodes nodes_of(const Contact& contact) const { return nodes_of(contact.patch, contact.foot.patch); }
+  Nodes nodes_of(std::size_t secondary, int primary) const;
   /// Calls visit(block) for each matrix of the rule's tangent, which is symmetric if the primary surface reacts: one
   /// for each pair of a secondary patch and a primary one with a foot.
   template <class Visit>
@@ -110,8 +116,9 @@ class PairPoints {
     PairSums<D> sums;
     PairBlock block;
   };
-  Places combine(double rest, const NodeParts& parts) const;
-  std::shared_ptr<const PairNeighbours> neighbours(const std::vector<Places>& times, double range) const;
+  void combine(double rest, const NodeParts& parts, Places& at) const;
+  std::shared_ptr<Times> unused(std::size_t count) const;
+  std::shared_ptr<const PairNeighbours> neighbours(const std::vector<const Places*>& times, double range) const;
   /// The points of a patch at one place of the surface.
   struct PlacedPoints {
     std::vector<Vec<D>> places;
@@ -120,8 +127,8 @@ class PairPoints {
   };
   void place_points(std::size_t patch, const Places& at, PlacedPoints& points) const;
   void place_primary(Contacts& contacts) const;
-  /// Returns, by entry of the neighbours, whether its points act on nodes of this rank at one of these times.
-  std::vector<char> acting(const Times& times, double range) const;
+  /// Sets, by entry of the neighbours, whether its points act on nodes of this rank at one of these times.
+  void find_acting(const Times& times, double range, std::vector<char>& acting) const;
   /// `looks`: by entry of the neighbours, whether its points count.
   void find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks, double range) const;
   void evaluate_law(Contacts& contacts) const;
@@ -145,6 +152,18 @@ class PairPoints {
   mutable std::shared_ptr<const Times> last_;
   mutable Share last_share_ = Share::Forces;  ///< of `last_`
   mutable double last_range_ = 0;
+  /// Memory, so that steps need no new one.
+  struct Memory {
+    std::vector<std::shared_ptr<Times>> times;
+    std::vector<Places> at_rule, single;
+    std::vector<const Places*> covered;
+    std::vector<EarlierFeet<D>> earlier;
+    std::vector<char> looks;
+    PlacedPoints points;
+    std::vector<int> nearest;  ///< primary patches
+    std::vector<OpenBlock> blocks;
+  };
+  mutable Memory memory_;
   bool remembers_ = false;  ///< whether feet begin at those of the last evaluation
 };
 
@@ -153,7 +172,7 @@ template <class Visit>
 void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tangent kind, const Visit& visit) const {
   if (rule.points.empty()) return;
   const auto times = contacts(places(segment, rule), Share::Forces);
-  std::vector<OpenBlock> blocks;  // the first `used` ones count; the others keep their memory
+  std::vector<OpenBlock>& blocks = memory_.blocks;  // the first `used` ones count
   std::size_t used = 0;
   const std::vector<Contact>& all = times->front().all;
   for (std::size_t i = 0; i < all.size(); ++i) {

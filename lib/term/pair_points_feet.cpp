@@ -1,7 +1,6 @@
 // Where the points of a surface have their feet, and which of them a rank looks at.
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 #include "term/pair_points.hpp"
 
@@ -14,12 +13,16 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <std::size_t D>
 void PairPoints<D>::place_primary(Contacts& contacts) const {
-  if (!contacts.places.is_finite()) return;
+  if (contacts.primary) contacts.spare = std::move(contacts.primary);
+  if (!contacts.neighbours->together || !contacts.places.is_finite()) return;
   const std::vector<Vec<D>>& x = contacts.places.primary;
-  if (const auto& together = contacts.neighbours->together; together)
+  const auto& together = contacts.neighbours->together;
+  if (contacts.spare) {
+    contacts.primary = std::move(contacts.spare);
+    contacts.primary->move(x, together);
+  } else {
     contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x, together);
-  else
-    contacts.primary = std::make_unique<PlacedSurface<D>>(primary().patches, x);
+  }
 }
 
 template <std::size_t D>
@@ -46,50 +49,48 @@ double PairPoints<D>::PlacedPoints::radius() const {
 
 /// A patch without own nodes acts on them where its points can have feet on primary patches with own nodes.
 template <std::size_t D>
-std::vector<char> PairPoints<D>::acting(const Times& times, double range) const {
+void PairPoints<D>::find_acting(const Times& times, double range, std::vector<char>& acting) const {
   const Contacts& first = times.front();
   const PairNeighbours& near = *first.neighbours;
-  std::vector<char> result;
   const auto is_own = [](char own) { return own != 0; };
   const bool reacts_here = reacts_ && std::any_of(owns_primary_.begin(), owns_primary_.end(), is_own);
-  for (const std::size_t s : near.secondary) result.push_back(reacts_here || owns_secondary_[s] != 0 ? 1 : 0);
+  std::transform(near.secondary.begin(), near.secondary.end(), acting.begin(),
+                 [&](std::size_t s) { return reacts_here || owns_secondary_[s] != 0 ? 1 : 0; });
   const bool placed = std::all_of(times.begin(), times.end(), [](const Contacts& c) { return c.primary != nullptr; });
-  if (sight_ || !placed || std::all_of(owns_secondary_.begin(), owns_secondary_.end(), is_own)) return result;
+  if (sight_ || !placed || std::all_of(owns_secondary_.begin(), owns_secondary_.end(), is_own)) return;
   double motion = 0;
   for (const Contacts& later : times) motion = std::max(motion, search_.motion(first.places, later.places));
-  PlacedPoints points;
+  PlacedPoints& points = memory_.points;
+  std::vector<int>& possible = memory_.nearest;
   for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
     const std::size_t s = near.secondary[entry];
-    if (result[entry] == 0 || owns_secondary_[s] != 0) continue;
+    if (acting[entry] == 0 || owns_secondary_[s] != 0) continue;
     place_points(s, first.places, points);
-    const std::vector<int>& candidates = near.primary[entry];
-    const double radius = points.radius(), slack = 2 * motion;
-    const std::vector<int> possible = candidates.empty()
-                                          ? first.primary->reduced(points.middle, radius, range, slack)
-                                          : first.primary->reduced(candidates, points.middle, radius, range, slack);
-    result[entry] = std::any_of(possible.begin(), possible.end(),
+    first.primary->reduce(near.primary[entry], points.middle, points.radius(), range, 2 * motion, possible);
+    acting[entry] = std::any_of(possible.begin(), possible.end(),
                                 [&](int p) { return owns_primary_[static_cast<std::size_t>(p)] != 0; })
                         ? 1
                         : 0;
   }
-  return result;
 }
 
 template <std::size_t D>
 void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks,
                               double range) const {
   const PairNeighbours& near = *contacts.neighbours;
+  contacts.all.clear();
   contacts.all.reserve(near.secondary.size() * per_patch_);
   contacts.first.assign(secondary().patches.size(), -1);
   int guess = -1;
-  PlacedPoints points;
+  PlacedPoints& points = memory_.points;
   for (std::size_t entry = 0; entry < near.secondary.size(); ++entry) {
     if (looks[entry] == 0) continue;
     const std::size_t s = near.secondary[entry];
     contacts.first[s] = static_cast<int>(contacts.all.size());
     place_points(s, contacts.places, points);
     const std::vector<int>& candidates = near.primary[entry];
-    std::optional<std::vector<int>> nearest;  // of the candidates, for points that need them
+    std::vector<int>& nearest = memory_.nearest;  // of the candidates, for points that need them
+    bool has_nearest = false;
     for (std::size_t q = 0; q < per_patch_; ++q) {
       const Vec<D>& place = points.places[q];
       Contact contact{s, q, entry, place};
@@ -109,12 +110,11 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
         contact.foot.lead = contact.foot.patch == patch ? lead : 0;
       } else if (sight_) {
         contact.foot = contacts.primary->nearest_of(candidates, place, range);
-      } else if (candidates.empty()) {
-        contact.foot = contacts.primary->nearest(place, range, start, earlier.slack);
       } else {
-        if (!nearest)
-          nearest = contacts.primary->reduced(candidates, points.middle, points.radius(), range, earlier.slack);
-        contact.foot = contacts.primary->nearest_among(*nearest, place, range, start, earlier.slack);
+        if (!has_nearest)
+          contacts.primary->reduce(candidates, points.middle, points.radius(), range, earlier.slack, nearest);
+        has_nearest = true;
+        contact.foot = contacts.primary->nearest_among(nearest, place, range, start, earlier.slack);
       }
       guess = contact.foot.patch;
       contacts.all.push_back(contact);
@@ -125,12 +125,12 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
 template void PairPoints<2>::place_primary(Contacts&) const;
 template void PairPoints<2>::place_points(std::size_t, const Places&, PlacedPoints&) const;
 template double PairPoints<2>::PlacedPoints::radius() const;
-template std::vector<char> PairPoints<2>::acting(const Times&, double) const;
+template void PairPoints<2>::find_acting(const Times&, double, std::vector<char>&) const;
 template void PairPoints<2>::find_feet(Contacts&, const EarlierFeet<2>&, const std::vector<char>&, double) const;
 template void PairPoints<3>::place_primary(Contacts&) const;
 template void PairPoints<3>::place_points(std::size_t, const Places&, PlacedPoints&) const;
 template double PairPoints<3>::PlacedPoints::radius() const;
-template std::vector<char> PairPoints<3>::acting(const Times&, double) const;
+template void PairPoints<3>::find_acting(const Times&, double, std::vector<char>&) const;
 template void PairPoints<3>::find_feet(Contacts&, const EarlierFeet<3>&, const std::vector<char>&, double) const;
 
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace ixos {
 namespace {
@@ -12,6 +13,65 @@ double largest_amplification(const SurfacePatches<D>& surface) {
   double result = 1;
   for (const SurfacePatch<D>& patch : surface.patches) result = std::max(result, patch.amplification());
   return result;
+}
+
+/// Returns centre and radius of a ball that holds the patch.
+template <std::size_t D>
+std::pair<Vec<D>, double> ball_around(const PlacedPatch<D>& patch) {
+  const auto hull = patch.hull();
+  Vec<D> center{};
+  for (const Vec<D>& x : hull) center = center + 1 / static_cast<double>(hull.size()) * x;
+  double radius = 0;
+  for (const Vec<D>& x : hull) radius = std::max(radius, length(x - center));
+  return {center, radius};
+}
+
+/// Returns the neighbours of the secondary patches that have some; find(primary surface, secondary patch) returns them.
+template <std::size_t D, class Find>
+std::shared_ptr<const PairNeighbours> neighbours_of(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                    const Find& find) {
+  const PlacedSurface<D> primary(surfaces.primary.patches, places.primary);
+  auto result = std::make_shared<PairNeighbours>();
+  std::vector<int> together;
+  for (std::size_t s = 0; s < surfaces.secondary.patches.size(); ++s) {
+    const SurfacePatch<D>& patch = surfaces.secondary.patches[s];
+    std::vector<int> near = find(primary, patch.placed(patch.among(places.secondary)));
+    if (near.empty()) continue;
+    together.insert(together.end(), near.begin(), near.end());
+    result->secondary.push_back(s);
+    result->primary.push_back(std::move(near));
+  }
+  std::sort(together.begin(), together.end());
+  together.erase(std::unique(together.begin(), together.end()), together.end());
+  result->together = patch_subset(std::move(together), surfaces.primary.patches.size());
+  return result;
+}
+
+/// Returns the mean radius of balls around the patches.
+template <std::size_t D>
+double mean_radius(const SurfacePatches<D>& surface, const std::vector<Vec<D>>& x) {
+  double sum = 0;
+  for (const SurfacePatch<D>& patch : surface.patches) sum += ball_around(patch.placed(patch.among(x))).second;
+  return sum / static_cast<double>(surface.patches.size());
+}
+
+/// The sum of the displacements of nodes.
+template <std::size_t D>
+Vec<D> sum_of_ways(const std::vector<Vec<D>>& from, const std::vector<Vec<D>>& to) {
+  Vec<D> sum{};
+  for (std::size_t k = 0; k < from.size(); ++k) sum = sum + (to[k] - from[k]);
+  return sum;
+}
+
+/// Returns the largest displacement of a node less the mean one.
+template <std::size_t D>
+double largest_way(const std::vector<Vec<D>>& from, const std::vector<Vec<D>>& to, const Vec<D>& mean) {
+  double square = 0;
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const Vec<D> way = to[k] - from[k] - mean;
+    square = std::max(square, inner(way, way));
+  }
+  return std::sqrt(square);
 }
 
 }  // namespace
@@ -37,26 +97,24 @@ std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::s
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
                                                       double range) {
-  const PlacedSurface<D> primary(surfaces.primary.patches, places.primary);
-  auto result = std::make_shared<PairNeighbours>();
-  std::vector<int> together;
-  for (std::size_t s = 0; s < surfaces.secondary.patches.size(); ++s) {
-    const SurfacePatch<D>& patch = surfaces.secondary.patches[s];
-    std::vector<int> near = primary.near(patch.placed(patch.among(places.secondary)).hull(), range);
-    if (near.empty()) continue;
-    together.insert(together.end(), near.begin(), near.end());
-    result->secondary.push_back(s);
-    result->primary.push_back(std::move(near));
-  }
-  std::sort(together.begin(), together.end());
-  together.erase(std::unique(together.begin(), together.end()), together.end());
-  result->together = patch_subset(std::move(together), surfaces.primary.patches.size());
-  return result;
+  return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
+    return primary.near(patch.hull(), range);
+  });
 }
 
 template <std::size_t D>
-PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces)
+std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                   double slack) {
+  return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
+    const auto [center, radius] = ball_around(patch);
+    return primary.reduced(center, radius, HUGE_VAL, slack);
+  });
+}
+
+template <std::size_t D>
+PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead)
     : surfaces_(surfaces),
+      lead_(lead),
       secondary_amplification_(largest_amplification(surfaces.secondary)),
       primary_amplification_(largest_amplification(surfaces.primary)) {
   auto all = std::make_shared<PairNeighbours>();
@@ -68,21 +126,10 @@ PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces)
 
 template <std::size_t D>
 double PairSearch<D>::motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const {
-  Vec<D> mean{};
-  const auto add = [&](const std::vector<Vec<D>>& a, const std::vector<Vec<D>>& b) {
-    for (std::size_t k = 0; k < a.size(); ++k) mean = mean + (b[k] - a[k]);
-  };
-  add(from.secondary, to.secondary);
-  add(from.primary, to.primary);
-  mean = 1 / static_cast<double>(from.secondary.size() + from.primary.size()) * mean;
-  PairPlaces<D> ways = to;
-  const auto subtract = [&](const std::vector<Vec<D>>& start, std::vector<Vec<D>>& way) {
-    for (std::size_t k = 0; k < start.size(); ++k) way[k] = way[k] - start[k] - mean;
-  };
-  subtract(from.secondary, ways.secondary);
-  subtract(from.primary, ways.primary);
-  const auto [secondary, primary] = fastest(ways);
-  return secondary + primary;
+  const Vec<D> sum = sum_of_ways(from.secondary, to.secondary) + sum_of_ways(from.primary, to.primary);
+  const Vec<D> mean = 1 / static_cast<double>(from.secondary.size() + from.primary.size()) * sum;
+  return secondary_amplification_ * largest_way(from.secondary, to.secondary, mean) +
+         primary_amplification_ * largest_way(from.primary, to.primary, mean);
 }
 
 template <std::size_t D>
@@ -96,20 +143,29 @@ std::array<double, 2> PairSearch<D>::fastest(const PairPlaces<D>& ways) const {
 }
 
 template <std::size_t D>
-std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<PairPlaces<D>>& times, double range) {
-  const auto finite = [](const PairPlaces<D>& places) { return places.is_finite(); };
-  if (!std::isfinite(range) || !std::all_of(times.begin(), times.end(), finite)) return all_;
+std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<const PairPlaces<D>*>& times,
+                                                           double range) {
+  if (!std::all_of(times.begin(), times.end(), [](const PairPlaces<D>* places) { return places->is_finite(); }))
+    return all_;
   const auto farthest = [&](const PairPlaces<D>& from) {
     double result = 0;
-    for (const PairPlaces<D>& places : times) result = std::max(result, motion(from, places));
+    for (const PairPlaces<D>* places : times) result = std::max(result, motion(from, *places));
     return result;
   };
-  if (last_ && range <= range_ && farthest(places_) <= skin_) return last_;
+  if (last_) {
+    const double motion = farthest(places_);
+    if (std::isfinite(reach_) ? range + motion <= reach_ : motion <= skin_) return last_;
+  }
   ++searches_;
-  places_ = times[times.size() / 2];
-  range_ = range;
-  skin_ = std::max(range / 4, 2 * farthest(places_));
-  last_ = find_neighbours(surfaces_, places_, range_ + skin_);
+  places_ = *times[times.size() / 2];
+  if (std::isfinite(range)) {
+    reach_ = range + std::max(range / 4, 2 * farthest(places_));
+    last_ = find_neighbours(surfaces_, places_, reach_);
+  } else {
+    reach_ = range;
+    skin_ = std::max(mean_radius(surfaces_.secondary, places_.secondary), 2 * farthest(places_));
+    last_ = find_nearest(surfaces_, places_, 2 * skin_ + lead_);
+  }
   return last_;
 }
 
@@ -140,6 +196,8 @@ template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double);
+template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<2>&, const PairPlaces<2>&, double);
+template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<3>&, const PairPlaces<3>&, double);
 template struct PairPlaces<2>;
 template struct PairPlaces<3>;
 template class PairSearch<2>;

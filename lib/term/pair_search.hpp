@@ -30,11 +30,12 @@ std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_node
 template <std::size_t D>
 std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes);
 
-/// Secondary patches, and the primary ones that their points can have feet on.
+/// Secondary patches, and the primary ones that their points can have feet on. If places are no numbers, these are all
+/// secondary patches, without primary ones.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending
-  std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending; empty: all
-  std::shared_ptr<const PatchSubset> together;  ///< all of these primary ones; null: all patches
+  std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending
+  std::shared_ptr<const PatchSubset> together;  ///< all of these primary ones
 };
 
 /// Returns the secondary patches whose bounding boxes are nearer than `range` to those of primary patches, with these.
@@ -42,18 +43,25 @@ template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
                                                       double range);
 
-/// Finds neighbours and keeps them as long as they hold: they were searched within a range and a skin beyond it, and
-/// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
-/// kept, as long as these contain all that are within range.
+/// Returns all secondary patches with the primary ones that can hold the feet of their points, and those that are
+/// farther by no more than the slack [L0].
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                   double slack);
+
+/// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
+/// beyond it, and hold for places from which no gap can have changed by more than what the skin leaves of a new range.
+/// Those without a range are the patches that can have feet, and those that are farther by twice the skin. Feet do not
+/// depend on which patches are kept, as long as these contain all that can have one.
 template <std::size_t D>
 class PairSearch {
  public:
-  /// The surfaces must outlive it.
-  explicit PairSearch(const PairSurfaces<D>& surfaces);
+  /// `lead`: the greatest lead of feet, see SurfaceFoot [L0]. The surfaces must outlive it.
+  PairSearch(const PairSurfaces<D>& surfaces, double lead);
 
-  /// Returns neighbours within the range at all of these places and on straight ways between them. Without a finite
-  /// range, or if a place is no number, these are all patches.
-  std::shared_ptr<const PairNeighbours> cover(const std::vector<PairPlaces<D>>& times, double range);
+  /// Returns neighbours within the range at all of these places and on straight ways between them. If a place is no
+  /// number, there is no search.
+  std::shared_ptr<const PairNeighbours> cover(const std::vector<const PairPlaces<D>*>& times, double range);
   /// Returns a bound on the change of a gap between two places. The mean motion of all nodes changes no gap.
   double motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const;
   /// Returns a bound on the ways of all points of the secondary and of the primary surface, if their nodes move along
@@ -63,10 +71,12 @@ class PairSearch {
 
  private:
   const PairSurfaces<D>& surfaces_;
+  double lead_;
   double secondary_amplification_, primary_amplification_;
   std::shared_ptr<const PairNeighbours> all_, last_;
   PairPlaces<D> places_;  ///< of the last search
-  double range_ = 0, skin_ = 0;
+  double reach_ = 0;      ///< of the last search: the range and the skin
+  double skin_ = 0;       ///< without a range
   long searches_ = 0;
 };
 
@@ -77,6 +87,10 @@ extern template std::shared_ptr<const PairNeighbours> find_neighbours(const Pair
                                                                       double);
 extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&,
                                                                       double);
+extern template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<2>&, const PairPlaces<2>&,
+                                                                   double);
+extern template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<3>&, const PairPlaces<3>&,
+                                                                   double);
 extern template struct PairPlaces<2>;
 extern template struct PairPlaces<3>;
 extern template class PairSearch<2>;

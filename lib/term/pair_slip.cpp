@@ -103,7 +103,7 @@ Vec<D> PairSlip<D>::stored_traction(const typename PairPoints<D>::Contact& conta
 
 template <std::size_t D>
 std::shared_ptr<const typename PairPoints<D>::Times> PairSlip<D>::contacts(const double* u) const {
-  return points_.contacts({points_.places(u)}, PairPoints<D>::Share::All, range_);
+  return points_.contacts(u, PairPoints<D>::Share::All, range_);
 }
 
 template <std::size_t D>
@@ -112,7 +112,8 @@ typename PairSlip<D>::Point PairSlip<D>::point_of(const typename PairPoints<D>::
   const Vec<D>& n = contact.foot.normal;
   Point point;
   point.contact = contact;
-  point.nodes = points_.nodes_of(contact);
+  const auto nodes = points_.nodes_of(contact);
+  point.nodes.assign(nodes.begin(), nodes.end());
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) point.plane[i][j] = (i == j ? 1.0 : 0.0) - n[i] * n[j];
   const auto add = [&](double weight, Small<double, D> slip) {

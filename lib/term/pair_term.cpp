@@ -122,8 +122,7 @@ class PairTerm final : public Interaction {
   bool add_row_sums(const Segment& segment, double* sums) const override {
     points_.for_each_block(segment, end_rule(), Tangent::Exact,
                            [&](const PairBlock& block) { ixos::add_row_sums<D>(block, sums); });
-    return !needs_positive_gaps() ||
-           points_.contacts({points_.places(segment.to)}, Share::Forces)->front().least_gap > 0;
+    return !needs_positive_gaps() || points_.contacts(segment.to, Share::Forces)->front().least_gap > 0;
   }
 
   double energy(const double* u) const override {
@@ -132,10 +131,11 @@ class PairTerm final : public Interaction {
 
   double admissible_step(const Segment& segment, const Rule& rule, const double* direction) const override {
     if (!needs_positive_gaps()) return 1;
-    const std::vector<Places> times = points_.places(segment, rule);
-    std::vector<double> shares(times.size(), 1.0);  // that of the end
-    for (std::size_t k = 0; k < rule.points.size(); ++k) shares[k] = rule.points[k].to;
-    return approach_.free_step(times, points_.ways(direction), shares);
+    const std::vector<Places>& times = points_.places(segment, rule);
+    shares_.assign(times.size(), 1.0);  // that of the end
+    for (std::size_t k = 0; k < rule.points.size(); ++k) shares_[k] = rule.points[k].to;
+    points_.place_ways(direction, ways_);
+    return approach_.free_step(times, ways_, shares_);
   }
 
   /// Throws std::logic_error: the mean over the path has no closed form.
@@ -148,8 +148,11 @@ class PairTerm final : public Interaction {
     if (!needs_positive_gaps()) return 1;
     const double near = 10 * points_.law().equilibrium_gap();
     const Segment segment{from, nullptr, to};
-    const auto at_times = points_.contacts(
-        {points_.places(from), points_.places(segment, {1, 0.5, 0, 0.5}), points_.places(to)}, Share::Energies);
+    path_.resize(3);
+    points_.place(from, path_[0]);
+    points_.place(segment, {1, 0.5, 0, 0.5}, path_[1]);
+    points_.place(to, path_[2]);
+    const auto at_times = points_.contacts(path_, Share::Energies);
     double largest = 1;
     for (std::size_t p = 0; p < at_times->front().all.size(); ++p) {
       double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -187,7 +190,7 @@ class PairTerm final : public Interaction {
   }
 
   void add_nodal_pressure(const double* u, double* force) const override {
-    const auto times = points_.contacts({points_.places(u)}, Share::Forces);
+    const auto times = points_.contacts(u, Share::Forces);
     for (const Contact& contact : times->front().all)
       add_weighted(contact, points_.passes() * points_.measure(contact) * contact.traction, force);
   }
@@ -242,7 +245,7 @@ class PairTerm final : public Interaction {
   /// Returns the sum of visit(contact) over the points with feet that count on this rank.
   template <class Visit>
   double sum(const double* u, const Visit& visit) const {
-    const auto times = points_.contacts({points_.places(u)}, Share::Energies);
+    const auto times = points_.contacts(u, Share::Energies);
     double result = 0;
     for (const Contact& contact : times->front().all)
       if (contact.foot.patch >= 0) result += visit(contact);
@@ -276,8 +279,10 @@ class PairTerm final : public Interaction {
     const Places x = points_.places(start.u);
     if (!x.is_finite()) return;
     double fastest = 0;
-    if (start.v != nullptr)
-      for (const Vec<D>& v : points_.ways(start.v).secondary) fastest = std::max(fastest, length(v));
+    if (start.v != nullptr) {
+      points_.place_ways(start.v, ways_);
+      for (const Vec<D>& v : ways_.secondary) fastest = std::max(fastest, length(v));
+    }
     points_.sight()->look(x.secondary, std::max(points_.law().range(), 2 * dt * fastest));
   }
 
@@ -293,7 +298,11 @@ class PairTerm final : public Interaction {
   PairGradient<D> gradient_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   PairApproach<D> approach_;
-  std::optional<Places> start_;         ///< of a step that is under way
+  std::optional<Places> start_;  ///< of a step that is under way
+  // Memory, so that steps need no new one.
+  mutable std::vector<double> shares_;
+  mutable Places ways_;
+  mutable std::vector<Places> path_;
   std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
   double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step
 };

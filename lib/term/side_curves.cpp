@@ -44,35 +44,37 @@ SurfacePatches<2> surface_patches<2>(const LocalMesh& mesh, const std::vector<Lo
     return reference_place<2>(mesh, node_of(side, 1)) - reference_place<2>(mesh, node_of(side, 0));
   };
   const auto number = [&](int node) { return surface_number(surface.nodes, node, mesh); };
+  const auto before = [&](int side) { return Chains::find(chains.ending, node_of(side, 0)); };
+  const auto after = [&](int side) { return Chains::find(chains.beginning, node_of(side, 1)); };
+  // The sides that a side continues, and that continue it, smoothly.
+  const auto smoothly_before = [&](int side) {
+    const int other = side < 0 ? -1 : before(side);
+    return other >= 0 && meet_smoothly(along(other), along(side)) ? other : -1;
+  };
+  const auto smoothly_after = [&](int side) {
+    const int other = side < 0 ? -1 : after(side);
+    return other >= 0 && meet_smoothly(along(side), along(other)) ? other : -1;
+  };
+  const auto end_of = [&](int side, std::size_t end) { return side < 0 ? -1 : number(node_of(side, end)); };
   for (int own = 0; own < static_cast<int>(sides.size()); ++own) {
-    const int before = Chains::find(chains.ending, node_of(own, 0));
-    const int after = Chains::find(chains.beginning, node_of(own, 1));
-    const auto continues = [&](int a, int b) {
-      return smoothing == Smoothing::CatmullRom && a >= 0 && b >= 0 && meet_smoothly(along(a), along(b));
-    };
-    const bool smooth_start = continues(before, own), smooth_end = continues(own, after);
-    std::array<int, 4> four{-1, number(node_of(own, 0)), number(node_of(own, 1)), -1};
+    const int previous = smoothly_before(own), next = smoothly_after(own);
     SurfacePatch<2> patch;
     if (const std::vector<int>& nodes = sides[static_cast<std::size_t>(own)].nodes; nodes.size() > 2) {
       std::vector<int> numbers;
       numbers.reserve(nodes.size());
       for (const int node : nodes) numbers.push_back(number(node));
       patch = lagrange_patch<2>(numbers);
-    } else if (smooth_start || smooth_end) {
-      std::array<double, 3> lengths{0, length(along(own)), 0};
-      if (smooth_start) {
-        four[0] = number(node_of(before, 0));
-        lengths[0] = length(along(before));
-      }
-      if (smooth_end) {
-        four[3] = number(node_of(after, 1));
-        lengths[2] = length(along(after));
-      }
-      patch = smooth_patch(four, lengths);
+    } else if (smoothing == Smoothing::None || (previous < 0 && next < 0)) {
+      patch = straight_patch(end_of(own, 0), end_of(own, 1));
+    } else if (smoothing == Smoothing::Spline) {
+      patch = spline_patch({end_of(smoothly_before(previous), 0), end_of(previous, 0), end_of(own, 0), end_of(own, 1),
+                            end_of(next, 1), end_of(smoothly_after(next), 1)});
     } else {
-      patch = straight_patch(four[1], four[2]);
+      const auto length_of = [&](int side) { return side < 0 ? 0 : length(along(side)); };
+      patch = smooth_patch({end_of(previous, 0), end_of(own, 0), end_of(own, 1), end_of(next, 1)},
+                           {length_of(previous), length_of(own), length_of(next)});
     }
-    patch.neighbours = {before, after};
+    patch.neighbours = {before(own), after(own)};
     // A curve of a body of revolution does not end freely at the axis: its mirror image continues it.
     for (const std::size_t end : {0U, 1U})
       if (!on_axis.empty() && patch.neighbours[end] < 0 && on_axis[static_cast<std::size_t>(node_of(own, end))])

@@ -1,6 +1,9 @@
 // The sides of a surface in space as patches.
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "interaction/curve_patches.hpp"
 #include "interaction/face_patches.hpp"
 #include "mesh/side_grid.hpp"
@@ -117,6 +120,11 @@ SurfacePatch<3> smooth_face(const SideGrid& grid, int face) {
 template <>
 SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                      const std::string& name) {
+  if (smoothing == Smoothing::Spline)
+    throw InputError(fmt::format(
+        "the surface \"{}\" is in space, and Smoothing \"Spline\" is for surfaces in the plane: faces have no "
+        "common curvature at nodes where other than four of them meet; use \"Catmull-Rom\" or \"None\"",
+        name));
   SurfacePatches<3> surface = surface_of_sides<3>(mesh, sides, name);
   std::vector<SideGrid::Face> faces;
   for (const LocalSide& side : sides) {

@@ -48,10 +48,10 @@ SurfacePatches<D> surface_of_sides(const LocalMesh& mesh, const std::vector<Loca
 }
 
 template <std::size_t D>
-std::vector<Vec<D>> combined_places(const std::vector<int>& nodes, const std::vector<double>& coordinates, double rest,
-                                    const NodeParts& parts) {
-  std::vector<Vec<D>> result;
-  result.reserve(nodes.size());
+void combine_places(const std::vector<int>& nodes, const std::vector<double>& coordinates, double rest,
+                    const NodeParts& parts, std::vector<Vec<D>>& places) {
+  places.clear();
+  places.reserve(nodes.size());
   for (const int node : nodes) {
     Vec<D> place{};
     for (std::size_t i = 0; i < D; ++i) {
@@ -61,15 +61,14 @@ std::vector<Vec<D>> combined_places(const std::vector<int>& nodes, const std::ve
         if (values != nullptr && share != 0) moved += share * values[dof];
       place[i] = rest * coordinates[dof] + moved;
     }
-    result.push_back(place);
+    places.push_back(place);
   }
-  return result;
 }
 
-template std::vector<Vec<2>> combined_places<2>(const std::vector<int>&, const std::vector<double>&, double,
-                                                const NodeParts&);
-template std::vector<Vec<3>> combined_places<3>(const std::vector<int>&, const std::vector<double>&, double,
-                                                const NodeParts&);
+template void combine_places(const std::vector<int>&, const std::vector<double>&, double, const NodeParts&,
+                             std::vector<Vec<2>>&);
+template void combine_places(const std::vector<int>&, const std::vector<double>&, double, const NodeParts&,
+                             std::vector<Vec<3>>&);
 template SurfacePatches<2> surface_of_sides<2>(const LocalMesh&, const std::vector<LocalSide>&, const std::string&);
 template SurfacePatches<3> surface_of_sides<3>(const LocalMesh&, const std::vector<LocalSide>&, const std::string&);
 

@@ -15,7 +15,8 @@ enum class Smoothing {
   None,  ///< straight or bilinear sides: the normal jumps between them
   /// Cubic curves, or bicubic patches where four sides meet at each inner node, through the nodes: linear in the nodes'
   /// places, and of one tangent where they meet at 30 degrees or less
-  CatmullRom
+  CatmullRom,
+  Spline  ///< in the plane: cubic splines near the nodes, with one curvature, too, where sides meet so
 };
 
 /// A surface as patches. They name nodes by their place in `nodes`.
@@ -46,11 +47,19 @@ int surface_number(const std::vector<int>& nodes, int node, const LocalMesh& mes
 /// Shares of local arrays; null: 0.
 using NodeParts = std::array<std::pair<double, const double*>, 3>;
 
-/// Returns, for each of these local nodes, `rest` times its undeformed place plus the sum of the parts. `coordinates`:
-/// of the local mesh.
+/// Sets, for each of these local nodes, its place to `rest` times the undeformed one plus the sum of the parts.
+/// `coordinates`: of the local mesh.
+template <std::size_t D>
+void combine_places(const std::vector<int>& nodes, const std::vector<double>& coordinates, double rest,
+                    const NodeParts& parts, std::vector<Vec<D>>& places);
+/// Returns these places.
 template <std::size_t D>
 std::vector<Vec<D>> combined_places(const std::vector<int>& nodes, const std::vector<double>& coordinates, double rest,
-                                    const NodeParts& parts);
+                                    const NodeParts& parts) {
+  std::vector<Vec<D>> places;
+  combine_places<D>(nodes, coordinates, rest, parts, places);
+  return places;
+}
 
 /// Returns the place of a local node in the undeformed body [L0].
 template <std::size_t D>

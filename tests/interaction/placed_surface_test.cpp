@@ -162,7 +162,8 @@ TEST(PlacedSurfaceTest, FewPatchesGiveTheFeetOfAll) {
     for (std::size_t k = 0; k < near.size(); ++k)
       subset->slots[static_cast<std::size_t>(near[k])] = static_cast<int>(k);
     const PlacedSurface<3> some(sphere.patches(), sphere.x, subset);
-    const std::vector<int> reduced = some.reduced(near, center, radius, range);
+    std::vector<int> reduced;
+    some.reduce(near, center, radius, range, 0, reduced);
     before += near.size();
     after += reduced.size();
     for (int k = 0; k < 20; ++k) {
@@ -194,7 +195,9 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
     Vec<3> place{number(random), number(random), number(random)};
     place = (1.25 + 0.4 * number(random)) / length(place) * place;
     const std::vector<int> near = all.near(std::vector<Vec<3>>{place}, range + slack);
-    const std::vector<int> few = all.reduced(near, place, 0, range, slack), fewer = all.reduced(place, 0, range, slack);
+    std::vector<int> few;
+    all.reduce(near, place, 0, range, slack, few);
+    const std::vector<int> fewer = all.reduced(place, 0, range, slack);
     for (const SurfaceFoot<3>& foot :
          {all.nearest(place, range, {}, slack), all.nearest_among(few, place, range, {}, slack),
           all.nearest_among(fewer, place, range, {few.empty() ? -1 : few.back(), {}}, slack)}) {

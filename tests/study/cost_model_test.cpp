@@ -37,6 +37,15 @@ TEST(CostModelTest, PowersStayInTheirRange) {
   EXPECT_GT(model.seconds(2000, 1000), model.seconds(1000, 1000));
 }
 
+/// A run of 0.46 s and one of 0.02 s, which the noise of a process makes, say that costs grow 23-fold with the mesh.
+TEST(CostModelTest, ShortRunsTellLittle) {
+  const CostModel model = fit_costs({{100, 80, 0.02}, {100, 375, 0.46}});
+  EXPECT_LT(model.dof_power, 1.6);
+  EXPECT_NEAR(model.seconds(100, 375), 0.46, 0.1);
+  const CostModel longer = fit_costs({{100, 80, 20}, {100, 375, 460}});
+  EXPECT_GT(longer.dof_power, 1.9);
+}
+
 TEST(CostModelTest, NothingIsKnownWithoutSamples) {
   EXPECT_EQ(fit_costs({}).scale, 0);
   EXPECT_EQ(fit_costs({{0, 10, 1}, {10, 10, 0}}).scale, 0);

@@ -90,7 +90,8 @@ TEST(PairCouplingSerialTest, CoversTheBlocksOfItsPairs) {
       PairBlock block;
       block.secondary = s;
       block.primary = static_cast<int>(p);
-      const std::vector<int> nodes = disks.points->nodes_of(s, block.primary);
+      const auto own = disks.points->nodes_of(s, block.primary);
+      const std::vector<int> nodes(own.begin(), own.end());
       const bool coupled = std::find(stencils.begin(), stencils.end(), nodes) != stencils.end();
       EXPECT_EQ(coupling.covers(block), coupled);
       covered += coupled ? 1 : 0;

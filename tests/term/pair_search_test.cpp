@@ -60,14 +60,14 @@ struct Disks {
 
 TEST(PairSearchSerialTest, ItsNeighboursHaveAllFeetWhereverTheyHold) {
   const Disks disks;
-  PairSearch<2> search(disks.surfaces);
+  PairSearch<2> search(disks.surfaces, 0.2);
   const double range = 2;
-  const auto first = search.cover({disks.places}, range);
+  const auto first = search.cover({&disks.places}, range);
   EXPECT_LT(first->secondary.size(), disks.surfaces.secondary.patches.size());
   EXPECT_LT(first->together->patches.size(), disks.surfaces.primary.patches.size());
   for (const double x : {0.0, 0.05, 0.1, 0.2, 0.6, -1.5}) {
     const PairPlaces<2> at = disks.moved({x, 0.3 * x}, {-x, 0.1 * x});
-    const auto held = search.cover({at}, range);
+    const auto held = search.cover({&at}, range);
     EXPECT_EQ(disks.gaps(at, range, held.get()), disks.gaps(at, range, nullptr));
   }
   EXPECT_GT(search.searches(), 1);
@@ -76,20 +76,21 @@ TEST(PairSearchSerialTest, ItsNeighboursHaveAllFeetWhereverTheyHold) {
 
 TEST(PairSearchSerialTest, ACommonMotionAndASmallerRangeNeedNoSearch) {
   const Disks disks;
-  PairSearch<2> search(disks.surfaces);
-  const auto first = search.cover({disks.places}, 2);
-  EXPECT_EQ(search.cover({disks.moved({100, -50}, {100, -50})}, 2), first);
-  EXPECT_EQ(search.cover({disks.places}, 1), first);
+  PairSearch<2> search(disks.surfaces, 0.2);
+  const auto first = search.cover({&disks.places}, 2);
+  const PairPlaces<2> away = disks.moved({100, -50}, {100, -50});
+  EXPECT_EQ(search.cover({&away}, 2), first);
+  EXPECT_EQ(search.cover({&disks.places}, 1), first);
   EXPECT_EQ(search.searches(), 1);
-  EXPECT_NE(search.cover({disks.places}, 3), first);
+  EXPECT_NE(search.cover({&disks.places}, 3), first);
   EXPECT_EQ(search.searches(), 2);
 }
 
 TEST(PairSearchSerialTest, OneSearchCoversFastBodies) {
   const Disks disks;
-  PairSearch<2> search(disks.surfaces);
+  PairSearch<2> search(disks.surfaces, 0.2);
   const PairPlaces<2> end = disks.moved({20, 0}, {-20, 0});
-  const auto neighbours = search.cover({disks.places, end}, 2);
+  const auto neighbours = search.cover({&disks.places, &end}, 2);
   EXPECT_EQ(search.searches(), 1);
   for (const double t : {0.0, 0.1, 0.5, 1.0}) {
     const PairPlaces<2> at = disks.moved({20 * t, 0}, {-20 * t, 0});
@@ -97,23 +98,37 @@ TEST(PairSearchSerialTest, OneSearchCoversFastBodies) {
   }
 }
 
-TEST(PairSearchSerialTest, WithoutARangeOrANumberAllPatchesAreNear) {
+TEST(PairSearchSerialTest, WithoutARangeFeetAreAmongFewPatchesWhereverTheyHold) {
   const Disks disks;
-  PairSearch<2> search(disks.surfaces);
-  const std::size_t all = disks.surfaces.secondary.patches.size();
+  PairSearch<2> search(disks.surfaces, 0.2);
+  std::size_t most = 0;
+  for (const double x : {0.0, 0.1, 0.3, 0.6, -1.5}) {
+    const PairPlaces<2> at = disks.moved({x, 0.3 * x}, {-x, 0.1 * x});
+    const auto held = search.cover({&at}, HUGE_VAL);
+    EXPECT_EQ(held->secondary.size(), disks.surfaces.secondary.patches.size());
+    EXPECT_EQ(disks.gaps(at, HUGE_VAL, held.get()), disks.gaps(at, HUGE_VAL, nullptr));
+    for (const std::vector<int>& few : held->primary) most = std::max(most, few.size());
+  }
+  EXPECT_LT(most, disks.surfaces.primary.patches.size());
+  EXPECT_GT(search.searches(), 1);
+  EXPECT_LT(search.searches(), 5);
+}
+
+TEST(PairSearchSerialTest, PlacesThatAreNoNumbersAreNotSearched) {
+  const Disks disks;
+  PairSearch<2> search(disks.surfaces, 0.2);
   PairPlaces<2> broken = disks.places;
   broken.primary.back()[1] = std::nan("");
-  for (const auto& neighbours : {search.cover({disks.places}, HUGE_VAL), search.cover({disks.places, broken}, 2)}) {
-    EXPECT_EQ(neighbours->secondary.size(), all);
-    EXPECT_EQ(neighbours->together, nullptr);
-  }
+  const auto neighbours = search.cover({&disks.places, &broken}, 2);
+  EXPECT_EQ(neighbours->secondary.size(), disks.surfaces.secondary.patches.size());
+  for (const std::vector<int>& none : neighbours->primary) EXPECT_TRUE(none.empty());
   EXPECT_EQ(search.searches(), 0);
 }
 
 /// Nodes move at random; no gap changes by more than the bound.
 TEST(PairSearchSerialTest, TheMotionBoundsTheChangeOfAGap) {
   const Disks disks;
-  const PairSearch<2> search(disks.surfaces);
+  const PairSearch<2> search(disks.surfaces, 0.2);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-0.2, 0.2);
   const std::vector<double> before = disks.gaps(disks.places, 100, nullptr);

@@ -28,24 +28,26 @@ TEST(SurfacePatchesTest, ACircleIsOneClosedSmoothCurve) {
   const double radius = 5;
   const Mesh mesh = test::two_disks(radius, {20, 0}, 8, 2);
   const LocalMesh local = part(mesh, {"b_surface"});
-  const auto curves = surface_patches<2>(local, local.whole_side_sets.at("b_surface"), Smoothing::CatmullRom, "b");
-  ASSERT_EQ(curves.patches.size(), 32U);
-  EXPECT_EQ(curves.nodes.size(), 32U);
-  double length_around = 0;
-  for (const SurfacePatch<2>& patch : curves.patches) {
-    EXPECT_TRUE(patch.smooth[0] && patch.smooth[1]);
-    SurfacePatch<2>::Points own{};
-    for (std::size_t a = 0; a < patch.count; ++a)
-      own[a] = reference_place<2>(local, curves.nodes[static_cast<std::size_t>(patch.nodes[a])]);
-    const PlacedPatch<2> placed = patch.placed(own);
-    for (int k = 0; k <= 10; ++k) {
-      const Vec<2> r = placed.at({k / 10.0}) - Vec<2>{20, 0};
-      EXPECT_NEAR(length(r), radius, 2e-4 * radius);  // the sag of straight sides is 5e-3
-      if (k < 10) length_around += length(placed.at({(k + 1) / 10.0}) - placed.at({k / 10.0}));
-      EXPECT_GT(inner(placed.normal(PatchParameters<2>{k / 10.0}), r), 0);
+  for (const Smoothing smoothing : {Smoothing::CatmullRom, Smoothing::Spline}) {
+    const auto curves = surface_patches<2>(local, local.whole_side_sets.at("b_surface"), smoothing, "b");
+    ASSERT_EQ(curves.patches.size(), 32U);
+    EXPECT_EQ(curves.nodes.size(), 32U);
+    double length_around = 0;
+    for (const SurfacePatch<2>& patch : curves.patches) {
+      EXPECT_TRUE(patch.smooth[0] && patch.smooth[1]);
+      SurfacePatch<2>::Points own{};
+      for (std::size_t a = 0; a < patch.count; ++a)
+        own[a] = reference_place<2>(local, curves.nodes[static_cast<std::size_t>(patch.nodes[a])]);
+      const PlacedPatch<2> placed = patch.placed(own);
+      for (int k = 0; k <= 10; ++k) {
+        const Vec<2> r = placed.at({k / 10.0}) - Vec<2>{20, 0};
+        EXPECT_NEAR(length(r), radius, 2e-4 * radius);  // the sag of straight sides is 5e-3
+        if (k < 10) length_around += length(placed.at({(k + 1) / 10.0}) - placed.at({k / 10.0}));
+        EXPECT_GT(inner(placed.normal(PatchParameters<2>{k / 10.0}), r), 0);
+      }
     }
+    EXPECT_NEAR(length_around, 2 * M_PI * radius, 1e-3 * radius);
   }
-  EXPECT_NEAR(length_around, 2 * M_PI * radius, 1e-3 * radius);
 }
 
 TEST(SurfacePatchesTest, CornersAndFreeEndsEndACurve) {

@@ -1,0 +1,77 @@
+// Steps of two bodies take no new memory.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "support/comparison.hpp"
+#include "support/pair_of_bodies.hpp"
+#include "term/force_term.hpp"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* allocate(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  void* const memory = alignment <= alignof(std::max_align_t)
+                           ? std::malloc(size)
+                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+}  // namespace
+
+// Those of the whole test program.
+void* operator new(std::size_t size) { return allocate(size, 1); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace ixos {
+namespace {
+
+/// Returns how often a Newton iteration takes memory after three others, in which feet move and nodes are as near.
+long taken(const test::PairOfBodies& bodies, const Rule& rule) {
+  const std::vector<double> from = test::at_rest(*bodies.model), way = test::smooth_field(*bodies.model, 0.02);
+  std::vector<double> to = from, f(static_cast<std::size_t>(bodies.model->space().local()), 0.0),
+                      values = test::no_values(*bodies.model);
+  long before = 0;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] += 0.02 * way[k];
+    const Segment segment{from.data(), nullptr, to.data()};
+    before = allocations;
+    bodies.term->add_force(segment, rule, f.data());
+    bodies.term->add_tangent(segment, rule, Tangent::Exact, values.data());
+    bodies.term->admissible_step(segment, rule, way.data());
+    bodies.term->energy(to.data());
+    bodies.term->gap_ratio(from.data(), to.data());
+  }
+  return allocations - before;
+}
+
+TEST(PairMemoryTest, ANewtonIterationTakesNone) {
+  const long at_first = allocations;
+  for (const double cutoff : {0.0, 1.5}) {
+    std::vector<test::PairOfBodies> all;
+    all.emplace_back(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface", Smoothing::CatmullRom, cutoff);
+    all.emplace_back(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface", Smoothing::Spline, cutoff);
+    all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::None, cutoff);
+    all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::CatmullRom, cutoff);
+    for (const test::PairOfBodies& bodies : all) {
+      EXPECT_EQ(taken(bodies, end_rule()), 0);
+      EXPECT_EQ(taken(bodies, point_rule({0.1, 0.4, 0.9}, {0.3, 0.4, 0.3})), 0);
+      EXPECT_EQ(taken(bodies, discrete_gradient_rule()), 0);
+    }
+  }
+  EXPECT_GT(allocations, at_first) << "they are not counted";
+}
+
+}  // namespace
+}  // namespace ixos
