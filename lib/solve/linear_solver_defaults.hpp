@@ -26,7 +26,8 @@ struct ProblemSize {
 ///   nodes, to 2,000,000), else MueLu.
 /// - In 3D, from 2,000 on, if steps are short (a stiffness of at most 250), chooses CG with Chebyshev's polynomial,
 ///   without a matrix.
-/// - Compact bodies in 3D of quadratic cells get the two-level cycle from 2,000 on, on one rank.
+/// - Compact bodies in 3D get the two-level cycle on one rank: those of quadratic cells from 2,000 on, those of linear
+///   cells that have parents from 5,000 on.
 /// - Large meshes in 3D of quadratic cells, or of linear ones that have parents, get the two-level cycle in place of
 ///   MueLu, without a fine matrix. Its coarse matrix is factorised if that is cheap, else it gets MueLu.
 /// - Large tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in

@@ -245,11 +245,14 @@ TEST(LinearSolverDefaultsSerialTest, ShortStepsNeedNoMatrixInThreeDimensions) {
   EXPECT_EQ(choice({3, 3000, 1, "", "a material"}, 1), "Direct Assembled") << "enhanced elements";
 }
 
-TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesOfQuadraticCellsHaveTwoLevels) {
-  const auto choice = [](long long dofs, double width, int ranks = 1, bool quadratic = true, double stiffness = 1e300) {
+TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesHaveTwoLevels) {
+  enum class Cells { Quadratic, WithParents, Linear };
+  const auto choice = [](long long dofs, double width, int ranks = 1, Cells cells = Cells::Quadratic,
+                         double stiffness = 1e300) {
     ProblemSize size{3, dofs, ranks};
     size.width = width;
-    size.quadratic = quadratic;
+    size.quadratic = cells == Cells::Quadratic;
+    size.halved = cells == Cells::WithParents;
     size.stiffness = stiffness;
     const auto list = completed_linear_solver({}, size);
     return list.get<std::string>("Preconditioner Type") + " " + list.get<std::string>("Operator");
@@ -257,10 +260,13 @@ TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesOfQuadraticCellsHaveTwoLe
   // A cube of 8^3 cells has 17^3 nodes, and 9 levels of nodes from a corner; a beam of 2 x 2 x 64 has 65.
   EXPECT_EQ(choice(14739, 546), "Two-Level Matrix-Free");
   EXPECT_EQ(choice(9675, 3225 / 65.0), "Direct Assembled");
-  EXPECT_EQ(choice(14739, 546, 1, false), "Direct Assembled") << "linear cells";
+  EXPECT_EQ(choice(14739, 546, 1, Cells::WithParents), "Two-Level Matrix-Free");
+  EXPECT_EQ(choice(9675, 3225 / 65.0, 1, Cells::WithParents), "Direct Assembled");
+  EXPECT_EQ(choice(4999, 300, 1, Cells::WithParents), "Direct Assembled");
+  EXPECT_EQ(choice(14739, 546, 1, Cells::Linear), "Direct Assembled");
   EXPECT_EQ(choice(4800, 300, 2), "Direct Assembled") << "two ranks";
   EXPECT_EQ(choice(2000, 90), "None Assembled");
-  EXPECT_EQ(choice(14739, 546, 1, true, 200), "Chebyshev Matrix-Free") << "short steps";
+  EXPECT_EQ(choice(14739, 546, 1, Cells::Quadratic, 200), "Chebyshev Matrix-Free") << "short steps";
   ProblemSize size{3, 14739, 1};
   size.quadratic = true;
   Teuchos::ParameterList assembled;
