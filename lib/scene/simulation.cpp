@@ -208,6 +208,7 @@ void Simulation::build_integrator(Table table) {
                          asymmetry(scene, materials_, *model_, table),
                          matrix_only(scene, materials_, model_->mesh()),
                          level_width_,
+                         mesh_quality_.largest_aspect_ratio,
                          tangent_stiffness(*model_, table, longest),
                          has_quadratic_cells(model_->mesh()),
                          model_->mesh().halving != nullptr};

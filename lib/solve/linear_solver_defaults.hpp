@@ -13,6 +13,7 @@ struct ProblemSize {
   std::string asymmetry{};    ///< what makes the tangent unsymmetric, in words; empty if it is symmetric
   std::string matrix_only{};  ///< what cannot be applied without a matrix, in words; empty if there is no such part
   double width = 1e300;       ///< mean_level_width() of the mesh; asked for in three dimensions only
+  double aspect = 1;          ///< the largest aspect ratio of a cell, see MeshQuality
   double stiffness = 1e300;   ///< of the longest step: elastic forces to inertia in the tangent, the largest K_ii/M_ii
   bool quadratic = false;     ///< all cells are
   bool halved = false;        ///< linear cells have parents, see Halving
@@ -26,8 +27,9 @@ struct ProblemSize {
 ///   nodes, to 2,000,000), else MueLu.
 /// - In 3D, from 2,000 on, if steps are short (a stiffness of at most 250), chooses CG with Chebyshev's polynomial,
 ///   without a matrix.
-/// - Compact bodies in 3D get the two-level cycle on one rank: those of quadratic cells from 2,000 on, those of linear
-///   cells that have parents from 5,000 on.
+/// - Compact bodies in 3D, with cells of an aspect ratio of at most 6, get the two-level cycle on one rank: those of
+///   quadratic cells from 2,000 on, those of linear cells that have parents from 5,000 on. A body is compact if it is
+///   up to five times as long as wide.
 /// - Large meshes in 3D of quadratic cells, or of linear ones that have parents, get the two-level cycle in place of
 ///   MueLu, without a fine matrix. Its coarse matrix is factorised if that is cheap, else it gets MueLu.
 /// - Large tangents in 3D are matrix-free. On one rank a factorisation that preconditions in 3D is always MUMPS' in

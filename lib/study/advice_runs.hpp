@@ -35,7 +35,7 @@ class AdviceRuns {
   void set_budget(double seconds) { budget_ = seconds; }
   bool affords(double seconds) const { return spent_ + seconds <= budget_; }
   /// Returns whether a run that should take so many seconds may end within the budget: costs that are extrapolated to
-  /// finer meshes can be three times too high.
+  /// finer meshes and steps can be three times too high.
   bool may_afford(double seconds) const { return affords(seconds / 3); }
   double budget() const { return budget_; }
 

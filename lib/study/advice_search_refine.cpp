@@ -35,7 +35,8 @@ bool AdviceSearch::extend(std::size_t d) {
   }
   const AdvicePoint next = moved(d, level);
   if (runs_.sample(next) == nullptr) {
-    if (const double seconds = costs().seconds(next); !runs_.may_afford(seconds)) {
+    const double seconds = costs().seconds(next);
+    if (!(d <= mesh_direction ? runs_.may_afford(seconds) : runs_.affords(seconds))) {
       meets(fmt::format("The next run ({}) should take {:.2g} s, and the budget has {:.2g} s left.",
                         description_of(directions_, next), seconds, std::max(0.0, runs_.budget() - runs_.spent())));
       return false;

@@ -19,7 +19,8 @@ struct Row {
   double weight;
 };
 
-/// Returns the weight of a run: the inverse square of the error of its time's logarithm, 1 for long runs.
+/// Returns the weight of a run: the inverse square of the error of its time's logarithm, relative to that of a long
+/// one.
 double weight_of(double seconds) { return 1 / (1 + std::pow(noise / (accuracy * seconds), 2)); }
 
 }  // namespace

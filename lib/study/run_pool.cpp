@@ -163,7 +163,7 @@ StudyResult RunPool::result(const StudyRun& run) const {
   if (const double limit = entry(record, "time_limit", 0.0); limit > 0 || (status != 0 && status != 3)) {
     result.status = "failed";
     result.refused = status == 2;
-    result.reason = limit > 0 ? fmt::format("not finished after the time limit of {} s", limit)
+    result.reason = limit > 0 ? fmt::format("not finished after the time limit of {:.3g} s", limit)
                               : last_line(folder(run) + "/log.txt");
     if (limit == 0 && status > 128) result.reason = fmt::format("ended by signal {}", status - 128);
     result.wall_seconds = limit;

@@ -19,8 +19,8 @@ double tangent_stiffness(const Model& model, const Table& table, double dt);
 ProblemSize stage_size(const Model& model, const Table& table, double longest_step);
 
 /// Returns the solver that a scene with this model and scheme gets if it asks for none, see completed_linear_solver().
-/// It does not look for slender bodies: beyond 30,000 degrees of freedom in three dimensions (5,000 on several ranks)
-/// these take MueLu too. May release the damping's matrix, see Model::do_without_matrices(). Add interactions before.
+/// It looks neither for slender bodies nor for long cells: in three dimensions these take the solvers of compact
+/// bodies, too. May release the damping's matrix, see Model::do_without_matrices(). Add interactions before.
 /// `longest_step`: of the steps that the program takes [T0]. Collective.
 std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table, double longest_step);
 

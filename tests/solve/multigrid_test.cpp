@@ -248,22 +248,30 @@ TEST(LinearSolverDefaultsSerialTest, ShortStepsNeedNoMatrixInThreeDimensions) {
 TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesHaveTwoLevels) {
   enum class Cells { Quadratic, WithParents, Linear };
   const auto choice = [](long long dofs, double width, int ranks = 1, Cells cells = Cells::Quadratic,
-                         double stiffness = 1e300) {
+                         double stiffness = 1e300, double aspect = 1) {
     ProblemSize size{3, dofs, ranks};
     size.width = width;
     size.quadratic = cells == Cells::Quadratic;
     size.halved = cells == Cells::WithParents;
     size.stiffness = stiffness;
+    size.aspect = aspect;
     const auto list = completed_linear_solver({}, size);
     return list.get<std::string>("Preconditioner Type") + " " + list.get<std::string>("Operator");
   };
   // A cube of 8^3 cells has 17^3 nodes, and 9 levels of nodes from a corner; a beam of 2 x 2 x 64 has 65.
   EXPECT_EQ(choice(14739, 546), "Two-Level Matrix-Free");
   EXPECT_EQ(choice(9675, 3225 / 65.0), "Direct Assembled");
-  EXPECT_EQ(choice(14739, 546, 1, Cells::WithParents), "Two-Level Matrix-Free");
+  // Levels of linear cells have one layer of nodes: 16^3 cells, 44 x 12 x 12 and 88 x 10 x 10.
+  EXPECT_EQ(choice(14739, 289, 1, Cells::WithParents), "Two-Level Matrix-Free");
+  EXPECT_EQ(choice(22815, 169, 1, Cells::WithParents), "Two-Level Matrix-Free");
+  EXPECT_EQ(choice(32307, 121, 1, Cells::WithParents), "Direct Matrix-Free");
   EXPECT_EQ(choice(9675, 3225 / 65.0, 1, Cells::WithParents), "Direct Assembled");
+  EXPECT_EQ(choice(5000, 300, 1, Cells::WithParents), "Two-Level Matrix-Free");
   EXPECT_EQ(choice(4999, 300, 1, Cells::WithParents), "Direct Assembled");
-  EXPECT_EQ(choice(14739, 546, 1, Cells::Linear), "Direct Assembled");
+  EXPECT_EQ(choice(14739, 289, 1, Cells::WithParents, 1e300, 10), "Direct Assembled") << "long cells";
+  EXPECT_TRUE(may_use_parents({}, 3, 5000, 1));
+  EXPECT_FALSE(may_use_parents({}, 3, 4999, 1));
+  EXPECT_EQ(choice(14739, 289, 1, Cells::Linear), "Direct Assembled");
   EXPECT_EQ(choice(4800, 300, 2), "Direct Assembled") << "two ranks";
   EXPECT_EQ(choice(2000, 90), "None Assembled");
   EXPECT_EQ(choice(14739, 546, 1, Cells::Quadratic, 200), "Chebyshev Matrix-Free") << "short steps";

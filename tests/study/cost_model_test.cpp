@@ -37,7 +37,7 @@ TEST(CostModelTest, PowersStayInTheirRange) {
   EXPECT_GT(model.seconds(2000, 1000), model.seconds(1000, 1000));
 }
 
-/// A run of 0.46 s and one of 0.02 s, which the noise of a process makes, say that costs grow 23-fold with the mesh.
+/// Taken at their word, runs of 0.02 s and 0.46 s say that costs grow 23-fold with the mesh. But the 0.02 s are noise.
 TEST(CostModelTest, ShortRunsTellLittle) {
   const CostModel model = fit_costs({{100, 80, 0.02}, {100, 375, 0.46}});
   EXPECT_LT(model.dof_power, 1.6);

@@ -36,6 +36,10 @@ def disks(sides):
                   "lower_surface")
 
 
+def splines(sides):
+    return {**disks(sides), "Interactions/Pair/Smoothing": "Spline"}
+
+
 def thrown(lengths, step):
     """The upper block flies at the lower one, by that many of its lengths a step."""
     return {**blocks(3 * R0), "Initial Conditions/Blocks/Blocks": ["upper_body"],
@@ -64,6 +68,8 @@ def study(runner, images):
               ("sides of secondary to primary surface",
                outcomes(runner, "ratio", [(r, of_ratio(r)) for r in RATIOS], 1e-3), RATIOS, "number of sides"),
               ("disks of few sides", outcomes(runner, "sides", [(n, disks(n)) for n in SIDES], 1e-3), SIDES, "sides"),
+              ("disks of few sides, splines", outcomes(runner, "splines", [(n, splines(n)) for n in SIDES], 1e-3),
+               SIDES, "sides"),
               ("thrown", outcomes(runner, "thrown", [(x, thrown(x, 1e-3)) for x in LENGTHS], 1e-3, 20), LENGTHS,
                "lengths a step")]
     lines = []
