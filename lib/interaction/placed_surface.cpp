@@ -118,8 +118,7 @@ void PlacedSurface<D>::look(int patch, const std::array<bool, SurfacePatch<D>::s
 }
 
 template <std::size_t D>
-SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, const FootGuess<D>& guess,
-                                         double slack) const {
+SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, const FootGuess<D>& guess) const {
   namespace index = bg::index;
   Best best(range);
   const auto look_at = [&](int i) { look(i, patches_[at(i)].smooth, place, best); };
@@ -128,18 +127,18 @@ SurfaceFoot<D> PlacedSurface<D>::nearest(const Vec<D>& place, double range, cons
     const auto visit = [&](const typename Tree::Entry& entry) {
       if (entry.second != guess.patch) look_at(entry.second);
     };
-    tree_->index.query(index::intersects(grown(place, place, best.foot.distance + slack)),
+    tree_->index.query(index::intersects(grown(place, place, best.foot.distance)),
                        boost::make_function_output_iterator(visit));
   } else {
     // The query yields patches in the order of the distances of their boxes.
     const auto count = static_cast<unsigned>(patches_.size());
     for (auto entry = tree_->index.qbegin(index::nearest(point(place), count)); entry != tree_->index.qend(); ++entry) {
-      if (bg::distance(point(place), entry->first) > best.foot.distance + slack) break;
+      if (bg::distance(point(place), entry->first) > best.foot.distance) break;
       if (entry->second != guess.patch) look_at(entry->second);
     }
   }
   return complete(
-      place, best, [](int) { return true; }, slack);
+      place, best, [](int) { return true; }, 0);
 }
 
 template <std::size_t D>
@@ -240,9 +239,9 @@ std::vector<int> PlacedSurface<D>::near(const Box& box, double range) const {
 
 template <std::size_t D>
 double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways,
-                                    double fastest, double least, const std::vector<int>* among) const {
+                                    double least, const std::vector<int>& patches) const {
   double share = 1;
-  const auto look = [&](int i) {
+  for (const int i : patches) {
     const SurfacePatch<D>& own = patches_[at(i)];
     auto motion = own.placed(own.among(ways)).hull();
     double relative = 0;
@@ -250,12 +249,9 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
       w = way - w;
       relative = std::max(relative, length(w));
     }
-    if (bound(i, place) - least >= share * relative) return;
+    if (bound(i, place) - least >= share * relative) continue;
     const PatchFoot<D> foot = nearest_point(patch(i), own.smooth, place, bounds_[slot(i)].start(place));
-    if (!(foot.distance > 0)) {
-      share = 0;
-      return;
-    }
+    if (!(foot.distance > 0)) return 0;
     const double in_any_direction = std::max(0.0, (foot.distance - least) / relative);
     const Vec<D> n = (1 / foot.distance) * (place - patch(i).at(foot.xi));
     const auto hull = patch(i).hull();
@@ -266,14 +262,7 @@ double PlacedSurface<D>::free_share(const Vec<D>& place, const Vec<D>& way, cons
       if (room < 0) break;
     }
     share = std::min(share, std::max(in_any_direction, along_normal));
-  };
-  if (among != nullptr) {
-    for (const int i : *among) look(i);
-    return share;
   }
-  const double reach = least + length(way) + fastest;
-  const auto visit = [&](const typename Tree::Entry& entry) { look(entry.second); };
-  tree_->index.query(bg::index::intersects(grown(place, place, reach)), boost::make_function_output_iterator(visit));
   return share;
 }
 

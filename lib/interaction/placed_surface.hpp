@@ -60,14 +60,13 @@ class PlacedSurface {
   void move(const std::vector<Vec<D>>& x, std::shared_ptr<const PatchSubset> subset);
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
-  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. `slack`: the greatest lead
-  /// that the foot can have; more of it costs time. The gap is positive on the outer side. At a kink, the sum of the
+  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. The foot has no lead. The gap is positive on the outer side. At a kink, the sum of the
   /// normals of the patches that meet there, weighted by their angles, tells the outer side (Baerentzen and Aanaes
   /// 2005); beyond a free rim the gap is positive. It searches in the tree.
   SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
-                         const FootGuess<D>& guess = {}, double slack = 0) const;
+                         const FootGuess<D>& guess = {}) const;
   /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the
-  /// nearest one and the slack.
+  /// nearest one and the slack. `slack`: the greatest lead that the foot can have; more of it costs time.
   SurfaceFoot<D> nearest_among(const std::vector<int>& patches, const Vec<D>& place, double range,
                                const FootGuess<D>& guess = {}, double slack = 0) const;
   /// Returns the nearest point of the patch that is known to be the nearest one. `guess`: names the patch.
@@ -90,10 +89,9 @@ class PlacedSurface {
   /// Returns how far the nodes and the place may move along their ways, as a factor s in [0, 1], while the distance
   /// surely stays at least `least`. The later of two bounds counts for each patch: the motion of the
   /// place relative to the patch's hull is as long as the distance exceeds `least`; or the hull, seen along the normal
-  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `fastest`: a bound on the ways of all
-  /// points of the surface. `among`: the patches that count; null: all, searched in the tree.
-  double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double fastest,
-                    double least, const std::vector<int>* among = nullptr) const;
+  /// at the foot, comes nearer to the place than `least`. `ways`: by node, as x. `patches`: those that count.
+  double free_share(const Vec<D>& place, const Vec<D>& way, const std::vector<Vec<D>>& ways, double least,
+                    const std::vector<int>& patches) const;
 
  private:
   /// A bounding box.

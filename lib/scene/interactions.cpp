@@ -73,7 +73,7 @@ const Options<Parameters>& options() {
                   {"Catmull-Rom", Smoothing::CatmullRom}, {"Spline", Smoothing::Spline}, {"None", Smoothing::None}},
               "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
               "nodes, with corners where two sides meet at more than 30 degrees; Spline, in two dimensions only, is "
-              "a curve near the nodes with the same corners and no other jump of the curvature; None has straight "
+              "a curve near the nodes with the same corners and one curvature between them; None has straight "
               "sides, whose normals jump at the nodes. It has no effect without a Primary Side Set.")
           .add("Exclusion", &Parameters::exclusion,
                "For a surface that interacts with itself, whose Primary Side Set is its Side Set: distance along the "

@@ -7,12 +7,12 @@
 namespace ixos {
 namespace {
 
-/// Returns the largest distance of a patch's nodes from its first one.
+/// Returns the largest distance of a patch's corners from its first one.
 template <std::size_t D>
 double longest_side(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x) {
   double longest = 0;
   for (const SurfacePatch<D>& patch : patches)
-    for (std::size_t a = 0; a < patch.count; ++a)
+    for (std::size_t a = 0; a < (D == 2 ? 2 : 4); ++a)
       longest = std::max(
           longest, length(x[static_cast<std::size_t>(patch.nodes[a])] - x[static_cast<std::size_t>(patch.nodes[0])]));
   return longest;
@@ -26,8 +26,9 @@ void lower_to(const Vec<D>& place, double gap, LowestPoint& lowest) {
   std::copy(place.begin(), place.end(), lowest.place.begin());
 }
 
-/// Lowers the lowest point to the nodes and the middles of the sides of one surface before the other. A surface that
-/// crosses the other has a node no deeper than its longest side, or a middle.
+/// Lowers the lowest point to the ends and the middles of the sides of one surface before the other. A surface that
+/// crosses the other has an end no deeper than its longest side, or a middle. In space the ends are the nodes; in the
+/// plane splines pass beside them.
 template <std::size_t D>
 void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, const PlacedSurface<D>& own,
            const PlacedSurface<D>& other, LowestPoint& lowest) {
@@ -38,10 +39,18 @@ void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>
     guess = foot.patch;
     lower_to<D>(place, foot.gap, lowest);
   };
-  for (const Vec<D>& place : x) look(place);
+  if constexpr (D == 3)
+    for (const Vec<D>& place : x) look(place);
   PatchParameters<D> middle;
   middle.fill(0.5);
-  for (std::size_t s = 0; s < patches.size(); ++s) look(own.patch(static_cast<int>(s)).at(middle));
+  for (std::size_t s = 0; s < patches.size(); ++s) {
+    const PlacedPatch<D>& patch = own.patch(static_cast<int>(s));
+    look(patch.at(middle));
+    if constexpr (D == 2) {
+      look(patch.at({0}));
+      if (patches[s].neighbours[1] < 0) look(patch.at({1}));
+    }
+  }
 }
 
 /// Adds a share of ways to the places.
@@ -174,8 +183,8 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
       if (room_of_point >= own * (fastest_secondary + fastest_primary)) continue;
       const Vec<D> way = interpolate(c, ways.secondary);
       if (room_of_point >= own * (length(way) + fastest_primary)) continue;
-      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, fastest_primary, gap,
-                                                        &contacts->candidates(c)));
+      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, gap,
+                                                        contacts->candidates(c)));
     }
     done += own;
     if (own <= 0.01 * done || done >= 1) break;  // further parts are not worth their searches

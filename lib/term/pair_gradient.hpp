@@ -105,7 +105,7 @@ class PairGradient {
   const PairPoints<D>& points_;
   double stiffness_;         ///< k
   std::vector<char> kinks_;  ///< by node of the primary surface: whether a side with a kink or a rim ends there
-  // Memory, so that steps need no new one.
+  // Memory, so that Newton iterations need no new one.
   mutable std::vector<typename PairPoints<D>::Places> places_;
   mutable PairBlock block_;
 };

@@ -53,6 +53,7 @@ class PairPoints {
   void begin_step() {
     last_ = nullptr;
     remembers_ = true;
+    search_.begin_step();
   }
   Places places(const double* u) const;
   void place(const double* u, Places& at) const;
@@ -152,7 +153,7 @@ class PairPoints {
   mutable std::shared_ptr<const Times> last_;
   mutable Share last_share_ = Share::Forces;  ///< of `last_`
   mutable double last_range_ = 0;
-  /// Memory, so that steps need no new one.
+  /// Memory, so that Newton iterations need no new one.
   struct Memory {
     std::vector<std::shared_ptr<Times>> times;
     std::vector<Places> at_rule, single;

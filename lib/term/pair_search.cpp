@@ -157,15 +157,14 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
     if (std::isfinite(reach_) ? range + motion <= reach_ : motion <= skin_) return last_;
   }
   ++searches_;
+  last_ = nullptr;
   places_ = *times[times.size() / 2];
-  if (std::isfinite(range)) {
-    reach_ = range + std::max(range / 4, 2 * farthest(places_));
-    last_ = find_neighbours(surfaces_, places_, reach_);
-  } else {
-    reach_ = range;
-    skin_ = std::max(mean_radius(surfaces_.secondary, places_.secondary), 2 * farthest(places_));
-    last_ = find_nearest(surfaces_, places_, 2 * skin_ + lead_);
-  }
+  const bool bounded = std::isfinite(range);
+  const double usual = bounded ? range / 4 : mean_radius(surfaces_.secondary, places_.secondary);
+  skin_ = std::max(usual, 2 * farthest(places_));
+  is_wide_ = skin_ > 4 * usual;
+  reach_ = range + skin_;
+  last_ = bounded ? find_neighbours(surfaces_, places_, reach_) : find_nearest(surfaces_, places_, 2 * skin_ + lead_);
   return last_;
 }
 

@@ -31,7 +31,7 @@ template <std::size_t D>
 std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes);
 
 /// Secondary patches, and the primary ones that their points can have feet on. If places are no numbers, these are all
-/// secondary patches, without primary ones.
+/// secondary patches, without primary ones and without `together`.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending
   std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending
@@ -50,9 +50,10 @@ std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfac
                                                    double slack);
 
 /// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
-/// beyond it, and hold for places from which no gap can have changed by more than what the skin leaves of a new range.
-/// Those without a range are the patches that can have feet, and those that are farther by twice the skin. Feet do not
-/// depend on which patches are kept, as long as these contain all that can have one.
+/// beyond it, its reach. They hold as long as the range and the change of gaps stay within that reach. Without a range
+/// they are the patches that can have feet, and those that are farther by twice the skin and the greatest lead. They
+/// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
+/// kept, as long as these contain all that can have one.
 template <std::size_t D>
 class PairSearch {
  public:
@@ -60,8 +61,12 @@ class PairSearch {
   PairSearch(const PairSurfaces<D>& surfaces, double lead);
 
   /// Returns neighbours within the range at all of these places and on straight ways between them. If a place is no
-  /// number, there is no search.
+  /// number, it returns what PairNeighbours says of such places, without a search.
   std::shared_ptr<const PairNeighbours> cover(const std::vector<const PairPlaces<D>*>& times, double range);
+  /// Forgets lists that a long way has made much longer than usual.
+  void begin_step() {
+    if (is_wide_) last_ = nullptr;
+  }
   /// Returns a bound on the change of a gap between two places. The mean motion of all nodes changes no gap.
   double motion(const PairPlaces<D>& from, const PairPlaces<D>& to) const;
   /// Returns a bound on the ways of all points of the secondary and of the primary surface, if their nodes move along
@@ -74,9 +79,9 @@ class PairSearch {
   double lead_;
   double secondary_amplification_, primary_amplification_;
   std::shared_ptr<const PairNeighbours> all_, last_;
-  PairPlaces<D> places_;  ///< of the last search
-  double reach_ = 0;      ///< of the last search: the range and the skin
-  double skin_ = 0;       ///< without a range
+  PairPlaces<D> places_;         ///< of the last search
+  double reach_ = 0, skin_ = 0;  ///< of the last search: the range and the skin, and the skin
+  bool is_wide_ = false;         ///< the last search had a much wider skin than usual
   long searches_ = 0;
 };
 

@@ -299,7 +299,7 @@ class PairTerm final : public Interaction {
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   PairApproach<D> approach_;
   std::optional<Places> start_;  ///< of a step that is under way
-  // Memory, so that steps need no new one.
+  // Memory, so that Newton iterations need no new one.
   mutable std::vector<double> shares_;
   mutable Places ways_;
   mutable std::vector<Places> path_;

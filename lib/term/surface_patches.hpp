@@ -16,7 +16,9 @@ enum class Smoothing {
   /// Cubic curves, or bicubic patches where four sides meet at each inner node, through the nodes: linear in the nodes'
   /// places, and of one tangent where they meet at 30 degrees or less
   CatmullRom,
-  Spline  ///< in the plane: cubic splines near the nodes, with one curvature, too, where sides meet so
+  /// In the plane: cubic splines near the nodes, of one tangent and one curvature where sides meet at 30 degrees or
+  /// less
+  Spline
 };
 
 /// A surface as patches. They name nodes by their place in `nodes`.
@@ -31,7 +33,8 @@ struct SurfacePatches {
 /// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
 /// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Nodes on tied edges are left out.
 /// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if more than two
-/// sides meet in a corner in the plane or in an edge in space, or if neighbours in space have opposite directions.
+/// sides meet in a corner in the plane or in an edge in space, if neighbours in space have opposite directions, or for
+/// Spline in space.
 template <std::size_t D>
 SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                   const std::string& name);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "interaction/curve_patches.hpp"
@@ -79,11 +80,10 @@ TEST(PlacedSurfaceTest, BeyondAFreeEndTheDistanceIsPositiveAndAtACornerOnItsOute
   EXPECT_DOUBLE_EQ(normal[1], -0.8);
 }
 
-/// A bound on the ways of points: the sum of the weights' sizes is below 2.
-template <std::size_t D>
-double fastest(const std::vector<Vec<D>>& ways) {
-  double result = 0;
-  for (const Vec<D>& way : ways) result = std::max(result, 2 * length(way));
+/// Returns the numbers of `count` patches.
+std::vector<int> first_patches(std::size_t count) {
+  std::vector<int> result(count);
+  std::iota(result.begin(), result.end(), 0);
   return result;
 }
 
@@ -101,7 +101,7 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeAndNotShort) {
       for (Vec<2>& w : ways) w = {way[0] + 0.8 * number(random), way[1] + 0.8 * number(random)};
       const double least = 0.2;
       const PlacedSurface<2> placed(ring.patches, ring.x);
-      const double share = placed.free_share(place, way, ways, fastest(ways), least);
+      const double share = placed.free_share(place, way, ways, least, first_patches(sides));
       EXPECT_GT(share, 0.1);  // the relative motion is 1.25 sqrt(2) 0.8 at most, the gap at least 0.7
       if (share < 1) ++limited;
       for (int k = 1; k <= 10; ++k) {
@@ -117,7 +117,7 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeAndNotShort) {
   const PlacedSurface<2> placed(ring.patches, ring.x);
   const auto free = [&](const Vec<2>& way, const Vec<2>& of_ring) {
     const std::vector<Vec<2>> ways(sides, of_ring);
-    return placed.free_share({4, 0}, way, ways, fastest(ways), 0.2);
+    return placed.free_share({4, 0}, way, ways, 0.2, first_patches(sides));
   };
   EXPECT_EQ(free({-9, 3}, {-9, 3}), 1) << "a common translation changes no gap";
   EXPECT_EQ(free({9, 0}, {-9, 0}), 1) << "they move apart";
@@ -199,7 +199,7 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
     all.reduce(near, place, 0, range, slack, few);
     const std::vector<int> fewer = all.reduced(place, 0, range, slack);
     for (const SurfaceFoot<3>& foot :
-         {all.nearest(place, range, {}, slack), all.nearest_among(few, place, range, {}, slack),
+         {all.nearest_among(few, place, range, {}, slack),
           all.nearest_among(fewer, place, range, {few.empty() ? -1 : few.back(), {}}, slack)}) {
       EXPECT_GE(foot.lead, 0);
       EXPECT_LE(foot.lead, slack);
@@ -218,8 +218,8 @@ TEST(PlacedSurfaceTest, OtherPatchesAreFartherByTheLead) {
       }
     }
   }
-  EXPECT_GT(leads, 200);
-  EXPECT_GT(out, 100);
+  EXPECT_GT(leads, 130);
+  EXPECT_GT(out, 60);
 }
 
 TEST(PlacedSurfaceTest, BeforeASphereGapsAreThoseOfTheSphere) {
@@ -288,7 +288,8 @@ TEST(PlacedSurfaceTest, TheFreeShareIsSafeInSpace) {
     place = 5.8 / length(place) * place;
     std::vector<Vec<3>> ways(sphere.x.size());
     for (Vec<3>& w : ways) w = {0.8 * number(random), 0.8 * number(random), 0.8 * number(random)};
-    const double least = 0.2, share = placed.free_share(place, way, ways, fastest(ways), least);
+    const double least = 0.2,
+                 share = placed.free_share(place, way, ways, least, first_patches(sphere.patches().size()));
     EXPECT_GT(share, 0.05);
     if (share < 1) ++limited;
     for (int k = 1; k <= 5; ++k) {

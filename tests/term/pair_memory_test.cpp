@@ -1,4 +1,4 @@
-// Steps of two bodies take no new memory.
+// Newton iterations of two bodies take no new memory.
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -114,6 +114,62 @@ TEST(PairSearchSerialTest, WithoutARangeFeetAreAmongFewPatchesWhereverTheyHold) 
   EXPECT_LT(search.searches(), 5);
 }
 
+/// The disks nearly touch, and nodes move at random as far as the lists hold.
+TEST(PairSearchSerialTest, ListsWithoutARangeHaveAllThatAreFartherByTheLead) {
+  const Disks disks;
+  const double lead = 0.2;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::size_t missed = 0, listed = 0;
+  for (int n = 0; n < 20; ++n) {
+    PairSearch<2> search(disks.surfaces, lead);
+    const PairPlaces<2> start = disks.moved({0.95, 0.1 * n}, {0, 0});
+    const auto held = search.cover({&start}, HUGE_VAL);
+    PairPlaces<2> at = start;
+    for (auto* x : {&at.secondary, &at.primary})
+      for (Vec<2>& place : *x) place = place + Vec<2>{0.12 * number(random), 0.12 * number(random)};
+    ASSERT_EQ(search.cover({&at}, HUGE_VAL), held) << "they hold";
+    const PlacedSurface<2> secondary(disks.surfaces.secondary.patches, at.secondary),
+        primary(disks.surfaces.primary.patches, at.primary);
+    const std::vector<SurfacePatch<2>>& patches = disks.surfaces.primary.patches;
+    for (std::size_t s = 0; s < held->secondary.size(); ++s)
+      for (const double t : {0.0, 0.3, 0.6, 1.0}) {
+        const Vec<2> place = secondary.patch(static_cast<int>(s)).at({t});
+        const double least = std::abs(primary.nearest(place).gap);
+        for (std::size_t p = 0; p < patches.size(); ++p) {
+          const PlacedPatch<2>& patch = primary.patch(static_cast<int>(p));
+          const double distance =
+              nearest_point(patch, patches[p].smooth, place, PatchBound<2>(patch).start(place)).distance;
+          if (distance > least + lead) continue;
+          ++listed;
+          const std::vector<int>& own = held->primary[s];
+          if (!std::binary_search(own.begin(), own.end(), static_cast<int>(p))) ++missed;
+        }
+      }
+  }
+  EXPECT_EQ(missed, 0U);
+  EXPECT_GT(listed, 5000U);
+}
+
+/// After a step in which the bodies moved far, lists are as short as before.
+TEST(PairSearchSerialTest, WideListsEndWithTheStep) {
+  const Disks disks;
+  for (const double range : {1.0, HUGE_VAL}) {
+    PairSearch<2> search(disks.surfaces, 0.2);
+    const auto count = [](const PairNeighbours& near) {
+      std::size_t sum = 0;
+      for (const std::vector<int>& few : near.primary) sum += few.size();
+      return sum;
+    };
+    const std::size_t few = count(*search.cover({&disks.places}, range));
+    const PairPlaces<2> away = disks.moved({30, 0}, {-30, 0});
+    EXPECT_GT(count(*search.cover({&disks.places, &away}, range)), 3 * few);
+    EXPECT_GT(count(*search.cover({&disks.places}, range)), 3 * few);
+    search.begin_step();
+    EXPECT_EQ(count(*search.cover({&disks.places}, range)), few);
+  }
+}
+
 TEST(PairSearchSerialTest, PlacesThatAreNoNumbersAreNotSearched) {
   const Disks disks;
   PairSearch<2> search(disks.surfaces, 0.2);

@@ -58,9 +58,10 @@ std::vector<Bodies> cases() {
     all.emplace_back(tied, "upper_bottom", "lower_top", Smoothing::CatmullRom);
     if (element == ContactElement::Q1C4) all.back().rounding = 20;
   }
-  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom, Smoothing::Spline}) {
     all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
   }
+  all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::Spline);
   return all;
 }
 
@@ -97,9 +98,9 @@ TEST(PairTermTest, BeforeAFlatSurfaceItIsTheWall) {
   Mesh plane = test::two_blocks(0.3), around = plane;
   around.axisymmetric = true;
   for (std::size_t k = 0; k < around.coordinates.size(); k += 2) around.coordinates[k] += 0.5;
-  for (const auto& [blocks, smoothing] :
-       {std::pair{plane, Smoothing::None}, std::pair{plane, Smoothing::CatmullRom}, std::pair{around, Smoothing::None},
-        std::pair{around, Smoothing::CatmullRom}}) {
+  for (const auto& [blocks, smoothing] : {std::pair{plane, Smoothing::None}, std::pair{plane, Smoothing::CatmullRom},
+                                          std::pair{around, Smoothing::None}, std::pair{around, Smoothing::CatmullRom},
+                                          std::pair{plane, Smoothing::Spline}, std::pair{around, Smoothing::Spline}}) {
     const Bodies bodies(blocks, "upper_bottom", "lower_top", smoothing);
     const LocalMesh& mesh = bodies.model->mesh();
     HalfSpace wall;

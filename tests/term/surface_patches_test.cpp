@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -60,6 +61,12 @@ TEST(SurfacePatchesTest, CornersAndFreeEndsEndACurve) {
     if (!patch.smooth[1]) ++corners;
   }
   EXPECT_EQ(corners, 8);
+  // A spline of the 5 sides of the bottom has both ends of the curve, and up to six nodes.
+  std::vector<std::size_t> counts;
+  for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_bottom", Smoothing::Spline).patches)
+    counts.push_back(patch.count);
+  std::sort(counts.begin(), counts.end());
+  EXPECT_EQ(counts, (std::vector<std::size_t>{4, 4, 5, 5, 6}));
   int ends = 0;
   for (const SurfacePatch<2>& patch : curves_of(mesh, "upper_bottom", Smoothing::CatmullRom).patches)
     ends += (patch.neighbours[0] < 0 ? 1 : 0) + (patch.neighbours[1] < 0 ? 1 : 0);
@@ -179,6 +186,11 @@ TEST(SurfacePatchesTest, RefusesSidesOfOtherCells) {
   enrich(mesh, "upper_bottom", ContactElement::Q1CH);
   EXPECT_THROW(curves_of(mesh, "upper_bottom", Smoothing::None), InputError);
   EXPECT_THROW(part(mesh, {"no such set"}), InputError);
+  const Mesh boxes = test::two_boxes(0.3);
+  const LocalMesh in_space = part(boxes, {"upper_bottom"});
+  EXPECT_THROW(
+      surface_patches<3>(in_space, in_space.whole_side_sets.at("upper_bottom"), Smoothing::Spline, "upper_bottom"),
+      InputError);
 }
 
 }  // namespace

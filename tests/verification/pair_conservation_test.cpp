@@ -63,8 +63,8 @@ TEST(PairConservationTest, EnergyMomentumTakesFeetThatRoll) {
   }
 }
 
-/// On curves of Catmull-Rom the power of a force has a kink where its foot crosses a node, on splines it has none.
-/// Beyond a cutoff no point has two feet that are equally near.
+/// On curves of Catmull-Rom the power of a force has a kink where its foot crosses a node, on splines it has none. With
+/// the cutoff, points that are as near to two parts of a ring do not act.
 TEST(PairConservationLongTest, TheAverageVectorFieldKeepsEnergyAndLinearMomentum) {
   const char* scheme = "Average Vector Field";
   const Mesh rings = test::two_rings(3, 2.2, {6.1, 2.4}, 32, 2), balls = test::two_balls(3, {6.1, 1.9, 1.5}, 3, 1);
