@@ -14,6 +14,8 @@
 
 #include "base/error.hpp"
 #include "study/advice_report.hpp"
+#include "study/advice_runs.hpp"
+#include "support/advice_case.hpp"
 #include "support/files.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -253,6 +255,16 @@ TEST_F(AdviceTest, TellsWhyItStops) {
   const Advice poor = advice("1 + dt**2 + 0.5 * h**0.5", 0.001);
   EXPECT_EQ(poor.status, AdviceStatus::Unreachable);
   EXPECT_NE(poor.problem.find("the budget has"), std::string::npos) << poor.problem;
+}
+
+TEST_F(AdviceTest, WhatIsExtrapolatedMayCostThreeTimesTheRest) {
+  const AdviceDirections directions = test::directions_of_formula();
+  AdviceRuns runs(question_, options_, directions);
+  runs.set_budget(10);
+  EXPECT_TRUE(runs.affords(10));
+  EXPECT_FALSE(runs.affords(11));
+  EXPECT_TRUE(runs.may_afford(30));
+  EXPECT_FALSE(runs.may_afford(31));
 }
 
 TEST_F(AdviceTest, BadQuestionsAreRefused) {
