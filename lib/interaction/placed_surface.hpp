@@ -60,9 +60,10 @@ class PlacedSurface {
   void move(const std::vector<Vec<D>>& x, std::shared_ptr<const PatchSubset> subset);
 
   const PlacedPatch<D>& patch(int number) const { return placed_[slot(number)]; }
-  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. The foot has no lead. The gap is positive on the outer side. At a kink, the sum of the
-  /// normals of the patches that meet there, weighted by their angles, tells the outer side (Baerentzen and Aanaes
-  /// 2005); beyond a free rim the gap is positive. It searches in the tree.
+  /// Returns the nearest point if it is nearer than `range`; else a foot without a patch. The foot has no lead. The gap
+  /// is positive on the outer side. At a kink, the sum of the normals of the patches that meet there, weighted by their
+  /// angles, tells the outer side (Baerentzen and Aanaes 2005); beyond a free rim the gap is positive. It searches in
+  /// the tree.
   SurfaceFoot<D> nearest(const Vec<D>& place, double range = std::numeric_limits<double>::infinity(),
                          const FootGuess<D>& guess = {}) const;
   /// Does the same among these patches, ascending, which must contain all that are nearer than `range`, or than the

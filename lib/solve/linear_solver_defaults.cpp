@@ -54,8 +54,8 @@ constexpr long long least_linear = 5000;
 /// Whether a body is better off with two levels than with a factorisation. Cubes of 4^3, 6^3 and 8^3 quadratic cells on
 /// a wall take 0.5, 0.2 and 0.1 times the processor time of MUMPS, those of 12^3, 16^3 and 20^3 linear cells 0.6, 0.4
 /// and 0.3 times, 44 x 12 x 12 linear cells 0.4 times. Long cells take more CG iterations: 16^3 linear cells with edges
-/// of ratio 5 take 0.8 times, of ratio 10 from 0.9 to 1.8 times, of ratio 40 from 2 to 4 times. A body that is L times as
-/// long as wide has L^(-2/3) times the two-thirds power of its nodes in a cut. Levels of quadratic cells have two
+/// of ratio 5 take 0.8 times, of ratio 10 from 0.9 to 1.8 times, of ratio 40 from 2 to 4 times. A body that is L times
+/// as long as wide has L^(-2/3) times the two-thirds power of its nodes in a cut. Levels of quadratic cells have two
 /// layers of nodes.
 bool is_compact(const ProblemSize& size) {
   const double cut = size.quadratic ? size.width / 2 : size.width;

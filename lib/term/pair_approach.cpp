@@ -183,8 +183,7 @@ double PairApproach<D>::free_share(const typename PairPoints<D>::Contacts& start
       if (room_of_point >= own * (fastest_secondary + fastest_primary)) continue;
       const Vec<D> way = interpolate(c, ways.secondary);
       if (room_of_point >= own * (length(way) + fastest_primary)) continue;
-      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, gap,
-                                                        contacts->candidates(c)));
+      own = std::min(own, contacts->primary->free_share(c.place, way, ways.primary, gap, contacts->candidates(c)));
     }
     done += own;
     if (own <= 0.01 * done || done >= 1) break;  // further parts are not worth their searches
