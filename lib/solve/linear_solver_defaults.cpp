@@ -57,7 +57,7 @@ constexpr long long least_linear = 5000;
 /// of ratio 5 take 0.8 times, of ratio 10 from 0.9 to 1.8 times, of ratio 40 from 2 to 4 times. A body that is L times
 /// as long as wide has L^(-2/3) times the two-thirds power of its nodes in a cut. Levels of quadratic cells have two
 /// layers of nodes.
-bool is_compact(const ProblemSize& size) {
+bool prefers_two_levels(const ProblemSize& size) {
   const double cut = size.quadratic ? size.width / 2 : size.width;
   return size.ranks == 1 && (size.quadratic ? keep_factorization(size) : size.dofs >= least_linear) &&
          size.aspect <= 6 && 3 * cut > std::pow(static_cast<double>(size.dofs) / 3, 2.0 / 3);
@@ -66,7 +66,8 @@ bool is_compact(const ProblemSize& size) {
 /// Whether the cycle of two levels is possible, and better than a matrix.
 bool suits_two_levels(const ProblemSize& size) {
   return (size.quadratic || size.halved) && size.fine_only.empty() && size.asymmetry.empty() &&
-         size.matrix_only.empty() && size.dimension == 3 && (!factorize_on_first_rank(size) || is_compact(size));
+         size.matrix_only.empty() && size.dimension == 3 &&
+         (!factorize_on_first_rank(size) || prefers_two_levels(size));
 }
 
 /// Returns the price of a new preconditioner in iterations.
@@ -209,7 +210,7 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
   refuse_symmetric_solvers(list, size.asymmetry);
   if (type == "Automatic") {
     const bool two_levels = op != "Assembled" && suits_two_levels(size);
-    const bool direct = factorize(size) && !asks && !(two_levels && is_compact(size));
+    const bool direct = factorize(size) && !asks && !(two_levels && prefers_two_levels(size));
     type = direct && !keep_factorization(size) ? "Direct" : "Belos";
     const bool polynomial = !asks && type == "Belos" && op != "Assembled" && has_short_steps(size);
     if (type == "Belos" && direct) preconditioner = "Direct";

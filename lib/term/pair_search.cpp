@@ -47,6 +47,17 @@ std::shared_ptr<const PairNeighbours> neighbours_of(const PairSurfaces<D>& surfa
   return result;
 }
 
+/// Returns all secondary patches with the primary ones that can hold the feet of their points, and those that are
+/// farther by no more than the slack [L0].
+template <std::size_t D>
+std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
+                                                   double slack) {
+  return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
+    const auto [center, radius] = ball_around(patch);
+    return primary.reduced(center, radius, HUGE_VAL, slack);
+  });
+}
+
 /// Returns the mean radius of balls around the patches.
 template <std::size_t D>
 double mean_radius(const SurfacePatches<D>& surface, const std::vector<Vec<D>>& x) {
@@ -99,15 +110,6 @@ std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& sur
                                                       double range) {
   return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
     return primary.near(patch.hull(), range);
-  });
-}
-
-template <std::size_t D>
-std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
-                                                   double slack) {
-  return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
-    const auto [center, radius] = ball_around(patch);
-    return primary.reduced(center, radius, HUGE_VAL, slack);
   });
 }
 
@@ -195,8 +197,6 @@ template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);
 template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double);
-template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<2>&, const PairPlaces<2>&, double);
-template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<3>&, const PairPlaces<3>&, double);
 template struct PairPlaces<2>;
 template struct PairPlaces<3>;
 template class PairSearch<2>;

@@ -43,12 +43,6 @@ template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
                                                       double range);
 
-/// Returns all secondary patches with the primary ones that can hold the feet of their points, and those that are
-/// farther by no more than the slack [L0].
-template <std::size_t D>
-std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
-                                                   double slack);
-
 /// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
 /// beyond it, its reach. They hold as long as the range and the change of gaps stay within that reach. Without a range
 /// they are the patches that can have feet, and those that are farther by twice the skin and the greatest lead. They
@@ -92,10 +86,6 @@ extern template std::shared_ptr<const PairNeighbours> find_neighbours(const Pair
                                                                       double);
 extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&,
                                                                       double);
-extern template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<2>&, const PairPlaces<2>&,
-                                                                   double);
-extern template std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<3>&, const PairPlaces<3>&,
-                                                                   double);
 extern template struct PairPlaces<2>;
 extern template struct PairPlaces<3>;
 extern template class PairSearch<2>;
