@@ -6,8 +6,8 @@
 A source counts as unchanged if its text, that of each of the project's headers that it includes, its compile command,
 .clang-tidy and the version of clang-tidy are those of a clean run. The hashes of clean runs stand in
 $XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source.
---commits leaves out those that, with the headers that they include, are as they were N commits ago, if the history goes
-back so far and .clang-tidy is the same. The build folder must have been built with Ninja. The exit status is 1 if
+--commits takes the sources that changed in the last N commits, and so many others that each changed header is included
+by one of them, if the history goes back so far and .clang-tidy is the same. The build folder must have been built with Ninja. The exit status is 1 if
 clang-tidy found anything.
 """
 import argparse
@@ -50,6 +50,19 @@ def changed_files(commits):
     return {os.path.join(ROOT, name) for name in done.stdout.splitlines()} if done.returncode == 0 else None
 
 
+def covering(sources, changed):
+    """Returns those of the sources, by name with the files that they read, that changed, and enough others to include
+    each changed file that some source includes."""
+    found = {source: changed.intersection([source, *files]) for source, files in sources.items()}
+    chosen = [source for source in sources if source in changed]
+    left = set().union(*found.values()).difference(*(found[source] for source in chosen))
+    while left:
+        best = max(found, key=lambda source: (len(left & found[source]), -len(sources[source])))
+        chosen.append(best)
+        left -= found[best]
+    return chosen
+
+
 def tidy(source, build):
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
@@ -59,7 +72,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build")
     parser.add_argument("--all", action="store_true", help="check unchanged sources too")
-    parser.add_argument("--commits", type=int, metavar="N", help="leave out what is as it was N commits ago")
+    parser.add_argument("--commits", type=int, metavar="N", help="only what changed in the last N commits")
     options = parser.parse_args()
     changed = changed_files(options.commits) if options.commits else None
     if changed is not None and os.path.join(ROOT, ".clang-tidy") in changed:
@@ -70,7 +83,7 @@ def main():
         commands = json.load(file)
     seen = dependencies(build)
     passed = PassedChecks("ixos-tidy")
-    todo = []
+    states, read = {}, {}
     for entry in commands:
         source = os.path.normpath(os.path.join(entry["directory"], entry["file"]))
         if not source.startswith((ROOT + "/lib/", ROOT + "/drivers/")):
@@ -78,11 +91,11 @@ def main():
         # The object's path is what the compile command writes.
         words = entry["command"].split()
         files = seen.get(words[words.index("-o") + 1], [])
-        if changed is not None and files and not changed.intersection([source, *files]):
-            continue
-        state = key(source, entry["command"], files, version)
-        if options.all or not files or state not in passed:
-            todo.append((source, state))
+        states[source] = key(source, entry["command"], files, version)
+        read[source] = files
+    chosen = read if changed is None else covering(read, changed)
+    todo = [(source, states[source]) for source in chosen
+            if options.all or not read[source] or states[source] not in passed]
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
     clean = True
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:

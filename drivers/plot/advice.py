@@ -70,12 +70,16 @@ def title(advice):
 
 def answer(advice):
     """The recommendation, or why there is none."""
-    best, known = advice["recommended"], advice["most_accurate"]
+    best, known, plane = advice["recommended"], advice["most_accurate"], advice.get("plane")
     parts = ["<h2>Recommendation</h2>"]
+    if plane:
+        parts.append(paragraph(f"Two dimensions will do; on the coarsest mesh they change the quantities by "
+                               f"{percent(plane['difference'])}. Settings and numbers are for a depth of 1 L0, where "
+                               f"the scene has {plane['depth']:g} L0; z is called y."))
     if best:
         parts.append(paragraph(f"Within the tolerance {percent(advice['tolerance'])}: {best['description']}. The error is "
                                f"at most {percent(best['error'])}; a run takes {best['seconds']:.2g} s."))
-        parts.append(f"<pre>{html.escape(command(advice['scene'], best['settings']))}</pre>")
+        parts.append(f"<pre>{html.escape(command((plane or advice)['scene'], best['settings']))}</pre>")
     elif known:
         parts.append(paragraph(f"No settings were found within the tolerance {percent(advice['tolerance'])}. The smallest "
                                f"error seen is {percent(known['error'])}: {known['description']}."))

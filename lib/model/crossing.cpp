@@ -52,6 +52,7 @@ std::string crossing(const Model& model, const double* u) {
   for (const bool positive : {true, false})
     for_each_interaction(model, positive, [&](const std::string& own, const Interaction& term) {
       any = true;
+      if (positive && term.is_clear(u)) return;
       const LowestPoint point = term.lowest_point(u);
       if (point.gap > (positive ? 0 : -infinity) || !(point.gap < lowest.gap)) return;
       lowest = point;

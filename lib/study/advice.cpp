@@ -6,10 +6,14 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
+#include "study/advice_plane.hpp"
 #include "study/advice_search.hpp"
 #include "study/results_folder.hpp"
 
@@ -20,6 +24,8 @@ constexpr std::array<double, 5> other_tolerances{10, 3, 1, 1.0 / 3, 0.1};
 constexpr std::size_t extrapolated_levels = 3;
 /// Costs of the runs that lead to settings, over that of these settings: each refinement about halves them.
 constexpr double runs_on_the_way = 3;
+/// Share of the tolerance by which two and three dimensions may differ on the coarsest mesh, where a scene is plane.
+constexpr double most_of_plane = 0.01;
 
 /// Returns what the places off the recommended point contribute to the errors: of step and mesh, other branches at
 /// their finest tested level.
@@ -101,24 +107,18 @@ void verify(const AdviceQuestion& question, AdviceRuns& runs, Advice& advice) {
   }
 }
 
-}  // namespace
+/// Whether to go on after the first run.
+using GoesOn = std::function<bool(const AdviceDirections&, AdviceRuns&)>;
 
-Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
-  if (question.quantities.empty())
-    throw InputError(
-        "an advice needs a quantity: --quantity \"FORM\", or Output/Quantities of the scene. Forms are:\n" +
-        quantity_forms());
+/// Answers a question; returns nothing if goes_on() does not want it.
+std::optional<Advice> answer(const AdviceQuestion& question, const AdviceOptions& options, const GoesOn& goes_on) {
   const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);
-  std::error_code code;
-  std::filesystem::create_directories(options.folder, code);
-  if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
-  const std::string path = std::filesystem::absolute(question.scene).lexically_normal().string();
-  const ResultsFolder held(options.folder, printable("the advice on " + path), options.overwrite);
   Advice advice;
   advice.directions = advice_directions(scene);
   AdviceSearch search(question, options, advice.directions);
   try {
     search.begin(scene.sublist("Time Integrator").sublist("Time Step Control"));
+    if (!goes_on(advice.directions, search.runs())) return std::nullopt;
     advice.status = search.find();
     advice.problem = search.problem();
     advice.sensitivities = search.sensitivities();
@@ -133,6 +133,37 @@ Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
   advice.spent = search.runs().spent();
   advice.budget = search.runs().budget();
   return advice;
+}
+
+/// Answers a question on a scene in space in two dimensions, if the first runs of both agree.
+std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const AdviceOptions& options) {
+  std::optional<AdvicePlane> plane = plane_question(question, options.folder + "/plane.xml");
+  if (!plane) return std::nullopt;
+  write_plane_scene(question, *plane);
+  std::optional<Advice> advice =
+      answer(plane->question, options, [&](const AdviceDirections& directions, AdviceRuns& runs) {
+        plane->difference = difference_from_space(question, *plane, directions, runs, runs.samples().back().point);
+        return plane->difference <= most_of_plane * question.tolerance;
+      });
+  if (advice) advice->plane = std::move(plane);
+  return advice;
+}
+
+}  // namespace
+
+Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
+  if (question.quantities.empty())
+    throw InputError(
+        "an advice needs a quantity: --quantity \"FORM\", or Output/Quantities of the scene. Forms are:\n" +
+        quantity_forms());
+  changed_scene(question.scene, question.common);  // before anything is written
+  std::error_code code;
+  std::filesystem::create_directories(options.folder, code);
+  if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
+  const std::string path = std::filesystem::absolute(question.scene).lexically_normal().string();
+  const ResultsFolder held(options.folder, printable("the advice on " + path), options.overwrite);
+  if (std::optional<Advice> advice = answer_in_plane(question, options)) return std::move(*advice);
+  return *answer(question, options, [](const AdviceDirections&, AdviceRuns&) { return true; });
 }
 
 }  // namespace ixos

@@ -1,6 +1,7 @@
 /// Advice on the settings of a scene: the cheapest ones that keep a tolerance.
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct AdviceOptions {
   bool overwrite = false;                        ///< replaces the results of another advice or study
   std::function<void(const std::string&)> tell;  ///< called with one line for the budget and for each run; may be empty
   std::function<bool()> interrupted;             ///< called between polls; may be empty
+};
+
+/// Two dimensions in place of three.
+struct AdvicePlane {
+  AdviceQuestion question;      ///< on the scene in two dimensions
+  std::vector<double> factors;  ///< by quantity: that of the whole depth over that of a unit
+  double depth = 1;             ///< [L0]
+  double difference = 0;        ///< largest relative one of the quantities in two and in three dimensions
 };
 
 /// Another choice in one direction, and the error that it causes.
@@ -56,6 +65,8 @@ struct Advice {
   std::vector<AdviceCandidate> trades;  ///< of tested settings: none is better in both cost and error
   /// By tolerance, from ten times the asked one to a tenth: the cheapest settings to expect; without a point if none.
   std::vector<std::pair<double, AdviceCandidate>> other_tolerances;
+  /// There if two dimensions answer a scene in space: settings and quantities are those of this question.
+  std::optional<AdvicePlane> plane;
   double verified = -1;          ///< largest relative change of a quantity in a finer run; negative if there was none
   double budget = 0, spent = 0;  ///< seconds of processor time
   double sufficient_budget = 0;  ///< that may do where the budget did not; 0: not known
@@ -63,8 +74,8 @@ struct Advice {
 };
 
 /// Runs the scene with coarse settings first, estimates the errors of time step and mesh from the sequences of runs,
-/// then tries other schemes, elements and models as long as their runs cost little beside what they may save. A run is
-/// done when its record stands in its folder; the same advice reuses it. Throws InputError for a scene or quantity that
+/// then tries other schemes, elements and models as long as their runs cost little beside what they may save. A scene in
+/// space that is plane is answered in two dimensions. A run is done when its record stands in its folder; the same advice reuses it. Throws InputError for a scene or quantity that
 /// is no good, and FileError.
 Advice advise(const AdviceQuestion& question, const AdviceOptions& options);
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "io/disk_file.hpp"
-#include "parameters/parameter_entries.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "study/absolute_paths.hpp"
 
 namespace ixos {
 namespace {
@@ -65,6 +65,18 @@ std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
   return text;
 }
 
+/// Returns the question that settings and quantities of the advice belong to.
+const AdviceQuestion& question_of(const AdviceQuestion& asked, const Advice& advice) {
+  return advice.plane ? advice.plane->question : asked;
+}
+
+std::string plane_line(const AdvicePlane& plane) {
+  return fmt::format(
+      "Two dimensions will do: nothing acts along y. On the coarsest mesh they change the quantities by {}. Settings "
+      "and numbers below are for a depth of 1 L0, where the scene has {:.6g} L0; z is called y.\n",
+      percent(plane.difference), plane.depth);
+}
+
 std::string tolerance_lines(const Advice& advice) {
   std::string text = "Costs of other tolerances:\n";
   for (const auto& [tolerance, candidate] : advice.other_tolerances) {
@@ -96,42 +108,28 @@ Json json_of(const Advice& advice, const AdviceCandidate& candidate) {
           {"extrapolated", candidate.estimate.beyond > 0}};
 }
 
-/// Makes the paths of files beside the scene absolute, so that the scene may stand elsewhere.
-void make_paths_absolute(List& list, const std::filesystem::path& folder) {
-  std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& [name, entry] : entries(list)) {
-    if (entry.isList())
-      make_paths_absolute(list.sublist(name), folder);
-    else if (name == "File" && entry.isType<std::string>())
-      found.emplace_back(name, list.get<std::string>(name));
-  }
-  for (const auto& [name, value] : found) {
-    const std::filesystem::path beside = folder / value;
-    if (!value.empty() && std::filesystem::exists(beside))
-      list.set(name, std::filesystem::absolute(beside).lexically_normal().string());
-  }
-}
-
 void write_scene(const AdviceQuestion& question, const Advice& advice, const std::string& path) {
   List scene = read_scene_file(question.scene);
   for (const Assignments& settings : {question.common, settings_of(advice.directions, advice.best.point)})
     for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
-  make_paths_absolute(scene, std::filesystem::path(question.scene).parent_path());
+  make_paths_absolute(scene, question.scene);
   write_scene_file(scene, path);
 }
 
 }  // namespace
 
-std::string advice_text(const AdviceQuestion& question, const Advice& advice) {
+std::string advice_text(const AdviceQuestion& asked, const Advice& advice) {
+  const AdviceQuestion& question = question_of(asked, advice);
   std::string text;
   const bool known = !advice.best.point.empty();
   const std::string best = known ? description_of(advice.directions, advice.best.point) : "";
+  if (advice.plane) text += plane_line(*advice.plane);
   if (advice.status == AdviceStatus::Advised) {
-    text =
+    text +=
         fmt::format("Recommended within the tolerance {}: {}, {} {:.2g} s\n", percent(question.tolerance), best,
                     advice.confirmed ? "which took" : "which was not run and should take about", advice.best.seconds);
   } else if (advice.status == AdviceStatus::Unreachable && known) {
-    text = fmt::format(
+    text += fmt::format(
         "No settings were found within the tolerance {}. The smallest error seen is {}, limited by the {}: {}, {:.2g} "
         "s\n",
         percent(question.tolerance), percent(advice.best.error), limiting(advice).name, best, advice.best.seconds);
@@ -155,14 +153,19 @@ std::string advice_text(const AdviceQuestion& question, const Advice& advice) {
                             advice.budget);
 }
 
-void write_advice(const AdviceQuestion& question, const Advice& advice, const std::string& folder,
+void write_advice(const AdviceQuestion& asked, const Advice& advice, const std::string& folder,
                   const std::string& command, const std::string& version) {
-  Json json = {{"scene", question.scene}, {"command", command}, {"version", version}, {"status", word(advice.status)}};
+  const AdviceQuestion& question = question_of(asked, advice);
+  Json json = {{"scene", asked.scene}, {"command", command}, {"version", version}, {"status", word(advice.status)}};
   json["tolerance"] = question.tolerance;
   json["budget_seconds"] = advice.budget;
   json["spent_seconds"] = advice.spent;
   json["sufficient_budget_seconds"] = advice.sufficient_budget > 0 ? Json(advice.sufficient_budget) : Json(nullptr);
   json["problem"] = advice.problem;
+  json["plane"] = nullptr;
+  if (advice.plane)
+    json["plane"] = {
+        {"scene", question.scene}, {"depth", advice.plane->depth}, {"difference", advice.plane->difference}};
   json["recommended"] = advice.status == AdviceStatus::Advised ? json_of(advice, advice.best) : Json(nullptr);
   json["most_accurate"] = advice.status == AdviceStatus::Unreachable ? json_of(advice, advice.best) : Json(nullptr);
   json["confirmed"] = advice.confirmed;

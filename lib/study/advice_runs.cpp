@@ -23,7 +23,11 @@ AdviceRuns::AdviceRuns(const AdviceQuestion& question, const AdviceOptions& opti
     : question_(question),
       options_(options),
       directions_(directions),
-      pool_({options.folder + "/runs", question.scene, options.driver, options.version, 0, options.interrupted, true}) {
+      pool_(pool_of(question.scene)) {}
+
+RunPool AdviceRuns::pool_of(const std::string& scene) const {
+  return RunPool(
+      {options_.folder + "/runs", scene, options_.driver, options_.version, 0, options_.interrupted, true});
 }
 
 StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
@@ -33,13 +37,13 @@ StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
   return run;
 }
 
-void AdviceRuns::run(const std::vector<StudyRun>& runs) {
+void AdviceRuns::run(const std::vector<StudyRun>& runs, RunPool& pool) {
   if (budget_ > 0)
-    pool_.limit_time(std::max(0.0, budget_ - spent_) + grace_seconds);
+    pool.limit_time(std::max(0.0, budget_ - spent_) + grace_seconds);
   else
-    pool_.limit_time(0);
-  const bool complete = pool_.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {
-    const StudyResult result = pool_.result(runs[number]);
+    pool.limit_time(0);
+  const bool complete = pool.carry_out(runs, options_.jobs, [&](std::size_t number, bool reused) {
+    const StudyResult result = pool.result(runs[number]);
     spent_ += result.cpu_seconds;
     if (options_.tell)
       options_.tell(fmt::format("{}: {}, {:.3g} s{}", runs[number].labels.front(),
@@ -64,6 +68,20 @@ void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
   }
   run(runs);
   for (std::size_t i = 0; i < runs.size(); ++i) samples_.push_back(sample_of(missing[i], runs[i]));
+}
+
+std::vector<double> AdviceRuns::in_another_scene(const AdviceQuestion& other, const std::string& name,
+                                                 const Assignments& settings) {
+  StudyRun there{name, {"in space, one cell across"}, other.common};
+  for (const Assignments& more : {without_fields, settings})
+    there.settings.insert(there.settings.end(), more.begin(), more.end());
+  RunPool pool = pool_of(other.scene);
+  run({there}, pool);
+  if (!pool.result(there).reached_its_end()) return {};
+  const RunHistory history(pool.folder(there));
+  std::vector<double> values;
+  for (const AskedQuantity& quantity : other.quantities) values.push_back(quantity.value(history));
+  return values;
 }
 
 AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run) const {

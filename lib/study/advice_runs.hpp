@@ -26,6 +26,11 @@ class AdviceRuns {
   /// reach its end, or if there is no perturbation.
   std::vector<double> perturbed(const AdvicePoint& point);
 
+  /// Runs another question's scene with these settings besides its own, and returns its quantities; none if that run did
+  /// not reach its end. Its cost counts, too. Throws Interrupted.
+  std::vector<double> in_another_scene(const AdviceQuestion& other, const std::string& name,
+                                       const Assignments& settings);
+
   const std::vector<AdviceSample>& samples() const { return samples_; }
   /// Returns the sample of a point; null if it was not run.
   const AdviceSample* sample(const AdvicePoint& point) const;
@@ -42,7 +47,9 @@ class AdviceRuns {
  private:
   StudyRun run_of(const AdvicePoint& point) const;
   AdviceSample sample_of(const AdvicePoint& point, const StudyRun& run) const;
-  void run(const std::vector<StudyRun>& runs);
+  void run(const std::vector<StudyRun>& runs) { run(runs, pool_); }
+  void run(const std::vector<StudyRun>& runs, RunPool& pool);
+  RunPool pool_of(const std::string& scene) const;
 
   const AdviceQuestion& question_;
   const AdviceOptions& options_;

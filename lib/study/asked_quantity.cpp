@@ -107,6 +107,30 @@ AskedQuantity::AskedQuantity(const std::string& text) : text_(single_spaced(text
   refuse("this is no quantity. Quantities are:\n" + quantity_forms());
 }
 
+AskedQuantity AskedQuantity::of_column(const std::string& column) const {
+  AskedQuantity result = *this;
+  if (const auto place = text_.find(column_); place != std::string::npos)
+    result.text_.replace(place, column_.size(), column);
+  result.column_ = column;
+  return result;
+}
+
+bool AskedQuantity::is_proportional() const {
+  switch (kind_) {
+    case Kind::EnergyError:
+    case Kind::Restitution:
+    case Kind::PeakTime:
+    case Kind::TimeAbove:
+    case Kind::TimeBelow:
+    case Kind::FirstContact:
+    case Kind::Detachment:
+    case Kind::Arrest:
+      return false;
+    default:
+      return true;
+  }
+}
+
 void AskedQuantity::refuse(const std::string& why) const { throw InputError("\"" + text_ + "\": " + why); }
 
 void AskedQuantity::check_columns(const std::vector<std::string>& names) const {

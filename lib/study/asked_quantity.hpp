@@ -68,6 +68,15 @@ class AskedQuantity {
   /// Returns whether the number of a chaotic run may be predictable: means and errors of conserved quantities.
   bool is_statistic() const { return kind_ == Kind::Mean || kind_ == Kind::Rms || kind_ == Kind::EnergyError; }
 
+  /// Returns the column that it is taken from.
+  const std::string& column() const { return column_; }
+  /// Returns the same of another column.
+  AskedQuantity of_column(const std::string& column) const;
+  /// Returns whether the number grows in proportion to its column; others are times and ratios.
+  bool is_proportional() const;
+  /// Returns whether it has a limit for its column.
+  bool has_limit() const { return kind_ == Kind::TimeAbove || kind_ == Kind::TimeBelow; }
+
   /// Returns whether the number is itself an error, so that its exact value is 0.
   bool is_error() const { return kind_ == Kind::EnergyError; }
 

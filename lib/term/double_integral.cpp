@@ -75,6 +75,7 @@ class DoubleIntegral final : public Interaction {
   double gap_ratio(const double* from, const double* to) const override { return distance_->gap_ratio(from, to); }
   double rounding(const double* u) const override { return distance_->rounding(u); }
   LowestPoint lowest_point(const double* u) const override { return distance_->lowest_point(u); }
+  bool is_clear(const double* u) const override { return distance_->is_clear(u); }
 
   void report(const double* u, InteractionReport& report) const override {
     InteractionReport of_distance;

@@ -100,6 +100,8 @@ class Interaction : public ForceTerm {
   /// Returns the lowest point of this rank's sides at displacement u. Quadrature points lie inside the sides, so this
   /// looks at the nodes, and between them at a grid twice as fine as the nodes of a side.
   virtual LowestPoint lowest_point(const double* u) const = 0;
+  /// Returns whether it is known, without that search, that the lowest point's gap is greater than zero.
+  virtual bool is_clear(const double* /*u*/) const { return false; }
 
   /// Adds, per local node, int w_a dA over those sides of the surface that are not counted yet, and counts them:
   /// several interactions may act on one side. The weight w_a is the shape function N_a [L0^(D-1)], but

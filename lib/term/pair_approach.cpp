@@ -66,15 +66,25 @@ void advance(typename PairPoints<D>::Places& x, double share, const typename Pai
 }  // namespace
 
 template <std::size_t D>
-LowestPoint PairApproach<D>::lowest_point(const Places& x, const std::optional<Places>& start) const {
+LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) const {
   LowestPoint lowest;
   if (points_.sight() != nullptr) {
     lower_to_itself(x, lowest);
     return lowest;
   }
   lower_both(x, lowest);
-  if (start) lower_on_the_way(*start, x, lowest);
+  found_ = std::max(lowest.gap, 0.0);
+  looked_ = x;
+  if (start != nullptr) lower_on_the_way(*start, x, lowest);
   return lowest;
+}
+
+/// The bound holds between two places if it holds at both.
+template <std::size_t D>
+bool PairApproach<D>::is_clear(const Places& x, const Places* start) const {
+  if (found_ == 0 || !x.is_finite()) return false;
+  const PairSearch<D>& search = points_.search();
+  return search.motion(looked_, x) < found_ && (start == nullptr || search.motion(looked_, *start) < found_);
 }
 
 template <std::size_t D>

@@ -1,7 +1,5 @@
 /// How far two surfaces may approach each other, and where they are nearest.
 #pragma once
-#include <optional>
-
 #include "term/pair_points.hpp"
 
 namespace ixos {
@@ -24,7 +22,12 @@ class PairApproach {
   /// Returns the lowest point of the surfaces, also on the straight way from `start`, if that is given: a scheme that
   /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as
   /// often as the bodies move by the longest side of a surface relative to each other, at most 10,000 times.
-  LowestPoint lowest_point(const Places& x, const std::optional<Places>& start) const;
+  LowestPoint lowest_point(const Places& x, const Places* start) const;
+  /// Returns whether lowest_point() would surely find a gap greater than zero, because the surfaces have moved less than
+  /// the gap that it found last.
+  bool is_clear(const Places& x, const Places* start) const;
+  /// Forgets what lowest_point() found.
+  void begin_anew() { found_ = 0; }
 
  private:
   /// Lowers the lowest point to the nodes and the middles of the sides of both surfaces before the other one.
@@ -41,6 +44,8 @@ class PairApproach {
 
   const PairPoints<D>& points_;
   double margin_;
+  mutable double found_ = 0;  ///< the gap that lowest_point() found last at `looked_`, 0 if there is none
+  mutable Places looked_;
   /// Memory, so that free_step() needs no new one.
   struct Memory {
     std::vector<Places> ends, part, covered;

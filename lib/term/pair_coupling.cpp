@@ -50,15 +50,20 @@ std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename Pa
 /// where sides of high order move more, the matrix lacks an entry for a while.
 template <std::size_t D>
 double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) const {
-  const std::vector<double> now = flat<D>(places);
+  const auto for_each_way = [&](const auto& visit) {
+    const double* before = last_.data();
+    for (const auto* x : {&places.secondary, &places.primary})
+      for (const Vec<D>& place : *x) {
+        Vec<D> way;
+        for (std::size_t i = 0; i < D; ++i) way[i] = place[i] - *before++;
+        visit(way);
+      }
+  };
+  const double count = static_cast<double>(last_.size()) / D;
   Vec<D> mean{};
-  for (std::size_t k = 0; k < now.size(); ++k) mean[k % D] += (now[k] - last_[k]) * D / static_cast<double>(now.size());
+  for_each_way([&](const Vec<D>& way) { mean = mean + 1 / count * way; });
   double largest = 0;
-  for (std::size_t k = 0; k < now.size(); k += D) {
-    Vec<D> way{};
-    for (std::size_t i = 0; i < D; ++i) way[i] = now[k + i] - last_[k + i] - mean[i];
-    largest = std::max(largest, length(way));
-  }
+  for_each_way([&](const Vec<D>& way) { largest = std::max(largest, length(way - mean)); });
   return 2 * 1.6 * largest;
 }
 

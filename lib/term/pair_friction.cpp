@@ -36,8 +36,7 @@ class PairFriction final : public FrictionInteraction {
   bool is_gradient(const Rule&) const override { return true; }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
-    const auto points = slip_.acting(segment.to);
-    for (const Point& point : *points)
+    for (const Point& point : slip_.acting(segment.to))
       slip_.add_force(point, respond<SlipPart::Traction>(point, segment, rule).traction, f);
     return true;
   }
@@ -57,9 +56,9 @@ class PairFriction final : public FrictionInteraction {
     Small<double, D> spring{};
     for (std::size_t i = 0; i < D; ++i) spring[i][i] = friction.stiffness;
     for (const Point& point : slip_.near(segment.to)) {
-      PairBlock block = empty_block(point);
-      slip_.add_stiffness(point, spring, block.k);
-      ixos::add_row_sums<D>(block, sums);
+      begin_block(point);
+      slip_.add_stiffness(point, spring, block_.k);
+      ixos::add_row_sums<D>(block_, sums);
     }
     return true;
   }
@@ -135,31 +134,33 @@ class PairFriction final : public FrictionInteraction {
   /// Returns the sum of measure times visit(point) over the points that count on this rank.
   template <class Visit>
   double sum(const double* u, const Visit& visit) const {
-    const auto points = slip_.acting(u);
     double result = 0;
-    for (const Point& point : *points)
+    for (const Point& point : slip_.acting(u))
       if (slip_.points().counts(point.contact.patch)) result += slip_.points().measure(point.contact) * visit(point);
     return result;
   }
 
-  static PairBlock empty_block(const Point& point) {
-    return {point.contact.patch, point.contact.foot.patch, point.nodes,
-            std::vector<double>(D * D * point.nodes.size() * point.nodes.size(), 0.0)};
+  /// Sets the block to zero, of the point's patches.
+  void begin_block(const Point& point) const {
+    block_.secondary = point.contact.patch;
+    block_.primary = point.contact.foot.patch;
+    block_.nodes.assign(point.nodes.begin(), point.nodes.end());
+    block_.k.assign(D * D * point.nodes.size() * point.nodes.size(), 0.0);
   }
 
   /// Calls visit(block) for each pair of patches with points that friction acts on.
   void for_each_block(const Segment& segment, const Rule& rule,
                       const std::function<void(const PairBlock&)>& visit) const {
-    const auto points = slip_.acting(segment.to);
-    PairBlock block;
-    for (const Point& point : *points) {
-      if (block.nodes.empty() || block.secondary != point.contact.patch || block.primary != point.contact.foot.patch) {
-        if (!block.nodes.empty()) visit(block);
-        block = empty_block(point);
+    bool any = false;
+    for (const Point& point : slip_.acting(segment.to)) {
+      if (!any || block_.secondary != point.contact.patch || block_.primary != point.contact.foot.patch) {
+        if (any) visit(block_);
+        begin_block(point);
+        any = true;
       }
-      slip_.add_stiffness(point, respond<SlipPart::All>(point, segment, rule).stiffness, block.k);
+      slip_.add_stiffness(point, respond<SlipPart::All>(point, segment, rule).stiffness, block_.k);
     }
-    if (!block.nodes.empty()) visit(block);
+    if (any) visit(block_);
   }
 
   /// Returns traction and stiffness by the rule that friction follows.
@@ -187,6 +188,7 @@ class PairFriction final : public FrictionInteraction {
 
   const Pattern& pattern_;
   PairSlip<D> slip_;
+  mutable PairBlock block_;  ///< memory
 };
 
 }  // namespace

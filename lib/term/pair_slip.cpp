@@ -39,22 +39,22 @@ Vec<2> across(const Vec<2>& a) { return {-a[1], a[0]}; }
 
 /// Returns, by node of a patch, the derivative of -g w x n by its displacement, with the rotation w of the patch at the
 /// foot.
-std::vector<Small<double, 2>> turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
+PairSlip<2>::NodalMatrices turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
   const auto slopes = patch.shape(foot.xi).slopes;
   const Vec<2>& x = foot.frame.tangents[0];
   const Vec<2> way = -foot.gap / inner(x, x) * across(foot.normal), along = across(x);
-  std::vector<Small<double, 2>> result(patch.count);
+  PairSlip<2>::NodalMatrices result(patch.count);
   for (std::size_t a = 0; a < patch.count; ++a)
     for (std::size_t i = 0; i < 2; ++i) result[a][i] = slopes[0][a] * way[i] * along;
   return result;
 }
-std::vector<Small<double, 3>> turns(const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
+PairSlip<3>::NodalMatrices turns(const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
   const auto slopes = patch.shape(foot.xi).slopes;
   const Vec<3>&x = foot.frame.tangents[0], &y = foot.frame.tangents[1], &n = foot.normal;
   const double xx = inner(x, x), xy = inner(x, y), yy = inner(y, y), det = xx * yy - xy * xy;
   const Vec<3> m = PlacedPatch<3>::normal(foot.frame);
   const std::array<Vec<3>, 2> c{cross(m, 1 / det * (yy * x - xy * y)), cross(m, 1 / det * (xx * y - xy * x))};
-  std::vector<Small<double, 3>> result(patch.count);
+  PairSlip<3>::NodalMatrices result(patch.count);
   for (std::size_t a = 0; a < patch.count; ++a) {
     const Vec<3> r = slopes[0][a] * c[0] + slopes[1][a] * c[1];
     // g n x w, w = (m . r/2) - r (m .)
@@ -112,8 +112,7 @@ typename PairSlip<D>::Point PairSlip<D>::point_of(const typename PairPoints<D>::
   const Vec<D>& n = contact.foot.normal;
   Point point;
   point.contact = contact;
-  const auto nodes = points_.nodes_of(contact);
-  point.nodes.assign(nodes.begin(), nodes.end());
+  point.nodes = points_.nodes_of(contact);
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) point.plane[i][j] = (i == j ? 1.0 : 0.0) - n[i] * n[j];
   const auto add = [&](double weight, Small<double, D> slip) {
@@ -131,27 +130,21 @@ typename PairSlip<D>::Point PairSlip<D>::point_of(const typename PairPoints<D>::
 }
 
 template <std::size_t D>
-typename PairSlip<D>::Points PairSlip<D>::near(const double* u) const {
+const typename PairSlip<D>::Points& PairSlip<D>::near(const double* u) const {
   const auto times = contacts(u);
-  Points result;
+  near_.clear();
   for (const auto& contact : times->front().all) {
     if (contact.foot.patch < 0 || !(contact.foot.gap < range_)) continue;  // a gap that is no number has no friction
     const Vec<D> kept = stored_traction(contact);
-    if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) result.push_back(point_of(contact));
+    if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) near_.push_back(point_of(contact));
   }
-  return result;
-}
-
-template <std::size_t D>
-std::shared_ptr<const typename PairSlip<D>::Points> PairSlip<D>::acting(const double* u) const {
-  return in_step_ ? acting_ : std::make_shared<const Points>(near(u));
+  return near_;
 }
 
 template <std::size_t D>
 void PairSlip<D>::begin(const double* u, double length) {
-  Points points = near(u);
-  for (Point& point : points) point.start = relative(point, u);
-  acting_ = std::make_shared<const Points>(std::move(points));
+  acting_ = near(u);
+  for (Point& point : acting_) point.start = relative(point, u);
   set_length(length);
   in_step_ = true;
 }
@@ -182,7 +175,7 @@ template <std::size_t D>
 void PairSlip<D>::add_stiffness(const Point& point, const Small<double, D>& stiffness, std::vector<double>& k) const {
   const std::size_t count = point.nodes.size(), size = D * count;
   const double w = points_.measure(point.contact);
-  std::vector<Small<double, D>> forces(count);
+  NodalMatrices forces(count);
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t l = 0; l < D; ++l) forces[a][i] = forces[a][i] + w * stiffness[i][l] * point.slips[a][l];
@@ -199,13 +192,10 @@ template <std::size_t D>
 double PairSlip<D>::accept(const double* u) {
   const auto times = contacts(u);
   const auto& end = times->front();
-  std::vector<const typename PairPoints<D>::Contact*> last(points_.secondary().patches.size() *
-                                                           points_.points_of_a_patch());
-  for (const auto& contact : end.all) last[points_.index(contact)] = &contact;
   double sum = 0;
-  for (const Point& point : *acting_) {
+  for (const Point& point : acting_) {
     const auto& contact = point.contact;
-    const auto* const now = last[points_.index(contact)];
+    const auto* const now = end.find(contact.patch, contact.point);
     const bool has_foot = now != nullptr && now->foot.patch >= 0;
     const auto left = step(point).end(slip(point, u), has_foot ? friction_.threshold_at(now->foot.gap) : 0.0);
     const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
@@ -222,7 +212,7 @@ double PairSlip<D>::accept(const double* u) {
     store(contact.patch, contact.point, place_of(FrictionNumber::Sliding), left.slid);
     if (points_.counts(contact.patch)) sum += points_.measure(contact) * left.work;
   }
-  acting_ = std::make_shared<Points>();
+  acting_.clear();
   in_step_ = false;
   return sum;
 }

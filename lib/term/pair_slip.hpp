@@ -1,5 +1,6 @@
 /// Friction at the points of a surface before the surface of another body, over steps.
 #pragma once
+#include <boost/container/static_vector.hpp>
 #include <memory>
 #include <vector>
 
@@ -27,11 +28,13 @@ namespace ixos {
 template <std::size_t D>
 class PairSlip {
  public:
+  /// By node of a point.
+  using NodalMatrices = boost::container::static_vector<Small<double, D>, PairGap<D>::most>;
   /// A point that friction acts on.
   struct Point {
     typename PairPoints<D>::Contact contact;  ///< with the foot that the slip refers to
-    std::vector<int> nodes;                   ///< local, of both surfaces
-    std::vector<Small<double, D>> slips;      ///< by node: the derivative of the slip by its displacement
+    typename PairPoints<D>::Nodes nodes;      ///< local, of both surfaces
+    NodalMatrices slips;                      ///< the derivative of the slip by the node's displacement
     Small<double, D> plane;                   ///< P
     Vec<D> start{};                           ///< of the linear function, at the displacement of the step's start
     Vec<D> traction{};                        ///< at the start
@@ -56,10 +59,11 @@ class PairSlip {
   double accept(const double* u);
 
   bool in_step() const { return in_step_; }
-  /// Returns the points of the step; between steps those with a stored traction, before the surface at u.
-  std::shared_ptr<const Points> acting(const double* u) const;
-  /// Returns all points whose threshold at u is greater than zero.
-  Points near(const double* u) const;
+  /// Returns the points of the step; between steps near(u).
+  const Points& acting(const double* u) const { return in_step_ ? acting_ : near(u); }
+  /// Returns all points whose threshold at u is greater than zero, and those with a stored traction. They are valid
+  /// until the next call.
+  const Points& near(const double* u) const;
   /// Returns the linear function of a local array of displacements.
   Vec<D> relative(const Point& point, const double* u) const;
   Vec<D> slip(const Point& point, const double* u) const { return relative(point, u) - point.start; }
@@ -88,7 +92,8 @@ class PairSlip {
   double range_;
   PairPoints<D> points_;
   PointData stored_;  ///< traction, then the numbers of FrictionNumber
-  std::shared_ptr<const Points> acting_ = std::make_shared<Points>();
+  Points acting_;  ///< of the step
+  mutable Points near_;
   double creep_length_ = 0;
   bool in_step_ = false;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -41,7 +40,10 @@ class PairTerm final : public Interaction {
   bool is_gradient(const Rule& rule) const override { return points_.reacts() && rule.is_gradient(); }
 
   bool couples_anew() const override { return true; }
-  bool update_stencils(const double* u) override { return coupling_.update(points_.places(u)); }
+  bool update_stencils(const double* u) override {
+    points_.place(u, now_);
+    return coupling_.update(now_);
+  }
   std::vector<std::vector<int>> stencils() const override { return coupling_.stencils(); }
   bool has_state() const override { return true; }
   void transfer(Record& record) override {
@@ -54,7 +56,8 @@ class PairTerm final : public Interaction {
 
   void initialize(const KnownState& start) override {
     coupling_.begin_anew();
-    start_.reset();
+    approach_.begin_anew();
+    in_step_ = false;
     if (points_.sight() == nullptr) return;
     look(start, 0);
     seen_ = points_.sight()->seen();
@@ -64,7 +67,8 @@ class PairTerm final : public Interaction {
   void begin_step(const KnownState& start, double, double dt) override {
     points_.begin_step();
     if (points_.sight() == nullptr) {
-      if (needs_positive_gaps()) start_ = points_.places(start.u);
+      in_step_ = needs_positive_gaps();
+      if (in_step_) points_.place(start.u, start_);
       return;
     }
     look(start, dt);
@@ -78,7 +82,7 @@ class PairTerm final : public Interaction {
   }
   bool dissipates() const override { return points_.sight() != nullptr; }
   double accept(const AcceptedStep&) override {
-    start_.reset();
+    in_step_ = false;
     if (points_.sight() == nullptr) return 0;
     seen_ = points_.sight()->seen();
     return std::exchange(lost_, 0.0);
@@ -177,7 +181,14 @@ class PairTerm final : public Interaction {
     });
   }
 
-  LowestPoint lowest_point(const double* u) const override { return approach_.lowest_point(points_.places(u), start_); }
+  bool is_clear(const double* u) const override {
+    points_.place(u, now_);
+    return approach_.is_clear(now_, in_step_ ? &start_ : nullptr);
+  }
+  LowestPoint lowest_point(const double* u) const override {
+    points_.place(u, now_);
+    return approach_.lowest_point(now_, in_step_ ? &start_ : nullptr);
+  }
 
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
     for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
@@ -298,10 +309,11 @@ class PairTerm final : public Interaction {
   PairGradient<D> gradient_;
   mutable PairCoupling<D> coupling_;  ///< learns from the force which nodes its tangent needs
   PairApproach<D> approach_;
-  std::optional<Places> start_;  ///< of a step that is under way
-  // Memory, so that Newton iterations need no new one.
+  Places start_;          ///< of the step that is under way
+  bool in_step_ = false;  ///< a step is under way in which bodies could pass through each other
+  // Memory, so that steps need no new one.
   mutable std::vector<double> shares_;
-  mutable Places ways_;
+  mutable Places now_, ways_;
   mutable std::vector<Places> path_;
   std::vector<std::vector<int>> seen_;  ///< what patches saw of their own surface in the last accepted step
   double lost_ = 0;                     ///< energy that a change of it takes away at the start of the step

@@ -79,6 +79,7 @@ class TwoPasses final : public Interaction {
   }
   double rounding(const double* u) const override { return first_->rounding(u) + second_->rounding(u); }
   LowestPoint lowest_point(const double* u) const override { return first_->lowest_point(u); }
+  bool is_clear(const double* u) const override { return first_->is_clear(u); }
 
   void report(const double* u, InteractionReport& report) const override {
     InteractionReport other;

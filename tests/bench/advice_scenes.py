@@ -25,7 +25,7 @@ BLOCK = """<ParameterList name="Block">
   <ParameterList name="Mesh"><Parameter name="Type" type="string" value="Box"/></ParameterList>
   <ParameterList name="Materials"><ParameterList name="Block"/></ParameterList>
   <ParameterList name="Interactions"><ParameterList name="Wall">
-    <Parameter name="Side Set" type="string" value="back"/>
+    <Parameter name="Side Set" type="string" value="bottom"/>
     <Parameter name="Gamma L" type="double" value="2.5"/>
     <Parameter name="Gamma W" type="double" value="25"/></ParameterList></ParameterList>
   <ParameterList name="Time Integrator"><Parameter name="Type" type="string" value="Average Vector Field"/>

@@ -8,6 +8,7 @@
 
 #include "drivers/process.hpp"
 #include "support/files.hpp"
+#include "support/plane_block.hpp"
 
 namespace ixos {
 namespace {
@@ -57,6 +58,27 @@ class AdviseDriverTest : public testing::Test {
   }
   std::string folder_ = test::scratch_folder();
 };
+
+/// The whole depth of a scene in space has three times the force of a unit.
+TEST_F(AdviseDriverTest, APlaneSceneIsAnsweredInTwoDimensions) {
+  std::ofstream(folder_ + "/spatial.xml") << test::plane_block;
+  const Outcome outcome =
+      run("--advise spatial.xml --quantity 'rms contact_force_z' --tolerance 10% --budget 60 --output out");
+  ASSERT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_NE(outcome.output.find("Two dimensions will do"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("rms contact_force_y: about"), std::string::npos) << outcome.output;
+  EXPECT_NE(contents(folder_ + "/out/advice.json").find("\"depth\": 3.0"), std::string::npos);
+  EXPECT_NE(contents(folder_ + "/out/advised.xml").find("name=\"Dimension\" type=\"int\" value=\"2\""),
+            std::string::npos);
+  for (const char* scene_in : {"out/plane.xml", "spatial.xml"})
+    ASSERT_EQ(shell("'" IXOS_DRIVER "' " + std::string(scene_in) + " --quiet --output " +
+                        std::to_string(scene_in[0] == 'o' ? 2 : 3),
+                    folder_)
+                  .status,
+              0);
+  EXPECT_NEAR(3 * last("2", "contact_force_y") / last("3", "contact_force_z"), 1, 1e-8);
+  EXPECT_NEAR(last("2", "force_uy") / last("3", "force_uz"), 1, 1e-10);
+}
 
 TEST_F(AdviseDriverTest, TheAdvisedSceneKeepsTheTolerance) {
   const std::string command = "--advise block.xml --quantity 'final P_uy' --tolerance 2% --output out";

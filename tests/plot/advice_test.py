@@ -67,6 +67,13 @@ class AdviceTest(ScriptTest):
         self.draw("advice.py", folder)
         self.assertIn("The smallest error seen is 3 %: Newmark, time step 0.4.", Page(folder).text)
 
+    def test_a_plane_scene(self):
+        folder = self.made("plane", plane={"scene": "out/plane.xml", "depth": 3.0, "difference": 1e-12})
+        self.draw("advice.py", folder)
+        page = Page(folder)
+        self.assertIn("Two dimensions will do; on the coarsest mesh they change the quantities by 1e-10 %.", page.text)
+        self.assertIn("ixos out/plane.xml ", page.text)
+
     def test_no_errors_give_no_picture(self):
         told = "The scene is chaotic for peak force."
         folder = self.made("chaotic", status="chaotic", recommended=None, verified_change=None, problem=told, pareto=[],

@@ -1,4 +1,4 @@
-// Newton iterations of two bodies take no new memory.
+// Newton iterations and slow steps of two bodies take no new memory.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -8,6 +8,7 @@
 #include "support/comparison.hpp"
 #include "support/pair_of_bodies.hpp"
 #include "term/force_term.hpp"
+#include "term/friction_fixture.hpp"
 
 namespace {
 
@@ -71,6 +72,69 @@ TEST(PairMemoryTest, ANewtonIterationTakesNone) {
     }
   }
   EXPECT_GT(allocations, at_first) << "they are not counted";
+}
+
+/// Returns a model with a pair.
+std::unique_ptr<Model> model_of(const Mesh& mesh, const std::string& secondary, const std::string& primary,
+                                Smoothing smoothing, double cutoff, const Friction& friction) {
+  std::unique_ptr<Model> model = test::model_of_bodies(mesh, {secondary, primary});
+  SurfacePair pair;
+  pair.secondary = secondary;
+  pair.primary = primary;
+  pair.law = gap_law(VanDerWaals(2.5, 25));
+  pair.smoothing = smoothing;
+  pair.cutoff = cutoff;
+  pair.friction = friction;
+  add_pair(*model, pair);
+  return model;
+}
+
+/// Returns how often a step takes memory after two others, in which the bodies move too little for a new search.
+long taken_by_a_step(Model& model) {
+  std::vector<Interaction*> terms;
+  for (const NamedForceTerm& named : model.force_terms())
+    if (const auto* term = dynamic_cast<const Interaction*>(named.term); term != nullptr)
+      terms.push_back(const_cast<Interaction*>(term));
+  const std::vector<double> way = test::smooth_field(model, 0.001);
+  std::vector<double> from = test::at_rest(model), to = from, f(from.size(), 0.0), values = test::no_values(model);
+  const Rule rule = end_rule();
+  for (Interaction* term : terms) term->initialize({from.data()});
+  long before = 0;
+  for (int step = 0; step < 3; ++step) {
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] += way[k];
+    AcceptedStep accepted;
+    accepted.dt = 1;
+    accepted.states = {{to.data()}};
+    const Segment segment{from.data(), nullptr, to.data()};
+    before = allocations;
+    for (Interaction* term : terms) {
+      term->begin_step({from.data()}, 0, 1);
+      term->update_stencils(from.data());
+      term->add_force(segment, rule, f.data());
+      term->add_tangent(segment, rule, Tangent::Exact, values.data());
+      if (!term->has_friction() && !term->is_clear(to.data())) term->lowest_point(to.data());
+      term->energy(to.data());
+      term->accept(accepted);
+    }
+    if (step < 2) from = to;
+  }
+  return allocations - before;
+}
+
+TEST(PairMemoryTest, AStepWithoutASearchTakesNone) {
+  for (const double cutoff : {0.0, 1.5})
+    for (const bool rubs : {false, true}) {
+      const Friction friction = rubs ? test::friction(FrictionType::ConstantStress, false) : Friction();
+      EXPECT_EQ(taken_by_a_step(*model_of(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface",
+                                          Smoothing::CatmullRom, cutoff, friction)),
+                0);
+      EXPECT_EQ(
+          taken_by_a_step(*model_of(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::None, cutoff, friction)),
+          0);
+      EXPECT_EQ(taken_by_a_step(*model_of(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface",
+                                          Smoothing::CatmullRom, cutoff, friction)),
+                0);
+    }
 }
 
 }  // namespace
