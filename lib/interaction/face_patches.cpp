@@ -32,6 +32,18 @@ struct Sum {
   void add(const NodeWeights& value, double factor, const Cubic& first, const Cubic& second) {
     for (std::size_t k = 0; k < value.nodes.size(); ++k) add(value.nodes[k], factor * value.weights[k], first, second);
   }
+  SurfacePatch<3> patch() const {
+    if (nodes.size() > SurfacePatch<3>::most) throw std::length_error("a patch has too many nodes");
+    SurfacePatch<3> result;
+    result.degree = 3;
+    result.count = nodes.size();
+    std::copy(nodes.begin(), nodes.end(), result.nodes.begin());
+    std::vector<double> functions;
+    for (const Powers& polynomial : polynomials)
+      functions.insert(functions.end(), polynomial.begin(), polynomial.end());
+    result.set_functions(functions);
+    return result;
+  }
 };
 
 }  // namespace
@@ -73,16 +85,16 @@ SurfacePatch<3> bicubic_patch(const std::array<int, 4>& corners, const std::arra
     sum.add(derivatives[c].second, lengths[1], values[i], slopes[j]);
     sum.add(derivatives[c].mixed, lengths[0] * lengths[1], slopes[i], slopes[j]);
   }
-  if (sum.nodes.size() > SurfacePatch<3>::most) throw std::logic_error("a patch has too many nodes");
-  SurfacePatch<3> patch;
-  patch.degree = 3;
-  patch.count = sum.nodes.size();
-  std::copy(sum.nodes.begin(), sum.nodes.end(), patch.nodes.begin());
-  std::vector<double> functions;
-  for (const Powers& polynomial : sum.polynomials)
-    functions.insert(functions.end(), polynomial.begin(), polynomial.end());
-  patch.set_functions(functions);
-  return patch;
+  return sum.patch();
+}
+
+SurfacePatch<3> bezier_patch(const std::array<int, 4>& corners, const std::array<NodeWeights, 16>& controls) {
+  constexpr std::array<Cubic, 4> bernstein{{{1, -3, 3, -1}, {0, 3, -6, 3}, {0, 0, 3, -3}, {0, 0, 0, 1}}};
+  Sum sum;
+  for (const int corner : corners) sum.add(corner, 0, start_value, start_value);  // they come first
+  for (std::size_t j = 0; j < 4; ++j)
+    for (std::size_t i = 0; i < 4; ++i) sum.add(controls[4 * j + i], 1, bernstein[i], bernstein[j]);
+  return sum.patch();
 }
 
 }  // namespace ixos

@@ -32,4 +32,9 @@ SurfacePatch<3> bilinear_patch(const std::array<int, 4>& corners);
 SurfacePatch<3> bicubic_patch(const std::array<int, 4>& corners, const std::array<CornerDerivatives, 4>& derivatives,
                               const std::array<double, 2>& lengths);
 
+/// Returns the bicubic patch of four corners, counter-clockwise, with the control points of Bezier, which are linear in
+/// places of nodes: those along the first parameter fastest. Throws std::length_error if it has more than
+/// SurfacePatch<3>::most nodes.
+SurfacePatch<3> bezier_patch(const std::array<int, 4>& corners, const std::array<NodeWeights, 16>& controls);
+
 }  // namespace ixos

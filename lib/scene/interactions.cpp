@@ -67,14 +67,13 @@ const Options<Parameters>& options() {
               "Set, the secondary (slave) surface, are measured; then there is no obstacle. Choose the finer surface "
               "as the secondary one. The Side Set itself: the surface interacts with itself. Empty: the interaction is "
               "that with the Obstacle.")
-          .choose(
-              "Smoothing", &Parameters::smoothing,
-              std::vector<std::pair<std::string, Smoothing>>{
-                  {"Catmull-Rom", Smoothing::CatmullRom}, {"Spline", Smoothing::Spline}, {"None", Smoothing::None}},
-              "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
-              "nodes, with corners where two sides meet at more than 30 degrees; Spline, in two dimensions only, is "
-              "a curve near the nodes with the same corners and one curvature between them; None has straight "
-              "sides, whose normals jump at the nodes. It has no effect without a Primary Side Set.")
+          .choose("Smoothing", &Parameters::smoothing,
+                  std::vector<std::pair<std::string, Smoothing>>{
+                      {"Catmull-Rom", Smoothing::CatmullRom}, {"Spline", Smoothing::Spline}, {"None", Smoothing::None}},
+                  "Shape of both surfaces of a pair between their nodes: Catmull-Rom is a smooth curve through the "
+                  "nodes, with corners where two sides meet at more than 30 degrees; Spline is a "
+                  "curve near the nodes with the same corners and one curvature between them; None has straight "
+                  "sides, whose normals jump at the nodes. It has no effect without a Primary Side Set.")
           .add("Exclusion", &Parameters::exclusion,
                "For a surface that interacts with itself, whose Primary Side Set is its Side Set: distance along the "
                "undeformed surface below which its parts do not interact [L0]. Take about pi times the Cutoff, which "

@@ -74,9 +74,9 @@ struct Advice {
 };
 
 /// Runs the scene with coarse settings first, estimates the errors of time step and mesh from the sequences of runs,
-/// then tries other schemes, elements and models as long as their runs cost little beside what they may save. A scene in
-/// space that is plane is answered in two dimensions. A run is done when its record stands in its folder; the same advice reuses it. Throws InputError for a scene or quantity that
-/// is no good, and FileError.
+/// then tries other schemes, elements and models as long as their runs cost little beside what they may save. A scene
+/// in space that is plane is answered in two dimensions. A run is done when its record stands in its folder; the same
+/// advice reuses it. Throws InputError for a scene or quantity that is no good, and FileError.
 Advice advise(const AdviceQuestion& question, const AdviceOptions& options);
 
 }  // namespace ixos

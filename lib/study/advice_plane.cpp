@@ -49,8 +49,8 @@ void write_plane_scene(const AdviceQuestion& question, const AdvicePlane& plane)
   write_scene_file(scene, plane.question.scene);
 }
 
-double difference_from_space(const AdviceQuestion& question, const AdvicePlane& plane, const AdviceDirections& directions,
-                             AdviceRuns& runs, const AdvicePoint& point) {
+double difference_from_space(const AdviceQuestion& question, const AdvicePlane& plane,
+                             const AdviceDirections& directions, AdviceRuns& runs, const AdvicePoint& point) {
   const AdviceSample* const flat = runs.sample(point);
   const double unknown = std::numeric_limits<double>::infinity();
   if (flat == nullptr || !flat->good) return unknown;

@@ -17,8 +17,9 @@ std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const 
 void write_plane_scene(const AdviceQuestion& question, const AdvicePlane& plane);
 
 /// Returns the largest difference of the quantities at a point in two dimensions, which was run, from those in space
-/// with one cell across the depth, as a share of the latter; infinite if that run fails. `runs`: those in two dimensions.
-double difference_from_space(const AdviceQuestion& question, const AdvicePlane& plane, const AdviceDirections& directions,
-                             AdviceRuns& runs, const AdvicePoint& point);
+/// with one cell across the depth, as a share of the latter; infinite if that run fails. `runs`: those in two
+/// dimensions.
+double difference_from_space(const AdviceQuestion& question, const AdvicePlane& plane,
+                             const AdviceDirections& directions, AdviceRuns& runs, const AdvicePoint& point);
 
 }  // namespace ixos

@@ -20,14 +20,10 @@ const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time
 }  // namespace
 
 AdviceRuns::AdviceRuns(const AdviceQuestion& question, const AdviceOptions& options, const AdviceDirections& directions)
-    : question_(question),
-      options_(options),
-      directions_(directions),
-      pool_(pool_of(question.scene)) {}
+    : question_(question), options_(options), directions_(directions), pool_(pool_of(question.scene)) {}
 
 RunPool AdviceRuns::pool_of(const std::string& scene) const {
-  return RunPool(
-      {options_.folder + "/runs", scene, options_.driver, options_.version, 0, options_.interrupted, true});
+  return RunPool({options_.folder + "/runs", scene, options_.driver, options_.version, 0, options_.interrupted, true});
 }
 
 StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {

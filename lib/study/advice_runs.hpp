@@ -26,8 +26,8 @@ class AdviceRuns {
   /// reach its end, or if there is no perturbation.
   std::vector<double> perturbed(const AdvicePoint& point);
 
-  /// Runs another question's scene with these settings besides its own, and returns its quantities; none if that run did
-  /// not reach its end. Its cost counts, too. Throws Interrupted.
+  /// Runs another question's scene with these settings besides its own, and returns its quantities; none if that run
+  /// did not reach its end. Its cost counts, too. Throws Interrupted.
   std::vector<double> in_another_scene(const AdviceQuestion& other, const std::string& name,
                                        const Assignments& settings);
 

@@ -200,7 +200,8 @@ bool grows_with_depth(const std::string& column, const List& probes) {
   for (const std::string& name : list_names(probes))
     if (column.rfind(name + "_", 0) == 0) return false;
   const std::array<const char*, 7> words{"energy", "work", "dissipated", "momentum", "force", "reaction", "measure"};
-  return std::any_of(words.begin(), words.end(), [&](const char* word) { return column.find(word) != std::string::npos; });
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return column.find(word) != std::string::npos; });
 }
 
 }  // namespace ixos

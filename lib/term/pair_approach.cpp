@@ -27,11 +27,12 @@ void lower_to(const Vec<D>& place, double gap, LowestPoint& lowest) {
 }
 
 /// Lowers the lowest point to the ends and the middles of the sides of one surface before the other. A surface that
-/// crosses the other has an end no deeper than its longest side, or a middle. In space the ends are the nodes; in the
-/// plane splines pass beside them.
+/// crosses the other has an end no deeper than its longest side, or a middle. The ends are the nodes in space, unless
+/// splines pass beside them.
 template <std::size_t D>
-void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, const PlacedSurface<D>& own,
+void lower(const SurfacePatches<D>& surface, const std::vector<Vec<D>>& x, const PlacedSurface<D>& own,
            const PlacedSurface<D>& other, LowestPoint& lowest) {
+  const std::vector<SurfacePatch<D>>& patches = surface.patches;
   const double longest = longest_side(patches, x);
   int guess = -1;
   const auto look = [&](const Vec<D>& place) {
@@ -39,7 +40,7 @@ void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>
     guess = foot.patch;
     lower_to<D>(place, foot.gap, lowest);
   };
-  if constexpr (D == 3)
+  if (D == 3 && surface.through_nodes)
     for (const Vec<D>& place : x) look(place);
   PatchParameters<D> middle;
   middle.fill(0.5);
@@ -49,6 +50,9 @@ void lower(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>
     if constexpr (D == 2) {
       look(patch.at({0}));
       if (patches[s].neighbours[1] < 0) look(patch.at({1}));
+    } else if (!surface.through_nodes) {
+      for (const double first : {0.0, 1.0})
+        for (const double second : {0.0, 1.0}) look(patch.at({first, second}));
     }
   }
 }
@@ -91,8 +95,8 @@ template <std::size_t D>
 void PairApproach<D>::lower_both(const Places& x, LowestPoint& lowest) const {
   const PlacedSurface<D> secondary(points_.secondary().patches, x.secondary),
       primary(points_.primary().patches, x.primary);
-  lower(points_.secondary().patches, x.secondary, secondary, primary, lowest);
-  lower(points_.primary().patches, x.primary, primary, secondary, lowest);
+  lower(points_.secondary(), x.secondary, secondary, primary, lowest);
+  lower(points_.primary(), x.primary, primary, secondary, lowest);
 }
 
 template <std::size_t D>

@@ -23,8 +23,8 @@ class PairApproach {
   /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as
   /// often as the bodies move by the longest side of a surface relative to each other, at most 10,000 times.
   LowestPoint lowest_point(const Places& x, const Places* start) const;
-  /// Returns whether lowest_point() would surely find a gap greater than zero, because the surfaces have moved less than
-  /// the gap that it found last.
+  /// Returns whether lowest_point() would surely find a gap greater than zero, because the surfaces have moved less
+  /// than the gap that it found last.
   bool is_clear(const Places& x, const Places* start) const;
   /// Forgets what lowest_point() found.
   void begin_anew() { found_ = 0; }

@@ -92,7 +92,7 @@ class PairSlip {
   double range_;
   PairPoints<D> points_;
   PointData stored_;  ///< traction, then the numbers of FrictionNumber
-  Points acting_;  ///< of the step
+  Points acting_;     ///< of the step
   mutable Points near_;
   double creep_length_ = 0;
   bool in_step_ = false;

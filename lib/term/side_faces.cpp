@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
 
 #include "base/error.hpp"
 #include "interaction/curve_patches.hpp"
 #include "interaction/face_patches.hpp"
 #include "mesh/side_grid.hpp"
 #include "term/lagrange_patches.hpp"
+#include "term/spline_faces.hpp"
 #include "term/surface_patches.hpp"
 
 namespace ixos {
@@ -115,16 +118,23 @@ SurfacePatch<3> smooth_face(const SideGrid& grid, int face) {
   return bicubic_patch(c, derivatives, {grid.strip_length(c[0], c[1]), grid.strip_length(c[0], c[3])});
 }
 
+SurfacePatch<3> spline_face(const SplineFaces& splines, int face, const SideGrid::Face& corners,
+                            const std::string& name, const std::vector<long long>& numbers) {
+  try {
+    return bezier_patch(corners, splines.controls(face));
+  } catch (const std::length_error&) {
+    throw InputError(
+        fmt::format("too many faces of the surface \"{}\" meet near node {} of the mesh for Smoothing \"Spline\"; use "
+                    "\"Catmull-Rom\" or \"None\"",
+                    name, numbers[static_cast<std::size_t>(corners[0])]));
+  }
+}
+
 }  // namespace
 
 template <>
 SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                      const std::string& name) {
-  if (smoothing == Smoothing::Spline)
-    throw InputError(fmt::format(
-        "the surface \"{}\" is in space, and Smoothing \"Spline\" is for surfaces in the plane: faces have no "
-        "common curvature at nodes where other than four of them meet; use \"Catmull-Rom\" or \"None\"",
-        name));
   SurfacePatches<3> surface = surface_of_sides<3>(mesh, sides, name);
   std::vector<SideGrid::Face> faces;
   for (const LocalSide& side : sides) {
@@ -140,12 +150,15 @@ SurfacePatches<3> surface_patches<3>(const LocalMesh& mesh, const std::vector<Lo
   }
   const SideGrid grid(std::move(faces), x, name, numbers);
   const bool is_linear = sides.empty() || sides.front().nodes.size() == 4;
-  const bool smooth = smoothing == Smoothing::CatmullRom && is_linear;
+  const bool smooth = smoothing != Smoothing::None && is_linear;
+  std::optional<SplineFaces> splines;
+  if (smooth && smoothing == Smoothing::Spline) splines.emplace(grid);
+  surface.through_nodes = !splines;
   for (int f = 0; f < static_cast<int>(grid.faces().size()); ++f) {
     const SideGrid::Face& c = grid.faces()[static_cast<std::size_t>(f)];
     SurfacePatch<3> patch;
     if (is_linear) {
-      patch = smooth ? smooth_face(grid, f) : bilinear_patch(c);
+      patch = splines ? spline_face(*splines, f, c, name, numbers) : smooth ? smooth_face(grid, f) : bilinear_patch(c);
     } else {
       std::vector<int> own;
       const LocalSide& side = sides[static_cast<std::size_t>(f)];

@@ -16,8 +16,8 @@ enum class Smoothing {
   /// Cubic curves, or bicubic patches where four sides meet at each inner node, through the nodes: linear in the nodes'
   /// places, and of one tangent where they meet at 30 degrees or less
   CatmullRom,
-  /// In the plane: cubic splines near the nodes, of one tangent and one curvature where sides meet at 30 degrees or
-  /// less
+  /// Cubic splines near the nodes, of one tangent and one curvature where sides meet at 30 degrees or less; in space,
+  /// see SplineFaces, where four of them meet at each node
   Spline
 };
 
@@ -27,14 +27,15 @@ struct SurfacePatches {
   std::vector<int> nodes;                 ///< local nodes, in the order of their global numbers: alike on all ranks
   std::vector<SurfacePatch<D>> patches;   ///< one for each side, in the order of the sides; the corners come first
   std::vector<char> owned;                ///< by patch: energies count it on this rank
+  bool through_nodes = true;              ///< false for splines in space
   std::vector<std::array<int, 3>> sides;  ///< by patch: local block, number of the cell, side, which identify it
 };
 
 /// Returns the patches of sides. Those of linear cells are joined as `smoothing` says; quadratic sides, and enriched
 /// ones of Lagrange's kind, keep their own shape, whose normal jumps between them. Nodes on tied edges are left out.
 /// Throws InputError with `name` if a side is of another kind (Q1CH), if sides are of several kinds, if more than two
-/// sides meet in a corner in the plane or in an edge in space, if neighbours in space have opposite directions, or for
-/// Spline in space.
+/// sides meet in a corner in the plane or in an edge in space, if neighbours in space have opposite directions, or if a
+/// spline in space would have patches of more than SurfacePatch<3>::most nodes.
 template <std::size_t D>
 SurfacePatches<D> surface_patches(const LocalMesh& mesh, const std::vector<LocalSide>& sides, Smoothing smoothing,
                                   const std::string& name);

@@ -21,9 +21,7 @@ List scene(const std::vector<std::string>& settings = {}) {
   for (const std::string& setting : settings) set_parameter(result, scene_parameters(), setting);
   return result;
 }
-Numbers numbers(const List& list, const char* name) {
-  return list.get<Teuchos::Array<double>>(name).toVector();
-}
+Numbers numbers(const List& list, const char* name) { return list.get<Teuchos::Array<double>>(name).toVector(); }
 std::string why(const std::vector<std::string>& settings) { return why_spatial(complete_scene(scene(settings))); }
 
 TEST(PlaneSceneTest, ABlockBetweenSmoothWallsIsPlane) {
@@ -60,7 +58,8 @@ TEST(PlaneSceneTest, TellsWhatNeedsSpace) {
 }
 
 TEST(PlaneSceneTest, TheSceneInTwoDimensionsIsComplete) {
-  const List flat = plane_scene(scene({"Boundary Conditions/Top/Node Set=top", "Boundary Conditions/Top/Components=z"}));
+  const List flat =
+      plane_scene(scene({"Boundary Conditions/Top/Node Set=top", "Boundary Conditions/Top/Components=z"}));
   const List& box = flat.sublist("Mesh").sublist("Box");
   EXPECT_EQ(box.get<int>("Dimension"), 2);
   EXPECT_EQ(numbers(box, "Lower"), (Numbers{0, 0.4}));
@@ -78,7 +77,8 @@ TEST(PlaneSceneTest, TheSceneInTwoDimensionsIsComplete) {
   EXPECT_EQ(numbers(flat.sublist("Output").sublist("Probes").sublist("force"), "Point"), (Numbers{2, 1.4}));
   EXPECT_NO_THROW(complete_scene(flat));
   // With defaults it is the same scene.
-  EXPECT_EQ(scene_text(complete_scene(plane_scene(complete_scene(scene())))), scene_text(complete_scene(plane_scene(scene()))));
+  EXPECT_EQ(scene_text(complete_scene(plane_scene(complete_scene(scene())))),
+            scene_text(complete_scene(plane_scene(scene()))));
 }
 
 TEST(PlaneSceneTest, ColumnsOfTheOtherSceneAndTheirScale) {

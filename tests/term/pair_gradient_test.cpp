@@ -30,7 +30,7 @@ struct Bodies : test::PairOfBodies {
 
 std::vector<Bodies> cases() {
   std::vector<Bodies> all;
-  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom}) {
+  for (const Smoothing smoothing : {Smoothing::None, Smoothing::CatmullRom, Smoothing::Spline}) {
     all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
     all.emplace_back(test::two_blocks(0.3), "lower_surface", "upper_surface", smoothing);
     all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", smoothing);

@@ -65,6 +65,7 @@ TEST(PairMemoryTest, ANewtonIterationTakesNone) {
     all.emplace_back(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface", Smoothing::Spline, cutoff);
     all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::None, cutoff);
     all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::CatmullRom, cutoff);
+    all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::Spline, cutoff);
     for (const test::PairOfBodies& bodies : all) {
       EXPECT_EQ(taken(bodies, end_rule()), 0);
       EXPECT_EQ(taken(bodies, point_rule({0.1, 0.4, 0.9}, {0.3, 0.4, 0.3})), 0);
@@ -128,9 +129,9 @@ TEST(PairMemoryTest, AStepWithoutASearchTakesNone) {
       EXPECT_EQ(taken_by_a_step(*model_of(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface",
                                           Smoothing::CatmullRom, cutoff, friction)),
                 0);
-      EXPECT_EQ(
-          taken_by_a_step(*model_of(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::None, cutoff, friction)),
-          0);
+      EXPECT_EQ(taken_by_a_step(
+                    *model_of(test::two_blocks(0.3), "upper_bottom", "lower_top", Smoothing::None, cutoff, friction)),
+                0);
       EXPECT_EQ(taken_by_a_step(*model_of(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface",
                                           Smoothing::CatmullRom, cutoff, friction)),
                 0);

@@ -42,6 +42,8 @@ std::vector<Bodies> cases() {
     all.emplace_back(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", smoothing);
     all.emplace_back(test::two_blocks(0.3), "upper_bottom", "lower_top", smoothing);
   }
+  all.emplace_back(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", Smoothing::Spline);
+  all.emplace_back(test::two_boxes(0.3), "upper_bottom", "lower_top", Smoothing::Spline);
   Mesh enriched = test::two_blocks(0.3), quadratic = test::two_blocks(0.3), in_space = test::two_boxes(0.3);
   enrich(enriched, "upper_bottom", ContactElement::Q1C3);
   all.emplace_back(enriched, "upper_bottom", "lower_top", Smoothing::CatmullRom);
