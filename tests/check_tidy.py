@@ -7,8 +7,8 @@ A source counts as unchanged if its text, that of each of the project's headers 
 .clang-tidy and the version of clang-tidy are those of a clean run. The hashes of clean runs stand in
 $XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source.
 --commits takes the sources that changed in the last N commits, and so many others that each changed header is included
-by one of them, if the history goes back so far and .clang-tidy is the same. The build folder must have been built with Ninja. The exit status is 1 if
-clang-tidy found anything.
+by one of them, if the history goes back so far and .clang-tidy is the same. The build folder must have been built with
+Ninja. The exit status is 1 if clang-tidy found anything.
 """
 import argparse
 import concurrent.futures
@@ -51,10 +51,10 @@ def changed_files(commits):
 
 
 def covering(sources, changed):
-    """Returns those of the sources, by name with the files that they read, that changed, and enough others to include
-    each changed file that some source includes."""
+    """Returns the sources that changed, those of which it is not known what they read, and enough others to include each
+    changed file that some source includes. `sources`: by name, the files that they read."""
     found = {source: changed.intersection([source, *files]) for source, files in sources.items()}
-    chosen = [source for source in sources if source in changed]
+    chosen = [source for source in sources if source in changed or not sources[source]]
     left = set().union(*found.values()).difference(*(found[source] for source in chosen))
     while left:
         best = max(found, key=lambda source: (len(left & found[source]), -len(sources[source])))

@@ -48,7 +48,7 @@ struct PlacedPatch {
 template <std::size_t D>
 struct SurfacePatch {
   static constexpr std::size_t parameters = D - 1;
-  static constexpr std::size_t most = D == 2 ? 6 : 36;  ///< nodes
+  static constexpr std::size_t most = D == 2 ? 6 : 42;  ///< nodes
   static constexpr std::size_t sides = 2 * parameters;  ///< side 2k: parameter k is 0, side 2k + 1: it is 1
   using Weights = std::array<double, most>;
   using Points = std::array<Vec<D>, most>;

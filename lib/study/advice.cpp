@@ -110,12 +110,14 @@ void verify(const AdviceQuestion& question, AdviceRuns& runs, Advice& advice) {
 /// Whether to go on after the first run.
 using GoesOn = std::function<bool(const AdviceDirections&, AdviceRuns&)>;
 
-/// Answers a question; returns nothing if goes_on() does not want it.
-std::optional<Advice> answer(const AdviceQuestion& question, const AdviceOptions& options, const GoesOn& goes_on) {
+/// Answers a question; returns nothing if goes_on() does not want it. `spent`: on runs before [s].
+std::optional<Advice> answer(const AdviceQuestion& question, const AdviceOptions& options, double spent,
+                             const GoesOn& goes_on) {
   const Teuchos::ParameterList scene = changed_scene(question.scene, question.common);
   Advice advice;
   advice.directions = advice_directions(scene);
   AdviceSearch search(question, options, advice.directions);
+  search.runs().count(spent);
   try {
     search.begin(scene.sublist("Time Integrator").sublist("Time Step Control"));
     if (!goes_on(advice.directions, search.runs())) return std::nullopt;
@@ -135,18 +137,34 @@ std::optional<Advice> answer(const AdviceQuestion& question, const AdviceOptions
   return advice;
 }
 
-/// Answers a question on a scene in space in two dimensions, if the first runs of both agree.
-std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const AdviceOptions& options) {
+/// Answers a question on a scene in space in two dimensions, if the first runs of both agree. Adds to `spent` what it
+/// costs to find that they do not.
+std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const AdviceOptions& options, double& spent) {
   std::optional<AdvicePlane> plane = plane_question(question, options.folder + "/plane.xml");
   if (!plane) return std::nullopt;
   write_plane_scene(question, *plane);
-  std::optional<Advice> advice =
-      answer(plane->question, options, [&](const AdviceDirections& directions, AdviceRuns& runs) {
-        plane->difference = difference_from_space(question, *plane, directions, runs, runs.samples().back().point);
-        return plane->difference <= most_of_plane * question.tolerance;
-      });
-  if (advice) advice->plane = std::move(plane);
-  return advice;
+  const auto agree = [&](const AdviceDirections& directions, AdviceRuns& runs) {
+    plane->difference = difference_from_space(question, *plane, directions, runs, runs.samples().back().point);
+    spent = runs.spent();
+    return plane->difference <= most_of_plane * question.tolerance;
+  };
+  std::optional<Advice> advice;
+  std::string why;
+  try {
+    advice = answer(plane->question, options, 0, agree);
+  } catch (const InputError& error) {
+    why = error.what();
+  }
+  if (advice) {
+    if (std::isfinite(plane->difference)) advice->plane = std::move(plane);
+    return advice;
+  }
+  std::filesystem::remove(plane->question.scene);
+  if (why.empty())
+    why = std::isfinite(plane->difference) ? fmt::format("the quantities differ by {:.2g} %", 100 * plane->difference)
+                                           : "one of the first runs failed";
+  if (options.tell) options.tell("Two dimensions will not do: " + why + ".");
+  return std::nullopt;
 }
 
 }  // namespace
@@ -162,8 +180,9 @@ Advice advise(const AdviceQuestion& question, const AdviceOptions& options) {
   if (code) throw FileError("the results folder cannot be used: " + options.folder + ": " + code.message());
   const std::string path = std::filesystem::absolute(question.scene).lexically_normal().string();
   const ResultsFolder held(options.folder, printable("the advice on " + path), options.overwrite);
-  if (std::optional<Advice> advice = answer_in_plane(question, options)) return std::move(*advice);
-  return *answer(question, options, [](const AdviceDirections&, AdviceRuns&) { return true; });
+  double spent = 0;
+  if (std::optional<Advice> advice = answer_in_plane(question, options, spent)) return std::move(*advice);
+  return *answer(question, options, spent, [](const AdviceDirections&, AdviceRuns&) { return true; });
 }
 
 }  // namespace ixos

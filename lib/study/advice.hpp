@@ -1,6 +1,7 @@
 /// Advice on the settings of a scene: the cheapest ones that keep a tolerance.
 #pragma once
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,7 +36,8 @@ struct AdvicePlane {
   AdviceQuestion question;      ///< on the scene in two dimensions
   std::vector<double> factors;  ///< by quantity: that of the whole depth over that of a unit
   double depth = 1;             ///< [L0]
-  double difference = 0;        ///< largest relative one of the quantities in two and in three dimensions
+  /// Largest relative one of the quantities in two and in three dimensions; infinite if it is not known.
+  double difference = std::numeric_limits<double>::infinity();
 };
 
 /// Another choice in one direction, and the error that it causes.

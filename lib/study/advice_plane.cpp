@@ -7,6 +7,7 @@
 
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/scene_units.hpp"
 #include "study/absolute_paths.hpp"
 #include "study/plane_scene.hpp"
 
@@ -15,11 +16,11 @@ namespace {
 
 using List = Teuchos::ParameterList;
 
-/// Returns the scene in space with the user's changes, without defaults.
+/// Returns the scene in space with the user's changes, in plain numbers, without defaults.
 List scene_in_space(const AdviceQuestion& question) {
   List scene = read_scene_file(question.scene);
   for (const std::string& assignment : question.common) set_parameter(scene, scene_parameters(), assignment);
-  return scene;
+  return in_scene_units(scene, scene_parameters());
 }
 
 }  // namespace
@@ -58,13 +59,17 @@ double difference_from_space(const AdviceQuestion& question, const AdvicePlane& 
   const List there = changed_scene(plane.question.scene, settings);
   const auto cells = there.sublist("Mesh").sublist("Box").get<Teuchos::Array<int>>("Divisions");
   settings.push_back("Mesh/Box/Divisions={" + std::to_string(cells[0]) + ", 1, " + std::to_string(cells[1]) + "}");
-  const std::vector<double> spatial = runs.in_another_scene(question, "in-space", settings);
+  const std::vector<double> spatial =
+      runs.in_another_scene(question, {"in-space", {"in space, one cell across"}, {}}, settings);
   if (spatial.empty()) return unknown;
   double largest = 0;
   for (std::size_t q = 0; q < spatial.size(); ++q) {
     const double scale = question.quantities[q].is_error() ? 1 : std::abs(spatial[q]);
     const double difference = std::abs(plane.factors[q] * flat->values[q] - spatial[q]);
-    if (difference > 0) largest = std::max(largest, difference / scale);
+    if (difference == 0) continue;
+    const double share = difference / scale;
+    if (!std::isfinite(share)) return unknown;
+    largest = std::max(largest, share);
   }
   return largest;
 }

@@ -9,8 +9,8 @@
 
 namespace ixos {
 
-/// Returns the question on the scene in two dimensions, with the factors that its quantities have in the whole depth,
-/// and the difference 0; none if the scene or a quantity needs space. Throws InputError for a scene that is no good.
+/// Returns the question on the scene in two dimensions, with the factors that its quantities have in the whole
+/// depth; none if the scene or a quantity needs space. Throws InputError for a scene that is no good.
 std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const std::string& path);
 
 /// Writes the scene in two dimensions, to the path of that question.

@@ -66,9 +66,9 @@ void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
   for (std::size_t i = 0; i < runs.size(); ++i) samples_.push_back(sample_of(missing[i], runs[i]));
 }
 
-std::vector<double> AdviceRuns::in_another_scene(const AdviceQuestion& other, const std::string& name,
+std::vector<double> AdviceRuns::in_another_scene(const AdviceQuestion& other, StudyRun there,
                                                  const Assignments& settings) {
-  StudyRun there{name, {"in space, one cell across"}, other.common};
+  there.settings = other.common;
   for (const Assignments& more : {without_fields, settings})
     there.settings.insert(there.settings.end(), more.begin(), more.end());
   RunPool pool = pool_of(other.scene);

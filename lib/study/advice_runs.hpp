@@ -27,9 +27,11 @@ class AdviceRuns {
   std::vector<double> perturbed(const AdvicePoint& point);
 
   /// Runs another question's scene with these settings besides its own, and returns its quantities; none if that run
-  /// did not reach its end. Its cost counts, too. Throws Interrupted.
-  std::vector<double> in_another_scene(const AdviceQuestion& other, const std::string& name,
-                                       const Assignments& settings);
+  /// did not reach its end. Its cost counts, too. `there`: the run's name and label. Throws Interrupted, and InputError
+  /// if the run does not have a quantity.
+  std::vector<double> in_another_scene(const AdviceQuestion& other, StudyRun there, const Assignments& settings);
+  /// Counts the cost of runs that were carried out before.
+  void count(double seconds) { spent_ += seconds; }
 
   const std::vector<AdviceSample>& samples() const { return samples_; }
   /// Returns the sample of a point; null if it was not run.

@@ -5,11 +5,9 @@
 #include <Teuchos_Array.hpp>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "parameters/parameter_entries.hpp"
-#include "study/advice_lists.hpp"
 
 namespace ixos {
 namespace {
@@ -17,9 +15,17 @@ namespace {
 using List = Teuchos::ParameterList;
 
 /// Entries that hold vectors of space, and numbers by direction.
-const std::array<const char*, 13> vectors{"Lower",       "Upper",         "Lengths", "Divisions", "Plane Normal",
-                                          "Plane Point", "Sphere Center", "Normal",  "Point",     "Center",
-                                          "Direction",   "Vector",        "Velocity"};
+const std::array<const char*, 14> vectors{"Lower",       "Upper",         "Lengths",  "Divisions", "Plane Normal",
+                                          "Plane Point", "Sphere Center", "Normal",   "Point",     "Center",
+                                          "Direction",   "Vector",        "Velocity", "Origin"};
+
+/// Returns the names of all sublists.
+std::vector<std::string> list_names(const List& lists) {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries(lists))
+    if (entry.isList()) names.push_back(name);
+  return names;
+}
 
 std::vector<double> numbers(const List& list, const char* name) {
   return list.get<Teuchos::Array<double>>(name).toVector();
@@ -45,11 +51,19 @@ bool holds_y_alone(const List& condition) {
          condition.get<std::string>("History").empty();
 }
 
+/// A set of sides from the whole boundary must leave out those of front and back.
 std::string why_set_is_spatial(const List& set, double low, double high) {
-  if (second(set, "Lower", low) > low || second(set, "Upper", high) < high) return "its box ends within the depth";
+  const double slack = 1e-9 * (high - low);
+  if (second(set, "Lower", low) > low + slack || second(set, "Upper", high) < high - slack)
+    return "its box ends within the depth";
   if (!is_in_plane(set, "Plane Normal") || !is_in_plane(set, "Normal")) return "its normal points along y";
   if (set.get<double>("Sphere Radius") > 0) return "it has a sphere";
-  return is_across(set.get<std::string>("From")) ? "it is a part of " + set.get<std::string>("From") : "";
+  const std::string& from = set.get<std::string>("From");
+  if (is_across(from)) return "it is a part of " + from;
+  const bool looks_along = !numbers(set, "Normal").empty() && set.get<double>("Normal Angle") < 90;
+  const bool leaves_out =
+      set.get<std::string>("Kind") == "Nodes" || !from.empty() || looks_along || !numbers(set, "Plane Normal").empty();
+  return leaves_out ? "" : "it may have sides of front and back";
 }
 
 std::string why_wall_is_spatial(const List& wall) {
@@ -128,7 +142,8 @@ void flatten_vectors(List& list) {
 void flatten_conditions(List& conditions) {
   for (const std::string& name : list_names(conditions)) {
     List& condition = conditions.sublist(name);
-    if (!condition.isParameter("Components")) continue;
+    const bool moves = !condition.isParameter("Type") || condition.get<std::string>("Type") == "Displacement";
+    if (!moves || !condition.isParameter("Components")) continue;
     std::string moved = condition.get<std::string>("Components");
     if (moved != "all") {
       moved.erase(std::remove(moved.begin(), moved.end(), 'y'), moved.end());
@@ -145,7 +160,7 @@ void flatten_output(List& output) {
   if (!output.isParameter("Reactions")) return;
   Teuchos::Array<std::string> kept;
   for (const std::string& set : output.get<Teuchos::Array<std::string>>("Reactions"))
-    if (!is_across(set)) kept.push_back(set);
+    if (set != "front" && set != "back") kept.push_back(set);
   output.set("Reactions", kept);
 }
 
@@ -197,8 +212,10 @@ std::optional<std::string> plane_column(const std::string& column) {
 }
 
 bool grows_with_depth(const std::string& column, const List& probes) {
+  const auto begins = [&](const std::string& start) { return column.rfind(start, 0) == 0; };
   for (const std::string& name : list_names(probes))
-    if (column.rfind(name + "_", 0) == 0) return false;
+    if (begins(name + "_u") || begins(name + "_v")) return false;
+  if (begins("norm_") || begins("min_gap") || begins("mean_slip")) return false;
   const std::array<const char*, 7> words{"energy", "work", "dissipated", "momentum", "force", "reaction", "measure"};
   return std::any_of(words.begin(), words.end(),
                      [&](const char* word) { return column.find(word) != std::string::npos; });

@@ -14,11 +14,11 @@ std::string why_spatial(const Teuchos::ParameterList& complete);
 /// says nothing, with or without defaults.
 Teuchos::ParameterList plane_scene(Teuchos::ParameterList scene);
 
-/// Returns the name of a column of such a scene in two dimensions; none if that scene does not have it. `probes`: names
-/// of the scene's probes.
+/// Returns the name of a column of such a scene in two dimensions; none if that scene does not have it.
 std::optional<std::string> plane_column(const std::string& column);
 
-/// Returns whether the numbers of a column are those of the whole depth: forces, energies, momenta, measures.
+/// Returns whether the numbers of a column are those of the whole depth: forces, energies, momenta, measures. `probes`:
+/// the list of the scene's probes.
 bool grows_with_depth(const std::string& column, const Teuchos::ParameterList& probes);
 
 }  // namespace ixos

@@ -70,6 +70,13 @@ void advance(typename PairPoints<D>::Places& x, double share, const typename Pai
 }  // namespace
 
 template <std::size_t D>
+PairApproach<D>::PairApproach(const PairPoints<D>& points, double margin) : points_(points), margin_(margin) {
+  for (const auto* surface : {&points.secondary(), &points.primary()})
+    for (const SurfacePatch<D>& patch : surface->patches)
+      for (const int neighbour : patch.neighbours) is_closed_ = is_closed_ && neighbour >= 0;
+}
+
+template <std::size_t D>
 LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) const {
   LowestPoint lowest;
   if (points_.sight() != nullptr) {
@@ -77,7 +84,7 @@ LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) 
     return lowest;
   }
   lower_both(x, lowest);
-  found_ = std::max(lowest.gap, 0.0);
+  found_ = x.is_finite() ? std::max(lowest.gap, 0.0) : 0;
   looked_ = x;
   if (start != nullptr) lower_on_the_way(*start, x, lowest);
   return lowest;
@@ -86,7 +93,7 @@ LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) 
 /// The bound holds between two places if it holds at both.
 template <std::size_t D>
 bool PairApproach<D>::is_clear(const Places& x, const Places* start) const {
-  if (found_ == 0 || !x.is_finite()) return false;
+  if (!is_closed_ || found_ == 0 || !x.is_finite()) return false;
   const PairSearch<D>& search = points_.search();
   return search.motion(looked_, x) < found_ && (start == nullptr || search.motion(looked_, *start) < found_);
 }

@@ -13,7 +13,7 @@ class PairApproach {
   using Contact = typename PairPoints<D>::Contact;
 
   /// `margin`: see PairOptions. The points must outlive it.
-  PairApproach(const PairPoints<D>& points, double margin) : points_(points), margin_(margin) {}
+  PairApproach(const PairPoints<D>& points, double margin);
 
   /// Returns an s in [0, 1], nearly the largest, for which the gaps at all places + s share ways surely have the
   /// margin. Follows the surfaces in up to 8 parts, each as long as no gap can have fallen to its least one: the bound
@@ -23,8 +23,8 @@ class PairApproach {
   /// looks at the end of a step only can find a state in which the bodies have passed through each other. It looks as
   /// often as the bodies move by the longest side of a surface relative to each other, at most 10,000 times.
   LowestPoint lowest_point(const Places& x, const Places* start) const;
-  /// Returns whether lowest_point() would surely find a gap greater than zero, because the surfaces have moved less
-  /// than the gap that it found last.
+  /// Returns whether lowest_point() would surely find a gap greater than zero, because both surfaces are closed and
+  /// have moved less than the gap that it found last. The gap of a point that passes below a free rim jumps.
   bool is_clear(const Places& x, const Places* start) const;
   /// Forgets what lowest_point() found.
   void begin_anew() { found_ = 0; }
@@ -44,6 +44,7 @@ class PairApproach {
 
   const PairPoints<D>& points_;
   double margin_;
+  bool is_closed_ = true;     ///< neither surface has a free rim
   mutable double found_ = 0;  ///< the gap that lowest_point() found last at `looked_`, 0 if there is none
   mutable Places looked_;
   /// Memory, so that free_step() needs no new one.

@@ -1,6 +1,7 @@
 #include "term/pair_slip.hpp"
 
 #include <algorithm>
+#include <boost/container/static_vector.hpp>
 #include <cmath>
 #include <utility>
 
@@ -34,27 +35,31 @@ Vec<D> turned(const Vec<D>& vector, const Small<double, D>& from, const Small<do
   return result;
 }
 
+/// By node of a patch.
+template <std::size_t D>
+using Turns = boost::container::static_vector<Small<double, D>, SurfacePatch<D>::most>;
+
 /// Returns a turned by a right angle.
 Vec<2> across(const Vec<2>& a) { return {-a[1], a[0]}; }
 
 /// Returns, by node of a patch, the derivative of -g w x n by its displacement, with the rotation w of the patch at the
 /// foot.
-PairSlip<2>::NodalMatrices turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
+Turns<2> turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
   const auto slopes = patch.shape(foot.xi).slopes;
   const Vec<2>& x = foot.frame.tangents[0];
   const Vec<2> way = -foot.gap / inner(x, x) * across(foot.normal), along = across(x);
-  PairSlip<2>::NodalMatrices result(patch.count);
+  Turns<2> result(patch.count);
   for (std::size_t a = 0; a < patch.count; ++a)
     for (std::size_t i = 0; i < 2; ++i) result[a][i] = slopes[0][a] * way[i] * along;
   return result;
 }
-PairSlip<3>::NodalMatrices turns(const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
+Turns<3> turns(const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
   const auto slopes = patch.shape(foot.xi).slopes;
   const Vec<3>&x = foot.frame.tangents[0], &y = foot.frame.tangents[1], &n = foot.normal;
   const double xx = inner(x, x), xy = inner(x, y), yy = inner(y, y), det = xx * yy - xy * xy;
   const Vec<3> m = PlacedPatch<3>::normal(foot.frame);
   const std::array<Vec<3>, 2> c{cross(m, 1 / det * (yy * x - xy * y)), cross(m, 1 / det * (xx * y - xy * x))};
-  PairSlip<3>::NodalMatrices result(patch.count);
+  Turns<3> result(patch.count);
   for (std::size_t a = 0; a < patch.count; ++a) {
     const Vec<3> r = slopes[0][a] * c[0] + slopes[1][a] * c[1];
     // g n x w, w = (m . r/2) - r (m .)
@@ -107,12 +112,13 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairSlip<D>::contacts(const
 }
 
 template <std::size_t D>
-typename PairSlip<D>::Point PairSlip<D>::point_of(const typename PairPoints<D>::Contact& contact) const {
+void PairSlip<D>::set(const typename PairPoints<D>::Contact& contact, Point& point) const {
   const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
   const Vec<D>& n = contact.foot.normal;
-  Point point;
   point.contact = contact;
-  point.nodes = points_.nodes_of(contact);
+  const auto nodes = points_.nodes_of(contact);
+  point.nodes.assign(nodes.begin(), nodes.end());
+  point.slips.clear();
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) point.plane[i][j] = (i == j ? 1.0 : 0.0) - n[i] * n[j];
   const auto add = [&](double weight, Small<double, D> slip) {
@@ -126,24 +132,28 @@ typename PairSlip<D>::Point PairSlip<D>::point_of(const typename PairPoints<D>::
   for (std::size_t a = 0; a < patch.count; ++a) add(-weights[a], turned[a]);
   point.traction = stored_traction(contact);
   point.threshold = friction_.threshold_at(contact.foot.gap);
-  return point;
 }
 
 template <std::size_t D>
 const typename PairSlip<D>::Points& PairSlip<D>::near(const double* u) const {
   const auto times = contacts(u);
-  near_.clear();
+  std::size_t used = 0;
   for (const auto& contact : times->front().all) {
     if (contact.foot.patch < 0 || !(contact.foot.gap < range_)) continue;  // a gap that is no number has no friction
     const Vec<D> kept = stored_traction(contact);
-    if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) near_.push_back(point_of(contact));
+    if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) {
+      if (used == near_.size()) near_.emplace_back();
+      set(contact, near_[used++]);
+    }
   }
+  near_.resize(used);
   return near_;
 }
 
 template <std::size_t D>
 void PairSlip<D>::begin(const double* u, double length) {
-  acting_ = near(u);
+  near(u);
+  acting_.swap(near_);
   for (Point& point : acting_) point.start = relative(point, u);
   set_length(length);
   in_step_ = true;
@@ -175,7 +185,7 @@ template <std::size_t D>
 void PairSlip<D>::add_stiffness(const Point& point, const Small<double, D>& stiffness, std::vector<double>& k) const {
   const std::size_t count = point.nodes.size(), size = D * count;
   const double w = points_.measure(point.contact);
-  NodalMatrices forces(count);
+  boost::container::static_vector<Small<double, D>, PairGap<D>::most> forces(count);
   for (std::size_t a = 0; a < count; ++a)
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t l = 0; l < D; ++l) forces[a][i] = forces[a][i] + w * stiffness[i][l] * point.slips[a][l];
@@ -212,7 +222,6 @@ double PairSlip<D>::accept(const double* u) {
     store(contact.patch, contact.point, place_of(FrictionNumber::Sliding), left.slid);
     if (points_.counts(contact.patch)) sum += points_.measure(contact) * left.work;
   }
-  acting_.clear();
   in_step_ = false;
   return sum;
 }

@@ -1,6 +1,5 @@
 /// Friction at the points of a surface before the surface of another body, over steps.
 #pragma once
-#include <boost/container/static_vector.hpp>
 #include <memory>
 #include <vector>
 
@@ -29,11 +28,11 @@ template <std::size_t D>
 class PairSlip {
  public:
   /// By node of a point.
-  using NodalMatrices = boost::container::static_vector<Small<double, D>, PairGap<D>::most>;
+  using NodalMatrices = std::vector<Small<double, D>>;
   /// A point that friction acts on.
   struct Point {
     typename PairPoints<D>::Contact contact;  ///< with the foot that the slip refers to
-    typename PairPoints<D>::Nodes nodes;      ///< local, of both surfaces
+    std::vector<int> nodes;                   ///< local, of both surfaces
     NodalMatrices slips;                      ///< the derivative of the slip by the node's displacement
     Small<double, D> plane;                   ///< P
     Vec<D> start{};                           ///< of the linear function, at the displacement of the step's start
@@ -84,16 +83,17 @@ class PairSlip {
   double stored(std::size_t patch, std::size_t point, std::size_t number) const;
   void store(std::size_t patch, std::size_t point, std::size_t number, double value);
   Vec<D> stored_traction(const typename PairPoints<D>::Contact& contact) const;
-  Point point_of(const typename PairPoints<D>::Contact& contact) const;
+  /// Sets everything but the start.
+  void set(const typename PairPoints<D>::Contact& contact, Point& point) const;
   /// Returns the contacts at u, as far as friction reaches.
   std::shared_ptr<const typename PairPoints<D>::Times> contacts(const double* u) const;
 
   FrictionLaw friction_;
   double range_;
   PairPoints<D> points_;
-  PointData stored_;  ///< traction, then the numbers of FrictionNumber
-  Points acting_;     ///< of the step
-  mutable Points near_;
+  PointData stored_;     ///< traction, then the numbers of FrictionNumber
+  Points acting_;        ///< of the step
+  mutable Points near_;  ///< the last ones that near() returned; both keep their memory
   double creep_length_ = 0;
   bool in_step_ = false;
 };

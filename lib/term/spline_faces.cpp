@@ -60,16 +60,16 @@ NodeWeights SplineFaces::control_of(int node) const {
   return result;
 }
 
-/// Returns the number of faces that meet at the node as if the surface beyond a crease were straight.
+/// Returns the number n of faces that counts in the control point inside the face. At a crease it is twice that of the
+/// face's side, and 4 at least, as if the surface went on straight beyond it.
 std::size_t SplineFaces::valence(int face, int node) const {
   const Vertex& vertex = vertices_[at(node)];
-  if (vertex.creases.empty()) return vertex.faces.size();
+  if (vertex.creases.size() < 2) return vertex.faces.size();
   std::size_t count = 1;
   for (const int first : ends(face, node)) {
     int at_face = face, edge = first;
     while (!grid_.is_crease(node, edge)) {
       at_face = grid_.across(at_face, node, edge);
-      if (at_face == face) return vertex.faces.size();
       ++count;
       const std::array<int, 2> both = ends(at_face, node);
       edge = both[0] == edge ? both[1] : both[0];

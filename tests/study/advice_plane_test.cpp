@@ -50,7 +50,8 @@ TEST_F(AdvicePlaneTest, SomeQuantitiesNeedSpace) {
 }
 
 TEST_F(AdvicePlaneTest, TheWrittenSceneHasTheUsersChanges) {
-  question_.common = {"Mesh/Box/Divisions={16, 6, 8}", "Time Integrator/Type=Newmark"};
+  question_.common = {"Mesh/Box/Divisions={16, 6, 8}", "Time Integrator/Type=Newmark",
+                      "Mesh/Box/Lengths={0.002, 0.003, 0.001} um"};
   const auto found = plane({"final elastic_energy"});
   ASSERT_TRUE(found);
   write_plane_scene(question_, *found);
@@ -58,6 +59,9 @@ TEST_F(AdvicePlaneTest, TheWrittenSceneHasTheUsersChanges) {
   EXPECT_EQ(scene.sublist("Mesh").sublist("Box").get<Teuchos::Array<int>>("Divisions").toVector(),
             (std::vector<int>{16, 8}));
   EXPECT_EQ(scene.sublist("Time Integrator").get<std::string>("Type"), "Newmark");
+  EXPECT_EQ(scene.sublist("Mesh").sublist("Box").get<Teuchos::Array<double>>("Lengths").toVector(),
+            (std::vector<double>{2, 1}))
+      << "in units of the scene";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <random>
@@ -17,6 +18,7 @@
 #include "study/advice_runs.hpp"
 #include "support/advice_case.hpp"
 #include "support/files.hpp"
+#include "support/plane_block.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace ixos {
@@ -66,6 +68,27 @@ class AdviceTest : public testing::Test {
   AdviceOptions options_;
   std::string told_;
 };
+
+/// The force of the whole depth, 3, is three times that of a unit.
+TEST_F(AdviceTest, APlaneSceneIsAnsweredInTwoDimensionsIfBothAgree) {
+  std::ofstream(question_.scene) << test::plane_block;
+  const std::string shape = " * (1 + 1e4 * dt**2 / 0.0005**2 * 1e-6 + 1e-3 * h**2)";
+  const Advice flat = advice("(3 if dimension == 3 else 1)" + shape, 0.02);
+  ASSERT_EQ(flat.status, AdviceStatus::Advised) << flat.problem << told_;
+  ASSERT_TRUE(flat.plane);
+  EXPECT_LT(flat.plane->difference, 1e-14);
+  EXPECT_NEAR(flat.exact[0], 1, 0.02);
+  EXPECT_NE(advice_text(question_, flat).find("Two dimensions will do"), std::string::npos);
+
+  options_.folder = folder_.path() + "/other";
+  const Advice spatial = advice("(4 if dimension == 3 else 1)" + shape, 0.02);
+  ASSERT_EQ(spatial.status, AdviceStatus::Advised) << spatial.problem << told_;
+  EXPECT_FALSE(spatial.plane);
+  EXPECT_EQ(spatial.directions.dimension, 3);
+  EXPECT_NEAR(spatial.exact[0], 4, 0.08);
+  EXPECT_NE(told_.find("Two dimensions will not do: the quantities differ by 25 %."), std::string::npos) << told_;
+  EXPECT_FALSE(std::filesystem::exists(options_.folder + "/plane.xml"));
+}
 
 TEST_F(AdviceTest, KeepsTheToleranceOfASmoothScene) {
   const Advice found = advice("3 * (1 + 4 * dt**2 + 0.08 * h**2)", 0.05);

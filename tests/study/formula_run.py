@@ -4,7 +4,7 @@
     IXOS_FORMULA='...' formula_run.py SCENE --quiet --output FOLDER --overwrite --set "Path=value"...
 
 IXOS_FORMULA is an expression in Python: the value of the column "force", and the energy error. It may use dt, the step;
-h, 8 over the number of cells along the box; scheme; element; tolerance, of Newton's method; change, the relative
+h, 8 over the number of cells along the box; dimension; scheme; element; tolerance, of Newton's method; change, the relative
 change of the density; sin and min. If it is negative, the run diverges. Each run adds a line to the file runs.txt beside
 the scene. Processor time grows with steps and cells.
 """
@@ -25,12 +25,13 @@ def main():
     settings = dict(arguments[i + 1].split("=", 1) for i, word in enumerate(arguments) if word == "--set")
     names = {path.rsplit("/", 1)[-1]: value for path, value in settings.items()}
     dt = float(names.get("Time Step", 0.1))
-    cells = int(re.findall(r"\d+", names.get("Divisions", "{8, 8}"))[0])
+    divisions = re.findall(r"\d+", names.get("Divisions", "{8, 8}"))
+    cells = int(divisions[0])
     scheme = settings.get("Time Integrator/Type", "Newmark")
     end = float(names.get("Final Time", 10))
     with open(scene.parent / "runs.txt", "a", encoding="utf-8") as file:
         file.write(folder.name + "\n")
-    values = {"dt": dt, "h": 8 / cells, "scheme": scheme, "element": names.get("Contact Element", "Q1C1"),
+    values = {"dt": dt, "h": 8 / cells, "dimension": len(divisions), "scheme": scheme, "element": names.get("Contact Element", "Q1C1"),
               "tolerance": float(settings.get("Nonlinear Solver/Tolerance", 1e-11)),
               "change": float(names.get("Density", DENSITY)) / DENSITY - 1, "sin": math.sin, "min": min}
     value = eval(os.environ["IXOS_FORMULA"], {"__builtins__": {}}, values)

@@ -37,6 +37,9 @@ TEST(PlaneSceneTest, TellsWhatNeedsSpace) {
       {{"Mesh/Map/Z=z + y"}, "Mesh: it is mapped"},
       {{"Mesh/Sets/contact/Upper={1.5, 1.9, 9}"}, "Mesh/Sets/contact: its box ends within the depth"},
       {{"Mesh/Sets/contact/From=surface"}, "Mesh/Sets/contact: it is a part of surface"},
+      {{"Mesh/Sets/contact/From="}, "Mesh/Sets/contact: it may have sides of front and back"},
+      {{"Mesh/Sets/contact/From=", "Mesh/Sets/contact/Normal={0, 0, -1}", "Mesh/Sets/contact/Normal Angle=90"},
+       "Mesh/Sets/contact: it may have sides of front and back"},
       {{"Boundary Conditions/Front/Components=z"}, "the face front may leave its plane"},
       {{"Boundary Conditions/Back/Node Set=left"}, "the face back may leave its plane"},
       {{"Boundary Conditions/More/Node Set=front", "Boundary Conditions/More/Components=x"},
@@ -93,7 +96,7 @@ TEST(PlaneSceneTest, ColumnsOfTheOtherSceneAndTheirScale) {
   for (const char* whole : {"contact_force_z", "reaction_left_x", "elastic_energy", "external_work", "contact_measure",
                             "linear_momentum_x", "dissipated_viscosity"})
     EXPECT_TRUE(grows_with_depth(whole, probes)) << whole;
-  for (const char* local : {"force_uz", "min_gap", "time_step", "norm_displacement"})
+  for (const char* local : {"force_uz", "min_gap", "min_gap_network", "time_step", "norm_energy_density"})
     EXPECT_FALSE(grows_with_depth(local, probes)) << local;
 }
 

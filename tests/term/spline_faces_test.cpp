@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <stdexcept>
 
 #include "interaction/placed_surface.hpp"
 
@@ -105,6 +106,52 @@ TEST(SplineFacesTest, CreasesKeepACube) {
     EXPECT_NEAR(largest, 1, 1e-13);
     EXPECT_NEAR(length(middle), 1, 1e-13);
   }
+}
+
+/// A fan of n faces around a node, with another ring of faces around it, in the plane z = x/2: the patches keep the
+/// plane.
+TEST(SplineFacesTest, NodesWhereOtherThanFourFacesMeet) {
+  for (const int n : {3, 5, 6}) {
+    std::vector<Vec<3>> x{{0, 0, 0}};
+    const auto add = [&](double radius, double turn) {
+      const double angle = 2 * M_PI * turn / n;
+      x.push_back({radius * std::cos(angle), radius * std::sin(angle), radius * std::cos(angle) / 2});
+      return static_cast<int>(x.size()) - 1;
+    };
+    // On each of n rays two nodes; in each sector the nodes of a grid of 2 x 2 faces that no ray has.
+    std::vector<std::array<int, 2>> ray;
+    for (int k = 0; k < n; ++k) ray.push_back({add(1, k), add(2, k)});
+    std::vector<SideGrid::Face> faces;
+    for (int k = 0; k < n; ++k) {
+      const auto &a = ray[static_cast<std::size_t>(k)], &b = ray[static_cast<std::size_t>((k + 1) % n)];
+      const int inner = add(1.4, k + 0.5), first = add(2.3, k + 0.3), second = add(2.3, k + 0.7),
+                outer = add(2.8, k + 0.5);
+      faces.push_back({0, a[0], inner, b[0]});
+      faces.push_back({a[0], a[1], first, inner});
+      faces.push_back({b[0], inner, second, b[1]});
+      faces.push_back({inner, first, outer, second});
+    }
+    std::vector<long long> numbers(x.size());
+    std::iota(numbers.begin(), numbers.end(), 1);
+    const SideGrid grid(faces, x, "fan", numbers);
+    const SplineFaces splines(grid);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const SurfacePatch<3> patch = bezier_patch(faces[f], splines.controls(static_cast<int>(f)));
+      const auto weights = patch.weights({0.3, 0.8});
+      EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-14);
+      const Vec<3> place = patch.placed(patch.among(x)).at({0.3, 0.8});
+      EXPECT_NEAR(place[2], place[0] / 2, 1e-14);
+    }
+    // The node in the middle stays there by symmetry.
+    const SurfacePatch<3> patch = bezier_patch(faces[0], splines.controls(0));
+    EXPECT_NEAR(length(patch.placed(patch.among(x)).at({0, 0})), 0, 1e-14) << n;
+  }
+}
+
+TEST(SplineFacesTest, TooManyNodesAreRefused) {
+  std::array<NodeWeights, 16> controls;
+  for (int k = 0; k < 48; ++k) controls[static_cast<std::size_t>(k % 16)].add(k, 1);
+  EXPECT_THROW(bezier_patch({0, 1, 2, 3}, controls), std::length_error);
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ const Mesh& disks() {
 /// The errors, which it prints, of a scheme; points: in time, 0 for none.
 KeptErrors errors_of(const char* what, const char* scheme, const Mesh& mesh, double dt, int steps, int points = 0,
                      const std::string& pair = "") {
-  Collision collision(scheme, dt, points > 0 ? count("Interaction Points", points) : "",
-                      mesh.dimension == 3 ? count("Surface Points", 3) + number("Cutoff", 2) : pair, mesh);
+  Collision collision(
+      scheme, dt, points > 0 ? count("Interaction Points", points) : "",
+      mesh.dimension == 3 ? count("Surface Points", 3) + (pair.empty() ? number("Cutoff", 2) : pair) : pair, mesh);
   const KeptErrors errors = test::kept_errors(collision, dt, steps);
   if (test::world()->getRank() == 0)
     std::printf("%s, %s, %d steps of %g, points %d: energy %.1e, linear momentum %.1e, angular momentum %.1e\n", what,
@@ -77,6 +78,7 @@ TEST(PairConservationLongTest, TheAverageVectorFieldKeepsEnergyAndLinearMomentum
   expect(errors_of("disks of splines", scheme, disks(), 0.0005, many, 8, spline), 1e-7);
   expect(errors_of("rings of splines, cutoff", scheme, rings, 0.0005, many, 8, near), 1e-7);
   expect(errors_of("balls", scheme, balls, 0.001, many, 8), 1e-5);
+  expect(errors_of("balls of splines", scheme, balls, 0.001, many, 8, spline), 1e-7);
 }
 
 TEST(PairConservationTest, TheAverageVectorFieldsErrorOfTheAngularMomentumIsOfSecondOrder) {
