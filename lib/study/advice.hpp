@@ -67,7 +67,7 @@ struct Advice {
   std::vector<AdviceCandidate> trades;  ///< of tested settings: none is better in both cost and error
   /// By tolerance, from ten times the asked one to a tenth: the cheapest settings to expect; without a point if none.
   std::vector<std::pair<double, AdviceCandidate>> other_tolerances;
-  /// There if two dimensions answer a scene in space: settings and quantities are those of this question.
+  /// Two dimensions, if they answer a scene in space. Settings and quantities are those of its question.
   std::optional<AdvicePlane> plane;
   double verified = -1;          ///< largest relative change of a quantity in a finer run; negative if there was none
   double budget = 0, spent = 0;  ///< seconds of processor time

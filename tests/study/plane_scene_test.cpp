@@ -1,4 +1,4 @@
-// Which scenes in space are plane, and their form in two dimensions.
+// Scenes in space that are plane, and their form in two dimensions.
 #include "study/plane_scene.hpp"
 
 #include <gtest/gtest.h>

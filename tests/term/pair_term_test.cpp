@@ -289,7 +289,7 @@ TEST(PairTermTest, TwoHalfWeightedPassesHaveNoBias) {
   EXPECT_GT(bias(false), 1e-4);
 }
 
-/// What the search for the lowest point found holds as long as the bodies move less than that.
+/// The gap that the search for the lowest point found bounds the motion after which it must search again.
 TEST(PairTermTest, GapsAreKnownToBePositiveUntilTheBodiesMove) {
   Bodies bodies(test::two_disks(3, {5, 3.6}), "a_surface", "b_surface", Smoothing::CatmullRom);
   const std::vector<double> rest = test::at_rest(*bodies.model);
