@@ -137,8 +137,8 @@ std::optional<Advice> answer(const AdviceQuestion& question, const AdviceOptions
   return advice;
 }
 
-/// Answers a question on a scene in space in two dimensions, if the first runs of both agree. Adds to `spent` what it
-/// costs to find that they do not.
+/// Answers a question on a scene in space in two dimensions, if the first runs of both agree. `spent`: set to what
+/// the first runs cost [s].
 std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const AdviceOptions& options, double& spent) {
   std::optional<AdvicePlane> plane = plane_question(question, options.folder + "/plane.xml");
   if (!plane) return std::nullopt;

@@ -12,17 +12,9 @@
 #include "study/plane_scene.hpp"
 
 namespace ixos {
+
 namespace {
-
 using List = Teuchos::ParameterList;
-
-/// Returns the scene in space with the user's changes, in plain numbers, without defaults.
-List scene_in_space(const AdviceQuestion& question) {
-  List scene = read_scene_file(question.scene);
-  for (const std::string& assignment : question.common) set_parameter(scene, scene_parameters(), assignment);
-  return in_scene_units(scene, scene_parameters());
-}
-
 }  // namespace
 
 std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const std::string& path) {
@@ -45,7 +37,7 @@ std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const 
 }
 
 void write_plane_scene(const AdviceQuestion& question, const AdvicePlane& plane) {
-  List scene = plane_scene(scene_in_space(question));
+  List scene = plane_scene(in_scene_units(user_scene(question.scene, question.common), scene_parameters()));
   make_paths_absolute(scene, question.scene);
   write_scene_file(scene, plane.question.scene);
 }

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "io/disk_file.hpp"
-#include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "study/absolute_paths.hpp"
 
@@ -109,9 +108,9 @@ Json json_of(const Advice& advice, const AdviceCandidate& candidate) {
 }
 
 void write_scene(const AdviceQuestion& question, const Advice& advice, const std::string& path) {
-  List scene = read_scene_file(question.scene);
-  for (const Assignments& settings : {question.common, settings_of(advice.directions, advice.best.point)})
-    for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
+  Assignments settings = question.common;
+  for (const std::string& more : settings_of(advice.directions, advice.best.point)) settings.push_back(more);
+  List scene = user_scene(question.scene, settings);
   make_paths_absolute(scene, question.scene);
   write_scene_file(scene, path);
 }

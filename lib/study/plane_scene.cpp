@@ -20,7 +20,7 @@ const std::array<const char*, 14> vectors{"Lower",       "Upper",         "Lengt
                                           "Direction",   "Vector",        "Velocity", "Origin"};
 
 /// Returns the names of all sublists.
-std::vector<std::string> list_names(const List& lists) {
+std::vector<std::string> sublist_names(const List& lists) {
   std::vector<std::string> names;
   for (const auto& [name, entry] : entries(lists))
     if (entry.isList()) names.push_back(name);
@@ -98,14 +98,14 @@ std::string why_condition_is_spatial(const List& condition) {
 /// Returns the first reason that why(sublist) has, with the sublist's path.
 template <class Why>
 std::string first_reason(const List& lists, const std::string& path, const Why& why) {
-  for (const std::string& name : list_names(lists))
+  for (const std::string& name : sublist_names(lists))
     if (const std::string reason = why(lists.sublist(name)); !reason.empty())
       return fmt::format("{}/{}: {}", path, name, reason);
   return "";
 }
 
 bool is_held(const List& conditions, const std::string& face) {
-  const std::vector<std::string> names = list_names(conditions);
+  const std::vector<std::string> names = sublist_names(conditions);
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
     const List& condition = conditions.sublist(name);
     return condition.get<std::string>("Node Set") == face && holds_y_alone(condition);
@@ -132,7 +132,7 @@ void drop_second(List& list, const std::string& name) {
 }
 
 void flatten_vectors(List& list) {
-  for (const std::string& name : list_names(list)) flatten_vectors(list.sublist(name));
+  for (const std::string& name : sublist_names(list)) flatten_vectors(list.sublist(name));
   for (const char* name : vectors) {
     if (list.isType<Teuchos::Array<double>>(name)) drop_second<double>(list, name);
     if (list.isType<Teuchos::Array<int>>(name)) drop_second<int>(list, name);
@@ -140,7 +140,7 @@ void flatten_vectors(List& list) {
 }
 
 void flatten_conditions(List& conditions) {
-  for (const std::string& name : list_names(conditions)) {
+  for (const std::string& name : sublist_names(conditions)) {
     List& condition = conditions.sublist(name);
     const bool moves = !condition.isParameter("Type") || condition.get<std::string>("Type") == "Displacement";
     if (!moves || !condition.isParameter("Components")) continue;
@@ -176,10 +176,10 @@ std::string why_spatial(const List& complete) {
   if (std::string why = first_reason(complete.sublist("Interactions"), "Interactions", why_wall_is_spatial);
       !why.empty())
     return why;
-  if (!list_names(complete.sublist("Grips")).empty()) return "it has grips";
-  if (!list_names(complete.sublist("Time Integrator").sublist("Stop")).empty()) return "it has conditions to stop";
+  if (!sublist_names(complete.sublist("Grips")).empty()) return "it has grips";
+  if (!sublist_names(complete.sublist("Time Integrator").sublist("Stop")).empty()) return "it has conditions to stop";
   const List& start = complete.sublist("Initial Conditions");
-  const bool is_simple = list_names(start).empty() && numbers(start, "Velocity Gradient").empty() &&
+  const bool is_simple = sublist_names(start).empty() && numbers(start, "Velocity Gradient").empty() &&
                          numbers(start, "Angular Velocity").empty();
   return is_simple && is_in_plane(start, "Velocity") ? "" : "Initial Conditions: the body turns or moves along y";
 }
@@ -190,7 +190,7 @@ List plane_scene(List scene) {
   flatten_conditions(scene.sublist("Boundary Conditions"));
   flatten_output(scene.sublist("Output"));
   List& walls = scene.sublist("Interactions");
-  for (const std::string& name : list_names(walls))
+  for (const std::string& name : sublist_names(walls))
     if (walls.sublist(name).isSublist("Cylinder")) walls.sublist(name).sublist("Cylinder").remove("Axis", false);
   for (const char* part : {"Mesh", "Interactions", "Boundary Conditions", "Initial Conditions", "Output"})
     flatten_vectors(scene.sublist(part));
@@ -213,7 +213,7 @@ std::optional<std::string> plane_column(const std::string& column) {
 
 bool grows_with_depth(const std::string& column, const List& probes) {
   const auto begins = [&](const std::string& start) { return column.rfind(start, 0) == 0; };
-  for (const std::string& name : list_names(probes))
+  for (const std::string& name : sublist_names(probes))
     if (begins(name + "_u") || begins(name + "_v")) return false;
   if (begins("norm_") || begins("min_gap") || begins("mean_slip")) return false;
   const std::array<const char*, 7> words{"energy", "work", "dissipated", "momentum", "force", "reaction", "measure"};

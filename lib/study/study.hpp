@@ -76,6 +76,9 @@ Study read_study(const std::string& path);
 /// Returns the complete scene of a run as it will be read, by which a result is recognised. Throws InputError.
 std::string scene_text(const Study& study, const Assignments& settings);
 
+/// Returns the scene of a file with changes, without defaults. Throws InputError.
+Teuchos::ParameterList user_scene(const std::string& path, const Assignments& settings);
+
 /// Returns the complete scene of a file with changes, as it will be read. Throws InputError.
 Teuchos::ParameterList changed_scene(const std::string& path, const Assignments& settings);
 

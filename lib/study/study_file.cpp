@@ -205,7 +205,7 @@ Study read(const std::string& path) {
 
 List with_settings(List scene, const Assignments& settings) {
   for (const std::string& assignment : settings) set_parameter(scene, scene_parameters(), assignment);
-  return complete_scene(scene);
+  return scene;
 }
 
 /// Returns a check with twice the time step of the reference, whose complete scene is given.
@@ -223,8 +223,12 @@ std::string scene_text(const Study& study, const Assignments& settings) {
   return changed_scene_text(study.scene, settings);
 }
 
-List changed_scene(const std::string& path, const Assignments& settings) {
+List user_scene(const std::string& path, const Assignments& settings) {
   return with_settings(read_scene_file(path), settings);
+}
+
+List changed_scene(const std::string& path, const Assignments& settings) {
+  return complete_scene(user_scene(path, settings));
 }
 
 std::string changed_scene_text(const std::string& path, const Assignments& settings) {
@@ -243,7 +247,7 @@ Study read_study(const std::string& path) {
   }
   const auto check = [&](const std::string& run, const Assignments& settings) {
     try {
-      return with_settings(scene, settings);
+      return complete_scene(with_settings(scene, settings));
     } catch (const InputError& error) {
       throw InputError(path + ": run " + run + ": " + error.what());
     }

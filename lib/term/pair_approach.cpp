@@ -84,7 +84,7 @@ LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) 
     return lowest;
   }
   lower_both(x, lowest);
-  found_ = x.is_finite() ? std::max(lowest.gap, 0.0) : 0;
+  found_ = is_closed_ && x.is_finite() ? std::max(lowest.gap, 0.0) : 0;
   looked_ = x;
   if (start != nullptr) lower_on_the_way(*start, x, lowest);
   return lowest;
@@ -93,7 +93,7 @@ LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) 
 /// The bound holds between two places if it holds at both.
 template <std::size_t D>
 bool PairApproach<D>::is_clear(const Places& x, const Places* start) const {
-  if (!is_closed_ || found_ == 0 || !x.is_finite()) return false;
+  if (found_ == 0 || !x.is_finite()) return false;
   const PairSearch<D>& search = points_.search();
   return search.motion(looked_, x) < found_ && (start == nullptr || search.motion(looked_, *start) < found_);
 }

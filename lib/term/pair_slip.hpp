@@ -27,13 +27,11 @@ namespace ixos {
 template <std::size_t D>
 class PairSlip {
  public:
-  /// By node of a point.
-  using NodalMatrices = std::vector<Small<double, D>>;
   /// A point that friction acts on.
   struct Point {
     typename PairPoints<D>::Contact contact;  ///< with the foot that the slip refers to
     std::vector<int> nodes;                   ///< local, of both surfaces
-    NodalMatrices slips;                      ///< the derivative of the slip by the node's displacement
+    std::vector<Small<double, D>> slips;      ///< by node: the derivative of the slip by its displacement
     Small<double, D> plane;                   ///< P
     Vec<D> start{};                           ///< of the linear function, at the displacement of the step's start
     Vec<D> traction{};                        ///< at the start

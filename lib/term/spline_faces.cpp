@@ -6,8 +6,6 @@
 namespace ixos {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 std::size_t at(int number) { return static_cast<std::size_t>(number); }
 
 void add(const NodeWeights& part, double factor, NodeWeights& sum) {
@@ -51,7 +49,7 @@ NodeWeights SplineFaces::control_of(int node) const {
   const Vertex& vertex = vertices_[at(node)];
   const bool smooth = vertex.creases.empty();
   const auto n = static_cast<double>(vertex.faces.size());
-  const double share = smooth ? (6 + 2 * std::cos(2 * pi / n)) / (n * (n + 5)) : vertex.goes_on ? 1.0 / 6 : 0;
+  const double share = smooth ? (6 + 2 * std::cos(2 * M_PI / n)) / (n * (n + 5)) : vertex.goes_on ? 1.0 / 6 : 0;
   const std::vector<int>& around = smooth ? vertex.ends : vertex.creases;
   NodeWeights result;
   result.add(node, 1 + share * static_cast<double>(around.size()));

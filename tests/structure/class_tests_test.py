@@ -37,7 +37,6 @@ elsewhere = {
     "term/kept_action.hpp": ("term/maxwell_term_test.cpp", "products and diagonals against the matrix"),
     "term/pair_slip.hpp": ("term/pair_friction_test.cpp", "slips, forces, and bodies that turn as one"),
     "term/pair_action.hpp": ("term/pair_term_test.cpp", "products and diagonals against the matrix"),
-    "term/pair_approach.hpp": ("term/pair_term_test.cpp", "admissible steps and lowest points"),
     "term/pair_points.hpp": ("term/pair_term_test.cpp", "points of both surfaces in forces and tangents"),
     "term/curved_points.hpp": ("term/curved_surface_term_test.cpp", "forces and tangents before obstacles"),
     "model/moving_frame.hpp": ("model/moved_interaction_test.cpp", "forces, tangents and work in the frame"),

@@ -274,7 +274,7 @@ TEST_F(AdviceTest, TellsWhyItStops) {
   EXPECT_EQ(fails.status, AdviceStatus::Unreachable);
   EXPECT_NE(fails.problem.find("failed: negative"), std::string::npos) << fails.problem;
   options_.folder += "-budget";
-  question_.budget = 0.6;
+  question_.budget = 0.3;
   const Advice poor = advice("1 + dt**2 + 0.5 * h**0.5", 0.001);
   EXPECT_EQ(poor.status, AdviceStatus::Unreachable);
   EXPECT_NE(poor.problem.find("the budget has"), std::string::npos) << poor.problem;

@@ -18,7 +18,7 @@ struct PairOfBodies {
 
   PairOfBodies(const Mesh& mesh, const std::string& secondary, const std::string& primary, Smoothing smoothing,
                double cutoff = 0, std::shared_ptr<const GapLaw> law = gap_law(VanDerWaals(2.5, 25)),
-               Passes passes = Passes::One, int points = 0)
+               Passes passes = Passes::One, int points = 0, const Friction& friction = {})
       : model(model_of_bodies(mesh, {secondary, primary})) {
     pair.secondary = secondary;
     pair.primary = primary;
@@ -27,6 +27,7 @@ struct PairOfBodies {
     pair.cutoff = cutoff;
     pair.passes = passes;
     pair.points = points;
+    pair.friction = friction;
     add_pair(*model, pair);
     term = dynamic_cast<const Interaction*>(model->force_terms().back().term);
   }

@@ -75,21 +75,6 @@ TEST(PairMemoryTest, ANewtonIterationTakesNone) {
   EXPECT_GT(allocations, at_first) << "they are not counted";
 }
 
-/// Returns a model with a pair.
-std::unique_ptr<Model> model_of(const Mesh& mesh, const std::string& secondary, const std::string& primary,
-                                Smoothing smoothing, double cutoff, const Friction& friction) {
-  std::unique_ptr<Model> model = test::model_of_bodies(mesh, {secondary, primary});
-  SurfacePair pair;
-  pair.secondary = secondary;
-  pair.primary = primary;
-  pair.law = gap_law(VanDerWaals(2.5, 25));
-  pair.smoothing = smoothing;
-  pair.cutoff = cutoff;
-  pair.friction = friction;
-  add_pair(*model, pair);
-  return model;
-}
-
 /// Returns how often a step takes memory after three others, in which the bodies move too little for a new search.
 long taken_by_a_step(Model& model) {
   std::vector<Interaction*> terms;
@@ -129,14 +114,14 @@ TEST(PairMemoryTest, AStepWithoutASearchTakesNone) {
   for (const double cutoff : {0.0, 1.5})
     for (const bool rubs : {false, true}) {
       const Friction friction = rubs ? test::friction(FrictionType::ConstantStress, false) : Friction();
-      const auto disks = model_of(test::two_disks(3, {5, 3.6}, 8, 2), "a_surface", "b_surface", Smoothing::CatmullRom,
-                                  cutoff, friction);
-      EXPECT_EQ(taken_by_a_step(*disks), 0);
-      for (const Smoothing smoothing : {Smoothing::CatmullRom, Smoothing::Spline}) {
-        const auto balls =
-            model_of(test::two_balls(2, {2.4, 2, 2.9}), "a_surface", "b_surface", smoothing, cutoff, friction);
-        EXPECT_EQ(taken_by_a_step(*balls), 0);
-      }
+      const auto taken_by = [&](const Mesh& mesh, Smoothing smoothing) {
+        const test::PairOfBodies bodies(mesh, "a_surface", "b_surface", smoothing, cutoff,
+                                        gap_law(VanDerWaals(2.5, 25)), Passes::One, 0, friction);
+        return taken_by_a_step(*bodies.model);
+      };
+      EXPECT_EQ(taken_by(test::two_disks(3, {5, 3.6}, 8, 2), Smoothing::CatmullRom), 0);
+      for (const Smoothing smoothing : {Smoothing::CatmullRom, Smoothing::Spline})
+        EXPECT_EQ(taken_by(test::two_balls(2, {2.4, 2, 2.9}), smoothing), 0);
     }
 }
 
