@@ -17,6 +17,7 @@ find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_XXHASH xxhash REQUIRED)
 # Headers only, in a system directory.
 find_path(IXOS_BOOST_INCLUDE boost/multiprecision/cpp_int.hpp REQUIRED)
+find_path(IXOS_BOOST_GRAPH_INCLUDE boost/graph/cuthill_mckee_ordering.hpp REQUIRED)
 # The one that Exodus is built with: two HDF5 libraries in one program clash.
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C HL)

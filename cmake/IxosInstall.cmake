@@ -1,6 +1,7 @@
 # Installs the library, its headers, the driver and a package that find_package(Ixos) finds.
 include(CMakePackageConfigHelpers)
 install(TARGETS ixos ixos_trilinos EXPORT IxosTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS ixos_solvers LIBRARY NAMELINK_SKIP DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS ixos_driver ixos_study RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # docs/embedding.md describes which headers are stable.
 set(_headers ${CMAKE_CURRENT_BINARY_DIR}/headers)

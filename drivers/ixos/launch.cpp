@@ -18,7 +18,9 @@ SingleStart::SingleStart() {
   for (const auto& [name, value] : {std::pair{"OMPI_MCA_ess_singleton_isolated", "1"},
                                     {"OMPI_MCA_orte_create_session_dirs", "0"},
                                     {"OMPI_MCA_pml", "ob1"},
-                                    {"OMPI_MCA_btl", "self"}})
+                                    {"OMPI_MCA_btl", "self"},
+                                    {"OMPI_MCA_coll", "self,basic,libnbc"},
+                                    {"HWLOC_COMPONENTS", "-pci,-linuxio"}})
     if (std::getenv(name) == nullptr && setenv(name, value, 0) == 0) set_.push_back(name);
 }
 

@@ -5,6 +5,7 @@
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
 #include "mesh/cell_sides.hpp"
+#include "mesh/level_width.hpp"
 #include "mesh/meridian.hpp"
 #include "mesh/selection.hpp"
 
@@ -70,6 +71,7 @@ LocalMesh localize(const Mesh& mesh, const std::vector<int>& node_owner, int ran
   local.largest_radius = largest_radius(mesh);
   local.linear_nodes = mesh.linear_nodes;
   local.plain_nodes = mesh.plain_nodes;
+  local.level_width = mean_level_width(mesh);
   local.global_nodes = mesh.nodes();
   local.global_cells = mesh.cells();
   for (int node = 0; node < mesh.nodes(); ++node)

@@ -57,6 +57,7 @@ struct LocalMesh {
   int plain_nodes = -1;                     ///< see Mesh
   bool axisymmetric = false;                ///< see Mesh
   double largest_radius = 0;                ///< of the nodes of all ranks, if the mesh is axisymmetric [L0]
+  double level_width = 1e300;               ///< mean_level_width() of the whole mesh, if it was known
   long long global_nodes = 0;
   long long global_cells = 0;
   std::shared_ptr<const LocalHalving> halving;  ///< null, or the parents of the cells for methods of several levels

@@ -13,7 +13,6 @@
 #include "mesh/connected_parts.hpp"
 #include "mesh/fingerprint.hpp"
 #include "mesh/halving.hpp"
-#include "mesh/level_width.hpp"
 #include "mesh/partition.hpp"
 #include "scene/compatibility.hpp"
 #include "scene/conditions.hpp"
@@ -162,7 +161,6 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   numbers_ = ixos::characteristic_numbers(SceneNode(parameters_, ""), materials_, interactions_, mesh, parts);
   if (std::string bad = quality_warning(mesh_quality_); !bad.empty())
     warnings_.push_back({"mesh quality", std::move(bad)});
-  if (mesh.dimension == 3) level_width_ = mean_level_width(mesh);
   const int ranks = comm->getSize();
   model_ = at("Materials", [&] {
     return std::make_unique<Model>(local_mesh(mesh, partition(mesh, ranks, inertia), comm->getRank(), ranks, inertia),
@@ -207,7 +205,7 @@ void Simulation::build_integrator(Table table) {
                          model_->space().comm()->getSize(),
                          asymmetry(scene, materials_, *model_, table),
                          matrix_only(scene, materials_, model_->mesh()),
-                         level_width_,
+                         model_->mesh().level_width,
                          mesh_quality_.largest_aspect_ratio,
                          tangent_stiffness(*model_, table, longest),
                          has_quadratic_cells(model_->mesh()),

@@ -92,7 +92,6 @@ class Simulation {
   CharacteristicNumbers numbers_;
   std::vector<Warning> warnings_;
   std::vector<std::string> notes_;
-  double level_width_ = 1e300;  ///< see ProblemSize; found in three dimensions
   double setup_seconds_ = 0;
 };
 

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+
+#include <Tpetra_Vector.hpp>
 
 #include "solve/nox_vector.hpp"
 
@@ -28,6 +31,13 @@ constexpr int shortenings = 6;
 constexpr int lengthenings = 4;
 constexpr double least_factor = 1.3, largest_factor = 3, steep = 0.2;
 
+/// Takes the group to from + way.
+void go(NOX::Abstract::Group& group, const Vector& from, const Vector& way) {
+  const auto place = group.getX().clone(NOX::ShapeCopy);
+  tpetra(*place)->update(1.0, from, 1.0, way, 0.0);
+  group.setX(*place);
+}
+
 /// Returns the place in [0, 1] of the minimum of the cubic through both ends, kept within [0.1, 0.6].
 double valley(const End& start, const End& end) {
   const double a = start.slope + end.slope - 2 * (end.value - start.value);
@@ -42,6 +52,20 @@ double valley(const End& start, const End& end) {
 bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
                                    const NOX::Solver::Generic& solver) {
   const NOX::Abstract::Group& old = solver.getPreviousSolutionGroup();
+  if (solver.getNumIterations() <= 1) cut_start_ = Teuchos::null;
+  cut_ = false;
+  if (!search(group, step, direction, old)) return false;
+  const Teuchos::RCP<const Vector> before = std::exchange(cut_start_, Teuchos::null);
+  if (!cut_) return true;
+  if (nonnull(before))
+    follow_ravine(group, *before);
+  else
+    cut_start_ = Teuchos::rcp(new Vector(*tpetra(old.getX()), Teuchos::Copy));
+  return true;
+}
+
+bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
+                                  const NOX::Abstract::Group& old) {
   const auto along = tpetra(direction), from = tpetra(old.getX());
   const bool gradient = problem_.is_gradient();  // at the old iterate, the last that was evaluated
   const bool kinks = problem_.has_kinks();
@@ -64,7 +88,7 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
       continue;
     }
     if (trial == 0 && step == 1 && end_slope < steep * slope) {
-      step = lengthened(group, old, direction, {slope, end_slope});
+      step = lengthened(group, {*from, *along}, {slope, end_slope});
       return true;
     }
     if (end_slope <= 0.2 * -slope && end_slope >= -0.9 * -slope) return true;
@@ -73,34 +97,32 @@ bool AdmissibleLineSearch::compute(NOX::Abstract::Group& group, double& step, co
     const double noise = 1e-14 * (start->magnitude + end.magnitude);
     if (end.value <= start->value + 1e-4 * step * slope + noise) return true;
     step *= valley({start->value, step * slope}, {end.value, step * end_slope});
+    cut_ = true;
   }
   step = 0;  // tells NOX that the search failed
   return false;
 }
 
-double AdmissibleLineSearch::lengthened(NOX::Abstract::Group& group, const NOX::Abstract::Group& old,
-                                        const NOX::Abstract::Vector& direction, Slopes slopes) {
-  const auto along = tpetra(direction), from = tpetra(old.getX());
-  Vector way(*along, Teuchos::Copy);
+double AdmissibleLineSearch::slope_at(NOX::Abstract::Group& group, const Line& line, double step) const {
+  Vector way(line.along, Teuchos::Copy);
+  way.scale(step);
+  if (problem_.admissible_step(line.from, way) < 1) return std::numeric_limits<double>::quiet_NaN();
+  go(group, line.from, way);
+  const bool done = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
+  return done ? inner_product(*tpetra(group.getF()), line.along) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double AdmissibleLineSearch::lengthened(NOX::Abstract::Group& group, const Line& line, Slopes slopes) const {
   double step = 1, before = 0, reached = 1;
-  // Returns NaN if the step is not possible.
-  const auto slope_at = [&](double next) {
-    way.update(next, *along, 0.0);
-    if (problem_.admissible_step(*from, way) < 1) return std::numeric_limits<double>::quiet_NaN();
-    reached = next;
-    group.computeX(old, direction, next);
-    const bool done = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
-    return done ? inner_product(*tpetra(group.getF()), *along) : std::numeric_limits<double>::quiet_NaN();
-  };
   double slope_before = slopes.start, slope = slopes.end;
   for (int i = 0; i < lengthenings && slope < steep * slopes.start; ++i) {
     double next = largest_factor * step;
     if (slope > slope_before)
       next = std::clamp(step - slope * (step - before) / (slope - slope_before), least_factor * step, next);
-    double next_slope = slope_at(next);
+    double next_slope = slope_at(group, line, reached = next);
     if (next_slope > -0.2 * slopes.start) {  // beyond the minimum
       next = step + (next - step) * std::clamp(slope / (slope - next_slope), 0.1, 0.9);
-      next_slope = slope_at(next);
+      next_slope = slope_at(group, line, reached = next);
       if (std::isfinite(next_slope)) return next;
     }
     if (!std::isfinite(next_slope)) break;
@@ -109,11 +131,32 @@ double AdmissibleLineSearch::lengthened(NOX::Abstract::Group& group, const NOX::
     step = next;
     slope = next_slope;
   }
-  if (reached != step) {
-    group.computeX(old, direction, step);
-    group.computeF();
-  }
+  if (reached != step) slope_at(group, line, step);
   return step;
+}
+
+void AdmissibleLineSearch::follow_ravine(NOX::Abstract::Group& group, const Vector& start) const {
+  const Vector here(*tpetra(group.getX()), Teuchos::Copy);
+  Vector along(here, Teuchos::Copy);
+  along.update(-1.0, start, 1.0);
+  const Line line{here, along};
+  const double slope = inner_product(*tpetra(group.getF()), along);
+  if (!(slope < 0)) return;
+  const Potential before = problem_.potential(here);
+  const double end_slope = slope_at(group, line, 1);
+  if (std::isfinite(end_slope)) {
+    if (end_slope < steep * slope)
+      lengthened(group, line, {slope, end_slope});
+    else if (end_slope > -0.2 * slope)
+      slope_at(group, line, slope / (slope - end_slope));
+    if (std::isfinite(group.getNormF()) && problem_.is_gradient()) {
+      const Potential after = problem_.potential(*tpetra(group.getX()));
+      if (after.value < before.value - 1e-14 * (before.magnitude + after.magnitude)) return;
+    }
+  }
+  along.putScalar(0.0);
+  go(group, here, along);
+  group.computeF();
 }
 
 }  // namespace ixos

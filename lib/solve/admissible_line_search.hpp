@@ -20,6 +20,11 @@ namespace ixos {
 /// and 3 times as far; from behind the minimum it leads back once. Each place takes a residual, a small part of a
 /// Newton iteration.
 ///
+/// Where the gradient has kinks, as beside the corners of a faceted surface, steps zigzag along a ravine of the
+/// potential, each shortened to the ravine's floor. After two of them the search goes on along the line from the start
+/// of the first to the end of the second, at most 81 times as far, and stays there if the potential has fallen by more
+/// than its rounding (parallel tangents: Shah, Buehler and Kempthorne 1964).
+///
 /// If the residual has kinks without being a gradient, secants shorten the step, at most six times, until the slope
 /// along the direction is at most 0.8 of the start's magnitude.
 class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
@@ -29,15 +34,27 @@ class AdmissibleLineSearch final : public NOX::LineSearch::Generic {
                const NOX::Solver::Generic& solver) override;
 
  private:
-  /// Slopes of the potential along the direction, at the start and at the end of the full step.
+  /// The line x = from + step along.
+  struct Line {
+    const Vector& from;
+    const Vector& along;
+  };
+  /// Slopes of the potential along a line, at its start and at the end of a step.
   struct Slopes {
     double start, end;
   };
-  /// Returns the lengthened step; the group is there.
-  double lengthened(NOX::Abstract::Group& group, const NOX::Abstract::Group& old,
-                    const NOX::Abstract::Vector& direction, Slopes slopes);
+  bool search(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
+              const NOX::Abstract::Group& old);
+  /// Takes the group to a place of the line and returns the slope of the potential there; NaN if that is not possible.
+  double slope_at(NOX::Abstract::Group& group, const Line& line, double step) const;
+  /// Lengthens a step of 1. Returns the step; the group is there.
+  double lengthened(NOX::Abstract::Group& group, const Line& line, Slopes slopes) const;
+  /// Goes on along the ravine from the group, where the last two steps, which were shortened, have led from `start`.
+  void follow_ravine(NOX::Abstract::Group& group, const Vector& start) const;
 
   NonlinearProblem& problem_;
+  bool cut_ = false;                      ///< the step was shortened because the potential did not fall
+  Teuchos::RCP<const Vector> cut_start_;  ///< where the last step began, if it was shortened so
 };
 
 /// A factory that gives NOX the line search for a problem.

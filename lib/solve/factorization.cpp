@@ -6,14 +6,15 @@
 
 #include "parameters/one_of.hpp"
 #include "solve/first_rank_factorization.hpp"
+#include "solve/solver_library.hpp"
 
 namespace ixos {
 
 std::vector<std::string> factorizations() {
 #ifdef IXOS_CHOLMOD
-  return {"CHOLMOD", "KLU", "MUMPS", "MUMPS Single"};
+  return {"CHOLMOD", "Band", "KLU", "MUMPS", "MUMPS Single"};
 #else
-  return {"KLU", "MUMPS", "MUMPS Single"};
+  return {"KLU", "Band", "MUMPS", "MUMPS Single"};
 #endif
 }
 
@@ -23,8 +24,14 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type) {
 #ifdef IXOS_CHOLMOD
   if (type == "CHOLMOD") return make_cholmod();
 #endif
+  if (type == "Band") return make_band();
   if (type == "KLU") return make_klu();
-  return make_mumps(type == "MUMPS Single");
+  return solver_library().mumps(type == "MUMPS Single");
+}
+
+std::unique_ptr<FirstRankFactorization> make_first_rank_factorization() {
+  return std::unique_ptr<FirstRankFactorization>(
+      dynamic_cast<FirstRankFactorization*>(make_factorization(first_rank_factorization()).release()));
 }
 
 void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type) {
@@ -59,11 +66,11 @@ void KeptFactorization::transfer(Record& record) {
 
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
-  valid->set(
-      "Solver Type", first_rank_factorization(),
-      "Factorisation. CHOLMOD (symmetric matrices) and KLU (any matrix) work on the first rank, MUMPS (symmetric "
-      "matrices) on all ranks. MUMPS Single works in single precision and can only be a preconditioner.",
-      one_of(factorizations()));
+  valid->set("Solver Type", first_rank_factorization(),
+             "Factorisation. Band and CHOLMOD (symmetric matrices) and KLU (any matrix) work on the first rank, MUMPS "
+             "(symmetric "
+             "matrices) on all ranks. MUMPS Single works in single precision and can only be a preconditioner.",
+             one_of(factorizations()));
   return valid;
 }
 

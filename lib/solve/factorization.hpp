@@ -44,20 +44,21 @@ class Factorization {
 /// solver. In a build with IXOS_CHOLMOD only.
 std::unique_ptr<Factorization> make_cholmod();
 
+/// Makes L D L^T of a band (band_ldl.hpp): symmetric matrices, on the first rank likewise. It orders the rows as
+/// Cuthill and McKee (1969) do. A slender body then has a narrow band, for which no other is as fast. A wide band is
+/// left to first_rank_factorization(). Of an unsymmetric matrix it takes one entry of each pair: as a preconditioner,
+/// not as a solver.
+std::unique_ptr<Factorization> make_band();
+
 /// Makes KLU (Davis and Palamadai Natarajan 2010): any matrix, on the first rank likewise. The pivots of one matrix
 /// serve for the next as long as they can.
 std::unique_ptr<Factorization> make_klu();
 
-/// Makes MUMPS (Amestoy, Duff, L'Excellent and Koster 2001): symmetric matrices, L D L^T without pivoting, on all
-/// ranks. On several ranks it decides in the order in which messages arrive: results repeat up to rounding only. In
-/// single precision it takes half the memory and time: as a preconditioner, not as a solver.
-std::unique_ptr<Factorization> make_mumps(bool single_precision);
-
-/// Returns the names of the factorisations in this build: "CHOLMOD" (built with IXOS_CHOLMOD only), "KLU", "MUMPS",
-/// "MUMPS Single".
+/// Returns the names of the factorisations in this build: "CHOLMOD" (built with IXOS_CHOLMOD only), "Band", "KLU",
+/// "MUMPS", "MUMPS Single".
 std::vector<std::string> factorizations();
 
-/// Returns the fastest of them for small symmetric matrices: CHOLMOD, or KLU in a build without it.
+/// Returns the fastest of them for small symmetric matrices of any shape: CHOLMOD, or KLU in a build without it.
 std::string first_rank_factorization();
 
 /// Makes the factorisation of that name.

@@ -6,7 +6,8 @@ namespace ixos {
 
 /// Amesos2's KLU2, as Debian ships it, solves wrongly on two or more ranks: g++ 12.2 miscompiles its triangular solve.
 /// klu2_repair.cpp instantiates the class anew, compiled with -fno-ivopts; its weak symbols come first in the link
-/// order and replace the distribution's everywhere in the process, MueLu's coarse solver included. Calling this
+/// order and replace the distribution's everywhere in the process, MueLu's coarse solver included, which comes with
+/// ixos_solvers: that library names libixos before those of Trilinos. Calling this
 /// function keeps that object in the link.
 void anchor_klu2_repair();
 

@@ -231,14 +231,14 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     return status;
   }
 
-  /// Returns the preconditioner if the first of several ranks applies it alone and collects the present matrix, so that
-  /// it can iterate without messages; else null.
+  /// Returns the preconditioner if the first rank applies it alone and collects the present matrix, so that it can
+  /// iterate without messages; else null.
   FirstRankFactorization* first_rank_inverse() const {
     if (nonnull(given_)) return nullptr;
     const auto inverse =
         Teuchos::rcp_dynamic_cast<const CollectedInverse>(preconditioner_.get()->getUnspecifiedPrecOp());
     FirstRankFactorization* const result = inverse.is_null() ? nullptr : inverse->on_first_rank();
-    if (result == nullptr || result->collected().single()) return nullptr;
+    if (result == nullptr) return nullptr;
     const auto matrix = Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source_->getOp()));
     return matrix.get() == result->collected().source() ? result : nullptr;
   }

@@ -1,24 +1,19 @@
 #include "solve/linear_solver.hpp"
 
-#include <Stratimikos_DefaultLinearSolverBuilder.hpp>
-#include <Stratimikos_MueLuHelpers.hpp>
-#include <Teuchos_AbstractFactoryStd.hpp>
-#include <Thyra_Ifpack2PreconditionerFactory.hpp>
 #include <Thyra_LinearOpWithSolveFactoryHelpers.hpp>
+#include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "base/error.hpp"
 #include "parameters/parameter_entries.hpp"
-#include "solve/chebyshev_preconditioner.hpp"
-#include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"
 #include "solve/klu2_repair.hpp"
 #include "solve/lagged_solver.hpp"
 #include "solve/linear_solver_defaults.hpp"
 #include "solve/operator_preconditioner.hpp"
 #include "solve/rigid_body_modes.hpp"
+#include "solve/solver_library.hpp"
 #include "solve/thyra.hpp"
-#include "solve/two_level_preconditioner.hpp"
 
 namespace ixos {
 
@@ -26,23 +21,40 @@ using ThyraFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
 
 namespace {
 
-/// Configures Stratimikos with Ixos' direct solver and preconditioners.
-void configure(Stratimikos::DefaultLinearSolverBuilder& builder, const Teuchos::ParameterList& list) {
-  builder.setLinearSolveStrategyFactory(Teuchos::abstractFactoryStd<ThyraFactory, DirectSolverFactory>(), "Direct");
-  Stratimikos::enableMueLu<LocalId, GlobalId, Node>(builder);
-  builder.setPreconditioningStrategyFactory(
-      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>,
-                                  Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>(),
-      "Ifpack2");
-  builder.setPreconditioningStrategyFactory(
-      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, DirectPreconditionerFactory>(), "Direct");
-  builder.setPreconditioningStrategyFactory(
-      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, ChebyshevPreconditionerFactory>(),
-      "Chebyshev");
-  builder.setPreconditioningStrategyFactory(
-      Teuchos::abstractFactoryStd<Thyra::PreconditionerFactoryBase<double>, TwoLevelPreconditionerFactory>(),
-      "Two-Level");
-  builder.setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list)));
+/// Makes the direct solver, whose list is given.
+class DirectBuilder final : public SolverBuilder {
+ public:
+  explicit DirectBuilder(const Teuchos::ParameterList& list) : list_(list) {}
+  Teuchos::RCP<ThyraFactory> solver() const override {
+    const auto factory = Teuchos::rcp(new DirectSolverFactory);
+    factory->setParameterList(Teuchos::rcp(new Teuchos::ParameterList(list_)));
+    return factory;
+  }
+  Teuchos::RCP<PreconditionerFactory> preconditioner() const override { return Teuchos::null; }
+
+ private:
+  Teuchos::ParameterList list_;
+};
+
+/// Returns whether the list asks for a factorisation and nothing else: there is nothing that Stratimikos could refuse.
+bool is_direct_only(const Teuchos::ParameterList& list) {
+  for (const auto& [name, entry] : entries(list)) {
+    const bool text = entry.isType<std::string>();
+    const bool type = name == "Linear Solver Type" && text && Teuchos::getValue<std::string>(entry) == "Direct";
+    const bool none = name == "Preconditioner Type" && text && Teuchos::getValue<std::string>(entry) == "None";
+    const bool types = name == "Linear Solver Types" && entry.isList() && list.sublist(name).numParams() == 1 &&
+                       list.sublist(name).isSublist("Direct");
+    if (!type && !none && !types) return false;
+  }
+  return list.isSublist("Linear Solver Types") && list.isParameter("Linear Solver Type");
+}
+
+std::unique_ptr<SolverBuilder> make_builder(const Teuchos::ParameterList& list) {
+  if (!is_direct_only(list)) return solver_library().stratimikos(list);
+  const Teuchos::ParameterList& direct = list.sublist("Linear Solver Types").sublist("Direct");
+  const bool mumps = direct.isType<std::string>("Solver Type") && direct.get<std::string>("Solver Type") == "MUMPS";
+  if (mumps) solver_library();  // a missing library is reported now
+  return std::make_unique<DirectBuilder>(direct);
 }
 
 /// Removes Ixos' list "Reuse" and returns its one entry.
@@ -85,13 +97,13 @@ int cg_iterations(const Teuchos::ParameterList& list) {
 
 struct LinearSolverFactory::Implementation : std::enable_shared_from_this<Implementation> {
   Teuchos::RCP<const ThyraFactory> strategy() const {
-    const Teuchos::RCP<ThyraFactory> krylov = keeping_this(krylov_builder.createLinearSolveStrategy(""));
+    const Teuchos::RCP<ThyraFactory> krylov = keeping_this(krylov_builder->solver());
     krylov->setVerbLevel(Teuchos::VERB_NONE);
     if (!preconditioned) return krylov;
     return Teuchos::rcp(new LaggedSolverFactory(krylov, preconditioner_factory(), lagged, statistics));
   }
   Teuchos::RCP<PreconditionerFactory> preconditioner_factory() const {
-    return keeping_this(preconditioner_builder.createPreconditioningStrategy(""));
+    return keeping_this(preconditioner_builder->preconditioner());
   }
 
   // The builders' factories refer to them, so each of these factories keeps this alive.
@@ -100,7 +112,7 @@ struct LinearSolverFactory::Implementation : std::enable_shared_from_this<Implem
     Teuchos::set_extra_data(shared_from_this(), "builders", Teuchos::inOutArg(factory));
     return factory;
   }
-  Stratimikos::DefaultLinearSolverBuilder krylov_builder, preconditioner_builder;
+  std::unique_ptr<SolverBuilder> krylov_builder, preconditioner_builder;
   bool preconditioned = false;
   bool matrix_free = false;
   LaggedOptions lagged;
@@ -132,10 +144,12 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   try {
     Teuchos::ParameterList plain(list);
     plain.set("Preconditioner Type", "None");
-    configure(self.krylov_builder, plain);
-    if (self.preconditioned) configure(self.preconditioner_builder, list);
+    self.krylov_builder = make_builder(plain);
+    if (self.preconditioned) self.preconditioner_builder = make_builder(list);
     self.strategy();
   } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const FileError&) {
     throw;
   } catch (const std::exception& error) {
     throw InputError(std::string("Linear Solver: Stratimikos refuses the list: ") + last_paragraph(error.what()));
@@ -193,6 +207,8 @@ bool LinearSystem::solve(const Vector& b, Vector& x) {
   try {
     return implementation_->solve(b, x);
   } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const FileError&) {
     throw;
   } catch (const std::exception&) {
     return false;  // a singular matrix, or an iteration that broke down

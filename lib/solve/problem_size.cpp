@@ -23,6 +23,7 @@ ProblemSize problem_size(const Model& model) {
   size.dimension = model.mesh().dimension;
   size.dofs = model.space().global();
   size.ranks = model.space().comm()->getSize();
+  size.width = model.mesh().level_width;
   size.quadratic = has_quadratic_cells(model.mesh());
   size.halved = model.mesh().halving != nullptr;
   if (size.quadratic || size.halved) size.fine_only = term_without_coarse(model);

@@ -15,7 +15,7 @@ bool has_quadratic_cells(const LocalMesh& mesh);
 std::string term_without_coarse(const Model& model);
 
 /// Returns the properties of the derivatives of a model's semi-discrete equation, for solvers that no scene describes:
-/// without width and stiffness. A viscosity makes W unsymmetric.
+/// without stiffness, and without width for a DistributedMesh. A viscosity makes W unsymmetric.
 ProblemSize problem_size(const Model& model);
 
 }  // namespace ixos

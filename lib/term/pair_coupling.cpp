@@ -69,7 +69,9 @@ double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) con
 
 template <std::size_t D>
 bool PairCoupling<D>::update(const typename PairPoints<D>::Places& places) {
+  const bool loaded = std::exchange(loaded_, false);
   if (std::exchange(anew_, false)) return true;
+  if (loaded) return false;
   const bool first = last_.empty();
   if (!places.is_finite() || (!first && motion(places) < skin_)) return false;
   ++searches_;
@@ -126,6 +128,7 @@ void PairCoupling<D>::transfer(Record& record) {
     pairs_.emplace_back(static_cast<int>(pairs[k]), static_cast<int>(pairs[k + 1]));
   std::sort(pairs_.begin(), pairs_.end());
   anew_ = pairs_ != before || joined_ != joined_before;
+  loaded_ = true;
 }
 
 template class PairCoupling<2>;

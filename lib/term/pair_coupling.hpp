@@ -21,7 +21,8 @@ class PairCoupling {
   /// The points must outlive it.
   explicit PairCoupling(const PairPoints<D>& points);
 
-  /// Searches at these places, if that is due. Returns whether the pairs have changed.
+  /// Searches at these places, if that is due. Returns whether the pairs have changed. The first call after a record
+  /// was loaded does not search: what else the record has belongs to its pairs.
   bool update(const typename PairPoints<D>::Places& places);
   /// Couples, from the next update on, the nodes of all primary patches of a secondary patch with each other, too: a
   /// discrete gradient has feet at the mean and at the end of a step.
@@ -51,7 +52,8 @@ class PairCoupling {
   std::vector<double> last_;  ///< places of the last search; empty if there was none
   long searches_ = 0;
   bool joined_ = false;
-  bool anew_ = false;  ///< the stencils are others than at the last update
+  bool anew_ = false;    ///< the stencils are others than at the last update
+  bool loaded_ = false;  ///< since the last update, from a record
 };
 
 /// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its

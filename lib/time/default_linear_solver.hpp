@@ -15,13 +15,13 @@ namespace ixos {
 double tangent_stiffness(const Model& model, const Table& table, double dt);
 
 /// Returns the properties of the stages' linear systems, for completed_linear_solver(): those of a scene with this
-/// model and scheme, but for the width of the mesh.
+/// model and scheme, but for the width of a DistributedMesh and the shape of cells.
 ProblemSize stage_size(const Model& model, const Table& table, double longest_step);
 
 /// Returns the solver that a scene with this model and scheme gets if it asks for none, see completed_linear_solver().
-/// It looks neither for slender bodies nor for long cells: in three dimensions these take the solvers of compact
-/// bodies, too. May release the damping's matrix, see Model::do_without_matrices(). Add interactions before.
-/// `longest_step`: of the steps that the program takes [T0]. Collective.
+/// It does not look for long cells, nor for slender bodies in a DistributedMesh: in three dimensions these take the
+/// solvers of compact bodies, too. May release the damping's matrix, see Model::do_without_matrices(). Add interactions
+/// before. `longest_step`: of the steps that the program takes [T0]. Collective.
 std::shared_ptr<const LinearSolverFactory> default_linear_solver(Model& model, const Table& table, double longest_step);
 
 }  // namespace ixos

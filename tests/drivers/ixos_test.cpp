@@ -47,6 +47,19 @@ TEST_F(DriverTest, ARunStopsWhereAProbeSaysSoAndCutsAFailedStep) {
       << header;
 }
 
+TEST_F(DriverTest, SolversThatARunDoesNotAskForAreNotLoaded) {
+  const std::string run = "LD_DEBUG=files " + quoted_driver() + " '" + ball +
+                          "' --output out --overwrite --set 'Time Integrator/Time Step Control/Final Time=0.01'";
+  const Outcome direct = shell(run, folder_);
+  EXPECT_EQ(direct.status, 0);
+  EXPECT_NE(direct.output.find("libixos.so"), std::string::npos);
+  EXPECT_EQ(direct.output.find("libixos_solvers.so"), std::string::npos);
+  EXPECT_EQ(direct.output.find("muelu"), std::string::npos);
+  const Outcome krylov = shell(run + " --set 'Linear Solver/Linear Solver Type=Belos'", folder_);
+  EXPECT_EQ(krylov.status, 0);
+  EXPECT_NE(krylov.output.find("libixos_solvers.so"), std::string::npos);
+}
+
 TEST_F(DriverTest, CheckBuildsButDoesNotRun) {
   const Outcome outcome = ixos({ball, "--check", "--output", "out"}, folder_);
   EXPECT_EQ(outcome.status, 0) << outcome.output;

@@ -19,7 +19,7 @@ while [ $# -gt 0 ]; do
 done
 
 extra_packages="clang llvm libclang-rt-14-dev"
-targets=ixos
+targets="ixos ixos_solvers"
 IXOS_PRESET=release . "$(dirname "${BASH_SOURCE[0]}")/../../drivers/common.sh"
 here="$root/tests/fuzz"
 work="$root/build/fuzz"

@@ -22,6 +22,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from driver_process import ENVIRONMENT, ROOT, STEPS, driver_command  # noqa: E402
 
+CHOLMOD = ["Linear Solver/Linear Solver Type=Direct", "Linear Solver/Linear Solver Types/Direct/Solver Type=CHOLMOD"]
 ITERATIVE = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type="]
 
 
@@ -36,14 +37,15 @@ def scenarios():
     gap_ratio = [STEPS + "Type=Adaptive", STEPS + "Adaptive/Maximum Gap Ratio=1.5", STEPS + "Adaptive/Choose Time Points=true",
                  "Time Integrator/Type=Average Vector Field", STEPS + "Final Time=10", "Output/Fields Interval=50"]
     for ranks in (1, 2):
-        yield "ball, CHOLMOD", "ball", ball + every, ranks
+        yield "ball, Band", "ball", ball + every, ranks
+        yield "ball, CHOLMOD", "ball", ball + every + CHOLMOD, ranks
         yield "ball, Energy-Momentum, KLU", "ball", ball + often + ["Time Integrator/Type=Energy-Momentum"], ranks
         yield "ball, Bathe, CG with lagged MueLu", "ball", ball + seldom + preconditioned("MueLu") + \
             ["Time Integrator/Type=Bathe Composite"], ranks
         yield "ball, adaptive by the gap ratio", "ball", gap_ratio + often, ranks
         yield "ball, Central Difference", "ball", ball + seldom + ["Time Integrator/Type=Central Difference"], ranks
         yield "ball, HDF5", "ball", [STEPS + "Final Time=0.5", "Output/Fields Interval=10", "Output/Fields Format=HDF5"] + often, ranks
-        yield "strip, CG with a lagged factorisation", "strip", strip + every, ranks
+        yield "strip, CG with a lagged factorisation", "strip", strip + every + preconditioned("Direct"), ranks
         yield "strip, CG with lagged MueLu", "strip", strip + every + preconditioned("MueLu"), ranks
         yield "strip, CG with lagged Ifpack2", "strip", strip + [STEPS + "Final Time=20"] + every + \
             preconditioned("Ifpack2") + ["Mesh/Box/Divisions={80, 2}", "Mesh/Sets/contact/Upper={100, 1}",

@@ -1,6 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "solve/factorization.hpp"
@@ -34,6 +38,56 @@ double relative_residual(const CrsMatrix& a, const std::string& type) {
 TEST(DirectSolverTest, Klu2SolvesOnAnyNumberOfRanks) {
   EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0.4, world()), "KLU2"), 1e-13);
   EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "KLU2"), 1e-13);
+}
+
+TEST(DirectSolverTest, BandSolvesOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0, world()), "Band"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0, world()), "Band"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(50, 0.3, 0, world()), "Band"), 1e-9);  // indefinite, without pivoting
+}
+
+/// A grid of columns x rows unknowns, tied to their neighbours, in an order without order; `ground` is on the diagonal.
+Teuchos::RCP<CrsMatrix> shuffled_grid(int columns, int rows, double ground) {
+  const GlobalId size = GlobalId{columns} * rows;
+  const auto map = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(size), 0, world()));
+  const auto matrix = Teuchos::rcp(new CrsMatrix(map, 5));
+  const auto number = [&](int c, int r) { return (GlobalId{7919} * (c * rows + r) + 13) % size; };
+  for (int c = 0; c < columns; ++c)
+    for (int r = 0; r < rows; ++r) {
+      const GlobalId row = number(c, r);
+      if (!map->isNodeGlobalElement(row)) continue;
+      double diagonal = ground;
+      for (const auto& [dc, dr] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        if (c + dc < 0 || c + dc >= columns || r + dr < 0 || r + dr >= rows) continue;
+        matrix->insertGlobalValues(row, Teuchos::tuple(number(c + dc, r + dr)), Teuchos::tuple(-1.0));
+        ++diagonal;
+      }
+      matrix->insertGlobalValues(row, Teuchos::tuple(row), Teuchos::tuple(diagonal));
+    }
+  matrix->fillComplete();
+  return matrix;
+}
+
+TEST(DirectSolverTest, BandOrdersTheRows) {
+  EXPECT_LT(relative_residual(*shuffled_grid(150, 4, 0.1), "Band"), 1e-12);
+  EXPECT_LT(relative_residual(*shuffled_grid(30, 30, 0.1), "Band"), 1e-12);
+  EXPECT_LT(relative_residual(*shuffled_grid(1, 1, 2), "Band"), 1e-15);
+}
+
+TEST(DirectSolverTest, BandLeavesAWideBandToAnother) {
+  // Each row is tied to all others, so that columns have 600 entries on average in any order.
+  const auto map = Teuchos::rcp(new Map(Tpetra::global_size_t{1200}, 0, world()));
+  const auto star = Teuchos::rcp(new CrsMatrix(map, 1200));
+  std::vector<GlobalId> all(1200);
+  std::iota(all.begin(), all.end(), GlobalId{0});
+  for (GlobalId row = 0; row < 1200; ++row) {
+    if (!map->isNodeGlobalElement(row)) continue;
+    std::vector<double> values(all.size(), -1e-3);
+    values[static_cast<std::size_t>(row)] = 2;
+    star->insertGlobalValues(row, all, values);
+  }
+  star->fillComplete();
+  EXPECT_LT(relative_residual(*star, "Band"), 1e-12);
 }
 
 TEST(DirectSolverTest, KluSolvesOnAnyNumberOfRanks) {

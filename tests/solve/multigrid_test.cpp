@@ -282,6 +282,29 @@ TEST(LinearSolverDefaultsSerialTest, SmallCompactBodiesHaveTwoLevels) {
   EXPECT_EQ(completed_linear_solver(assembled, size).get<std::string>("Preconditioner Type"), "Direct");
 }
 
+TEST(LinearSolverDefaultsSerialTest, NarrowBandsAreFactorisedForEachTangent) {
+  const auto choice = [](int dimension, long long dofs, double width, double stiffness = 1e300, int ranks = 1,
+                         const std::string& asymmetry = "") {
+    ProblemSize size{dimension, dofs, ranks, asymmetry};
+    size.width = width;
+    size.stiffness = stiffness;
+    const std::string words = linear_solver_in_words(completed_linear_solver({}, size));
+    return words.substr(0, words.rfind(','));
+  };
+  const std::string cg = "Belos (Pseudo Block CG), preconditioner ";
+  EXPECT_EQ(choice(2, 2000, 1e300), "Direct (Band)");
+  EXPECT_EQ(choice(2, 50000, 40), "Direct (Band)");
+  EXPECT_EQ(choice(2, 50000, 41), cg + "Direct (" + first_rank_factorization() + ")");
+  EXPECT_EQ(choice(2, 50000, 40, 1e300, 2), "Direct (Band)") << "two ranks";
+  EXPECT_EQ(choice(2, 50000, 40, 1e300, 1, "a scheme"), "Belos (Pseudo Block GMRES), preconditioner Direct (KLU)");
+  EXPECT_EQ(choice(3, 30000, 25), "Direct (Band)");
+  EXPECT_EQ(choice(3, 30000, 26), cg + "Direct (Band)");
+  EXPECT_EQ(choice(3, 30000, 60), cg + "Direct (Band)");
+  EXPECT_EQ(choice(3, 30000, 61), cg + "Direct (MUMPS Single)");
+  EXPECT_EQ(choice(3, 2000, 1e300), "Direct (Band)");
+  EXPECT_EQ(choice(3, 3000, 25, 200), cg + "Chebyshev") << "short steps";
+}
+
 TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
   Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
   const auto w = tangent(s.model(), 10);

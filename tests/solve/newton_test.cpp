@@ -54,6 +54,29 @@ class StiffSprings final : public test::DiagonalProblem {
   double stiffness_;
 };
 
+/// Three springs each of stiffness 1 and 1/5, from forces of 1 at x = 0, with the tangent I/4. The last one has no
+/// force.
+class Ravine final : public test::DiagonalProblem {
+ public:
+  bool is_gradient() const override { return true; }
+  Potential potential(const Vector& x) override {
+    double mine = 0, all = 0;
+    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (std::size_t i = 0; i < view.extent(0); ++i) {
+      const double force = value(id(i), view(i, 0));
+      mine += force * force / (2 * stiffness(id(i)));
+    }
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, &mine, &all);
+    return {all, all};
+  }
+  static double stiffness(double id) { return id < 3 ? 1 : 0.2; }
+  static double load(double id) { return id < 6 ? 1 : 0; }
+
+ private:
+  double value(double id, double x) const override { return stiffness(id) * x - load(id); }
+  double slope(double, double) const override { return 0.25; }
+};
+
 struct Ending {
   NewtonResult result;
   std::vector<double> x;  ///< by unknown
@@ -159,6 +182,19 @@ TEST(NewtonTest, StepsAreLengthenedWhileThePotentialFallsSteeply) {
   for (double error = 3; std::sqrt(double{unknowns}) * error > 1e-10; error /= 10) ++iterations;
   EXPECT_EQ(ending.result.iterations, iterations);
   for (double found : ending.x) EXPECT_NEAR(found, 3, 1e-10);
+}
+
+// Along the gradient from equal forces, the potential of two stiffnesses 1 and 1/5 is least after a step of 5/3, and
+// each such step leaves 2/3 of the error, with alternate signs (Kantorovich). The full step of 4 is shortened to it.
+// Two steps and the line from the start through their end lead to the minimum of a quadratic potential of two
+// variables.
+TEST(NewtonTest, TwoStepsInARavineLeadToItsEnd) {
+  Ravine ravine;
+  const Ending ending = solve(ravine, 0, {1e-10, 100, {}});
+  EXPECT_TRUE(ending.result.converged) << ending.result.reason;
+  EXPECT_EQ(ending.result.iterations, 2);
+  for (int i = 0; i < unknowns; ++i)
+    EXPECT_NEAR(ending.x[static_cast<std::size_t>(i)], Ravine::load(i) / Ravine::stiffness(i), 1e-10);
 }
 
 // Full steps for arctan x = 0 diverge from 3 on: the first one leads to 3 - 10 arctan 3 = -9.49. NOX's line searches

@@ -21,7 +21,9 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 
 # By header: the test, as a path below tests, and what that test shows of the header.
 elsewhere = {
-    "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "both of its kinds solve"),
+    "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "all of its kinds solve"),
+    "solve/loaded/mumps_factorization.hpp": ("solve/solver_library_test.cpp", "both precisions"),
+    "solve/loaded/stratimikos_builder.hpp": ("solve/solver_library_test.cpp", "lists, and one that it refuses"),
     "interaction/slip_response.hpp": ("interaction/elastic_slip_test.cpp", "responses of a slip"),
     "interaction/friction_step.hpp": ("term/friction_term_test.cpp", "steps that stick, slide and end"),
     "term/friction_interaction.hpp": ("term/friction_term_test.cpp", "terms that have it as their base"),
@@ -109,7 +111,7 @@ elsewhere = {
     "solve/assemblable_operator.hpp": ("solve/tangent_operator_test.cpp", "an interface of TangentOperator"),
     "solve/chebyshev_polynomial.hpp": ("solve/chebyshev_test.cpp", "the best polynomial of its degree"),
     "solve/chebyshev_preconditioner.hpp": ("solve/chebyshev_test.cpp", "the polynomial"),
-    "solve/coarsenable_operator.hpp": ("solve/two_level_preconditioner_test.cpp", "the Galerkin product"),
+    "solve/coarsenable_operator.hpp": ("solve/loaded/two_level_preconditioner_test.cpp", "the Galerkin product"),
     "solve/direct_preconditioner.hpp": ("solve/multigrid_test.cpp", "a kept factorisation"),
     "solve/factorization.hpp": ("solve/direct_solver_test.cpp", "each factorisation solves"),
     "solve/kept_preconditioner.hpp": ("time/repeated_steps_test.cpp", "comes back with a step that is repeated"),

@@ -128,5 +128,19 @@ TEST(PairCouplingSerialTest, WhatItKeepsComesBack) {
   EXPECT_EQ(coupling.searches(), 2);
 }
 
+// A search may be due in the record's state, before the next step. The matrices of the record belong to its pairs.
+TEST(PairCouplingSerialTest, TheFirstUpdateAfterARecordDoesNotSearch) {
+  const Disks disks(12);
+  PairCoupling<2> coupling(*disks.points);
+  coupling.update(disks.moved(0, 0));
+  Snapshot snapshot([&](Record& record) { coupling.transfer(record); });
+  snapshot.save();
+  snapshot.restore();
+  EXPECT_FALSE(coupling.update(disks.moved(-5.7, 0)));
+  EXPECT_EQ(coupling.searches(), 1);
+  EXPECT_TRUE(coupling.update(disks.moved(-5.7, 0)));
+  EXPECT_EQ(coupling.searches(), 2);
+}
+
 }  // namespace
 }  // namespace ixos

@@ -61,7 +61,8 @@ TEST(DefaultLinearSolverTest, ItIsThatOfAScene) {
   };
   const std::string viscous = test::number("Viscosity", 0.4);
   for (const Case& c : {Case{2, 3, average_vector_field(4, 8), 0.1, "", "Direct"},
-                        {2, 24, newmark(0.25, 0.5), 0.1, "", "Belos"},
+                        {2, 24, newmark(0.25, 0.5), 0.1, "", "Direct (Band)"},
+                        {2, 42, newmark(0.25, 0.5), 0.1, "", "Belos"},
                         {3, 3, newmark(0.25, 0.5), 0.1, viscous, "Direct"},
                         {2, 3, energy_momentum(), 0.1, "", "Direct (KLU)"},
                         {3, 8, newmark(0.25, 0.5), 1e-4, "", "matrix-free"}}) {

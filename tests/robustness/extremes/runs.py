@@ -141,8 +141,8 @@ class Runner:
 
     def __init__(self, folder, driver):
         self.folder, self.driver, self.defects = pathlib.Path(folder).resolve(), str(driver), []
-        library = pathlib.Path(driver).resolve().parents[1] / "lib/libixos.so"
-        self.version = [file.stat().st_mtime for file in (pathlib.Path(driver), library) if file.exists()]
+        libraries = [pathlib.Path(driver).resolve().parents[1] / "lib" / name for name in ("libixos.so", "libixos_solvers.so")]
+        self.version = [file.stat().st_mtime for file in [pathlib.Path(driver), *libraries] if file.exists()]
 
     def __call__(self, name, entries, ranks=1, timeout=120):
         folder = self.folder / name

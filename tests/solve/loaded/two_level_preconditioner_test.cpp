@@ -1,7 +1,7 @@
 // The cycle between quadratic and linear cells, or between linear cells and their parents: its coarse matrix is P^T W
 // P, the cycle is symmetric and positive definite, iterations do not follow the mesh, and runs repeat and resume with
 // it.
-#include "solve/two_level_preconditioner.hpp"
+#include "solve/loaded/two_level_preconditioner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -311,6 +311,7 @@ TEST(TwoLevelTest, ATermOfAProgramWithoutGalerkinProductIsNamed) {
   Model& model = s->model();
   const auto chosen = [&](ProblemSize size, const std::string& type) {
     size.dofs = 1000000;
+    size.width = 10000;
     Teuchos::ParameterList asked = type.empty() ? Teuchos::ParameterList() : two_level();
     return completed_linear_solver(asked, size).get<std::string>("Preconditioner Type");
   };

@@ -1,4 +1,4 @@
-#include "solve/two_level_preconditioner.hpp"
+#include "solve/loaded/two_level_preconditioner.hpp"
 
 #include <MueLu_config.hpp>
 #include <Teuchos_StandardParameterEntryValidators.hpp>

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/memory.hpp"
-#include "solve/factorization.hpp"
+#include "solve/loaded/mumps_factorization.hpp"
 
 namespace ixos {
 namespace {

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/cuthill_mckee_ordering.hpp>
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "solve/band_ldl.hpp"
+#include "solve/first_rank_factorization.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the place of each row in the reverse order of Cuthill and McKee (1969).
+std::vector<int> band_order(CollectedMatrix& matrix) {
+  const auto size = static_cast<std::size_t>(matrix.size());
+  std::vector<std::pair<int, int>> edges;
+  for (int i = 0; i < matrix.size(); ++i)
+    for (int k = matrix.starts()[i]; k < matrix.starts()[i + 1]; ++k)
+      if (matrix.columns()[k] != i) edges.emplace_back(i, matrix.columns()[k]);
+  const boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property, boost::no_property,
+                                           int, int>
+      graph(boost::edges_are_sorted, edges.begin(), edges.end(), matrix.size());
+  std::vector<int> order(size), place(size);
+  std::vector<boost::default_color_type> colors(size);
+  const auto index = get(boost::vertex_index, graph);
+  boost::cuthill_mckee_ordering(graph, order.rbegin(), boost::make_iterator_property_map(colors.begin(), index),
+                                boost::make_out_degree_map(graph));
+  for (std::size_t i = 0; i < size; ++i) place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  return place;
+}
+
+/// Mean entries of a column from which a band is wide: a sparse factorisation takes less time and memory.
+constexpr double wide = 500;
+
+class Band final : public FirstRankFactorization {
+ public:
+  void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) override {
+    matrix_ = std::make_unique<CollectedMatrix>(matrix);
+    Fit fit = Fit::Narrow;
+    if (matrix_->root()) {
+      try {
+        fit = make_band();
+      } catch (const std::bad_alloc&) {
+        fit = Fit::NoMemory;
+      }
+    }
+    fit = static_cast<Fit>(matrix_->agreed(static_cast<int>(fit)));
+    if (fit == Fit::NoMemory) throw std::bad_alloc();
+    sparse_.reset();
+    if (fit == Fit::Narrow) return;
+    sparse_ = make_first_rank_factorization();
+    sparse_->remember(memory_);
+    sparse_->analyze(matrix);
+  }
+
+  void factor() override {
+    if (sparse_) return sparse_->factor();
+    matrix_->refresh();
+    bool done = true;
+    if (matrix_->root()) {
+      ldl_.clear();
+      const double* values = matrix_->values();
+      for (std::size_t k = 0; k < place_.size(); ++k) ldl_.entries()[place_[k]] = values[from_[k]];
+      done = ldl_.factor();
+    }
+    if (matrix_->agreed(done ? 0 : 1) != 0)
+      throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
+  }
+
+  CollectedMatrix& collected() override { return sparse_ ? sparse_->collected() : *matrix_; }
+  const double* solve_collected(const double* b) override {
+    if (sparse_) return sparse_->solve_collected(b);
+    std::fill(permuted_.begin(), permuted_.end(), 0.0);
+    for (std::size_t i = 0; i < order_.size(); ++i) permuted_[static_cast<std::size_t>(order_[i])] = b[i];
+    ldl_.solve(permuted_.data());
+    for (std::size_t i = 0; i < order_.size(); ++i) solution_[i] = permuted_[static_cast<std::size_t>(order_[i])];
+    return solution_.data();
+  }
+
+  const FactorizationMemory& memory() const override { return sparse_ ? sparse_->memory() : memory_; }
+  void remember(FactorizationMemory memory) override { memory_ = std::move(memory); }
+
+ private:
+  enum class Fit { Narrow, Wide, NoMemory };
+
+  /// Orders the rows and makes room for the band, unless it is wide. On the first rank only.
+  Fit make_band() {
+    order_ = band_order(*matrix_);
+    std::vector<int> last(order_.size(), 0);
+    for_each_entry([&](int, int i, int j) {
+      int& end = last[static_cast<std::size_t>(j)];
+      end = std::max(end, i);
+    });
+    double entries = 0;
+    for (int j = 0, end = 0; j < matrix_->size(); ++j) {
+      end = std::max(end, last[static_cast<std::size_t>(j)]);
+      entries += end - j;
+    }
+    if (entries > wide * matrix_->size()) return Fit::Wide;
+    ldl_ = BandLdl(last);
+    place_.clear();
+    from_.clear();
+    for_each_entry([&](int k, int i, int j) {
+      from_.push_back(k);
+      place_.push_back(ldl_.place(i, j));
+    });
+    solution_.resize(order_.size());
+    permuted_.resize(ldl_.padded_size());
+    return Fit::Narrow;
+  }
+  /// Calls f(k, i, j) with the index of each entry of the lower triangle and its place, i >= j, in the new order.
+  template <class F>
+  void for_each_entry(const F& f) const {
+    const int *starts = matrix_->starts(), *columns = matrix_->columns();
+    for (int row = 0; row < matrix_->size(); ++row)
+      for (int k = starts[row]; k < starts[row + 1]; ++k) {
+        const int i = order_[static_cast<std::size_t>(row)], j = order_[static_cast<std::size_t>(columns[k])];
+        if (i >= j) f(k, i, j);
+      }
+  }
+
+  std::unique_ptr<CollectedMatrix> matrix_;
+  std::vector<int> order_;  ///< place of each row in the band
+  BandLdl ldl_;
+  std::vector<int> from_;           ///< indices of the entries of the lower triangle
+  std::vector<std::size_t> place_;  ///< and where they belong
+  std::vector<double> permuted_, solution_;
+  FactorizationMemory memory_;
+  std::unique_ptr<FirstRankFactorization> sparse_;  ///< in place of a wide band
+};
+
+}  // namespace
+
+std::unique_ptr<Factorization> make_band() { return std::make_unique<Band>(); }
+
+}  // namespace ixos

@@ -1,0 +1,12 @@
+/// MUMPS.
+#pragma once
+#include <memory>
+
+#include "solve/factorization.hpp"
+
+namespace ixos {
+
+/// See SolverLibrary::mumps.
+std::unique_ptr<Factorization> make_mumps(bool single_precision);
+
+}  // namespace ixos
