@@ -38,6 +38,9 @@ void go(NOX::Abstract::Group& group, const Vector& from, const Vector& way) {
   group.setX(*place);
 }
 
+/// Returns the place in [0, 1] where the secant through the slopes at both ends is zero, kept within [0.1, 0.6].
+double zero_between(double slope, double end_slope) { return std::clamp(slope / (slope - end_slope), 0.1, 0.6); }
+
 /// Returns the place in [0, 1] of the minimum of the cubic through both ends, kept within [0.1, 0.6].
 double valley(const End& start, const End& end) {
   const double a = start.slope + end.slope - 2 * (end.value - start.value);
@@ -84,7 +87,7 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
     if (!gradient) {
       // The step must not end far beyond the place where f . direction vanishes (Matthies and Strang 1979).
       if (end_slope <= -0.8 * slope || trial >= shortenings) return true;
-      step *= std::clamp(slope / (slope - end_slope), 0.1, 0.6);
+      step *= zero_between(slope, end_slope);
       continue;
     }
     if (trial == 0 && step == 1 && end_slope < steep * slope) {
@@ -95,8 +98,10 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
     if (!start) start = problem_.potential(*from);
     const Potential end = problem_.potential(*tpetra(group.getX()));
     const double noise = 1e-14 * (start->magnitude + end.magnitude);
-    if (end.value <= start->value + 1e-4 * step * slope + noise) return true;
-    step *= valley({start->value, step * slope}, {end.value, step * end_slope});
+    const bool hidden = std::abs(end.value - start->value) <= noise;
+    if (hidden ? end_slope <= -0.9 * slope : end.value <= start->value + 1e-4 * step * slope) return true;
+    step *=
+        hidden ? zero_between(slope, end_slope) : valley({start->value, step * slope}, {end.value, step * end_slope});
     cut_ = true;
   }
   step = 0;  // tells NOX that the search failed
@@ -143,6 +148,7 @@ void AdmissibleLineSearch::follow_ravine(NOX::Abstract::Group& group, const Vect
   const double slope = inner_product(*tpetra(group.getF()), along);
   if (!(slope < 0)) return;
   const Potential before = problem_.potential(here);
+  const double norm = group.getNormF();
   const double end_slope = slope_at(group, line, 1);
   if (std::isfinite(end_slope)) {
     if (end_slope < steep * slope)
@@ -151,7 +157,8 @@ void AdmissibleLineSearch::follow_ravine(NOX::Abstract::Group& group, const Vect
       slope_at(group, line, slope / (slope - end_slope));
     if (std::isfinite(group.getNormF()) && problem_.is_gradient()) {
       const Potential after = problem_.potential(*tpetra(group.getX()));
-      if (after.value < before.value - 1e-14 * (before.magnitude + after.magnitude)) return;
+      const double fall = before.value - after.value, noise = 1e-14 * (before.magnitude + after.magnitude);
+      if (fall > noise || (fall >= -noise && group.getNormF() < norm)) return;
     }
   }
   along.putScalar(0.0);

@@ -10,9 +10,10 @@ namespace ixos {
 /// A line search that takes the full Newton step, shortened to the problem's admissible step, and halved if the
 /// residual cannot be evaluated there all the same (an inverted element). If the residual is a gradient, the potential
 /// must fall. A step is accepted if the slope along the direction at its end is between -0.9 and 0.2 times the start's
-/// magnitude. Otherwise the potential is evaluated, and unless it has fallen (Armijo, with room for rounding), the step
-/// is shortened to the minimum of the cubic through values and slopes of both ends. Good Newton steps therefore cost no
-/// evaluation of the potential.
+/// magnitude. Otherwise the potential is evaluated, and unless it has fallen (Armijo), the step is shortened to the
+/// minimum of the cubic through values and slopes of both ends. If rounding hides the change of the potential, the
+/// secant through the slopes shortens the step until the slope at its end is at most 0.9 of the start's magnitude. Good
+/// Newton steps therefore cost no evaluation of the potential.
 ///
 /// A full step is lengthened, to at most 81 times, while the slope at its end has more than 0.2 of the start's
 /// magnitude: as a body snaps off, the potential falls along many full steps, because the tangent that was made
@@ -21,9 +22,9 @@ namespace ixos {
 /// Newton iteration.
 ///
 /// Where the gradient has kinks, as beside the corners of a faceted surface, steps zigzag along a ravine of the
-/// potential, each shortened to the ravine's floor. After two of them the search goes on along the line from the start
-/// of the first to the end of the second, at most 81 times as far, and stays there if the potential has fallen by more
-/// than its rounding (parallel tangents: Shah, Buehler and Kempthorne 1964).
+/// potential, each shortened to the ravine's floor. After two of them the search takes the line from the start
+/// of the first to the end of the second, at most 81 times as far. It stays there if the potential has fallen, or if
+/// |f| has while rounding hides the change of the potential (parallel tangents: Shah, Buehler and Kempthorne 1964).
 ///
 /// If the residual has kinks without being a gradient, secants shorten the step, at most six times, until the slope
 /// along the direction is at most 0.8 of the start's magnitude.

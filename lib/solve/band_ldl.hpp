@@ -7,8 +7,8 @@
 namespace ixos {
 
 /// The factors L and D of A = L D L^T, where A is symmetric and L has a unit diagonal. Four columns share their last
-/// row, and no last row is above an earlier one, so that the fill stays within. There is no pivoting: it is meant for
-/// definite matrices, and takes indefinite ones as long as no pivot vanishes (Golub and Van Loan 2013, sections 4.1.2
+/// row, and no last row is above an earlier one, so that the fill stays within. Without pivoting it suits
+/// definite matrices, and indefinite ones as long as no pivot vanishes (Golub and Van Loan 2013, sections 4.1.2
 /// and 4.3.5).
 class BandLdl {
  public:

@@ -46,7 +46,7 @@ std::unique_ptr<Factorization> make_cholmod();
 
 /// Makes L D L^T of a band (band_ldl.hpp): symmetric matrices, on the first rank likewise. It orders the rows as
 /// Cuthill and McKee (1969) do. A slender body then has a narrow band, for which no other is as fast. A wide band is
-/// left to first_rank_factorization(). Of an unsymmetric matrix it takes one entry of each pair: as a preconditioner,
+/// left to first_rank_factorization(). It reads one entry of each pair of an unsymmetric matrix: as a preconditioner,
 /// not as a solver.
 std::unique_ptr<Factorization> make_band();
 

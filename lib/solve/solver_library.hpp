@@ -17,9 +17,8 @@ class SolverBuilder {
   virtual Teuchos::RCP<Thyra::PreconditionerFactoryBase<double>> preconditioner() const = 0;
 };
 
-/// What the library ixos_solvers (lib/solve/loaded) contains. It brings some sixty libraries of Trilinos along, and the
-/// loader takes as long for them as for all others, a twentieth of a second. A run that factorises its matrices needs
-/// none of them.
+/// The contents of the library ixos_solvers (lib/solve/loaded). It brings some forty libraries of Trilinos along, for
+/// which the loader takes a twentieth of a second. A run that factorises its matrices needs none of them.
 struct SolverLibrary {
   /// Makes the builder of a Stratimikos list, with Ixos' own solvers and preconditioners, MueLu and Ifpack2 added.
   /// Throws what Stratimikos throws if it refuses the list.
