@@ -74,6 +74,7 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
   const bool kinks = problem_.has_kinks();
   const double slope = gradient || kinks ? inner_product(*tpetra(old.getF()), *along) : 0.0;
   std::optional<Potential> start;
+  int hidden_cuts = 0;
   step = problem_.admissible_step(*from, *along);
   for (int trial = 0; trial < 25 && step > 0; ++trial) {
     group.computeX(old, direction, step);
@@ -99,7 +100,9 @@ bool AdmissibleLineSearch::search(NOX::Abstract::Group& group, double& step, con
     const Potential end = problem_.potential(*tpetra(group.getX()));
     const double noise = 1e-14 * (start->magnitude + end.magnitude);
     const bool hidden = std::abs(end.value - start->value) <= noise;
-    if (hidden ? end_slope <= -0.9 * slope : end.value <= start->value + 1e-4 * step * slope) return true;
+    // A cycle never halves |f|.
+    const bool done = end_slope <= -0.9 * slope || group.getNormF() <= 0.5 * old.getNormF();
+    if (hidden ? done || ++hidden_cuts > shortenings : end.value <= start->value + 1e-4 * step * slope) return true;
     step *=
         hidden ? zero_between(slope, end_slope) : valley({start->value, step * slope}, {end.value, step * end_slope});
     cut_ = true;

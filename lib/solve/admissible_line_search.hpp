@@ -12,8 +12,8 @@ namespace ixos {
 /// must fall. A step is accepted if the slope along the direction at its end is between -0.9 and 0.2 times the start's
 /// magnitude. Otherwise the potential is evaluated, and unless it has fallen (Armijo), the step is shortened to the
 /// minimum of the cubic through values and slopes of both ends. If rounding hides the change of the potential, the
-/// secant through the slopes shortens the step until the slope at its end is at most 0.9 of the start's magnitude. Good
-/// Newton steps therefore cost no evaluation of the potential.
+/// secant through the slopes shortens the step, at most six times, until |f| has halved or the slope at its end is at
+/// most 0.9 of the start's magnitude. Good Newton steps therefore cost no evaluation of the potential.
 ///
 /// A full step is lengthened, to at most 81 times, while the slope at its end has more than 0.2 of the start's
 /// magnitude: as a body snaps off, the potential falls along many full steps, because the tangent that was made

@@ -34,7 +34,8 @@ std::vector<int> band_order(CollectedMatrix& matrix) {
   return place;
 }
 
-/// Mean entries of a column from which a band is wide: a sparse factorisation takes less time and memory.
+/// Entries of a column, in the quadratic mean, from which a band is wide: a sparse factorisation takes less time and
+/// memory.
 constexpr double wide = 500;
 
 class Band final : public FirstRankFactorization {
@@ -53,6 +54,8 @@ class Band final : public FirstRankFactorization {
     if (fit == Fit::NoMemory) throw std::bad_alloc();
     sparse_.reset();
     if (fit == Fit::Narrow) return;
+    matrix_.reset();
+    order_ = {};
     sparse_ = make_first_rank_factorization();
     sparse_->remember(memory_);
     sparse_->analyze(matrix);
@@ -96,12 +99,12 @@ class Band final : public FirstRankFactorization {
       int& end = last[static_cast<std::size_t>(j)];
       end = std::max(end, i);
     });
-    double entries = 0;
+    double squares = 0;
     for (int j = 0, end = 0; j < matrix_->size(); ++j) {
       end = std::max(end, last[static_cast<std::size_t>(j)]);
-      entries += end - j;
+      squares += static_cast<double>(end - j) * (end - j);
     }
-    if (entries > wide * matrix_->size()) return Fit::Wide;
+    if (squares > wide * wide * matrix_->size()) return Fit::Wide;
     ldl_ = BandLdl(last);
     place_.clear();
     from_.clear();

@@ -231,7 +231,9 @@ ParameterList complete(const ParameterList& user, const ProblemSize& size) {
     const bool two_levels = op != "Assembled" && suits_two_levels(size);
     const bool direct = factorize(size) && !asks && !(two_levels && prefers_two_levels(size));
     const bool polynomial = !asks && size.dofs >= least_kept && op != "Assembled" && has_short_steps(size);
-    type = direct && !polynomial && (size.dofs < least_kept || has_narrow_band(size)) ? "Direct" : "Belos";
+    type = direct && !polynomial && (size.dofs < least_kept || (op != "Matrix-Free" && has_narrow_band(size)))
+               ? "Direct"
+               : "Belos";
     if (type == "Belos" && direct) preconditioner = "Direct";
     if (polynomial) preconditioner = "Chebyshev";
     asks = asks || direct || polynomial;

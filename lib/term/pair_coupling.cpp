@@ -70,6 +70,7 @@ double PairCoupling<D>::motion(const typename PairPoints<D>::Places& places) con
 template <std::size_t D>
 bool PairCoupling<D>::update(const typename PairPoints<D>::Places& places) {
   const bool loaded = std::exchange(loaded_, false);
+  if (!loaded && std::exchange(join_due_, false)) anew_ = joined_ = true;
   if (std::exchange(anew_, false)) return true;
   if (loaded) return false;
   const bool first = last_.empty();
@@ -113,6 +114,7 @@ void PairCoupling<D>::transfer(Record& record) {
   for (const Pair& pair : pairs_) pairs.insert(pairs.end(), {double(pair.first), double(pair.second)});
   const bool joined_before = joined_;
   record.number("joined", joined_);
+  record.number("join due", join_due_);
   record.share("coupled patches", pairs);
   record.share("places of the last search", last_);
   if (!record.loading()) return;

@@ -26,16 +26,16 @@ class PairCoupling {
   bool update(const typename PairPoints<D>::Places& places);
   /// Couples, from the next update on, the nodes of all primary patches of a secondary patch with each other, too: a
   /// discrete gradient has feet at the mean and at the end of a step.
-  void join() {
-    anew_ = anew_ || !joined_;
-    joined_ = true;
-  }
+  void join() { join_due_ = !joined_; }
   /// Returns the local nodes of each pair, or of each secondary patch and its primary ones.
   std::vector<std::vector<int>> stencils() const;
   /// Returns whether all nodes of the block are coupled, alike on all ranks.
   bool covers(const PairBlock& block) const;
   /// Makes a search due, whose pairs do not depend on those of earlier ones.
-  void begin_anew() { last_.clear(); }
+  void begin_anew() {
+    last_.clear();
+    loaded_ = false;
+  }
   /// Transfers the pairs and the places of the last search. Loading on another partition begins anew.
   void transfer(Record& record);
   double reach() const { return reach_; }
@@ -52,8 +52,9 @@ class PairCoupling {
   std::vector<double> last_;  ///< places of the last search; empty if there was none
   long searches_ = 0;
   bool joined_ = false;
-  bool anew_ = false;    ///< the stencils are others than at the last update
-  bool loaded_ = false;  ///< since the last update, from a record
+  bool join_due_ = false;  ///< at the next update
+  bool anew_ = false;      ///< the stencils are others than at the last update
+  bool loaded_ = false;    ///< since the last update, from a record
 };
 
 /// Returns the gap beyond which the law's stiffness stays below 1e-3 of the largest one that it has beyond its

@@ -31,7 +31,7 @@ QUADRATIC = ["Mesh/Cell Order=2", "Interactions/Wall/Contact Element=Q2C2"]
 
 
 class Strip:
-    scene, column, window, repeats = "xml/strip.xml", "reaction_right_y", (20, 120), 3
+    scene, column, window, repeats = "xml/strip.xml", "reaction_right_y", (20, 120), 2
     steps = {"Newmark": (1, 2, 4), "Static": (4, 8, 16)}
     reference = QUADRATIC + ["Mesh/Box/Divisions={400, 16}", "Time Integrator/Type=Newmark", STEPS + "Time Step=0.1"]
 

@@ -302,6 +302,11 @@ TEST(LinearSolverDefaultsSerialTest, NarrowBandsAreFactorisedForEachTangent) {
   EXPECT_EQ(choice(3, 30000, 60), cg + "Direct (Band)");
   EXPECT_EQ(choice(3, 30000, 61), cg + "Direct (MUMPS Single)");
   EXPECT_EQ(choice(3, 2000, 1e300), "Direct (Band)");
+  Teuchos::ParameterList matrix_free;
+  matrix_free.set("Operator", "Matrix-Free");
+  ProblemSize slender{2, 50000, 1};
+  slender.width = 10;
+  EXPECT_EQ(completed_linear_solver(matrix_free, slender).get<std::string>("Linear Solver Type"), "Belos");
   EXPECT_EQ(choice(3, 3000, 25, 200), cg + "Chebyshev") << "short steps";
 }
 
