@@ -23,11 +23,12 @@ std::size_t packs(int first, int last) {
 BandLdl::BandLdl(const std::vector<int>& last) : size_(static_cast<int>(last.size())) {
   std::size_t start = 0;
   int end = 0;
-  for (int first = 0; first < size_; first += width) {
-    end = std::max(end, first + width - 1);
-    for (int j = first; j < std::min(first + width, size_); ++j) end = std::max(end, last[static_cast<std::size_t>(j)]);
+  for (int first = 0; first < size_; first += columns) {
+    end = std::max(end, first + columns - 1);
+    for (int j = first; j < std::min(first + columns, size_); ++j)
+      end = std::max(end, last[static_cast<std::size_t>(j)]);
     // Whole packs, and the factors of a later block, may reach beyond the last row, where the entries are zero.
-    const std::size_t beyond = std::max<std::size_t>(lanes, width) - 1;
+    const std::size_t beyond = std::max(lanes, width) - 1;
     const std::size_t stride = (static_cast<std::size_t>(end - first + 1) + beyond + lanes - 1) / lanes * lanes;
     blocks_.push_back({first, end, start, stride});
     start += width * stride;
@@ -40,7 +41,7 @@ double BandLdl::operations() const {
   double sum = 0;
   for (const Block& block : blocks_) {
     const double rows = block.last - block.first + 1;
-    sum += width * rows * rows;
+    sum += columns * rows * rows;
   }
   return sum;
 }
@@ -48,14 +49,14 @@ double BandLdl::operations() const {
 std::size_t BandLdl::padded_size() const { return blocks_.size() * width + lanes; }
 
 std::size_t BandLdl::place(int i, int j) const {
-  const Block& block = blocks_[static_cast<std::size_t>(j / width)];
+  const Block& block = blocks_[static_cast<std::size_t>(j / columns)];
   return block.start + static_cast<std::size_t>(j - block.first) * block.stride +
          static_cast<std::size_t>(i - block.first);
 }
 
 void BandLdl::clear() {
   std::fill(entries_.begin(), entries_.end(), 0.0);
-  for (int j = size_; j < static_cast<int>(blocks_.size()) * width; ++j) entries_[place(j, j)] = 1;
+  for (int j = size_; j < static_cast<int>(blocks_.size()) * columns; ++j) entries_[place(j, j)] = 1;
 }
 
 bool BandLdl::factor() {
@@ -71,28 +72,28 @@ bool BandLdl::factor() {
 /// Divides the block, from which all earlier ones have been subtracted, into factors.
 bool BandLdl::factor(const Block& block) {
   std::array<double*, width> column;
-  for (int c = 0; c < width; ++c) column[c] = &entries_[block.start + c * block.stride];
-  auto& pivot = pivots_[static_cast<std::size_t>(block.first / width)];
+  for (std::size_t c = 0; c < width; ++c) column[c] = &entries_[block.start + c * block.stride];
+  auto& pivot = pivots_[static_cast<std::size_t>(block.first) / width];
   std::array<double, width> inverse;
-  for (int c = 0; c < width; ++c) {
-    for (int m = 0; m < c; ++m) {
+  for (std::size_t c = 0; c < width; ++c) {
+    for (std::size_t m = 0; m < c; ++m) {
       const double scaled = column[m][c] * pivot[m];
-      for (int r = c; r < width; ++r) column[c][r] -= scaled * column[m][r];
+      for (std::size_t r = c; r < width; ++r) column[c][r] -= scaled * column[m][r];
     }
     pivot[c] = column[c][c];
     inverse[c] = 1 / pivot[c];
     if (!std::isfinite(inverse[c]) || inverse[c] == 0) return false;
-    for (int r = c + 1; r < width; ++r) column[c][r] *= inverse[c];
+    for (std::size_t r = c + 1; r < width; ++r) column[c][r] *= inverse[c];
   }
-  const std::size_t count = packs(block.first + width, block.last);
+  const std::size_t count = packs(block.first + columns, block.last);
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t row = width + k * lanes;
     std::array<Pack, width> value;
-    for (int c = 0; c < width; ++c) {
+    for (std::size_t c = 0; c < width; ++c) {
       value[c] = load(column[c] + row);
-      for (int m = 0; m < c; ++m) value[c] -= column[m][c] * value[m];
+      for (std::size_t m = 0; m < c; ++m) value[c] -= column[m][c] * value[m];
     }
-    for (int c = 0; c < width; ++c) (value[c] * inverse[c]).copy_to(column[c] + row, unaligned);
+    for (std::size_t c = 0; c < width; ++c) (value[c] * inverse[c]).copy_to(column[c] + row, unaligned);
   }
   return true;
 }
@@ -101,18 +102,18 @@ bool BandLdl::factor(const Block& block) {
 void BandLdl::subtract(const Block& block, const Block& from) {
   const double* source = &entries_[from.start + static_cast<std::size_t>(block.first - from.first)];
   double* target = &entries_[block.start];
-  const auto& pivot = pivots_[static_cast<std::size_t>(from.first / width)];
+  const auto& pivot = pivots_[static_cast<std::size_t>(from.first) / width];
   std::array<std::array<Pack, width>, width> factor;
-  for (int m = 0; m < width; ++m)
-    for (int c = 0; c < width; ++c) factor[m][c] = pivot[m] * source[m * from.stride + c];
+  for (std::size_t m = 0; m < width; ++m)
+    for (std::size_t c = 0; c < width; ++c) factor[m][c] = pivot[m] * source[m * from.stride + c];
   const std::size_t count = packs(block.first, from.last);
   for (std::size_t k = 0; k < count; ++k) {
     std::array<Pack, width> row;
-    for (int m = 0; m < width; ++m) row[m] = load(source + m * from.stride + k * lanes);
-    for (int c = 0; c < width; ++c) {
+    for (std::size_t m = 0; m < width; ++m) row[m] = load(source + m * from.stride + k * lanes);
+    for (std::size_t c = 0; c < width; ++c) {
       double* const place = target + c * block.stride + k * lanes;
       Pack sum = load(place);
-      for (int m = 0; m < width; ++m) sum -= factor[m][c] * row[m];
+      for (std::size_t m = 0; m < width; ++m) sum -= factor[m][c] * row[m];
       sum.copy_to(place, unaligned);
     }
   }
@@ -122,14 +123,14 @@ void BandLdl::solve(double* x) const {
   for (const Block& block : blocks_) {
     const double* column = &entries_[block.start];
     double* const here = x + block.first;
-    for (int c = 0; c < width; ++c)
-      for (int r = c + 1; r < width; ++r) here[r] -= column[c * block.stride + r] * here[c];
+    for (std::size_t c = 0; c < width; ++c)
+      for (std::size_t r = c + 1; r < width; ++r) here[r] -= column[c * block.stride + r] * here[c];
     const std::array<double, width> known{here[0], here[1], here[2], here[3]};
-    const std::size_t count = packs(block.first + width, block.last);
+    const std::size_t count = packs(block.first + columns, block.last);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t row = width + k * lanes;
       Pack sum = load(here + row);
-      for (int c = 0; c < width; ++c) sum -= known[c] * load(column + c * block.stride + row);
+      for (std::size_t c = 0; c < width; ++c) sum -= known[c] * load(column + c * block.stride + row);
       sum.copy_to(here + row, unaligned);
     }
   }
@@ -138,15 +139,15 @@ void BandLdl::solve(double* x) const {
     const double* column = &entries_[block.start];
     double* const here = x + block.first;
     std::array<Pack, width> sum{};
-    const std::size_t count = packs(block.first + width, block.last);
+    const std::size_t count = packs(block.first + columns, block.last);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t row = width + k * lanes;
       const Pack known = load(here + row);
-      for (int c = 0; c < width; ++c) sum[c] += known * load(column + c * block.stride + row);
+      for (std::size_t c = 0; c < width; ++c) sum[c] += known * load(column + c * block.stride + row);
     }
-    for (int c = width; c-- > 0;) {
+    for (std::size_t c = width; c-- > 0;) {
       here[c] = here[c] / pivots_[b][c] - total(sum[c]);
-      for (int r = c + 1; r < width; ++r) here[c] -= column[c * block.stride + r] * here[r];
+      for (std::size_t r = c + 1; r < width; ++r) here[c] -= column[c * block.stride + r] * here[r];
     }
   }
 }

@@ -34,7 +34,8 @@ class BandLdl {
   std::size_t padded_size() const;
 
  private:
-  static constexpr int width = 4;  ///< columns of a block
+  static constexpr std::size_t width = 4;                  ///< number of columns in a block
+  static constexpr int columns = static_cast<int>(width);  ///< the same
   /// Columns `first` to `first` + 3 from row `first` on, one after the other; what lies above the diagonal is
   /// computed along and never read.
   struct Block {
