@@ -31,11 +31,11 @@ constexpr int shortenings = 6;
 constexpr int lengthenings = 4;
 constexpr double least_factor = 1.3, largest_factor = 3, steep = 0.2;
 
-/// Takes the group to from + way.
-void go(NOX::Abstract::Group& group, const Vector& from, const Vector& way) {
-  const auto place = group.getX().clone(NOX::ShapeCopy);
-  tpetra(*place)->update(1.0, from, 1.0, way, 0.0);
-  group.setX(*place);
+/// Takes the group to a place.
+void go(NOX::Abstract::Group& group, const Vector& place) {
+  const auto x = group.getX().clone(NOX::ShapeCopy);
+  tpetra(*x)->assign(place);
+  group.setX(*x);
 }
 
 /// Returns the place in [0, 1] where the secant through the slopes at both ends is zero, kept within [0.1, 0.6].
@@ -115,7 +115,8 @@ double AdmissibleLineSearch::slope_at(NOX::Abstract::Group& group, const Line& l
   Vector way(line.along, Teuchos::Copy);
   way.scale(step);
   if (problem_.admissible_step(line.from, way) < 1) return std::numeric_limits<double>::quiet_NaN();
-  go(group, line.from, way);
+  way.update(1.0, line.from, 1.0);
+  go(group, way);
   const bool done = group.computeF() == NOX::Abstract::Group::Ok && std::isfinite(group.getNormF());
   return done ? inner_product(*tpetra(group.getF()), line.along) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -164,8 +165,7 @@ void AdmissibleLineSearch::follow_ravine(NOX::Abstract::Group& group, const Vect
       if (fall > noise || (fall >= -noise && group.getNormF() < norm)) return;
     }
   }
-  along.putScalar(0.0);
-  go(group, here, along);
+  go(group, here);
   group.computeF();
 }
 

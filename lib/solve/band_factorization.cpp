@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/graph/cuthill_mckee_ordering.hpp>
@@ -42,27 +40,20 @@ class Band final : public FirstRankFactorization {
  public:
   void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) override {
     matrix_ = std::make_unique<CollectedMatrix>(matrix);
-    Fit fit = Fit::Narrow;
+    fit_ = Fit::Narrow;
     if (matrix_->root()) {
       try {
-        fit = make_band();
+        fit_ = make_room();
       } catch (const std::bad_alloc&) {
-        fit = Fit::NoMemory;
+        fit_ = Fit::NoMemory;
       }
     }
-    fit = static_cast<Fit>(matrix_->agreed(static_cast<int>(fit)));
-    if (fit == Fit::NoMemory) throw std::bad_alloc();
-    sparse_.reset();
-    if (fit == Fit::Narrow) return;
-    matrix_.reset();
-    order_ = {};
-    sparse_ = make_first_rank_factorization();
-    sparse_->remember(memory_);
-    sparse_->analyze(matrix);
+    fit_ = static_cast<Fit>(matrix_->agreed(static_cast<int>(fit_)));
+    if (fit_ == Fit::NoMemory) throw std::bad_alloc();
   }
+  bool suits() const override { return fit_ == Fit::Narrow; }
 
   void factor() override {
-    if (sparse_) return sparse_->factor();
     matrix_->refresh();
     bool done = true;
     if (matrix_->root()) {
@@ -75,9 +66,8 @@ class Band final : public FirstRankFactorization {
       throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
   }
 
-  CollectedMatrix& collected() override { return sparse_ ? sparse_->collected() : *matrix_; }
+  CollectedMatrix& collected() override { return *matrix_; }
   const double* solve_collected(const double* b) override {
-    if (sparse_) return sparse_->solve_collected(b);
     std::fill(permuted_.begin(), permuted_.end(), 0.0);
     for (std::size_t i = 0; i < order_.size(); ++i) permuted_[static_cast<std::size_t>(order_[i])] = b[i];
     ldl_.solve(permuted_.data());
@@ -85,26 +75,21 @@ class Band final : public FirstRankFactorization {
     return solution_.data();
   }
 
-  const FactorizationMemory& memory() const override { return sparse_ ? sparse_->memory() : memory_; }
+  const FactorizationMemory& memory() const override { return memory_; }
   void remember(FactorizationMemory memory) override { memory_ = std::move(memory); }
 
  private:
   enum class Fit { Narrow, Wide, NoMemory };
 
   /// Orders the rows and makes room for the band, unless it is wide. On the first rank only.
-  Fit make_band() {
+  Fit make_room() {
     order_ = band_order(*matrix_);
     std::vector<int> last(order_.size(), 0);
     for_each_entry([&](int, int i, int j) {
       int& end = last[static_cast<std::size_t>(j)];
       end = std::max(end, i);
     });
-    double squares = 0;
-    for (int j = 0, end = 0; j < matrix_->size(); ++j) {
-      end = std::max(end, last[static_cast<std::size_t>(j)]);
-      squares += static_cast<double>(end - j) * (end - j);
-    }
-    if (squares > wide * wide * matrix_->size()) return Fit::Wide;
+    if (BandLdl::operations(last) > wide * wide * matrix_->size()) return Fit::Wide;
     ldl_ = BandLdl(last);
     place_.clear();
     from_.clear();
@@ -134,7 +119,7 @@ class Band final : public FirstRankFactorization {
   std::vector<std::size_t> place_;  ///< and where they belong
   std::vector<double> permuted_, solution_;
   FactorizationMemory memory_;
-  std::unique_ptr<FirstRankFactorization> sparse_;  ///< in place of a wide band
+  Fit fit_ = Fit::Narrow;
 };
 
 }  // namespace

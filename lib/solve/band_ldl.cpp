@@ -37,11 +37,11 @@ BandLdl::BandLdl(const std::vector<int>& last) : size_(static_cast<int>(last.siz
   pivots_.resize(blocks_.size());
 }
 
-double BandLdl::operations() const {
+double BandLdl::operations(const std::vector<int>& last) {
   double sum = 0;
-  for (const Block& block : blocks_) {
-    const double rows = block.last - block.first + 1;
-    sum += columns * rows * rows;
+  for (int j = 0, end = 0; j < static_cast<int>(last.size()); ++j) {
+    end = std::max(end, last[static_cast<std::size_t>(j)]);
+    sum += static_cast<double>(end - j) * (end - j);
   }
   return sum;
 }

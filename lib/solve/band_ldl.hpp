@@ -16,10 +16,9 @@ class BandLdl {
   /// `last[j]` is the last row of column j, not above j, with an entry in A.
   explicit BandLdl(const std::vector<int>& last);
 
-  /// Returns the multiplications and additions of a factorisation, half of them each.
-  double operations() const;
-  /// Returns the number of entries stored.
-  std::size_t stored() const { return entries_.size(); }
+  /// Returns the multiplications and additions of a factorisation, half of them each, to the order of a column's
+  /// entries.
+  static double operations(const std::vector<int>& last);
 
   /// Sets A = 0.
   void clear();

@@ -53,7 +53,7 @@ Teuchos::RCP<ChebyshevPreconditionerFactory::Preconditioner> ChebyshevPreconditi
 void ChebyshevPreconditionerFactory::initializePrec(const Teuchos::RCP<const Source>& source,
                                                     Preconditioner* preconditioner,
                                                     const Thyra::ESupportSolveUse) const {
-  const auto list = nonnull(getParameterList()) ? getParameterList() : getValidParameters();
+  const auto list = list_or_defaults();
   unwrapped<Polynomial>(*preconditioner)
       .initialize(source->getOp(), list->get<int>("Degree"), list->get<double>("Eigenvalue Ratio"));
 }

@@ -29,16 +29,17 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type) {
   return solver_library().mumps(type == "MUMPS Single");
 }
 
-std::unique_ptr<FirstRankFactorization> make_first_rank_factorization() {
-  return std::unique_ptr<FirstRankFactorization>(
-      dynamic_cast<FirstRankFactorization*>(make_factorization(first_rank_factorization()).release()));
-}
-
 void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type) {
   if (!factorization_ || matrix.get() != matrix_.get()) {
-    auto factorization = make_factorization(type);
-    factorization->remember(std::exchange(loaded_, {}));
-    factorization->analyze(matrix);
+    const FactorizationMemory memory = std::exchange(loaded_, {});
+    const auto analyzed = [&](const std::string& name) {
+      auto factorization = make_factorization(name);
+      factorization->remember(memory);
+      factorization->analyze(matrix);
+      return factorization;
+    };
+    auto factorization = analyzed(type);
+    if (!factorization->suits()) factorization = analyzed(first_rank_factorization());
     matrix_ = matrix;
     factorization_ = std::move(factorization);
   }

@@ -27,6 +27,8 @@ class Factorization {
   virtual ~Factorization() = default;
   /// Does the symbolic phase. Throws std::runtime_error if the sparsity is structurally singular.
   virtual void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) = 0;
+  /// Returns, after analyze(), whether another factorisation should not take its place. Same on all ranks.
+  virtual bool suits() const { return true; }
   /// Does the numeric phase, from the matrix's present values. Throws std::runtime_error if a pivot vanishes.
   virtual void factor() = 0;
   /// Sets x = A^-1 b for each column.
@@ -45,8 +47,8 @@ class Factorization {
 std::unique_ptr<Factorization> make_cholmod();
 
 /// Makes L D L^T of a band (band_ldl.hpp): symmetric matrices, on the first rank likewise. It orders the rows as
-/// Cuthill and McKee (1969) do. A slender body then has a narrow band, for which no other is as fast. A wide band is
-/// left to first_rank_factorization(). It reads one entry of each pair of an unsymmetric matrix: as a preconditioner,
+/// Cuthill and McKee (1969) do. A slender body then has a narrow band, for which no other is as fast. It does
+/// not suit wide bands. It reads one entry of each pair of an unsymmetric matrix: as a preconditioner,
 /// not as a solver.
 std::unique_ptr<Factorization> make_band();
 
@@ -68,7 +70,8 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type);
 class KeptFactorization {
  public:
   /// Does the numeric phase for the matrix's present values. If the matrix is another object than last time, does the
-  /// symbolic phase first, with a factorisation of that type. Throws std::runtime_error.
+  /// symbolic phase first, with a factorisation of that type, or with first_rank_factorization() if that type does not
+  /// suit the matrix. Throws std::runtime_error.
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type);
   /// Sets x = A^-1 b for each column.
   void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }

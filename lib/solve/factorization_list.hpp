@@ -16,8 +16,7 @@ class WithFactorizationList : public WithParameterList<Base> {
  protected:
   /// Renews `kept`, a factorisation of the chosen type for `matrix`, see KeptFactorization::renew().
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, KeptFactorization& kept) const {
-    const auto list = this->getParameterList();
-    kept.renew(matrix, list.is_null() ? first_rank_factorization() : list->template get<std::string>("Solver Type"));
+    kept.renew(matrix, this->list_or_defaults()->template get<std::string>("Solver Type"));
   }
 };
 

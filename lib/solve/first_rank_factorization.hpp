@@ -19,7 +19,4 @@ class FirstRankFactorization : public Factorization {
   }
 };
 
-/// Makes the one for symmetric matrices of any shape: first_rank_factorization().
-std::unique_ptr<FirstRankFactorization> make_first_rank_factorization();
-
 }  // namespace ixos

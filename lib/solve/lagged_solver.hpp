@@ -15,8 +15,8 @@ struct LaggedOptions {
   bool factorizes = false;   ///< the preconditioner is a factorisation, which serves indefinite matrices too
   bool of_matrix = true;     ///< made from a matrix; else from the operator itself, and it keeps its own state
   bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
-  /// The most iterations, if the solver is CG without special settings; else 0. Such a CG becomes collected_cg() on
-  /// several ranks if the preconditioner is a factorisation on the first.
+  /// The most iterations, if the solver is CG without special settings; else 0. Such a CG becomes collected_cg() if
+  /// the preconditioner is a factorisation on the first rank and the matrix is assembled.
   int cg_iterations = 0;
   bool spares_last = false;  ///< such a CG does not precondition its last residual, see sparing_preconditioner()
 };

@@ -39,15 +39,16 @@ bool has_narrow_band(const ProblemSize& size) {
   return size.dofs < least_kept || size.width <= (size.dimension == 2 ? 40 : 25);
 }
 
-/// Whether a band preconditions CG the fastest in 3D. With 20 x 6 x 6 linear cells (width 49) a run takes 0.7 times as
-/// long as with MUMPS in single precision, with 20 x 10 x 10 cells (width 121) twice as long.
+/// Whether a band makes the cheapest factors. In 3D it preconditions CG: with 20 x 6 x 6 linear cells (width 49) a run
+/// takes 0.7 times as long as with MUMPS in single precision, with 20 x 10 x 10 cells (width 121) twice as long.
 bool has_band(const ProblemSize& size) {
-  return size.asymmetry.empty() && factorize_on_first_rank(size) && size.dimension == 3 && size.width <= 60;
+  return has_narrow_band(size) ||
+         (size.asymmetry.empty() && factorize_on_first_rank(size) && size.dimension == 3 && size.width <= 60);
 }
 
 std::string preconditioning_factorization(const ProblemSize& size) {
   if (!size.asymmetry.empty()) return "KLU";
-  if (has_narrow_band(size) || has_band(size)) return "Band";
+  if (has_band(size)) return "Band";
   // CHOLMOD's way with indefinite matrices, the simplicial L D L^T, is slow in three dimensions.
   const bool alone = size.ranks == 1 && size.dimension == 3;
   return alone || !factorize_on_first_rank(size) ? "MUMPS Single" : first_rank_factorization();
@@ -56,7 +57,7 @@ std::string preconditioning_factorization(const ProblemSize& size) {
 /// KLU, used in builds without CHOLMOD, fills in too much in three dimensions.
 std::string direct_factorization(const ProblemSize& size) {
   if (!size.asymmetry.empty()) return "KLU";
-  if (has_narrow_band(size) || has_band(size)) return "Band";
+  if (has_band(size)) return "Band";
   return first_rank_factorization() == "KLU" && size.dimension == 3 ? "MUMPS" : first_rank_factorization();
 }
 

@@ -20,6 +20,12 @@ class WithParameterList : public Base {
   List unsetParameterList() override { return std::exchange(list_, Teuchos::null); }
   Teuchos::RCP<const Teuchos::ParameterList> getParameterList() const override { return list_; }
 
+ protected:
+  /// Returns the list, or the defaults if none was set.
+  Teuchos::RCP<const Teuchos::ParameterList> list_or_defaults() const {
+    return nonnull(list_) ? Teuchos::RCP<const Teuchos::ParameterList>(list_) : this->getValidParameters();
+  }
+
  private:
   List list_;
 };

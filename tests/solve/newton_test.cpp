@@ -34,30 +34,10 @@ class Equations final : public test::DiagonalProblem {
 
 constexpr int unknowns = Equations::unknowns;
 
-/// x = 3 as the minimum of (x - 3)^2/2, with a tangent that is too stiff.
-class StiffSprings final : public test::DiagonalProblem {
+/// Springs, one for each unknown, with a tangent of their own.
+class Springs : public test::DiagonalProblem {
  public:
-  explicit StiffSprings(double stiffness) : stiffness_(stiffness) {}
-  bool is_gradient() const override { return true; }
-  Potential potential(const Vector& x) override {
-    double mine = 0, all = 0;
-    const auto view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; i < view.extent(0); ++i) mine += (view(i, 0) - 3) * (view(i, 0) - 3) / 2;
-    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, &mine, &all);
-    return {all, all};
-  }
-
- private:
-  double value(double, double x) const override { return x - 3; }
-  double slope(double, double) const override { return stiffness_; }
-
-  double stiffness_;
-};
-
-/// Three springs each of stiffness 1 and 1/5, from forces of 1 at x = 0, with the tangent I/4. The last one has no
-/// force.
-class Ravine final : public test::DiagonalProblem {
- public:
+  explicit Springs(double tangent) : tangent_(tangent) {}
   bool is_gradient() const override { return true; }
   Potential potential(const Vector& x) override {
     double mine = 0, all = 0;
@@ -69,12 +49,31 @@ class Ravine final : public test::DiagonalProblem {
     Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, &mine, &all);
     return {all, all};
   }
-  static double stiffness(double id) { return id < 3 ? 1 : 0.2; }
-  static double load(double id) { return id < 6 ? 1 : 0; }
+  virtual double stiffness(double id) const = 0;
+  virtual double load(double id) const = 0;
 
  private:
   double value(double id, double x) const override { return stiffness(id) * x - load(id); }
-  double slope(double, double) const override { return 0.25; }
+  double slope(double, double) const override { return tangent_; }
+
+  double tangent_;
+};
+
+/// x = 3 as the minimum of (x - 3)^2/2, with a tangent that is too stiff.
+class StiffSprings final : public Springs {
+ public:
+  using Springs::Springs;
+  double stiffness(double) const override { return 1; }
+  double load(double) const override { return 3; }
+};
+
+/// Three springs each of stiffness 1 and 1/5, from forces of 1 at x = 0, with the tangent I/4. The last one has no
+/// force.
+class Ravine final : public Springs {
+ public:
+  Ravine() : Springs(0.25) {}
+  double stiffness(double id) const override { return id < 3 ? 1 : 0.2; }
+  double load(double id) const override { return id < 6 ? 1 : 0; }
 };
 
 struct Ending {
@@ -194,7 +193,7 @@ TEST(NewtonTest, TwoStepsInARavineLeadToItsEnd) {
   EXPECT_TRUE(ending.result.converged) << ending.result.reason;
   EXPECT_EQ(ending.result.iterations, 2);
   for (int i = 0; i < unknowns; ++i)
-    EXPECT_NEAR(ending.x[static_cast<std::size_t>(i)], Ravine::load(i) / Ravine::stiffness(i), 1e-10);
+    EXPECT_NEAR(ending.x[static_cast<std::size_t>(i)], ravine.load(i) / ravine.stiffness(i), 1e-10);
 }
 
 // Full steps for arctan x = 0 diverge from 3 on: the first one leads to 3 - 10 arctan 3 = -9.49. NOX's line searches

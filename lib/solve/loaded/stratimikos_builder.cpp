@@ -10,13 +10,13 @@
 #include "solve/direct_preconditioner.hpp"
 #include "solve/direct_solver.hpp"
 #include "solve/loaded/two_level_preconditioner.hpp"
+#include "solve/operator_preconditioner.hpp"
 #include "solve/thyra.hpp"
 
 namespace ixos {
 namespace {
 
 using SolverFactory = Thyra::LinearOpWithSolveFactoryBase<double>;
-using AnyPreconditionerFactory = Thyra::PreconditionerFactoryBase<double>;
 
 class StratimikosBuilder final : public SolverBuilder {
  public:
@@ -31,14 +31,14 @@ class StratimikosBuilder final : public SolverBuilder {
   }
 
   Teuchos::RCP<SolverFactory> solver() const override { return builder_.createLinearSolveStrategy(""); }
-  Teuchos::RCP<AnyPreconditionerFactory> preconditioner() const override {
+  Teuchos::RCP<PreconditionerFactory> preconditioner() const override {
     return builder_.createPreconditioningStrategy("");
   }
 
  private:
   template <class Factory>
   void add(const char* name) {
-    builder_.setPreconditioningStrategyFactory(Teuchos::abstractFactoryStd<AnyPreconditionerFactory, Factory>(), name);
+    builder_.setPreconditioningStrategyFactory(Teuchos::abstractFactoryStd<PreconditionerFactory, Factory>(), name);
   }
 
   Stratimikos::DefaultLinearSolverBuilder builder_;

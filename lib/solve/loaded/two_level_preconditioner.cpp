@@ -147,7 +147,7 @@ Teuchos::RCP<TwoLevelPreconditionerFactory::Preconditioner> TwoLevelPrecondition
 void TwoLevelPreconditionerFactory::initializePrec(const Teuchos::RCP<const Source>& source,
                                                    Preconditioner* preconditioner,
                                                    const Thyra::ESupportSolveUse) const {
-  const auto list = nonnull(getParameterList()) ? getParameterList() : getValidParameters();
+  const auto list = list_or_defaults();
   unwrapped<TwoLevel>(*preconditioner).initialize(source->getOp(), *list);
 }
 
