@@ -14,7 +14,7 @@ namespace ixos {
 using Pack = std::experimental::native_simd<double>;
 inline constexpr int pack_width = static_cast<int>(Pack::size());
 
-/// A pack's lanes in single precision: half the memory, for stored data. Arithmetic is done on packs.
+/// A pack's lanes in single precision: half the memory, for stored data and for products in preconditioners.
 using NarrowPack = std::experimental::rebind_simd_t<float, Pack>;
 
 /// Converts to and from the type in which a scalar or pack is stored.
@@ -27,10 +27,23 @@ Kept narrow(const T& x) {
 }
 template <class T, class Kept>
 [[gnu::always_inline]] inline T widen(const Kept& x) {
-  if constexpr (std::is_same_v<Kept, NarrowPack>)
+  if constexpr (std::is_same_v<T, Kept>)
+    return x;
+  else if constexpr (std::is_same_v<Kept, NarrowPack>)
     return std::experimental::static_simd_cast<Pack>(x);
   else
     return static_cast<T>(x);
+}
+
+/// Products with the numbers of kernels, rounded to single precision. Templates, so that nothing is converted to the
+/// type of lanes in single precision.
+template <class P, std::enable_if_t<std::is_same_v<P, NarrowPack>, int> = 0>
+[[gnu::always_inline]] inline P operator*(double a, const P& b) {
+  return P(static_cast<float>(a)) * b;
+}
+template <class P, std::enable_if_t<std::is_same_v<P, NarrowPack>, int> = 0>
+[[gnu::always_inline]] inline P operator*(const P& a, double b) {
+  return a * P(static_cast<float>(b));
 }
 
 /// Returns `yes` in the lanes that meet the condition, `no` in the others. Both are evaluated.

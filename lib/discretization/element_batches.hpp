@@ -62,6 +62,23 @@ class ElementBatches {
     scale(batch, values);
   }
 
+  /// Gathers the values less those of the first node, `first`, in single precision: the rounding errors are then
+  /// relative to the differences in a cell, however large its displacement is.
+  void gather_differences(std::size_t batch, const double* local, Small<NarrowPack, N, D>& values,
+                          std::array<NarrowPack, D>& first) const {
+    const Dofs& dof = dofs_[batch];
+    for (std::size_t d = 0; d < D; ++d) {
+      const auto component = [&](std::size_t a) {
+        return Pack([&](auto lane) { return local[static_cast<std::size_t>(dof[a][lane]) + d]; });
+      };
+      const Pack origin = component(0);
+      first[d] = narrow<NarrowPack>(origin);
+      for (std::size_t a = 0; a < N; ++a) values[a][d] = narrow<NarrowPack>(component(a) - origin);
+    }
+  }
+
+  /// Returns whether nodes have factors other than 1.
+  bool scaled() const { return !scale_.empty(); }
   /// Returns the factor of a node's shape function in that cell.
   double scale(std::size_t batch, std::size_t node, std::size_t lane) const {
     return scale_.empty() ? 1.0 : scale_[batch][node][lane];

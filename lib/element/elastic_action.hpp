@@ -40,7 +40,8 @@ struct ElasticLayout {
 /// point_size().
 /// The data may be kept in single precision, because the speed of the product is limited by memory. The product is then
 /// that of a tangent with errors of 1e-7 in its entries. That tangent is still symmetric, and a rotation still
-/// costs no energy in it, as h + h^T is summed in double precision. The type of `data` selects the precision.
+/// costs no energy in it, as h + h^T is summed in double precision. The type of `data` selects the precision. With T in
+/// single precision, too, a rotation costs 1e-7 of the energy of a strain of its size.
 template <class Element, class Material>
 struct ElasticAction {
   using Kernel = ElasticKernel<Element, Material>;
@@ -145,6 +146,7 @@ struct ElasticAction {
     Small<T, D>* gradients = scratch.gradients.data();
     std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
     PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
+    if constexpr (HasMass) scratch.complete_values();
     const std::size_t point_size = layout.point_size();
     for (std::size_t q = 0; q < table.size(); ++q, data += point_size) {
       if constexpr (D == 3) prefetch(data + table.size() * point_size, point_size);
@@ -186,7 +188,7 @@ struct ElasticAction {
       }
     T trace = h[0][0];
     for (std::size_t d = 1; d < D; ++d) trace += h[d][d];
-    trace *= lambda;
+    trace = lambda * trace;
     for (std::size_t i = 0; i < D; ++i) {
       s[i][i] = (c + c) * h[i][i] + trace;
       for (std::size_t j = i + 1; j < D; ++j) s[i][j] = s[j][i] = c * (h[i][j] + h[j][i]);

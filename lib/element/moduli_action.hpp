@@ -128,6 +128,7 @@ struct ModuliAction {
     Small<T, D>* gradients = scratch.gradients.data();
     std::array<T, D>* values = HasMass ? scratch.values.data() : nullptr;
     PointGradients<Element>::template evaluate<HasMass>(table, u, gradients, values);
+    if constexpr (HasMass) scratch.complete_values();
     constexpr std::size_t point_size = moduli_size + (HasMass ? 1 : 0);
     for (std::size_t q = 0; q < table.size(); ++q) {
       if constexpr (D == 3) prefetch(data + table.size() * point_size, point_size);
@@ -149,7 +150,7 @@ struct ModuliAction {
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t d = 0; d < D; ++d) {
         x[i * D + d] = gradient[i][d];
-        y[i * D + d] = T(0.0);
+        y[i * D + d] = T(0);
       }
     add_rows<0>(data, x, y);
     for (std::size_t i = 0; i < D; ++i)

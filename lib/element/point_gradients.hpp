@@ -2,8 +2,10 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
+#include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "element/tensor_gradients.hpp"
 #include "fem/quadratic_elements.hpp"
@@ -50,8 +52,18 @@ struct TabulatedGradients {
 template <std::size_t D, class T>
 struct PointScratch {
   explicit PointScratch(std::size_t points) : gradients(points), values(points) {}
+
+  /// In single precision nodal values are differences from those of a node, `origin` (see
+  /// ElementBatches::gather_differences()): adds them to the values at the points.
+  void complete_values() {
+    if constexpr (std::is_same_v<T, NarrowPack>)
+      for (auto& value : values)
+        for (std::size_t i = 0; i < D; ++i) value[i] += origin[i];
+  }
+
   std::vector<Small<T, D>> gradients;
   std::vector<std::array<T, D>> values;
+  std::array<T, D> origin{};
 };
 
 /// Prefetches `count` entries. Products read the data kept at the points between evaluate() and integrate(), which take

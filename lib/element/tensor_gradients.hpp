@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/ties.hpp"
@@ -97,7 +98,7 @@ struct TensorGradients {
   static void integrate(const Small<T, D>* stresses, const std::array<T, D>* values, Small<T, N, D>& f) {
     for (std::size_t i = 0; i < D; ++i) {
       std::array<T, N> v;
-      for (std::size_t q = 0; q < N; ++q) v[q] = WithValues ? values[q][i] : T(0.0);
+      for (std::size_t q = 0; q < N; ++q) v[q] = WithValues ? values[q][i] : T(0);
       collect<0>(stresses, i, v);
       for_each_other_direction([&](auto direction) { collect<direction>(stresses, i, v); });
       for_each_other_direction([&](auto direction) {

@@ -9,6 +9,7 @@
 
 #include "solve/band_ldl.hpp"
 #include "solve/first_rank_factorization.hpp"
+#include "solve/selected_entries.hpp"
 
 namespace ixos {
 namespace {
@@ -50,18 +51,14 @@ class Band final : public FirstRankFactorization {
     }
     fit_ = static_cast<Fit>(matrix_->agreed(static_cast<int>(fit_)));
     if (fit_ == Fit::NoMemory) throw std::bad_alloc();
+    if (fit_ == Fit::Narrow) lower_.share(*matrix_);
   }
   bool suits() const override { return fit_ == Fit::Narrow; }
 
   void factor() override {
-    matrix_->refresh();
-    bool done = true;
-    if (matrix_->root()) {
-      ldl_.clear();
-      const double* values = matrix_->values();
-      for (std::size_t k = 0; k < place_.size(); ++k) ldl_.entries()[place_[k]] = values[from_[k]];
-      done = ldl_.factor();
-    }
+    if (matrix_->root()) ldl_.clear();
+    lower_.copy(ldl_.entries());
+    const bool done = !matrix_->root() || ldl_.factor();
     if (matrix_->agreed(done ? 0 : 1) != 0)
       throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
   }
@@ -91,15 +88,19 @@ class Band final : public FirstRankFactorization {
     });
     if (BandLdl::operations(last) > wide * wide * matrix_->size()) return Fit::Wide;
     ldl_ = BandLdl(last);
-    place_.clear();
-    from_.clear();
-    for_each_entry([&](int k, int i, int j) {
-      from_.push_back(k);
-      place_.push_back(ldl_.place(i, j));
-    });
+    select_lower_triangle();
     solution_.resize(order_.size());
     permuted_.resize(ldl_.padded_size());
     return Fit::Narrow;
+  }
+  void select_lower_triangle() {
+    std::vector<int> entries;
+    std::vector<std::size_t> places;
+    for_each_entry([&](int k, int i, int j) {
+      entries.push_back(k);
+      places.push_back(ldl_.place(i, j));
+    });
+    lower_.select(*matrix_, entries, places);
   }
   /// Calls f(k, i, j) with the index of each entry of the lower triangle and its place, i >= j, in the new order.
   template <class F>
@@ -115,8 +116,7 @@ class Band final : public FirstRankFactorization {
   std::unique_ptr<CollectedMatrix> matrix_;
   std::vector<int> order_;  ///< place of each row in the band
   BandLdl ldl_;
-  std::vector<int> from_;           ///< indices of the entries of the lower triangle
-  std::vector<std::size_t> place_;  ///< and where they belong
+  SelectedEntries lower_;  ///< the lower triangle in that order
   std::vector<double> permuted_, solution_;
   FactorizationMemory memory_;
   Fit fit_ = Fit::Narrow;

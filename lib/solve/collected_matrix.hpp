@@ -21,9 +21,10 @@ class CollectedMatrix {
 
   /// Collects the present values.
   void refresh();
-  bool root() const { return rank_ == 0; }                   ///< Not collective.
-  bool single() const { return size_ == 1; }                 ///< Returns whether there is one rank. Not collective.
-  const CrsMatrix* source() const { return matrix_.get(); }  ///< Not collective.
+  bool root() const { return rank_ == 0; }    ///< Not collective.
+  bool single() const { return size_ == 1; }  ///< Returns whether there is one rank. Not collective.
+  const Teuchos::RCP<const CrsMatrix>& source() const { return matrix_; }  ///< Not collective.
+  MPI_Comm comm() const { return comm_; }                                  ///< Not collective.
 
   // The following are valid on the first rank, and not collective: compressed rows, columns sorted. The arrays belong
   // to this object or to the matrix; sequential libraries take them without const.
@@ -32,6 +33,11 @@ class CollectedMatrix {
   int* starts() { return starts_.data(); }
   int* columns() { return single() ? local_columns_ : columns_.data(); }
   double* values() { return single() ? local_values_ : values_.data(); }
+
+  /// Returns the place of one of the values in the sequence of all ranks' local values, one rank after the other.
+  int arrival(int entry) const { return single() ? entry : place_[static_cast<std::size_t>(entry)]; }
+  /// Returns where each rank's local values begin in that sequence. Valid on all ranks.
+  const std::vector<int>& entry_begins() const { return entry_counts_.start; }
 
   /// Return the first rank's status, or numbers, on all ranks.
   int agreed(int status) const;

@@ -9,7 +9,7 @@ namespace ixos {
 /// message, see collected_cg().
 class FirstRankFactorization : public Factorization {
  public:
-  /// Returns the matrix. factor() gives it the values of the time; until the next factor(), others may refresh it.
+  /// Returns the matrix. It has no values before the first refresh().
   virtual CollectedMatrix& collected() = 0;
   /// Returns A^-1 b, which is valid until the next call. On the first rank only.
   virtual const double* solve_collected(const double* b) = 0;

@@ -123,7 +123,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
 
   void renew() const {
     const TimedScope timed(Phase::Factorization);
-    stale_ = true;  // should this throw
+    stale_ = true;       // should this throw
+    collected_ = false;  // a new factorisation may have a new copy
     preconditioner_.renew(source_);
     attach(preconditioner_.get());
     stale_ = false;
@@ -240,7 +241,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     FirstRankFactorization* const result = inverse.is_null() ? nullptr : inverse->on_first_rank();
     if (result == nullptr) return nullptr;
     const auto matrix = Teuchos::rcp_dynamic_cast<const CrsMatrix>(Extract::getConstTpetraOperator(source_->getOp()));
-    return matrix.get() == result->collected().source() ? result : nullptr;
+    return matrix == result->collected().source() ? result : nullptr;
   }
   Status solved_on_first_rank(FirstRankFactorization& inverse, const Thyra::MultiVectorBase<double>& b,
                               const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x, double tolerance) const {

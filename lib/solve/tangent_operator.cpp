@@ -48,7 +48,11 @@ void TangentOperator::linearize(const TangentPoint& point) {
 void TangentOperator::multiply(const double* x) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   std::fill(result_.begin(), result_.end(), 0.0);
-  for (const auto& action : elastic_) action->add_product(x, result_.data());
+  for (const auto& action : elastic_)
+    if (precision_ == Precision::Single)
+      action->add_rough_product(x, result_.data());
+    else
+      action->add_product(x, result_.data());
   for (const auto& action : interactions_) action->add_product(x, result_.data());
   if (!mass_in_elastic_) add_mass(x);
   if (shift_ != 0)

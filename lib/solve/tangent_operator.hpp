@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/model.hpp"
@@ -44,6 +45,7 @@ class TangentOperator : public AssemblableOperator, public CoarsenableOperator {
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
              double beta = 0) const override;
   bool hasTransposeApply() const override { return true; }
+  Precision set_precision(Precision precision) const override { return std::exchange(precision_, precision); }
   Teuchos::RCP<CrsMatrix> matrix() const override;
   void diagonal(Vector& result) const override;
   void forget_values() const override { assembled_ = false; }
@@ -66,6 +68,7 @@ class TangentOperator : public AssemblableOperator, public CoarsenableOperator {
   mutable std::vector<double> x_, result_, part_;  ///< scratch, local
   mutable Teuchos::RCP<CrsMatrix> matrix_;
   mutable bool assembled_ = false;
+  mutable Precision precision_ = Precision::Double;
   mutable std::unique_ptr<CoarseSpace> coarse_space_;  ///< made at the first use
 };
 

@@ -31,6 +31,16 @@ class KeptAction : public TangentAction {
     }
   }
 
+  /// Nodal values are differences in a cell, so the shape functions must have the sum 1. Enriched cells may have
+  /// others.
+  void add_rough_product(const double* x, double* y) const override {
+    using Shape = typename Kernel::Shape;
+    if constexpr (is_linear_element<Shape> || std::is_same_v<Shape, Quad9> || std::is_same_v<Shape, Hex27>) {
+      if (!cells_.batches.scaled()) return add_single_product(x, y);
+    }
+    add_product(x, y);
+  }
+
   void add_diagonal(double* d) const override {
     for (std::size_t b = 0; b < cells_.size(); ++b) {
       Nodal diagonal{};
@@ -79,6 +89,19 @@ class KeptAction : public TangentAction {
   }
 
  private:
+  void add_single_product(const double* x, double* y) const {
+    typename Kept::template Scratch<NarrowPack> scratch(cells_.table.size());
+    for (std::size_t b = 0; b < cells_.size(); ++b) {
+      Small<NarrowPack, Kernel::N, Kernel::D> u, f{};
+      cells_.batches.gather_differences(b, x, u, scratch.origin);
+      Kept::add_product(cells_.table, layout_, &data_[b * size_], u, scratch, f);
+      Nodal force;
+      for (std::size_t a = 0; a < f.size(); ++a)
+        for (std::size_t i = 0; i < f[a].size(); ++i) force[a][i] = widen<Pack>(f[a][i]);
+      cells_.batches.scatter_force(b, force, y);
+    }
+  }
+
   /// Adds S^T k S of each cell, column by column.
   void add_to_parents(const CoarseSpace& coarse, double* values) const {
     constexpr std::size_t N = Kernel::N, D = Kernel::D;

@@ -2,7 +2,10 @@
 """The fastest settings of two checkouts for errors of 1, 0.3 and 0.1 per cent of the pull-off force of the strip or of
 the stiff spatula, over a grid of meshes, cells, contact elements and steps.
 
-usage: fastest_settings.py strip|spatula OLD NEW FOLDER     (OLD and NEW: checkouts with build/release)
+usage: fastest_settings.py strip|spatula OLD NEW FOLDER [PATTERN]
+
+OLD and NEW are checkouts with build/release. PATTERN, a regular expression, selects settings by name: the lines of
+single runs have the names, the step behind them.
 
 The error is the rms error of the force in a window, against fine quadratic cells, which NEW computes once (FOLDER keeps
 them). The error of a setting is the largest at its step and all smaller ones. Runs come one at a time, OLD and NEW in
@@ -15,6 +18,7 @@ import itertools
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import time
@@ -39,13 +43,15 @@ class Strip:
     @staticmethod
     def settings():
         """Yields name, settings and whether OLD serves them."""
-        for mesh in ("80 x 4", "160 x 4", "160 x 8", "320 x 4", "320 x 8", "320 x 16"):
+        for mesh in ("80 x 4", "160 x 4", "160 x 8", "240 x 4", "240 x 6", "240 x 8", "320 x 4", "320 x 6", "320 x 8",
+                     "320 x 16"):
             for contact, formulation in itertools.product(("Q1C1", "Q1C2", "Q1C4"), ("Standard", "Enhanced")):
                 yield (f"{formulation}, {contact}, {mesh}",
                        ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}",
                         f"Interactions/Wall/Contact Element={contact}",
                         f"Materials/Strip/Element Formulation={formulation}"], True)
-        for mesh in ("80 x 1", "80 x 2", "160 x 1", "160 x 2", "320 x 1", "320 x 2", "320 x 4"):
+        for mesh in ("80 x 1", "80 x 2", "160 x 1", "160 x 2", "160 x 3", "180 x 3", "200 x 3", "320 x 1", "320 x 2",
+                     "320 x 4"):
             yield f"quadratic, {mesh}", QUADRATIC + ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}"], False
 
 
@@ -120,16 +126,21 @@ def measure(problem, checkout, settings, scheme, folder):
 
 
 def main():
-    if len(sys.argv) != 5 or sys.argv[1] not in ("strip", "spatula"):
+    if len(sys.argv) not in (5, 6) or sys.argv[1] not in ("strip", "spatula"):
         sys.exit(__doc__)
     problem, folder = {"strip": Strip, "spatula": Spatula}[sys.argv[1]], sys.argv[4]
+    pattern = re.compile(sys.argv[5] if len(sys.argv) == 6 else "")
     checkouts = {"old": sys.argv[2], "new": sys.argv[3]}
     summary = pathlib.Path(folder, "reference/summary.json")
     whole = summary.exists() and json.loads(summary.read_text())["status"] == "completed"
     if not whole and run(problem, checkouts["new"], problem.reference, f"{folder}/reference") is None:
         sys.exit("the reference does not complete")
+    if not any(pattern.search(name) for name, _, _ in problem.settings()):
+        sys.exit(f"no setting's name has \"{pattern.pattern}\"")
     runs = []
     for scheme, (name, settings, both) in itertools.product(problem.steps, problem.settings()):
+        if not pattern.search(name):
+            continue
         for which in ("old", "new") if both else ("new",):
             runs += [(seconds, worst, which, scheme, f"{name}, dt = {step}") for step, seconds, worst in
                      measure(problem, checkouts[which], settings, scheme, folder)]

@@ -1,8 +1,8 @@
-// W x of a distorted block's tangent with mass, as a matrix, matrix-free, matrix-free with stiffness damping and with
-// four points in time, in turns, and the exchange of ghosts alone, which is in all of them: what overlap with work
-// could hide at most; on as many ranks as it is started on: product_times [divisions] [rounds]. Least and median time,
-// degrees of freedom in the least time, and how many times faster than the matrix. First for linear cells, then for
-// quadratic ones with the same nodes.
+// W x of a distorted block's tangent with mass, as a matrix, matrix-free in double and in single precision, matrix-free
+// with stiffness damping and with four points in time, in turns, and the exchange of ghosts alone, which is in all of
+// them: what overlap with work could hide at most; on as many ranks as it is started on: product_times [divisions]
+// [rounds]. Least and median time, degrees of freedom in the least time, and how many times faster than the matrix.
+// First for linear cells, then for quadratic ones with the same nodes.
 #include <fmt/format.h>
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -21,6 +21,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
+#include "solve/single_products.hpp"
 #include "solve/tangent_operator.hpp"
 
 namespace {
@@ -88,8 +89,13 @@ void measure(const ixos::Comm& comm, int divisions, int rounds, int order) {
     std::function<void()> apply;
     std::vector<double> seconds;
   };
-  std::array<Way, 5> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
+  const auto single = [&] {
+    const ixos::SingleProducts precision(plain.tangent());
+    plain.tangent().apply(in, out);
+  };
+  std::array<Way, 6> ways{{{"matrix", [&] { matrix->apply(in, out); }, {}},
                            {"matrix-free", [&] { plain.tangent().apply(in, out); }, {}},
+                           {"matrix-free, single precision", single, {}},
                            {"matrix-free, stiffness damping", [&] { damped.tangent().apply(in, out); }, {}},
                            {"matrix-free, four points in time", [&] { mean.tangent().apply(in, out); }, {}},
                            {"ghosts alone", [&] { plain.space().import(in, local.data()); }, {}}}};

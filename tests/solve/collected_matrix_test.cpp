@@ -6,9 +6,12 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
+#include <cstddef>
 #include <limits>
 #include <set>
+#include <vector>
 
+#include "solve/selected_entries.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -71,6 +74,32 @@ TEST(CollectedMatrixTest, RefreshCollectsThePresentValues) {
     for (std::size_t k = 0; k < values.extent(0); ++k) values(k) *= -2;
     whole.refresh();
     expect_whole(whole, n, -2);
+  }
+}
+
+TEST(CollectedMatrixTest, SelectedEntriesComeInTheOrderAskedFor) {
+  for (int n : sizes) {
+    const auto matrix = cyclic(n);
+    CollectedMatrix whole(matrix);
+    whole.refresh();
+    std::vector<int> entries;
+    std::vector<std::size_t> targets;
+    std::vector<double> expected(static_cast<std::size_t>(whole.root() ? 2 * whole.entries() : 0), 5.0),
+        found(expected);
+    if (whole.root())
+      for (int k = whole.entries() - 1; k >= 0; --k) {  // backwards, without each third
+        if (k % 3 == 1) continue;
+        entries.push_back(k);
+        targets.push_back(static_cast<std::size_t>((7 * k) % whole.entries() * 2));
+        expected[targets.back()] = -2 * whole.values()[k];
+      }
+    SelectedEntries some;
+    if (whole.root()) some.select(whole, entries, targets);
+    some.share(whole);
+    const auto values = matrix->getLocalMatrixHost().values;
+    for (std::size_t k = 0; k < values.extent(0); ++k) values(k) *= -2;
+    some.copy(found.data());
+    EXPECT_EQ(found, expected);
   }
 }
 

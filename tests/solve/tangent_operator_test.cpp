@@ -7,9 +7,14 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "base/error.hpp"
 #include "scene/simulation.hpp"
+#include "solve/chebyshev_polynomial.hpp"
+#include "solve/semi_discrete_tangent.hpp"
+#include "solve/single_products.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
 #include "support/scene_text.hpp"
@@ -124,6 +129,11 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
       w->apply(direction, product);
       free_w->apply(direction, free_product);
       EXPECT_LT(distance(free_product, product), bound) << scheme << ", level " << level;
+      {
+        const SingleProducts precision(dynamic_cast<const Operator&>(*free_w));
+        free_w->apply(direction, free_product);
+        EXPECT_LT(distance(free_product, product), bound) << scheme << ", level " << level;
+      }
       product.update(2.0, direction, 1.0);
       free_product.assign(direction);
       free_w->apply(direction, free_product, Teuchos::NO_TRANS, 1.0, 2.0);
@@ -136,6 +146,77 @@ TEST_P(TangentOperatorTest, IsTheAssembledTangentOfEveryScheme) {
       EXPECT_LT(distance(free_product, product), 1e-14) << scheme << ", level " << level;
     }
   }
+}
+
+// Errors of single precision are relative to the differences in a cell: a translation by 1e4 adds none to the
+// stiffness, and its mass is exact to single precision.
+TEST(SinglePrecisionTest, SeesNothingOfATranslation) {
+  for (const auto& [dimension, order, law] :
+       std::vector<std::tuple<int, int, const char*>>{{2, 1, "Neo-Hooke"},
+                                                      {2, 2, "Neo-Hooke"},
+                                                      {3, 1, "Neo-Hooke"},
+                                                      {3, 2, "Neo-Hooke"},
+                                                      {3, 1, "Saint Venant-Kirchhoff"}}) {
+    const std::vector<double> lengths(static_cast<std::size_t>(dimension), 2.0);
+    const std::vector<int> divisions(static_cast<std::size_t>(dimension), 3);
+    Simulation s(test::scene(test::list("Mesh", test::word("Type", "Box") + test::count("Cell Order", order) +
+                                                    test::list("Box", test::count("Dimension", dimension) +
+                                                                          test::numbers("Lengths", lengths) +
+                                                                          test::counts("Divisions", divisions))) +
+                             test::list("Materials",
+                                        test::list("Body", test::word("Model", law) + test::number("Density", 0.7))) +
+                             test::time_integrator("Newmark", 0.1, 1)),
+                 world());
+    const Model& model = s.model();
+    SemiDiscreteOperator w(model);
+    const std::vector<double> bend = wave(model, 1, 7);
+    std::vector<double> moved(bend);
+    for (double& x : moved) x += 1e4;
+    const Vector still = owned(model, bend), far = owned(model, moved);
+    Vector exact(still.getMap()), rough(still.getMap());
+    for (const TangentWeights& weights : {TangentWeights{0, 0, 1}, TangentWeights{2, 0, 1e-9}}) {
+      w.linearize(weights, wave(model, 0.02, 1), 0);
+      w.apply(weights.mass == 0 ? still : far, exact);
+      const SingleProducts precision(w);
+      w.apply(far, rough);
+      EXPECT_LT(distance(rough, exact), single) << dimension << order << law;
+      EXPECT_GT(distance(rough, exact), 0) << dimension << order << law;
+    }
+    w.apply(far, rough);
+    EXPECT_EQ(distance(rough, exact), 0) << "in double precision again";
+  }
+}
+
+/// Keeps the precisions that were asked for.
+struct WatchedOperator : TangentOperator {
+  explicit WatchedOperator(const Model& model) : TangentOperator(model, [](double*) {}) {}
+  Precision set_precision(Precision precision) const override {
+    asked.push_back(precision);
+    return TangentOperator::set_precision(precision);
+  }
+  mutable std::vector<Precision> asked;
+};
+
+TEST(SinglePrecisionTest, ChebyshevsPolynomialAsksForItAndReturnsToWhatItFound) {
+  Simulation s(test::scene(block(2, "Q1C1", "Neo-Hooke") + test::time_integrator("Newmark", 0.1, 1)), world());
+  const Model& model = s.model();
+  const auto w = Teuchos::rcp(new WatchedOperator(model));
+  const std::vector<double> u = wave(model, 0.02, 1);
+  const Rule rule = end_rule();
+  TangentPoint point;
+  point.elastic = point.interaction = Segment{nullptr, nullptr, u.data()};
+  point.elastic_rule = point.interaction_rule = &rule;
+  point.mass = 2;
+  w->linearize(point);
+  ChebyshevPolynomial polynomial;
+  polynomial.initialize(w, {});
+  EXPECT_TRUE(w->asked.empty()) << "the spectrum is estimated in double precision";
+  const Vector b = owned(model, wave(model, 1, 7));
+  polynomial(b);
+  EXPECT_EQ(w->asked, (std::vector<Precision>{Precision::Single, Precision::Double}));
+  const SingleProducts outer(*w);
+  polynomial(b);
+  EXPECT_EQ(w->set_precision(Precision::Double), Precision::Single);
 }
 
 void expect_scales(const std::string& body) {
