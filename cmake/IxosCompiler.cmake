@@ -1,7 +1,7 @@
 # Compiler launcher, linker, warnings, instruction set and sanitizers, as one interface target: ixos_options.
 find_program(IXOS_CCACHE ccache)
 if(IXOS_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # So it serves sources with a precompiled header: ccache(1), "Precompiled headers".
+  # This setting lets it serve sources with a precompiled header. See ccache(1), "Precompiled headers".
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${IXOS_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${IXOS_CCACHE})
 endif()

@@ -48,8 +48,8 @@ class TangentAction {
   virtual bool applies_mass() const { return false; }
   /// Adds K x to y.
   virtual void add_product(const double* x, double* y) const = 0;
-  /// Does the same in single precision where that is faster: with errors near 1e-7 of the forces that the differences of
-  /// x in a cell exert.
+  /// May do the same in single precision. Errors are then near 1e-7 of the forces that the differences of x in a cell
+  /// exert.
   virtual void add_rough_product(const double* x, double* y) const { add_product(x, y); }
   /// Adds the diagonal of K to d, without that of a mass.
   virtual void add_diagonal(double* d) const = 0;

@@ -50,8 +50,8 @@ class Strip:
                        ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}",
                         f"Interactions/Wall/Contact Element={contact}",
                         f"Materials/Strip/Element Formulation={formulation}"], True)
-        for mesh in ("80 x 1", "80 x 2", "160 x 1", "160 x 2", "160 x 3", "180 x 3", "200 x 3", "320 x 1", "320 x 2",
-                     "320 x 4"):
+        for mesh in ("80 x 1", "80 x 2", "100 x 2", "120 x 2", "160 x 1", "160 x 2", "160 x 3", "180 x 3", "200 x 3",
+                     "320 x 1", "320 x 2", "320 x 4"):
             yield f"quadratic, {mesh}", QUADRATIC + ["Mesh/Box/Divisions={" + mesh.replace(" x", ",") + "}"], False
 
 

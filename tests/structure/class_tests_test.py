@@ -22,6 +22,7 @@ CLASS_TEMPLATE = re.compile(r"^template\s*<[^;{]*>\s*(class|struct)\s+\w+[^;{()]
 # By header: the test, as a path below tests, and what that test shows of the header.
 elsewhere = {
     "solve/first_rank_factorization.hpp": ("solve/direct_solver_test.cpp", "all of its kinds solve"),
+    "solve/single_products.hpp": ("solve/tangent_operator_test.cpp", "products in both precisions"),
     "solve/selected_entries.hpp": ("solve/collected_matrix_test.cpp", "some entries, in another order"),
     "solve/loaded/mumps_factorization.hpp": ("solve/solver_library_test.cpp", "both precisions"),
     "solve/loaded/stratimikos_builder.hpp": ("solve/solver_library_test.cpp", "lists, and one that it refuses"),

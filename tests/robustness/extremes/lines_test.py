@@ -20,9 +20,7 @@ import ranks
 import scaling
 import step
 import strain
-from runs import EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
-
-CONSERVING = ("Average Vector Field", "Energy-Momentum")
+from runs import CONSERVING, EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
 
 
 class LinesTest(unittest.TestCase):
