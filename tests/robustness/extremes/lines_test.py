@@ -20,7 +20,9 @@ import ranks
 import scaling
 import step
 import strain
-from runs import CONSERVING, EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
+from runs import EQUILIBRIUM, R0, ROOT, Runner, box, energy_scale, steps, wall
+
+CONSERVING = ("Average Vector Field", "Energy-Momentum")
 
 
 class LinesTest(unittest.TestCase):

@@ -20,7 +20,6 @@ from results import Run  # noqa: E402 (after the path)
 STEPS = "Time Integrator/Time Step Control/"
 SCHEMES = ["Newmark", "Generalized-Alpha", "HHT-Alpha", "Bathe Composite", "Gautam-Sauer Composite", "Midpoint",
            "Average Vector Field", "Energy-Momentum", "Central Difference"]
-CONSERVING = ("Average Vector Field", "Energy-Momentum")  # the energy, to the tolerance of Newton's method
 R0 = 0.4  # 1/Gamma L of the default interaction
 EQUILIBRIUM = 15 ** (-1 / 6) * R0
 
