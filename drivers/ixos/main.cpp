@@ -79,6 +79,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   }
   ixos::Simulation simulation(scene.list, comm, scene.folder);
   ixos::named_quantities(simulation);  // refuses those that the run does not have
+  if (!arguments.restart.empty()) simulation.resumes();
   if (speaks) ixos::introduce(simulation);
   if (speaks) ixos::warn(simulation.warnings());
   if (arguments.explain) {

@@ -124,6 +124,7 @@ void Run::begin_files() {
 }
 
 void Run::go_on() {
+  simulation_.resumes();
   Restart restart(simulation_, options_.restart);
   restart.load([this](Record& record) { transfer(record); });
   ++result_.restarts;

@@ -42,7 +42,9 @@ void RunMeasures::step(long steps) {
 }
 
 void RunMeasures::row(const History& history) {
-  contact_.row(simulation_.integrator().time(), history.contact_measure(), history.forces());
+  const Integrator& integrator = simulation_.integrator();
+  contact_.row(integrator.time(), history.contact_measure(), history.forces());
+  if (is_static(integrator.table())) jumps_.row(integrator.time(), history.balance(), integrator.external_work());
 }
 
 RunFacts RunMeasures::finish(const History& history) {
@@ -60,6 +62,7 @@ RunFacts RunMeasures::finish(const History& history) {
   facts.largest_measure = contact_.largest_measure();
   facts.face_measure = face_measure_;
   facts.ripple = contact_.ripple();
+  facts.jump = jumps_.largest();
   return facts;
 }
 
@@ -67,6 +70,7 @@ void RunMeasures::transfer(Record& record) {
   const Record::Section section(record, "run measures");
   strains_.transfer(record);
   contact_.transfer(record);
+  if (is_static(simulation_.integrator().table()) && record.has_section("jump watch")) jumps_.transfer(record);
   record.number("crossings", crossings_);
   record.number("deepest", deepest_);
 }

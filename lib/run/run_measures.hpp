@@ -2,6 +2,7 @@
 #pragma once
 #include "run/contact_watch.hpp"
 #include "run/history.hpp"
+#include "run/jump_watch.hpp"
 #include "run/run_warnings.hpp"
 #include "run/strain_watch.hpp"
 
@@ -30,6 +31,7 @@ class RunMeasures {
   const Simulation& simulation_;
   StrainWatch strains_;
   ContactWatch contact_;
+  JumpWatch jumps_;   ///< takes part in quasi-static runs
   long interval_;     ///< steps between looks at cells, which so cost less than 1 % of the run
   double scale_ = 0;  ///< see RunFacts
   double face_measure_ = 0;

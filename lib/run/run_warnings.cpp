@@ -76,10 +76,26 @@ Message detachment_between_outputs(const Facts& facts) {
       100 * share);
 }
 
+Message jump_to_another_equilibrium(const Facts& facts) {
+  constexpr double limit = 0.02;
+  const double share = facts.jump.released / facts.largest_energy;
+  if (facts.has_inertia || !(share > limit)) return "";
+  return fmt::format(
+      "between t = {:.6g} and {:.6g} T0 the body jumped to another equilibrium and released {:.3g} E0 L0^D, {:.0f} % "
+      "of "
+      "the largest energy (limit {:.0f} %): the states on both sides are equilibria, the way between them is none; "
+      "a dynamic scheme shows it",
+      facts.jump.from, facts.jump.to, facts.jump.released, 100 * share, 100 * limit);
+}
+
 constexpr WarningKind<RunFacts> kinds[] = {
-    {"energy error", energy_error},           {"strains", strains_beyond_mesh},
-    {"distorted cells", distorted_cells},     {"crossed obstacle", crossed_obstacle},
-    {"oscillating force", oscillating_force}, {"detachment", detachment_between_outputs},
+    {"energy error", energy_error},
+    {"strains", strains_beyond_mesh},
+    {"distorted cells", distorted_cells},
+    {"crossed obstacle", crossed_obstacle},
+    {"oscillating force", oscillating_force},
+    {"detachment", detachment_between_outputs},
+    {"jump to another equilibrium", jump_to_another_equilibrium},
 };
 
 }  // namespace

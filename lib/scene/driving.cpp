@@ -150,10 +150,7 @@ void Driving::add_motion(const SceneNode& node, const std::string& along, const 
   for (char component : components) {
     const auto i = static_cast<std::size_t>(component - 'x');
     for (const int part : parts)
-      if (const double jump = std::abs(first.rate - velocity_of(part)[i]); jump >= motion.velocity_jump) {
-        motion.velocity_jump = jump;
-        motion.jump_time = times_.front();
-      }
+      motion.start_jump = std::max(motion.start_jump, std::abs(first.rate - velocity_of(part)[i]));
     for (std::size_t k = 0; k < times_.size(); ++k) way.values[k][i] += samples[k].value - first.value;
   }
   if (motion.range == 0) mark(held_);

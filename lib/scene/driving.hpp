@@ -17,7 +17,8 @@ namespace ixos {
 struct Motion {
   std::string path;          ///< of the condition or of the obstacle's list
   double start = 0;          ///< value at the initial time, which moves a body at once; 0 of an obstacle [L0]
-  double velocity_jump = 0;  ///< largest jump of the velocity, at the start or later [L0/T0]
+  double start_jump = 0;     ///< jump of the velocity at the initial time; 0 of an obstacle [L0/T0]
+  double velocity_jump = 0;  ///< largest jump of the velocity after the initial time [L0/T0]
   double jump_time = 0;      ///< of that jump [T0]
   double range = 0;          ///< largest less least value over the run [L0]
   double in_one_step = 0;    ///< its largest change in a fixed step [L0]

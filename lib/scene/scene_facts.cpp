@@ -95,6 +95,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   facts.has_inertia = inertia != Inertia::None;
   // Explicit schemes divide the step until it is stable.
   facts.step = control.adaptive.on || inertia == Inertia::Lumped ? 0 : control.time_step;
+  facts.initial_time = control.initial_time;
   facts.duration = control.final_time - control.initial_time;
   facts.adaptive = control.adaptive.on;
   facts.longest_step = control.adaptive.on ? std::min(control.maximum_step, facts.duration) : control.time_step;

@@ -51,8 +51,9 @@ struct SceneFacts {
   bool loaded = false;  ///< there are loads
   bool moves = false;   ///< see Driving::moves(); or an obstacle is moved
   bool has_inertia = true;
-  double step = 0;      ///< of fixed implicit steps, otherwise 0 [T0]
-  double duration = 0;  ///< of the run [T0]
+  double step = 0;          ///< of fixed implicit steps, otherwise 0 [T0]
+  double initial_time = 0;  ///< [T0]
+  double duration = 0;      ///< of the run [T0]
   /// The longest step that the control allows, and for each body the shortest relaxation time of branches with the
   /// history update Second Order, infinite without [T0].
   double longest_step = 0;

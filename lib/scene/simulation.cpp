@@ -102,6 +102,10 @@ Simulation::Simulation(const List& scene, const Comm& comm, const MakeMesh& make
   setup_seconds_ = timer.stop();
 }
 
+void Simulation::resumes() {
+  warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(), is_about_start), warnings_.end());
+}
+
 StopCriteria Simulation::stop_criteria() const {
   return {SceneNode(parameters_, "").sublist("Time Integrator").sublist("Stop"), probes_, *model_};
 }
@@ -226,6 +230,7 @@ void Simulation::set_initial_state() {
   std::vector<double> v = initial_velocities(motions, *model_, materials_);
   std::vector<double> u(v.size(), 0.0);
   const double time = step_control().initial_time;
+  integrator_->keep_static_rates(time_integrator_.keeps_static_rates);
   at(initial.path(), [&] { integrator_->initialize(std::move(u), std::move(v), time); });
 }
 

@@ -60,6 +60,8 @@ class Simulation {
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<Warning>& warnings() const { return warnings_; }
+  /// Tells that a run resumes from a checkpoint: drops the warnings about the initial time.
+  void resumes();
   /// Returns what Ixos left out of a mesh file, and how large that mesh is, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }

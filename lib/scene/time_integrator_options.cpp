@@ -89,6 +89,11 @@ const Options<Parameters>& options() {
             "Quadratic the parabola through the last three. Nearest takes, step by step, the one of Last "
             "Displacement, Constant Velocity, Extrapolation and Quadratic that would have been nearest to the end of "
             "the last step. Automatic is the guess that suits the scheme: Nearest if the scheme has one stage.")
+        .choose(
+            "Velocity After Static", &Parameters::keeps_static_rates, {{"Zero", false}, {"Rate", true}},
+            "Velocity of a body at a restart from a checkpoint of the scheme Static. Zero: the equilibrium is at "
+            "rest. Rate: the body moves on with the rate of the last load step, the change of its displacement over "
+            "the step's length. Prescribed displacements follow their histories in both cases.")
         .sublist("Time Step Control", &Parameters::control, control_options(),
                  "Times of the run, and size of its steps.");
   }();

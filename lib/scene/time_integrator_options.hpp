@@ -16,6 +16,7 @@ namespace ixos {
 struct TimeIntegratorOptions {
   std::string scheme = default_scheme();
   std::optional<Predictor> predictor{};  ///< empty: the scheme's own
+  bool keeps_static_rates = false;       ///< see Integrator::keep_static_rates
   StepControlOptions step_control{};
 };
 

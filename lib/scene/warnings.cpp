@@ -158,24 +158,47 @@ Message unknown_material(const Facts& facts) {
   });
 }
 
-Message motion_that_jumps(const Facts& facts) {
-  constexpr double fast = 0.02;
-  if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
+/// The bodies' largest size [L0] and wave speed [L0/T0].
+struct Extent {
   double size = 0, speed = 0;
+};
+Extent extent_of(const Facts& facts) {
+  Extent extent;
   for (const BodyNumbers& body : facts.numbers.bodies) {
-    size = std::max(size, body.size);
-    speed = std::max(speed, body.wave_speed);
+    extent.size = std::max(extent.size, body.size);
+    extent.speed = std::max(extent.speed, body.wave_speed);
   }
+  return extent;
+}
+
+/// Returns a warning of a jump of velocity that is not small beside the wave speed.
+Message velocity_jump(double jump, double time, const Extent& extent) {
+  constexpr double fast = 0.02;
+  if (jump <= fast * extent.speed) return "";
+  return fmt::format(
+      "the velocity of the motion jumps by {:.3g} L0/T0 at t = {:.6g} T0, {:.2g} of the wave speed (limit {}); let "
+      "it rise over some time, for example by a Rate Ramp",
+      jump, time, jump / extent.speed, fast);
+}
+
+Message motion_that_begins_with_a_jump(const Facts& facts) {
+  if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
+  const Extent extent = extent_of(facts);
   return first_motion(facts, [&](const Motion& motion) {
-    if (std::abs(motion.start) > 1e-6 * size)
+    if (std::abs(motion.start) > 1e-6 * extent.size)
       return fmt::format("the motion begins with a jump to {:.3g} L0; let it begin at 0", motion.start);
-    if (motion.velocity_jump > fast * speed)
-      return fmt::format(
-          "the velocity of the motion jumps by {:.3g} L0/T0 at t = {:.6g} T0, {:.2g} of the wave speed (limit {}); let "
-          "it rise over some time, for example by a Rate Ramp",
-          motion.velocity_jump, motion.jump_time, motion.velocity_jump / speed, fast);
+    return velocity_jump(motion.start_jump, facts.initial_time, extent);
+  });
+}
+
+Message motion_that_jumps(const Facts& facts) {
+  if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
+  const Extent extent = extent_of(facts);
+  return first_motion(facts, [&](const Motion& motion) {
+    Message jump = velocity_jump(motion.velocity_jump, motion.jump_time, extent);
+    if (!jump.empty()) return jump;
     // Explicit schemes divide the step.
-    if (facts.step > 0 && motion.range > 1e-6 * size && motion.in_one_step > 0.9 * motion.range &&
+    if (facts.step > 0 && motion.range > 1e-6 * extent.size && motion.in_one_step > 0.9 * motion.range &&
         facts.step < facts.duration / 1.5)
       return fmt::format(
           "{:.2g} of the whole motion of {:.3g} L0 happens in one step of {:.3g} T0 (limit 0.9); use a longer ramp or "
@@ -256,6 +279,8 @@ Message attraction_without_repulsion(const Facts& facts) {
   });
 }
 
+constexpr const char* start_jump = "jump at the start";
+
 constexpr WarningKind<SceneFacts> kinds[] = {
     {"material", unknown_material},
     {"elastic length", elastic_length_against_body},
@@ -265,6 +290,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"wave and step", wave_crossing_against_step},
     {"gap and step", gap_crossing_against_step},
     {"relaxation", relaxation_against_step},
+    {start_jump, motion_that_begins_with_a_jump},
     {"jump", motion_that_jumps},
     {"no attraction", gap_without_attraction},
     {"no repulsion", attraction_without_repulsion},
@@ -276,5 +302,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
 }  // namespace
 
 std::vector<Warning> scene_warnings(const SceneFacts& facts) { return warnings_of(facts, kinds); }
+
+bool is_about_start(const Warning& warning) { return warning.name == start_jump; }
 
 }  // namespace ixos

@@ -11,4 +11,7 @@ namespace ixos {
 /// such that sound scenes draw none.
 std::vector<Warning> scene_warnings(const SceneFacts& facts);
 
+/// Returns whether the warning is about the initial time, which a run that resumes from a checkpoint does not see.
+bool is_about_start(const Warning& warning);
+
 }  // namespace ixos

@@ -14,6 +14,10 @@ class DirectSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   VectorSpace range() const override { return op->range(); }
   VectorSpace domain() const override { return op->domain(); }
   void transfer(Record& record) override { factorization.transfer(record); }
+  bool correction(const Thyra::VectorBase<double>& residual, Thyra::VectorBase<double>& step) const override {
+    solveImpl(Thyra::NOTRANS, residual, Teuchos::ptrFromRef(step), Teuchos::null);
+    return true;
+  }
 
   Teuchos::RCP<const Thyra::LinearOpSourceBase<double>> source;
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op;

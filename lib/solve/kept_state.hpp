@@ -1,6 +1,7 @@
 /// State that linear solvers keep from one matrix to the next, for checkpoints. Included by lib/solve only.
 #pragma once
 #include <Teuchos_RCP.hpp>
+#include <Thyra_VectorBase.hpp>
 #include <memory>
 
 #include "base/record.hpp"
@@ -14,6 +15,11 @@ class KeptState {
   virtual ~KeptState() = default;
   /// Collective.
   virtual void transfer(Record& record) = 0;
+  /// Sets `step` to about A^-1 residual, A the matrix of the last solve, by one application of what is kept. The error
+  /// of x - step is less than that of x. Returns false, on all ranks alike, if nothing kept serves. Collective.
+  virtual bool correction(const Thyra::VectorBase<double>& /*residual*/, Thyra::VectorBase<double>& /*step*/) const {
+    return false;
+  }
 };
 
 /// A Thyra factory that knows the operator that it made last.

@@ -99,6 +99,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     preconditioner_.transfer(record);
   }
 
+  bool correction(const Thyra::VectorBase<double>& residual, Thyra::VectorBase<double>& step) const override;
+
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override { return krylov_->range(); }
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override { return krylov_->domain(); }
 
@@ -298,6 +300,21 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   mutable double excess_ = 0;                  ///< iterations beyond the least, summed
   mutable bool refused_ = false;               ///< the last matrix was found not positive definite
 };
+
+/// The factorisation may be one of an older matrix. The length of the step is therefore that of the method of steepest
+/// descent, which lowers the error whatever the factorisation.
+bool LaggedSolve::correction(const Thyra::VectorBase<double>& residual, Thyra::VectorBase<double>& step) const {
+  if (!options_.factorizes || nonnull(given_)) return false;
+  const TimedScope timed(Phase::LinearSolve);
+  const Teuchos::RCP<Thyra::VectorBase<double>> product = residual.clone_v();
+  Thyra::apply<double>(*preconditioner_.get()->getUnspecifiedPrecOp(), Thyra::NOTRANS, residual,
+                       Teuchos::ptrFromRef(step));
+  Thyra::apply<double>(*krylov_, Thyra::NOTRANS, step, product.ptr());
+  const double slope = Thyra::dot(residual, step), curvature = Thyra::dot(*product, step);
+  if (!(slope > 0 && curvature > 0)) return false;
+  Thyra::scale(slope / curvature, Teuchos::ptrFromRef(step));
+  return true;
+}
 
 }  // namespace
 

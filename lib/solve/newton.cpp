@@ -106,6 +106,7 @@ struct NewtonSolver::Implementation {
   Implementation(NonlinearProblem& given, const LinearSolverFactory& linear_solver, const NewtonOptions& options)
       : problem(given),
         maximum_iterations(options.maximum_iterations),
+        corrects(options.corrects),
         linear(linear_solver.strategy()),
         evaluator(Teuchos::rcp(new ProblemEvaluator(given, linear))),
         guess(Thyra::createMember(evaluator->get_x_space())),
@@ -142,6 +143,15 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
+  /// Moves x, the solution, by a last solve with its residual, which is not evaluated again.
+  void correct(Vector& x) const {
+    const Teuchos::RCP<const KeptState> kept = keeper() == nullptr ? Teuchos::null : keeper()->latest();
+    if (kept.is_null()) return;
+    const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getF());
+    const Teuchos::RCP<Thyra::VectorBase<double>> step = Thyra::createMember(evaluator->get_x_space());
+    if (kept->correction(*last.getThyraRCPVector(), *step)) x.update(-1.0, *Extract::getTpetraVector(step), 1.0);
+  }
+
   /// Returns the failure when the linear solver or NOX failed irrecoverably. The next solve starts from a new solver.
   NewtonResult broken(const std::string& what) {
     NewtonResult result;
@@ -156,6 +166,7 @@ struct NewtonSolver::Implementation {
 
   const NonlinearProblem& problem;
   int maximum_iterations;
+  bool corrects;
   ProblemEvaluator::Factory linear;
   Teuchos::RCP<ProblemEvaluator> evaluator;
   Teuchos::RCP<Thyra::VectorBase<double>> guess;
@@ -197,6 +208,7 @@ NewtonResult NewtonSolver::solve(Vector& x) {
     result = self.run();
     const auto& solution = dynamic_cast<const NOX::Thyra::Vector&>(self.solver->getSolutionGroup().getX());
     x.update(1.0, *Extract::getConstTpetraVector(solution.getThyraRCPVector()), 0.0);
+    if (self.corrects && result.converged && result.iterations > 0) self.correct(x);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const InputError&) {  // a checkpoint that does not fit

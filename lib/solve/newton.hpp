@@ -15,6 +15,9 @@ struct NewtonOptions {
   int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
   Teuchos::ParameterList nox;    ///< overrides of NOX's own list
   double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: a ForcingTerm sets it
+  /// After convergence, solve once more with the last residual and the last tangent, if a factorisation is kept. The
+  /// iteration ends just below its bound, always on the same side: over a million steps such errors add up to a drift.
+  bool corrects = false;
 };
 
 /// The result of a solve. A failure is a status, not an exception.

@@ -13,6 +13,7 @@
 #include "model/crossing.hpp"
 #include "time/compatibility.hpp"
 #include "time/displacement_error.hpp"
+#include "time/equilibrium.hpp"
 #include "time/work.hpp"
 
 namespace ixos {
@@ -40,6 +41,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
       version_(model.discretization().version()),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
+  newton_.corrects = table_.energy_promise > 0;
   check(table_);
   check_compatible(model, table_);
   if (is_static(table_) != (model.mass() == nullptr))
@@ -214,7 +216,7 @@ StepResult Integrator::advance(double dt) {
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;
     if (!newton.converged) {
-      result.reason = newton.reason;
+      result.reason = is_static(table_) ? no_equilibrium(model_, states_.front(), time_, newton.reason) : newton.reason;
       states_[stage + 1].u = std::move(u);
       return result;
     }

@@ -54,6 +54,10 @@ class Integrator {
   /// of the load stay.
   void set_interaction_points(int points);
 
+  /// Sets whether a state that another scene's quasi-static run left keeps the rate of its last step as velocity when
+  /// transfer() loads it. By default it is at rest: the rate is that of the load, and no velocity of an equilibrium.
+  void keep_static_rates(bool keep) { keeps_static_rates_ = keep; }
+
   /// Returns the longest step from here that is stable and no longer than `wanted`: `wanted` itself for implicit
   /// schemes. step() does not call it. Collective.
   double stable_step(double wanted);
@@ -108,6 +112,7 @@ class Integrator {
   void close_stage(std::size_t stage, double dt, std::vector<double>&& u);
   bool driving_is_defined(const Stage& stage, double dt, std::string& reason) const;
   bool take_explicit_step(double dt, std::string& reason);
+  bool transfer_kind(Record& record);
   void transfer_derived(Record& record);
   void check_whole(const char* name, const std::vector<double>& field, Extent extent) const;
   void refuse_jump() const;
@@ -115,6 +120,7 @@ class Integrator {
   Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
+  bool keeps_static_rates_ = false;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
   bool has_external_ = false;        ///< the model has loads or constraints on some rank
   std::vector<std::unique_ptr<StageSolver>> solvers_;

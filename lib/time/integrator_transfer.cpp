@@ -17,6 +17,18 @@ void Integrator::check_whole(const char* name, const std::vector<double>& field,
     throw InputError(fmt::format("\"{}\" is empty, but the state needs it", name));
 }
 
+/// Marks the checkpoint of a quasi-static state, whose velocity is the rate of its last step. Returns whether the state
+/// is one.
+bool Integrator::transfer_kind(Record& record) {
+  const bool mine = is_static(table_);
+  if (record.in_memory()) return mine;
+  if (record.loading() ? !record.has_section("static") : !mine) return false;
+  const Record::Section section(record, "static");
+  double length = previous_.dt;
+  record.number("step", length);
+  return true;
+}
+
 void Integrator::transfer(Record& record) {
   const Record::Section section(record, "integrator");
   if (record.in_memory()) {
@@ -35,9 +47,11 @@ void Integrator::transfer(Record& record) {
   if (!std::isfinite(time_)) throw InputError(fmt::format("the time {} is not finite", time_));
   check_whole("displacement", state.u, Extent::Local);
   check_whole("velocity", state.v, Extent::Local);
+  const bool from_static = transfer_kind(record);
   model_.set_time(time_);
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
   refuse_jump();
+  if (from_static && !keeps_static_rates_) std::fill(state.v.begin(), state.v.end(), 0.0);
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
   begin_at(std::vector<double>(state.u), std::vector<double>(state.v), time_);
   model_.transfer_histories(record);

@@ -16,6 +16,30 @@ bool is_symmetric(const Model& model, const Stage& stage) {
   return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
 }
 
+namespace {
+
+/// Returns the norm of the nodes' distances from the middle of the mesh [L0]. Collective.
+double nodal_extent(const Model& model) {
+  const LocalMesh& mesh = model.mesh();
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  double sums[7] = {};  // the nodes' number, the sums of their coordinates and of the squares
+  for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node) {
+    if (mesh.is_derivative(node)) continue;
+    sums[0] += 1;
+    for (std::size_t i = 0; i < d; ++i) {
+      const double x = mesh.coordinates[node * d + i];
+      sums[1 + i] += x;
+      sums[4 + i] += x * x;
+    }
+  }
+  model.space().sum(sums, 7);
+  double square = 0;
+  for (std::size_t i = 0; i < d; ++i) square += std::max(sums[4 + i] - sums[1 + i] * sums[1 + i] / sums[0], 0.0);
+  return std::sqrt(square);
+}
+
+}  // namespace
+
 StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
     : model_(model), table_(table), exact_rates_(has_exact_rates(table)), has_mass_(model.mass() != nullptr) {
   const auto local = static_cast<std::size_t>(model.space().local());
@@ -24,6 +48,8 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
   if (model.has_interactions()) interaction_.resize(local);
   if (!model.loads().empty()) load_.resize(local);
   if (!matrix_free) kept_points_ = model.create_kept();
+  if (!has_mass_) size_ = nodal_extent(model);
+  reach_ = std::numeric_limits<double>::infinity();
   if (matrix_free)
     matrix_free_ = Teuchos::rcp(new TangentOperator(model, [this](double* values) {
       assemble(values);
@@ -99,6 +125,18 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   stiffness_ = model_.elastic_scale() * (1 + model_.largest_viscosity() * rate / dt);
   rounding_ = rounding_force(known[0], coefficient);
   diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
+  if (!has_mass_) reach_ = reach(known[0]);
+}
+
+/// Ten times as far as the body is large, as it has moved, and as its supports move it.
+double StageProblem::reach(const State& start) const {
+  const auto owned = static_cast<std::size_t>(model_.space().owned());
+  double farthest = 0;
+  for (const int dof : model_.constraints().dofs())
+    farthest = std::max(farthest, std::abs(prescribed_[static_cast<std::size_t>(dof)]));
+  double sums[2] = {dot(start.u, start.u, owned), static_cast<double>(owned)};
+  model_.space().sum(sums, 2);
+  return 10 * (size_ + std::sqrt(sums[0]) + model_.space().maximum(farthest) * std::sqrt(sums[1]));
 }
 
 void StageProblem::begin_stage(const std::vector<KnownState>& known) {
@@ -194,8 +232,11 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   imported_for_ = stage_;
   if (!kept_points_.empty()) kept_of_ = stage_;
   // After a long step the rounding errors are larger than at its start.
+  const double norm = std::sqrt(sums[5]);
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
-                   ((diagonal_ + stiffness_ - model_.elastic_scale()) * std::sqrt(sums[5]) + std::sqrt(sums[6]));
+                   ((diagonal_ + stiffness_ - model_.elastic_scale()) * norm + std::sqrt(sums[6]));
+  // Without an equilibrium a body flies off until the rounding of u passes any load.
+  if (norm > reach_) rounding_here_ = 0;
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);

@@ -71,6 +71,7 @@ class StageProblem final : public NonlinearProblem {
   bool is_reached(std::size_t dof, double value) const;
   void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
+  double reach(const State& start) const;
   Potential rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const;
 
   Model& model_;
@@ -90,8 +91,10 @@ class StageProblem final : public NonlinearProblem {
   std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
   double rounding_ = 0;       ///< force by which the last digits of u change the balance
   double rounding_here_ = 0;  ///< that force for u at the last residual
-  double diagonal_ = 0;       ///< kappa
-  double stiffness_ = 0;      ///< elastic scale, with that of viscosity
+  double size_ = 0;           ///< norm of the nodes' distances from the middle of the mesh; 0 with inertia
+  double reach_ = 0;      ///< the largest |u| of an equilibrium that is not a body lost in space; infinite with inertia
+  double diagonal_ = 0;   ///< kappa
+  double stiffness_ = 0;  ///< elastic scale, with that of viscosity
   double load_norm_ = 0;
   double scale_ = 0;     ///< largest of the four norms at the last residual
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual

@@ -312,6 +312,27 @@ TEST_F(RestartTest, AFailedRunGoesOnWithOtherSettings) {
   }
 }
 
+/// Returns the column of history.csv whose name ends so.
+std::vector<double> column(const std::string& folder, const std::string& name) {
+  const std::vector<std::string> rows = history_rows(folder);
+  const std::string& names = rows.front();
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(names.find(name));
+  const std::ptrdiff_t place = std::count(names.begin(), end, ',');
+  std::vector<double> values;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    std::istringstream row(rows[k]);
+    std::string cell;
+    for (std::ptrdiff_t i = 0; i <= place; ++i) std::getline(row, cell, ',');
+    values.push_back(std::stod(cell));
+  }
+  return values;
+}
+
+double largest(const std::string& folder, const std::string& name) {
+  const std::vector<double> values = column(folder, name);
+  return *std::max_element(values.begin(), values.end());
+}
+
 TEST_F(RestartTest, AnotherSchemeTakesOver) {
   const auto scene = [](const std::string& scheme, double step) {
     return drawn(word("Type", scheme) + steps(step, 1), checkpoints(25, 9));
@@ -322,17 +343,59 @@ TEST_F(RestartTest, AnotherSchemeTakesOver) {
   EXPECT_EQ(other.status, RunStatus::Completed);
   EXPECT_EQ(other.steps, 25 + 125);
   // It is the same motion: the two schemes differ by their errors.
-  const auto place = [&](const std::string& name) {
-    const std::string text = history_rows(folder(name)).front();
-    const std::ptrdiff_t column =
-        std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find("_ux")), ',');
-    std::istringstream row(history_rows(folder(name)).back());
-    std::string cell;
-    for (std::ptrdiff_t k = 0; k <= column; ++k) std::getline(row, cell, ',');
-    return std::stod(cell);
-  };
+  const auto place = [&](const std::string& name) { return column(folder(name), "_ux").back(); };
   EXPECT_NEAR(place("parts"), place("fine"), 2e-3 * std::abs(place("fine")));
   EXPECT_EQ(fine.restarts, 0);
+}
+
+/// A cantilever that bends under its weight, which a history puts on it by the time 1.
+std::string bent(const std::string& scheme, double step, double final_time, const std::string& more = "") {
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {8, 1}) + counts("Divisions", {16, 2}))) +
+         list("Materials", list("Rubber", "")) +
+         list("Histories",
+              list("Load", word("Type", "Ramp") +
+                               list("Ramp", number("Value", 1) + number("Length", 1) + word("Shape", "Linear"))) +
+                  list("Lift", word("Type", "Ramp") + list("Ramp", number("Value", 0.5) + number("Length", 1)))) +
+         list("Boundary Conditions",
+              list("Clamp", word("Node Set", "left") + word("Components", "xy")) +
+                  list("Lift", word("Node Set", "right") + word("Components", "x") + word("History", "Lift")) +
+                  list("Weight", word("Type", "Gravity") + numbers("Vector", {0, -400}) + word("History", "Load"))) +
+         list("Output", checkpoints(0, 2)) +
+         list("Time Integrator", word("Type", scheme) + more + steps(step, final_time));
+}
+
+TEST_F(RestartTest, AnEquilibriumStaysAtRestInEveryScheme) {
+  ASSERT_EQ(run_scene(bent("Static", 0.1, 1), "equilibrium").status, RunStatus::Completed);
+  for (const std::string scheme : {"Newmark", "Bathe Composite", "Average Vector Field", "Energy-Momentum"}) {
+    SCOPED_TRACE(scheme);
+    const std::string scene = bent(scheme, 0.001, 1.02);
+    EXPECT_EQ(run_scene(scene, "rest", checkpoint("equilibrium", 10)).status, RunStatus::Completed);
+    EXPECT_LT(largest(folder("rest"), "kinetic_energy"), 1e-14 * largest(folder("rest"), "elastic_energy"));
+    // The rate of the last load step is 1/0.1 of its change of displacement: energy that no load has given.
+    run_scene(bent(scheme, 0.001, 1.02, word("Velocity After Static", "Rate")), "moves", checkpoint("equilibrium", 10));
+    EXPECT_GT(largest(folder("moves"), "kinetic_energy"), 1e-4 * largest(folder("moves"), "elastic_energy"));
+  }
+}
+
+TEST_F(RestartTest, AHeldMotionIsNoJumpForARunThatResumes) {
+  run_scene(bent("Static", 0.1, 1), "equilibrium");
+  std::string scene = bent("Newmark", 0.001, 1.01);
+  // The scene of a person who goes on from the equilibrium: its motion is held where the static one ended.
+  const std::string ramp =
+      list("Lift", word("Type", "Ramp") + list("Ramp", number("Value", 0.5) + number("Length", 1)));
+  scene.replace(scene.find(ramp), ramp.size(),
+                list("Lift", word("Type", "Constant") + list("Constant", number("Value", 0.5))));
+  Simulation simulation(test::scene(scene), world());
+  const auto jumps = [&] {
+    return std::any_of(simulation.warnings().begin(), simulation.warnings().end(),
+                       [](const Warning& warning) { return warning.name.find("jump") != std::string::npos; });
+  };
+  EXPECT_TRUE(jumps()) << "a run from the beginning would";
+  RunOptions options;
+  options.folder = folder("held");
+  options.restart = checkpoint("equilibrium", 10);
+  EXPECT_EQ(run(simulation, options).status, RunStatus::Completed);
+  EXPECT_FALSE(jumps());
 }
 
 TEST_F(RestartTest, AnotherFolderBeginsWithTheStateOfTheCheckpoint) {

@@ -193,12 +193,13 @@ TEST(WarningsTest, StepsAgainstTheGap) {
 
 TEST(WarningsTest, MotionsThatJump) {
   const std::string pull = "Boundary Conditions/Pull: ";
-  expect_warning("strip.xml", {"Histories/Pull/Type=Constant", "Histories/Pull/Constant/Value=2"}, "jump",
+  expect_warning("strip.xml", {"Histories/Pull/Type=Constant", "Histories/Pull/Constant/Value=2"}, "jump at the start",
                  pull + "the motion begins with a jump to 2 L0");
   expect_warning("strip.xml",
                  {"Histories/Pull/Type=Expression", "Histories/Pull/Expression/Value=40*t",
                   "Histories/Pull/Expression/Velocity=40", "Histories/Pull/Expression/Acceleration=0"},
-                 "jump", pull + "the velocity of the motion jumps by 40 L0/T0 at t = 0 T0, 0.027 of the wave speed");
+                 "jump at the start",
+                 pull + "the velocity of the motion jumps by 40 L0/T0 at t = 0 T0, 0.027 of the wave speed");
   const std::string rate = "Histories/Pull/Rate Ramp/";
   expect_warning("strip.xml", {rate + "Rate=40", rate + "Length=0.01", rate + "Start=1.05"}, "jump",
                  "jumps by 40 L0/T0 at t = 1.1 T0");

@@ -131,6 +131,27 @@ TEST(NewtonTest, SquareRootsFollowHeronsSequence) {
   for (std::size_t i = 0; i < unknowns; ++i) EXPECT_NEAR(ending.x[i], heron[i], 1e-14) << i;
 }
 
+// From above a root, Newton's iterates come down to it: the last one errs to one side. Another solve with the last
+// residual and the last tangent takes off the error but for its share of the change of the tangent.
+TEST(NewtonTest, ACorrectionTakesOffTheErrorThatTheToleranceLeaves) {
+  const Equation square = [](double id, double x) { return std::pair{x * x - 2 - id, 2 * x}; };
+  NewtonOptions options{1e-3, 100, {}};
+  const Ending plain = solve(square, 4, options);
+  options.corrects = true;
+  const Ending corrected = solve(square, 4, options);
+  ASSERT_TRUE(plain.result.converged && corrected.result.converged);
+  EXPECT_EQ(corrected.result.iterations, plain.result.iterations);
+  double before = 0, after = 0;
+  for (std::size_t i = 0; i < unknowns; ++i) {
+    const double root = std::sqrt(2 + static_cast<double>(i));
+    EXPECT_GE(plain.x[i], root * (1 - 1e-15));
+    before = std::max(before, plain.x[i] - root);
+    after = std::max(after, std::abs(corrected.x[i] - root));
+  }
+  EXPECT_GT(before, 1e-7);
+  EXPECT_LT(after, 0.03 * before);
+}
+
 TEST(NewtonTest, ALinearProblemTakesOneIterationAndASolvedOneNone) {
   const Equation linear = [](double id, double x) { return std::pair{4 * x - id, 4.0}; };
   const Ending ending = solve(linear, 100, {1e-12, 100, {}});

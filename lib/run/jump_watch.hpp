@@ -1,0 +1,33 @@
+/// A watch on quasi-static rows: a body that snaps to another equilibrium releases energy at once.
+#pragma once
+#include <limits>
+
+#include "base/record.hpp"
+
+namespace ixos {
+
+/// A jump between two rows of a quasi-static run.
+struct Jump {
+  double released = 0;      ///< energy that no work and no dissipation accounts for [E0 L0^D]; 0: there was no jump
+  double from = 0, to = 0;  ///< times of the rows [T0]
+};
+
+/// Finds the largest jump. Between two equilibria of one path the balance (energy less external work plus dissipation)
+/// moves by the error of the trapezoid rule alone, a small part of the work. A jump lowers the balance by the energy
+/// that a dynamic run turns into motion: at least half of the work of the interval.
+class JumpWatch {
+ public:
+  /// Takes part in a row: balance and external work so far [E0 L0^D]; NaN without energies.
+  void row(double time, double balance, double external_work);
+  const Jump& largest() const { return largest_; }
+
+  /// For checkpoints.
+  void transfer(Record& record);
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  double time_ = 0, balance_ = none, work_ = 0;  ///< of the row before
+  Jump largest_;
+};
+
+}  // namespace ixos
