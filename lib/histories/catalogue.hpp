@@ -18,4 +18,7 @@ const Catalogue<HistoryEntry>& histories();
 /// Returns the documentation of a history's value, whose unit depends on its use. `what` has no full stop.
 std::string history_value(const std::string& what);
 
+/// Returns the documentation of a choice that makes a value or a rate jump. `what` has no full stop.
+std::string history_jump(const std::string& what);
+
 }  // namespace ixos

@@ -9,6 +9,8 @@
 namespace ixos {
 namespace {
 
+constexpr const char* longer = "choose a Length above 0";
+
 /// Growth s(tau) for 0 <= tau <= 1, its integral from 0 (1/2 at tau = 1 for every shape) and its derivatives.
 struct Growth {
   double integral, value, slope, curvature;
@@ -50,6 +52,12 @@ class ValueRamp final : public Ramp {
     const Growth s = growth(shape_, (time - start_) / length_);
     return {amplitude_ * s.value, amplitude_ * s.slope / length_, amplitude_ * s.curvature / (length_ * length_)};
   }
+  Jumps jumps() const override {
+    if (amplitude_ == 0) return {};
+    if (length_ == 0) return {"a ramp of Length 0", true, {start_}, longer};
+    if (shape_ != RampShape::Linear) return {};
+    return {"Shape Linear", false, {start_, ramp_end()}, "choose Shape Cosine or Quintic"};
+  }
 };
 
 class RateRamp final : public Ramp {
@@ -60,6 +68,10 @@ class RateRamp final : public Ramp {
     if (time >= ramp_end()) return {amplitude_ * (time - start_ - length_ / 2), amplitude_, 0};
     const Growth s = growth(shape_, (time - start_) / length_);
     return {amplitude_ * length_ * s.integral, amplitude_ * s.value, amplitude_ * s.slope / length_};
+  }
+  Jumps jumps() const override {
+    if (amplitude_ == 0 || length_ > 0) return {};
+    return {"a ramp of Length 0", false, {start_}, longer};
   }
 };
 
@@ -90,10 +102,11 @@ HistoryEntry ramp_history() {
   Options<Parameters> options;
   options.require("Value", &Parameters::height, history_value("Value reached at Start + Length"), any_number())
       .add("Start", &Parameters::start, "Time at which the ramp starts [T0].", any_number())
-      .require("Length", &Parameters::length, "Duration of the ramp [T0]. For a motion it must be greater than 0.",
-               at_least(0))
+      .require("Length", &Parameters::length,
+               history_jump("Duration of the ramp [T0]. With 0 the value jumps at Start"), at_least(0))
       .choose("Shape", &Parameters::shape, shapes(),
-              "Shape of the ramp. Cosine has a continuous rate, Quintic also a continuous acceleration.");
+              history_jump("Shape of the ramp. Cosine has a continuous rate, Quintic also a continuous acceleration. "
+                           "With Linear the rate jumps at both ends of the ramp"));
   return {"Ramp", "Rises from 0 to Value, then stays constant.", "", options.list(), [options](const SceneNode& node) {
             const Parameters p = options.read(node);
             return value_ramp(p.height, p.start, p.length, p.shape);
@@ -108,7 +121,7 @@ HistoryEntry rate_ramp_history() {
                any_number())
       .add("Start", &RateParameters::start, "Time at which the ramp of the rate starts [T0].", any_number())
       .require("Length", &RateParameters::length,
-               "Duration of the ramp of the rate [T0]. For a motion it must be greater than 0.", at_least(0))
+               history_jump("Duration of the ramp of the rate [T0]. With 0 the rate jumps at Start"), at_least(0))
       .choose("Shape", &RateParameters::shape, shapes(), "Shape of the ramp of the rate.");
   return {"Rate Ramp",
           "The rate rises from 0 to Rate, then stays constant. The value is the integral of the rate, 0 until Start.",

@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "fem/quadrature.hpp"
@@ -15,6 +18,24 @@ class Check {
  public:
   Check(const TimeFunction& function, double from, double to, bool derivatives)
       : function_(function), from_(from), to_(to), derivatives_(derivatives) {}
+
+  /// Throws if the function says that it jumps within the run.
+  void smooth() const {
+    const Jumps jumps = function_.jumps();
+    std::vector<std::string> times;
+    for (double time : jumps.times)
+      if (time > from_ && time <= to_) times.push_back(fmt::format("{:.10g}", time));
+    if (times.empty()) return;
+    constexpr std::size_t most = 5;
+    const std::string more = times.size() > most ? fmt::format(" and {} more", times.size() - most) : "";
+    const std::string word = times.size() > 1 ? "times" : "time";
+    if (times.size() > most) times.resize(most);
+    throw InputError(fmt::format(
+        "{} cannot drive a motion of a dynamic scheme: its {} jumps at the {} {}{}, where its {} is not defined; {}, "
+        "or the scheme Static",
+        jumps.choice, jumps.of_value ? "value" : "rate", word, fmt::join(times, ", "), more,
+        jumps.of_value ? "rate" : "acceleration", jumps.remedy));
+  }
 
   void finite() const {
     constexpr int intervals = 1000;
@@ -111,10 +132,17 @@ class Check {
 
 void check_over(const TimeFunction& function, double from, double to, bool derivatives) {
   const Check check(function, from, to, derivatives);
+  if (derivatives) check.smooth();
   check.finite();
   if (!derivatives) return;
   check.consistent(&TimeValue::value, &TimeValue::rate, "value", "rate");
   check.consistent(&TimeValue::rate, &TimeValue::acceleration, "rate", "acceleration");
+}
+
+void check_static_over(const TimeFunction& function, double from, double to) {
+  const Check check(function, from, to, true);
+  check.finite();
+  if (function.jumps().times.empty()) check.consistent(&TimeValue::value, &TimeValue::rate, "value", "rate");
 }
 
 }  // namespace ixos

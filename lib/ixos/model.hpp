@@ -9,7 +9,7 @@
 /// make_obstacle, flat_wall, HalfSpace, SurfaceInteraction, Friction, FrictionType, add_interaction, prescribe,
 /// add_traction, add_point_force, add_body_force, add_gravity, grip_rigidly, grip_elastically, grip_reaction,
 /// RigidMotion, Constraints, Loads, TimeFunction, TimeValue, function_of_time, constant, value_ramp, rate_ramp,
-/// RampShape, sine, interpolated, Waveform, check_over, set_reactions, set_reaction.
+/// RampShape, sine, interpolated, TableInterpolation, Waveform, check_over, set_reactions, set_reaction.
 #pragma once
 #include "base/tpetra.hpp"
 #include "discretization/dof_exchange.hpp"

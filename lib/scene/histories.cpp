@@ -8,8 +8,9 @@
 
 namespace ixos {
 
-Histories::Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given)
-    : given_(given), list_(list), initial_time_(initial_time), final_time_(final_time) {
+Histories::Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given,
+                     bool statics)
+    : given_(given), list_(list), initial_time_(initial_time), final_time_(final_time), statics_(statics) {
   for (const SceneNode& node : list.sublists()) functions_[node.name()] = histories().make(node);
   for (const auto& [name, function] : given) {
     if (function == nullptr) throw InputError("the program gives no function for the history \"" + name + "\"");
@@ -37,12 +38,25 @@ const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& nam
     if (function.first_time() > initial_time_ + slack || function.last_time() < final_time_ - slack)
       throw InputError(fmt::format("the table covers the times {} to {}, but the run goes from {} to {}",
                                    function.first_time(), function.last_time(), initial_time_, final_time_));
-    if (function.ramp_end() > final_time_ + 1e-9 * (final_time_ - initial_time_))
-      throw InputError(fmt::format("the ramp ends at Start + Length = {}, after the Final Time {} of the run",
-                                   function.ramp_end(), final_time_));
-    check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
+    if (use == HistoryUse::Motion && statics_)
+      check_static_over(function, initial_time_, final_time_);
+    else
+      check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
   });
   return found->second;
+}
+
+std::vector<std::string> Histories::notes() const {
+  std::vector<std::string> notes;
+  for (const SceneNode& node : list_.sublists()) {
+    if (is_given(node.name())) continue;
+    const double end = functions_.at(node.name())->ramp_end();
+    if (end > final_time_ + 1e-9 * (final_time_ - initial_time_))
+      notes.push_back(placed(
+          node.path(),
+          fmt::format("the ramp ends at Start + Length = {}, after the Final Time {} of the run", end, final_time_)));
+  }
+  return notes;
 }
 
 }  // namespace ixos

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "histories/time_function.hpp"
 #include "parameters/scene_node.hpp"
@@ -19,23 +20,27 @@ using GivenHistories = std::map<std::string, std::shared_ptr<const TimeFunction>
 /// request for it. Functions of the program join those of the list; one of the same name takes the list's place.
 class Histories {
  public:
-  /// Throws InputError with the list path.
-  Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given = {});
+  /// `statics`: the scheme has no inertia, so that a motion may jump. Throws InputError with the list path.
+  Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given = {},
+            bool statics = false);
 
-  /// Returns the history of that name. Throws InputError if none has that name, if a table or a ramp does not fit the
-  /// run, or if the function is no such motion or load (see check_over). A function of the program is not checked: it
-  /// may be set step by step.
+  /// Returns the history of that name. Throws InputError if none has that name, if a table does not cover the run, or
+  /// if the function is no such motion or load (see check_over). A function of the program is not checked: it may be
+  /// set step by step.
   const std::shared_ptr<const TimeFunction>& get(const std::string& name, HistoryUse use) const;
   /// Returns whether the program gives it.
   bool is_given(const std::string& name) const { return given_.count(name) > 0; }
   /// Returns the functions of the program.
   const GivenHistories& given() const { return given_; }
+  /// Returns a note for each ramp that the run does not see to its end.
+  std::vector<std::string> notes() const;
 
  private:
   std::map<std::string, std::shared_ptr<const TimeFunction>> functions_;
   GivenHistories given_;
   SceneNode list_;
   double initial_time_, final_time_;
+  bool statics_;
 };
 
 }  // namespace ixos

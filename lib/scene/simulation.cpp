@@ -172,11 +172,13 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   });
   const StepControlOptions& control = step_control();
   const SceneNode scene(parameters_, "");
-  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, given);
+  const Histories histories(scene.sublist("Histories"), control.initial_time, control.final_time, given,
+                            inertia == Inertia::None);
   add_interactions(interactions_, histories, control.initial_time, *model_);
   add_conditions(scene.sublist("Boundary Conditions"), histories, *model_);
   add_grips(scene.sublist("Grips"), histories, *model_);
   refuse_unused_histories(scene, interactions_, histories);
+  for (std::string& note : histories.notes()) notes_.push_back(std::move(note));
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));

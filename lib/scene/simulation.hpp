@@ -62,7 +62,7 @@ class Simulation {
   const std::vector<Warning>& warnings() const { return warnings_; }
   /// Tells that a run resumes from a checkpoint: drops the warnings about the initial time.
   void resumes();
-  /// Returns what Ixos left out of a mesh file, and how large that mesh is, in sentences.
+  /// Returns what Ixos left out of a mesh file, how large that mesh is, and which ramps outlast the run, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
   double setup_seconds() const { return setup_seconds_; }
 

@@ -11,7 +11,7 @@ from driver_process import ROOT, STEPS  # noqa: E402
 XML = pathlib.Path(ROOT, "xml")
 FINAL, SCHEME, RAMP = STEPS + "Final Time=", "Time Integrator/Type=", "Histories/Pull/Rate Ramp/Length="
 BALL = [FINAL + "0.3"]
-STRIP = [RAMP + "2", FINAL + "3"]  # a ramp has to end before the run does
+STRIP = [RAMP + "2", FINAL + "3"]  # a short run, too, shall see the end of its ramp
 BLOCK = [FINAL + "2"]
 SMALL_BLOCK = ["Mesh/Box/Divisions={14, 14, 14}", "Mesh/Box/Lengths={14, 14, 14}"]
 SHORT_STEPS = [STEPS + "Time Step=0.005", RAMP + "0.1", FINAL + "0.1"]  # Automatic takes Chebyshev, matrix-free

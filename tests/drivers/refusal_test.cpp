@@ -119,8 +119,16 @@ TEST_F(DriverRefusalTest, BadMotionsLoadsAndElementsAreRefused) {
           "Histories/Pull/Table: ");
   refused({table, "Histories/Pull/Table/Times={0, 2, 5}", "Histories/Pull/Table/Values={0, 1, 2}"},
           "the table covers the times 0 to 5, but the run goes from 0 to 160");
-  refused({"Histories/Pull/Rate Ramp/Length=200"},
-          "the ramp ends at Start + Length = 200, after the Final Time 160 of the run");
+  const std::string ramp = "Histories/Pull/Type=Ramp";
+  refused({ramp, "Histories/Pull/Ramp/Value=1", "Histories/Pull/Ramp/Length=20", "Histories/Pull/Ramp/Shape=Linear"},
+          "Histories/Pull: Shape Linear cannot drive a motion of a dynamic scheme: its rate jumps at the time 20, ");
+  refused(
+      {"Histories/Pull/Rate Ramp/Start=2", "Histories/Pull/Rate Ramp/Length=0"},
+      "Histories/Pull: a ramp of Length 0 cannot drive a motion of a dynamic scheme: its rate jumps at the time 2, ");
+  for (const std::string interpolation : {"Linear", "Step"})
+    refused({table, "Histories/Pull/Table/Times={0, 80, 160}", "Histories/Pull/Table/Values={0, 1, 3}",
+             "Histories/Pull/Table/Interpolation=" + interpolation},
+            "Histories/Pull: Interpolation " + interpolation + " cannot drive a motion of a dynamic scheme: ");
   refused({"Histories/Pull/Rate Ramp/Length=-1"}, "must be at least 0");
   refused({"Boundary Conditions/Pull/History=Pul"}, "history \"Pul\" does not exist; did you mean \"Pull\"?");
   refused({"Boundary Conditions/Guide/History=Pull", "Boundary Conditions/Guide/Components=xy",

@@ -13,6 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto half = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
   const std::vector<double> times(numbers.begin(), half), values(half, numbers.end());
   try {
+    for (const auto other : {TableInterpolation::Unlimited, TableInterpolation::Linear, TableInterpolation::Step}) {
+      const auto function = interpolated(times, values, other);
+      for (double time : times) function->at(time);
+      function->jumps();
+    }
     const auto function = interpolated(times, values);
     for (double time : times) function->at(time);
     const double first = function->first_time(), span = function->last_time() - first;

@@ -57,12 +57,40 @@ TEST(TimeFunctionCheckSerialTest, WrongDerivativesAreFound) {
 
 TEST(TimeFunctionCheckSerialTest, JumpsOfValueAndRateAreNoMotions) {
   for (RampShape shape : shapes) {
-    expect_contains(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, true), "the rate is not");
-    expect_contains(refusal_over(rate_ramp(2, 1, 0, shape), 0, 10, true), "the acceleration is not");
+    EXPECT_EQ(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, true),
+              "a ramp of Length 0 cannot drive a motion of a dynamic scheme: its value jumps at the time 1, where its "
+              "rate is not defined; choose a Length above 0, or the scheme Static");
+    expect_contains(refusal_over(rate_ramp(2, 1, 0, shape), 0, 10, true),
+                    "its rate jumps at the time 1, where its acceleration is not defined; choose a Length above 0");
     EXPECT_EQ(refusal_over(value_ramp(2, 1, 0, shape), 0, 10, false), "");
+    // A run that begins with the jump, or ends before it, sees none.
+    for (const Function& ramp : {value_ramp(2, 1, 0, shape), rate_ramp(2, 1, 0, shape), value_ramp(0, 1, 0, shape)}) {
+      EXPECT_EQ(refusal_over(ramp, 1, 10, true), "");
+      EXPECT_EQ(refusal_over(ramp, 0, 0.9, true), "");
+    }
   }
-  expect_contains(refusal_over(value_ramp(2, 1, 3, RampShape::Linear), 0, 10, true), "the acceleration is not");
+  const Function line = value_ramp(2, 1, 3, RampShape::Linear);
+  EXPECT_EQ(refusal_over(line, 0, 10, true),
+            "Shape Linear cannot drive a motion of a dynamic scheme: its rate jumps at the times 1, 4, where its "
+            "acceleration is not defined; choose Shape Cosine or Quintic, or the scheme Static");
+  expect_contains(refusal_over(line, 1, 4, true), "jumps at the time 4,");
+  EXPECT_EQ(refusal_over(line, 1, 3.9, true), "");
   expect_contains(refusal_over(expression("abs(t-1)", "sign(t-1)", "0"), 0, 10, true), "the acceleration is not");
+}
+
+TEST(TimeFunctionCheckSerialTest, StaticMotionsMayJump) {
+  const auto refusal_of_static = [](const Function& function) {
+    return test::refusal([&] { check_static_over(*function, 0, 10); });
+  };
+  for (RampShape shape : shapes)
+    for (double length : {0.0, 3.0}) {
+      EXPECT_EQ(refusal_of_static(value_ramp(2, 1, length, shape)), "");
+      EXPECT_EQ(refusal_of_static(rate_ramp(2, 1, length, shape)), "");
+    }
+  EXPECT_EQ(refusal_of_static(expression("abs(t-1)", "sign(t-1)", "0")), "");
+  EXPECT_EQ(refusal_of_static(expression("t^2", "2*t", "3")), "") << "the acceleration has no meaning";
+  expect_contains(refusal_of_static(expression("t^2", "3*t", "3")), "the rate is not the derivative of the value");
+  expect_contains(refusal_of_static(expression("1/(t-1)", "-1/(t-1)^2", "2/(t-1)^3")), "not finite at t = 1");
 }
 
 TEST(TimeFunctionCheckSerialTest, SingularitiesAreFound) {

@@ -7,51 +7,19 @@
 #include <vector>
 
 #include "support/refusal.hpp"
+#include "support/time_functions.hpp"
 
 namespace ixos {
 namespace {
 
 using test::expect_contains;
+using test::expect_continuous;
+using test::expect_derivatives;
+using test::expect_value;
 using test::refusal;
 using Function = std::shared_ptr<const TimeFunction>;
 
 const std::vector<RampShape> shapes = {RampShape::Linear, RampShape::Cosine, RampShape::Quintic};
-
-void expect_value(const TimeFunction& function, double time, double value, double rate, double acceleration) {
-  const TimeValue f = function.at(time);
-  EXPECT_NEAR(f.value, value, 1e-13 * (1 + std::abs(value))) << "t = " << time;
-  EXPECT_NEAR(f.rate, rate, 1e-13 * (1 + std::abs(rate))) << "t = " << time;
-  EXPECT_NEAR(f.acceleration, acceleration, 1e-13 * (1 + std::abs(acceleration))) << "t = " << time;
-}
-
-/// Derivatives against central differences.
-void expect_derivatives(const TimeFunction& function, const std::vector<double>& times) {
-  const double h = 1e-5;
-  for (double time : times) {
-    const TimeValue before = function.at(time - h), f = function.at(time), after = function.at(time + h);
-    EXPECT_NEAR(f.rate, (after.value - before.value) / (2 * h), 1e-7) << "t = " << time;
-    EXPECT_NEAR(f.acceleration, (after.rate - before.rate) / (2 * h), 1e-7) << "t = " << time;
-  }
-}
-
-/// Value, rate and, where `twice`, acceleration do not jump at `time`.
-void expect_continuous(const TimeFunction& function, double time, bool twice) {
-  const double h = 1e-9;
-  const TimeValue before = function.at(time - h), f = function.at(time), after = function.at(time + h);
-  for (const TimeValue& near : {before, after}) {
-    EXPECT_NEAR(near.value, f.value, 1e-7) << "t = " << time;
-    EXPECT_NEAR(near.rate, f.rate, 1e-7) << "t = " << time;
-    if (twice) {
-      EXPECT_NEAR(near.acceleration, f.acceleration, 1e-6) << "t = " << time;
-    }
-  }
-}
-
-void expect_nan(const TimeValue& f) {
-  EXPECT_TRUE(std::isnan(f.value));
-  EXPECT_TRUE(std::isnan(f.rate));
-  EXPECT_TRUE(std::isnan(f.acceleration));
-}
 
 TEST(TimeFunctionSerialTest, ConstantHasNoDerivatives) {
   const Function f = constant(-2.5);
@@ -137,65 +105,6 @@ TEST(TimeFunctionSerialTest, RampsOfNegativeOrEndlessLengthAreRefused) {
   expect_contains(refusal([] { rate_ramp(1, 0, -2, RampShape::Linear); }), "length -2");
   expect_contains(refusal([] { value_ramp(1, 0, NAN, RampShape::Linear); }), "length nan");
   expect_contains(refusal([] { rate_ramp(1, 0, INFINITY, RampShape::Linear); }), "length inf");
-}
-
-const std::vector<double> uneven = {-1, 0, 0.3, 2, 2.5, 4};
-
-TEST(TimeTableSerialTest, IsTwiceContinuouslyDifferentiableThroughItsPoints) {
-  const std::vector<double> values = {1, -2, 0.5, 3, 3, -1};
-  const Function f = interpolated(uneven, values);
-  EXPECT_EQ(f->first_time(), -1.0);
-  EXPECT_EQ(f->last_time(), 4.0);
-  EXPECT_EQ(f->ramp_end(), -std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < uneven.size(); ++i) EXPECT_NEAR(f->at(uneven[i]).value, values[i], 1e-13);
-  for (std::size_t i = 1; i + 1 < uneven.size(); ++i) {
-    expect_continuous(*f, uneven[i], true);
-    // Of the parabola through the three points: its mean slopes on both sides, and how they change.
-    const double h0 = uneven[i] - uneven[i - 1], h1 = uneven[i + 1] - uneven[i];
-    const double d0 = (values[i] - values[i - 1]) / h0, d1 = (values[i + 1] - values[i]) / h1;
-    EXPECT_NEAR(f->at(uneven[i]).rate, (d0 * h1 + d1 * h0) / (h0 + h1), 1e-12);
-    EXPECT_NEAR(f->at(uneven[i]).acceleration, 2 * (d1 - d0) / (h0 + h1), 1e-11);
-  }
-  expect_derivatives(*interpolated({0, 1, 2, 4}, {0, 1, -1, 0.5}), {0.2, 0.9, 1.5, 3.1});
-  EXPECT_EQ(refusal([&] { check_over(*f, -1, 4, true); }), "");
-}
-
-TEST(TimeTableSerialTest, IsExactForAParabola) {
-  std::vector<double> values;
-  for (double t : uneven) values.push_back(2 - 3 * t + 0.5 * t * t);
-  const Function f = interpolated(uneven, values);
-  for (double t : {-1.0, -0.4, 0.0, 0.1, 1.3, 2.0, 2.2, 3.9, 4.0}) {
-    EXPECT_NEAR(f->at(t).value, 2 - 3 * t + 0.5 * t * t, 1e-13);
-    EXPECT_NEAR(f->at(t).rate, -3 + t, 1e-12);
-    EXPECT_NEAR(f->at(t).acceleration, 1, 1e-11);
-  }
-}
-
-TEST(TimeTableSerialTest, TwoPointsMakeALine) {
-  const Function f = interpolated({1, 3}, {2, 8});
-  for (double t : {1.0, 1.5, 3.0}) expect_value(*f, t, 2 + 3 * (t - 1), 3, 0);
-}
-
-TEST(TimeTableSerialTest, IsNotANumberOutside) {
-  const Function f = interpolated({0, 1, 3}, {1, 2, 5});
-  for (double time : {-1e-6, 3 + 1e-6, 1e300, static_cast<double>(NAN)}) expect_nan(f->at(time));
-  // Roundoff in a run's last time is not outside.
-  EXPECT_NEAR(f->at(std::nextafter(3.0, 4.0)).value, 5, 1e-13);
-  EXPECT_NEAR(f->at(std::nextafter(0.0, -1.0)).value, 1, 1e-13);
-}
-
-TEST(TimeTableSerialTest, BadTablesAreRefused) {
-  const auto message = [](const std::vector<double>& times, const std::vector<double>& values) {
-    return refusal([&] { interpolated(times, values); });
-  };
-  expect_contains(message({}, {}), "0 times");
-  expect_contains(message({1}, {1}), "at least 2");
-  expect_contains(message({0, 1, 2}, {1, 2}), "3 times and 2 values");
-  expect_contains(message({0, 1, 1}, {1, 2, 3}), "increase, but 1 follows 1");
-  expect_contains(message({0, 2, 1}, {1, 2, 3}), "entry 3");
-  expect_contains(message({0, NAN, 2}, {1, 2, 3}), "finite");
-  expect_contains(message({0, 1, INFINITY}, {1, 2, 3}), "finite");
-  expect_contains(message({0, 1, 2}, {1, NAN, 3}), "entry 2");
 }
 
 TEST(TimeExpressionSerialTest, EvaluatesAllThree) {

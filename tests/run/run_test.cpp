@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -72,6 +73,26 @@ TEST_F(RunTest, ColumnsHoldReactionsAndProbes) {
   ASSERT_EQ(result.max_forces.size(), 2U);
   EXPECT_EQ(result.max_forces[0].first, "reaction_left_x");
   EXPECT_NEAR(result.max_forces[0].second, -0.02, 1e-11);
+}
+
+TEST_F(RunTest, StaticMotionsFollowLinesAndSteps) {
+  const std::vector<double> values{0, 0.1, 0.4, 0.9};
+  for (const std::string interpolation : {"Linear", "Step"}) {
+    std::string scene = pulled("", "");
+    const std::string entry = numbers("Values", values);
+    scene.insert(scene.find(entry), word("Interpolation", interpolation));
+    ASSERT_EQ(run_scene(scene).status, RunStatus::Completed) << interpolation;
+    const HistoryTable history = table();
+    ASSERT_EQ(history.column("time").size(), 31U);
+    for (std::size_t k = 0; k < 31; ++k) {
+      const std::size_t i = std::min<std::size_t>(k / 10, 2);
+      const double share = static_cast<double>(k - 10 * i) / 10;
+      const double line = values[i] + share * (values[i + 1] - values[i]);
+      EXPECT_NEAR(history.column("Edge_ux")[k], interpolation == "Step" ? values[k / 10] : line, 1e-13);
+      if (k == 0) continue;  // not yet in equilibrium
+      EXPECT_NEAR(history.column("reaction_left_x")[k], -0.02, 1e-11);
+    }
+  }
 }
 
 TEST_F(RunTest, ObserversAreCalledOnEveryRankAfterEachAcceptedStep) {

@@ -98,7 +98,6 @@ elsewhere = {
     "scene/documentation.hpp": ("drivers/ixos_test.cpp", "ixos --parameters and --template"),
     "scene/explanation.hpp": ("drivers/ixos_test.cpp", "ixos --explain"),
     "scene/grips.hpp": ("verification/grips_test.cpp", "grips of scenes, and their refusals"),
-    "scene/histories.hpp": ("drivers/refusal_test.cpp", "histories that are refused"),
     "scene/interactions.hpp": ("drivers/refusal_test.cpp", "interactions that are refused"),
     "scene/materials.hpp": ("drivers/refusal_test.cpp", "materials that are refused"),
     "scene/mesh_inspection.hpp": ("io/unsound_meshes_test.cpp", "the warnings of a scene's mesh"),
