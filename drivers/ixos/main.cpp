@@ -89,6 +89,7 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   }
   if (arguments.check) {
     if (!arguments.restart.empty()) check_restart(simulation, arguments.restart, speaks);
+    if (speaks) ixos::tell_sets_and_hints(simulation);
     if (speaks) ixos::console::say("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
     return 0;
   }

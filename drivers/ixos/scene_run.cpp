@@ -38,6 +38,12 @@ void introduce(const Simulation& simulation) {
   for (const std::string& note : simulation.notes()) console::say("Note: {}\n", printable(note));
 }
 
+void tell_sets_and_hints(const Simulation& simulation) {
+  for (const SetSize& size : simulation.set_sizes())
+    console::say("{}\n", printable(in_words(size, simulation.model().mesh().body_dimension())));
+  for (const std::string& hint : simulation.hints()) console::say("Note: {}\n", printable(hint));
+}
+
 void warn(const std::vector<Warning>& warnings) {
   console::flush();
   for (const Warning& warning : warnings) console::complain("ixos: warning: {}\n", printable(warning.message));

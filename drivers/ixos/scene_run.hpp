@@ -15,6 +15,9 @@ bool speaks(const Arguments& arguments, const Comm& comm);
 /// Prints one line on the simulation, and the notes on its mesh.
 void introduce(const Simulation& simulation);
 
+/// Prints the sizes of the mesh's sets, and the hints on the scene.
+void tell_sets_and_hints(const Simulation& simulation);
+
 void warn(const std::vector<Warning>& warnings);
 
 /// Runs a simulation into the results folder and shows its progress. `tells`: whether to print its lines and warnings.

@@ -2,12 +2,13 @@
 
 namespace ixos {
 
-DamageLaw::DamageLaw(double stiffness, double strength, double range)
+DamageLaw::DamageLaw(double stiffness, double strength, double range, bool bonds_on_touch)
     : PiecewiseLaw({{strength / stiffness, 0, {0, -stiffness, 0, 0}},
                     {range, range, {0, strength / (range - strength / stiffness), 0, 0}}},
                    range / 2, strength / stiffness),
       stiffness_(stiffness),
-      softening_(strength / (range - strength / stiffness)) {}
+      softening_(strength / (range - strength / stiffness)),
+      bonds_on_touch_(bonds_on_touch) {}
 
 FrozenDamage::FrozenDamage(const DamageLaw& law, const Pack& kappa) {
   const Pack zero = 0.0, end = law.range();

@@ -18,6 +18,10 @@ class FrozenDamage;
 /// df (kappa - d0)/(kappa (df - d0)) in [0, 1]. A negative gap is an overlap: the traction K |r| repels, whatever the
 /// damage.
 ///
+/// A bond on touch is one that also forms later: a point that begins at a gap above d0 has no bond, and only repels,
+/// until a step ends at a gap of 0 or less. Then it has a whole bond, whose energy and traction there are those of the
+/// repulsion, so that nothing is spent or gained. A negative history stands for a point that waits for its bond.
+///
 /// As a law of the gap alone it is the envelope, which an undamaged point follows when it is pulled off. The energy of
 /// the envelope is 0 beyond df, that of at() is 0 at r = 0.
 class DamageLaw : public PiecewiseLaw {
@@ -25,17 +29,25 @@ class DamageLaw : public PiecewiseLaw {
   static constexpr bool has_history = true;
 
   /// K [E0/L0], s0 [E0] and df [L0], all positive, s0/K < df.
-  DamageLaw(double stiffness, double strength, double range);
+  DamageLaw(double stiffness, double strength, double range, bool bonds_on_touch = false);
 
+  /// Returns whether a point without a bond at the start may come to have one.
+  bool bonds_later() const { return bonds_on_touch_; }
   double stiffness_of_bond() const { return stiffness_; }
   double softening() const { return softening_; }  ///< s0/(df - d0) [E0/L0]
 
   /// Returns kappa of a point whose gap has been at most r, and the one that follows after a step that ends at r.
-  Pack first(const Pack& r) const { return updated(adhesion_gap(), r); }
-  Pack updated(const Pack& kappa, const Pack& r) const { return select(r > kappa, r, kappa); }
-  /// Returns D, which is 1 from df on.
+  Pack first(const Pack& r) const {
+    const Pack whole = adhesion_gap();
+    return bonds_on_touch_ ? select(r > whole, Pack(waiting), whole) : updated(whole, r);
+  }
+  Pack updated(const Pack& kappa, const Pack& r) const {
+    const Pack grown = select(r > kappa, r, kappa);
+    return bonds_on_touch_ ? select(kappa < 0.0, select(r > 0.0, kappa, Pack(adhesion_gap())), grown) : grown;
+  }
+  /// Returns D, which is 1 from df on, and of a point that waits for its bond.
   Pack damage(const Pack& kappa) const {
-    const Pack broken = select(kappa < range(), kappa, Pack(range()));
+    const Pack broken = smaller(without_waiting(kappa, range()), Pack(range()));
     return range() * (broken - adhesion_gap()) / (broken * (range() - adhesion_gap()));
   }
   /// Returns the law that holds over a step.
@@ -43,11 +55,22 @@ class DamageLaw : public PiecewiseLaw {
   /// Returns the work dissipated per area while kappa grows, s0 df (kappa - d0)/(2 (df - d0)) from d0 on, which is
   /// W = s0 df/2 at df [E0 L0].
   Pack dissipated(const Pack& from, const Pack& to) const {
-    return (0.5 * softening_ * range()) * (smaller(to, Pack(range())) - smaller(from, Pack(range())));
+    const auto up_to_range = [this](const Pack& kappa) {
+      return smaller(without_waiting(kappa, adhesion_gap()), Pack(range()));
+    };
+    return (0.5 * softening_ * range()) * (up_to_range(to) - up_to_range(from));
   }
 
  private:
+  static constexpr double waiting = -1;  ///< the history of a point that waits for its bond
+
+  /// Returns kappa, and `gap` in place of a history that waits for a bond.
+  Pack without_waiting(const Pack& kappa, double gap) const {
+    return bonds_on_touch_ ? select(kappa < 0.0, Pack(gap), kappa) : kappa;
+  }
+
   double stiffness_, softening_;
+  bool bonds_on_touch_;
 };
 
 /// The law of a point over one step, with the kappa of the step's start frozen. Its energy is the incremental potential
@@ -98,6 +121,7 @@ class FrozenDamage {
   std::array<Piece, 4> pieces_;  ///< overlap, damaged bond, envelope, nothing
 };
 
-inline FrozenDamage DamageLaw::at(const Pack& kappa) const { return {*this, kappa}; }
+/// A point that waits for its bond acts as one whose bond is broken.
+inline FrozenDamage DamageLaw::at(const Pack& kappa) const { return {*this, without_waiting(kappa, range())}; }
 
 }  // namespace ixos

@@ -46,6 +46,9 @@ class GapLaw {
   /// Returns whether the law has a history, see HasHistory. The functions above are then those of a point without a
   /// past, and only surface terms follow the history.
   virtual bool has_history() const = 0;
+  /// Returns whether a surface that begins beyond the range may come to attract: false of a law with a history whose
+  /// bonds only form at the start.
+  virtual bool bonds_later() const { return true; }
   /// Returns this law with a range, see CutOff; if it ends before that range, this law as it is. range > 0. Throws
   /// InputError if the law has a history and ends beyond.
   virtual std::shared_ptr<const GapLaw> cut_off(double range) const = 0;
@@ -79,6 +82,10 @@ class GapLawOf final : public GapLaw {
     return std::numeric_limits<double>::infinity();
   }
   bool has_history() const override { return HasHistory<Law>::value; }
+  bool bonds_later() const override {
+    if constexpr (HasHistory<Law>::value) return law_.bonds_later();
+    return true;
+  }
   std::shared_ptr<const GapLaw> cut_off(double range) const override {
     if constexpr (IsCutOff<Law>::value) {
       return std::make_shared<GapLawOf>(Law(law_.uncut(), range));

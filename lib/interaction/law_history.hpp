@@ -15,7 +15,8 @@ namespace ixos {
 ///   potential: E(r) = at(q').energy(r) + dissipated(q, q') with q' = updated(q, r), of which the first part is the
 ///   energy stored after the step. The tractions at(q) and at(q') are equal at r;
 /// - dissipated(q, q'), the work per area that a step dissipates, at least 0 [E0 L0];
-/// - damage(q), the share of its stiffness that the point has lost, in [0, 1].
+/// - damage(q), the share of its stiffness that the point has lost, in [0, 1];
+/// - bonds_later(), whether a point that begins beyond the range may come to attract.
 template <class Law, class = void>
 struct HasHistory : std::false_type {};
 template <class Law>

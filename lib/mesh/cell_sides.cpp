@@ -23,6 +23,25 @@ SideCorners corners_of(const Mesh& mesh, const Side& side) {
   return corners;
 }
 
+std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const SideCorners corners = corners_of(mesh, side);
+  // From corner a of the side to corner b. Sides run counter-clockwise, seen from outside.
+  const auto along = [&](std::size_t a, std::size_t b) {
+    std::array<double, 3> way{};
+    for (std::size_t i = 0; i < d; ++i)
+      way[i] = mesh.coordinates[static_cast<std::size_t>(corners[b]) * d + i] -
+               mesh.coordinates[static_cast<std::size_t>(corners[a]) * d + i];
+    return way;
+  };
+  if (d == 2) {
+    const auto t = along(0, 1);
+    return {t[1], -t[0], 0};
+  }
+  const auto s = along(0, 2), t = along(1, 3);
+  return {s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
+}
+
 SideCorners sorted_corners(const std::vector<int>& nodes) {
   SideCorners corners;
   corners.fill(-1);

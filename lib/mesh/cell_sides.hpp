@@ -28,6 +28,10 @@ std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side);
 /// Returns the corners of a side in the order of a linear cell, see side_nodes(); if there are two, -1 follows twice.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 
+/// Returns a vector along the outward normal of a side between its corners, in 3D the product of its diagonals: twice
+/// the area long, in 2D as long as the side. Its third component is 0 in 2D.
+std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side);
+
 /// Returns the corners of a side, of 2 or 4 nodes.
 SideCorners sorted_corners(const std::vector<int>& nodes);
 SideCorners sorted_corners(const Mesh& mesh, const Side& side);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.hpp"
@@ -30,6 +31,15 @@ Point difference(const double* a, const double* b, std::size_t d) {
   return result;
 }
 
+/// Calls visit(node, next node) for each edge of a cell at least once.
+template <class Visit>
+void for_each_edge(const Mesh& mesh, const Side& side, const Visit& visit) {
+  const SideCorners corners = corners_of(mesh, side);
+  const std::size_t count = mesh.dimension == 2 ? 2 : 4;
+  for (std::size_t k = 0; k + 1 < count; ++k) visit(corners[k], corners[k + 1]);
+  if (count == 4) visit(corners[3], corners[0]);
+}
+
 /// Scales a direction to length 1. Throws InputError if it is zero.
 void normalize(Vector& direction, const char* name) {
   if (direction.empty()) return;
@@ -42,6 +52,33 @@ void normalize(Vector& direction, const char* name) {
 }
 
 }  // namespace
+
+double place_tolerance(const Mesh& mesh) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  double shortest = std::numeric_limits<double>::infinity();
+  int number = 0;
+  for (const ElementBlock& block : mesh.blocks) {
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (int side = 0; side < sides_per_cell(block.type); ++side)
+        for_each_edge(mesh, {number, cell, side}, [&](int a, int b) {
+          const Point edge = difference(&mesh.coordinates[static_cast<std::size_t>(a) * d],
+                                        &mesh.coordinates[static_cast<std::size_t>(b) * d], d);
+          shortest = std::min(shortest, dot(edge, edge));
+        });
+    ++number;
+  }
+  if (!std::isfinite(shortest)) return 0;
+  double extent = 0;
+  for (std::size_t i = 0; i < d; ++i) {
+    double low = mesh.coordinates[i], high = low;
+    for (std::size_t k = i; k < mesh.coordinates.size(); k += d) {
+      low = std::min(low, mesh.coordinates[k]);
+      high = std::max(high, mesh.coordinates[k]);
+    }
+    extent = std::max(extent, high - low);
+  }
+  return std::max(1e-3 * std::sqrt(shortest), 1e-9 * extent);
+}
 
 Inside::Inside(const Mesh& mesh, const Region& region) : mesh_(mesh), region_(region) {
   const auto d = static_cast<std::size_t>(mesh.dimension);
@@ -64,47 +101,33 @@ Inside::Inside(const Mesh& mesh, const Region& region) : mesh_(mesh), region_(re
   cosine_ = std::cos(region.normal_angle * std::acos(-1.0) / 180);
   if (region.plane_point.empty()) region_.plane_point.resize(d);
   if (region.sphere_center.empty()) region_.sphere_center.resize(d);
-  if (mesh.coordinates.empty()) return;
-  const auto [low, high] = std::minmax_element(mesh.coordinates.begin(), mesh.coordinates.end());
-  slack_ = 1e-9 * (*high - *low);
+  doubts_ = !(region.tolerance > 0);
+  tolerance_ = doubts_ ? place_tolerance(mesh) : region.tolerance;
 }
 
-bool Inside::node(int node) const {
+double Inside::excess(int node) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
   const double* x = &mesh_.coordinates[static_cast<std::size_t>(node) * d];
+  double largest = 0;
   for (std::size_t i = 0; i < d; ++i) {
-    if (!region_.lower.empty() && x[i] < region_.lower[i] - slack_) return false;
-    if (!region_.upper.empty() && x[i] > region_.upper[i] + slack_) return false;
+    if (!region_.lower.empty()) largest = std::max(largest, region_.lower[i] - x[i]);
+    if (!region_.upper.empty()) largest = std::max(largest, x[i] - region_.upper[i]);
   }
-  if (!region_.plane_normal.empty() &&
-      std::abs(dot(region_.plane_normal, difference(x, region_.plane_point.data(), d))) > slack_)
-    return false;
-  if (!(region_.sphere_radius > 0)) return true;
+  if (!region_.plane_normal.empty())
+    largest = std::max(largest, std::abs(dot(region_.plane_normal, difference(x, region_.plane_point.data(), d))));
+  if (!(region_.sphere_radius > 0)) return largest;
   const Point from_center = difference(x, region_.sphere_center.data(), d);
-  return std::sqrt(dot(from_center, from_center)) <= region_.sphere_radius + slack_;
+  return std::max(largest, std::sqrt(dot(from_center, from_center)) - region_.sphere_radius);
 }
 
-bool Inside::side(const Side& side) const {
-  const auto d = static_cast<std::size_t>(mesh_.dimension);
-  const SideCorners corners = corners_of(mesh_, side);
-  if (!std::all_of(corners.begin(), corners.end(), [&](int corner) { return corner < 0 || node(corner); }))
-    return false;
-  if (region_.normal.empty()) return true;
-  // From corner a of the side to corner b. Sides run counter-clockwise, seen from outside.
-  const auto along = [&](std::size_t a, std::size_t b) {
-    const auto place = [&](std::size_t k) { return &mesh_.coordinates[static_cast<std::size_t>(corners[k]) * d]; };
-    return difference(place(b), place(a), d);
-  };
-  Point outward;
-  if (d == 2) {
-    const Point t = along(0, 1);
-    outward = {t[1], -t[0], 0};
-  } else {
-    const Point s = along(0, 2), t = along(1, 3);
-    outward = {s[1] * t[2] - s[2] * t[1], s[2] * t[0] - s[0] * t[2], s[0] * t[1] - s[1] * t[0]};
-  }
-  const double length = std::sqrt(dot(outward, outward));
-  return dot(region_.normal, outward) >= (cosine_ - 1e-12) * length;
+double Inside::excess(const Side& side) const {
+  double largest = 0;
+  for (const int corner : corners_of(mesh_, side))
+    if (corner >= 0) largest = std::max(largest, excess(corner));
+  if (region_.normal.empty()) return largest;
+  const Point outward = outward_normal(mesh_, side);
+  const bool fits = dot(region_.normal, outward) >= (cosine_ - 1e-12) * std::sqrt(dot(outward, outward));
+  return fits ? largest : std::numeric_limits<double>::infinity();
 }
 
 std::string Inside::span() const {

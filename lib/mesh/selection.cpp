@@ -1,7 +1,9 @@
 #include "mesh/selection.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <iterator>
+#include <limits>
 #include <numeric>
 
 #include "base/closest_name.hpp"
@@ -27,6 +29,31 @@ void refuse_known(const std::vector<Set>& sets, const std::string& name, const c
     throw InputError(std::string(what) + " \"" + name + "\" already exists; choose another name");
 }
 
+/// Returns the candidates in the region. Throws InputError, with the set's name, if the region leaves out some of which
+/// it is in doubt. `what`: "side" or "node".
+template <class Item>
+std::vector<Item> chosen(const std::vector<Item>& candidates, const Inside& inside, const std::string& set,
+                         const char* what) {
+  std::vector<Item> result;
+  std::size_t near = 0;
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  for (const Item& item : candidates) {
+    const double excess = inside.excess(item);
+    if (excess <= inside.tolerance()) result.push_back(item);
+    if (!inside.is_doubtful(excess)) continue;
+    ++near;
+    nearest = std::min(nearest, excess);
+    farthest = std::max(farthest, excess);
+  }
+  if (near == 0) return result;
+  throw InputError(fmt::format(
+      "the set \"{}\" takes {} {}(s) and leaves out {} that are {:.3g} to {:.3g} L0 outside of its region, within ten "
+      "times the tolerance, {:.3g} L0 (a thousandth of the mesh's shortest edge): its coordinates may have too few "
+      "digits. Give the set a Tolerance: {:.3g} takes them too, {:.3g} leaves them out",
+      set, result.size(), what, near, nearest, farthest, inside.tolerance(), 1.1 * farthest,
+      std::max(inside.tolerance(), 0.5 * nearest)));
+}
+
 }  // namespace
 
 const SideSet& side_set_named(const Mesh& mesh, const std::string& name) {
@@ -41,13 +68,11 @@ void add_side_set(Mesh& mesh, const std::string& name, const std::string& from, 
   refuse_known(mesh.side_sets, name, "side set");
   const Inside inside(mesh, region);
   const std::vector<Side> candidates = from.empty() ? boundary_sides(mesh) : side_set_named(mesh, from).sides;
-  SideSet chosen{name, {}};
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(chosen.sides),
-               [&](const Side& side) { return inside.side(side); });
-  if (chosen.sides.empty())
+  SideSet set{name, chosen(candidates, inside, name, "side")};
+  if (set.sides.empty())
     throw InputError("no side of " + (from.empty() ? "the boundary" : "\"" + from + "\"") +
                      " lies in the region; the mesh spans " + inside.span());
-  mesh.side_sets.push_back(std::move(chosen));
+  mesh.side_sets.push_back(std::move(set));
 }
 
 void add_node_set(Mesh& mesh, const std::string& name, const std::string& from, const Region& region) {
@@ -57,11 +82,9 @@ void add_node_set(Mesh& mesh, const std::string& name, const std::string& from, 
   std::iota(candidates.begin(), candidates.end(), 0);
   if (!from.empty()) candidates = set_named(mesh.node_sets, from, "node set").nodes;
   const Inside inside(mesh, region);
-  NodeSet chosen{name, {}};
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(chosen.nodes),
-               [&](int node) { return inside.node(node); });
-  if (chosen.nodes.empty()) throw InputError("no node lies in the region; the mesh spans " + inside.span());
-  mesh.node_sets.push_back(std::move(chosen));
+  NodeSet set{name, chosen(candidates, inside, name, "node")};
+  if (set.nodes.empty()) throw InputError("no node lies in the region; the mesh spans " + inside.span());
+  mesh.node_sets.push_back(std::move(set));
 }
 
 }  // namespace ixos

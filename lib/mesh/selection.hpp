@@ -15,7 +15,8 @@ const SideSet& side_set_named(const Mesh& mesh, const std::string& name);
 std::string no_such_set(const std::string& what, const std::string& name, const std::vector<std::string>& names);
 
 /// Adds the side set `name`: the sides of the set `from`, or of the whole boundary if `from` is empty, that lie in the
-/// region. Throws InputError if `from` does not exist, `name` exists already, or the region holds no side.
+/// region. Throws InputError if `from` does not exist, `name` exists already, the region holds no side, or it leaves
+/// out sides of which it is in doubt: Inside::is_doubtful().
 void add_side_set(Mesh& mesh, const std::string& name, const std::string& from, const Region& region);
 
 /// Adds the node set `name`: the nodes of the set `from` in the region, or of the whole mesh if `from` is empty. Throws

@@ -117,13 +117,22 @@ void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
   numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(law.adhesion_gap())[0]));
 }
 
+/// Takes the adhesion from a surface that can never have a bond. A moved obstacle may begin at another place.
+void take_missing_bonds(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
+  numbers.never_bonds = !interaction.law->bonds_later() && interaction.motion.histories().empty() &&
+                        numbers.least_gap >= interaction.law->range();
+  if (numbers.never_bonds) numbers.work = numbers.peak_traction = 0;
+}
+
 /// Adds what the sides of the set show; `nearest` becomes the node of least gap.
 void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
                Point& nearest) {
   numbers.least_gap = infinity;
+  numbers.largest_gap = -infinity;
   for (const Side& side : set.sides)
     for (const Point& point : side_points(mesh, side)) {
       const double gap = sight_of(obstacle, point).gap[0];
+      numbers.largest_gap = std::max(numbers.largest_gap, gap);
       if (!(gap < numbers.least_gap)) continue;
       numbers.least_gap = gap;
       nearest = point;
@@ -181,6 +190,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     Point nearest{};
     add_law(interaction, numbers);
     add_sides(mesh, *set, *obstacle, numbers, nearest);
+    take_missing_bonds(interaction, numbers);
     numbers.elastic_length = numbers.work / body.modulus;
     const Sight sight = sight_of(*obstacle, nearest);
     for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = sight.normal[axis][0];

@@ -31,11 +31,13 @@ struct SurfaceNumbers {
   int part = 0;                    ///< to which it belongs, see connected_parts()
   double work = 0;                 ///< W of adhesion, with the cutoff, see work_of_adhesion() [E0 L0]
   double peak_traction = 0;        ///< s0, the largest attraction [E0]
+  bool never_bonds = false;        ///< W = s0 = 0: it begins beyond the range of bonds that form at the start only
   double equilibrium_gap = 0;      ///< r_eq [L0]
   double elastic_length = 0;       ///< elasto-adhesive length W/E [L0]
   double cohesive_zone = 0;        ///< see cohesive_zone() [L0]
   double face_length = 0;          ///< mean length of the sides; in 3D the root of their mean area [L0]
   double least_gap = 0;            ///< at the nodes of the surface, before any displacement [L0]
+  double largest_gap = 0;          ///< likewise [L0]
   std::array<double, 3> normal{};  ///< out of the obstacle at the node of least gap
   double thickness = 0;            ///< extent of that part along the normal [L0]
   double radius = 0;             ///< R with 1/R = 1/R of a disk + 1/R of a curved obstacle; 0 if neither is known [L0]

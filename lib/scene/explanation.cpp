@@ -55,6 +55,9 @@ std::string bodies(const Simulation& simulation) {
   for (std::size_t k = 0; k < parts.size() && parts[k].path() != "Mesh"; ++k)
     text += fmt::format("{}{} ({}){}", k == 0 ? "Parts: " : "", parts[k].name(), parts[k].text("Type"),
                         k + 1 == parts.size() ? "\n" : ", ");
+  if (!simulation.set_sizes().empty()) text += "Sets:\n";
+  for (const SetSize& size : simulation.set_sizes())
+    text += fmt::format("  {}\n", in_words(size, mesh.body_dimension()));
   const List& materials = simulation.parameters().sublist("Materials");
   std::size_t number = 0;
   for (const SceneNode& node : SceneNode(materials, "Materials").sublists()) {
@@ -198,11 +201,17 @@ std::string frames(const Simulation& simulation) {
   return text;
 }
 
+std::string notes(const Simulation& simulation) {
+  std::string text;
+  for (const std::string& hint : simulation.hints()) text += "Note: " + hint + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string explain(const Simulation& simulation) {
   return bodies(simulation) + surroundings(simulation) + solution(simulation) + memory(simulation) +
-         frames(simulation) + left_out(simulation) + explain_numbers(simulation);
+         frames(simulation) + notes(simulation) + left_out(simulation) + explain_numbers(simulation);
 }
 
 }  // namespace ixos

@@ -6,8 +6,9 @@
 
 namespace ixos {
 
-/// Returns a text for the user, before a run: bodies, interactions, scheme, solvers, output, the memory that the large
-/// arrays take on this rank, the parts that are left out and hence cost nothing, and its numbers in SI units.
+/// Returns a text for the user, before a run: bodies, sets and their sizes, interactions, scheme, solvers, output, the
+/// memory that the large arrays take on this rank, notes, the parts that are left out and hence cost nothing, and its
+/// numbers in SI units.
 /// Collective.
 std::string explain(const Simulation& simulation);
 

@@ -39,7 +39,11 @@ const Options<Selection>& options() {
                "Angle away from it. If empty, sides may look in any direction.",
                any_number())
           .add("Normal Angle", &Selection::normal_angle,
-               "Largest angle between Normal and the outward normal of a side [degrees].", between(0, 180));
+               "Largest angle between Normal and the outward normal of a side [degrees].", between(0, 180))
+          .add("Tolerance", &Selection::tolerance,
+               "Distance from the region up to which a node counts as inside [L0]. With 0, it is a thousandth of the "
+               "shortest edge of the mesh, and a set that leaves out sides or nodes within ten times that is refused.",
+               at_least(0));
   return all;
 }
 

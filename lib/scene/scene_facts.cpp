@@ -1,10 +1,13 @@
 #include "scene/scene_facts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "mesh/layers.hpp"
+#include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "scene/symmetry_planes.hpp"
 
 namespace ixos {
 namespace {
@@ -19,6 +22,28 @@ int order_of(ContactElement element) {
 double attraction(const SceneInteraction& interaction, double gap) {
   if (interaction.cutoff > 0 && gap >= interaction.cutoff) return 0;
   return std::max(0.0, -static_cast<double>(interaction.law->traction(Pack(gap))[0]));
+}
+
+/// A law like Penalty returns another scale as its equilibrium gap; one that is defined at every gap may rest at 0.
+std::optional<double> rest_gap(const GapLaw& law) {
+  const double negligible = 1e-6 * std::abs(static_cast<double>(law.traction(Pack(law.adhesion_gap()))[0]));
+  const auto rests = [&](double gap) {
+    return std::abs(static_cast<double>(law.traction(Pack(gap))[0])) <= negligible;
+  };
+  if (!law.repels() || work_of_adhesion(law) == 0) return std::nullopt;
+  if (law.domain() == GapDomain::All && rests(0)) return 0.0;
+  return rests(law.equilibrium_gap()) ? std::optional<double>(law.equilibrium_gap()) : std::nullopt;
+}
+
+/// See SurfaceFacts::column.
+double column(const Mesh& mesh, const std::vector<int>& parts, const SurfaceNumbers& surface,
+              const SurfaceFacts& facts) {
+  const bool is_flat = surface.largest_gap - surface.least_gap <= facts.peak_gap;
+  if (surface.work == 0 || facts.has_friction || facts.drive.pulls.empty() || !is_flat ||
+      !std::all_of(parts.begin(), parts.end(), [&](int part) { return part == surface.part; }))
+    return 0;
+  const auto sides = static_cast<double>(mesh.side_sets[surface.side_set].sides.size());
+  return mesh_quality(mesh).volume / (sides * std::pow(surface.face_length, mesh.dimension - 1) * surface.thickness);
 }
 
 bool follows_traction(const Friction& friction) {
@@ -47,6 +72,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
                        const std::vector<int>& parts, const Histories& histories, const StepControlOptions& control,
                        Inertia inertia) {
   SceneFacts facts;
+  facts.dimension = mesh.dimension;
   Driving driving(scene, histories, control, mesh, parts);
   for (const SceneInteraction& interaction : interactions)
     driving.add_obstacle(interaction.node.sublist("Motion"), interaction.motion, histories);
@@ -60,6 +86,10 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     SurfaceFacts own;
     own.order = order_of(interaction.element);
     own.peak_gap = interaction.law->adhesion_gap();
+    own.range = interaction.law->range();
+    own.rest_gap = rest_gap(*interaction.law);
+    own.repulsion = std::max(0.0, static_cast<double>(interaction.law->traction(Pack(surface.least_gap))[0]));
+    own.open_cut = open_cut(scene, mesh, mesh.side_sets[surface.side_set], parts, surface.normal);
     own.moved = !interaction.motion.histories().empty();
     own.drive = driving.of_part(surface.part, surface.normal);
     own.attraction = attraction(interaction, std::max(surface.least_gap - own.drive.approach, own.peak_gap));
@@ -70,6 +100,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     own.has_friction = std::any_of(interactions.begin(), interactions.end(), [&](const SceneInteraction& other) {
       return other.side_set == interaction.side_set && other.friction.type != FrictionType::None;
     });
+    own.column = column(mesh, parts, surface, own);
     if (follows_traction(interaction.friction))
       for (const SurfaceNumbers& other : numbers.surfaces)
         if (other.interaction != surface.interaction && are_before_one_obstacle(surface, other, interactions))

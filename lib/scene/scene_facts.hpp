@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/cut_planes.hpp"
 #include "scene/characteristic_numbers.hpp"
 #include "scene/driving.hpp"
 #include "time/table.hpp"
@@ -20,8 +21,12 @@ struct Scales {
 
 /// One interaction, parallel to CharacteristicNumbers::surfaces.
 struct SurfaceFacts {
-  int order = 1;              ///< of the contact element
-  double peak_gap = 0;        ///< the gap of largest attraction [L0]
+  int order = 1;        ///< of the contact element
+  double peak_gap = 0;  ///< the gap of largest attraction [L0]
+  double range = 0;     ///< of the law, infinite without one [L0]
+  /// The gap at which neither repulsion nor attraction acts [L0]; none if the law only repels or only attracts.
+  std::optional<double> rest_gap{};
+  double repulsion = 0;       ///< at the least gap; 0 in attraction [E0]
   double attraction = 0;      ///< at the least gap less the approach; 0 beyond the range [E0]
   bool moved = false;         ///< the obstacle is moved: its place at the start tells little
   bool opposed = true;        ///< this law or another one on the side set repels
@@ -33,6 +38,12 @@ struct SurfaceFacts {
   double single_layer = 0;
   double layer_thickness = 0;  ///< mean thickness of those cells [L0]
   Drive drive{};               ///< of the body to which the surface belongs
+  /// For a flat adhesive surface that is pulled without friction: the body's volume over that of a column which stands
+  /// on the surface and is as thick as the body; otherwise, and beside further bodies, 0.
+  double column = 0;
+  /// A plane along the obstacle's normal at which the body may be cut out of a symmetric one, and on which nothing
+  /// acts.
+  std::optional<CutPlane> open_cut{};
 };
 
 /// The points of a double integral over two surfaces.
@@ -44,6 +55,7 @@ struct DensePoints {
 };
 
 struct SceneFacts {
+  int dimension = 2;  ///< of the mesh
   CharacteristicNumbers numbers{};
   std::vector<SurfaceFacts> surfaces{};
   std::vector<DensePoints> dense_points{};

@@ -25,6 +25,7 @@
 #include "scene/maxwell_branches.hpp"
 #include "scene/mesh_inspection.hpp"
 #include "scene/newton_options.hpp"
+#include "scene/notes.hpp"
 #include "scene/obstacle_files.hpp"
 #include "scene/output_fields.hpp"
 #include "scene/output_norms.hpp"
@@ -151,6 +152,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
       warnings_.push_back({"mesh", std::move(message)});
     if (std::string note = size_note(parameters_.sublist("Mesh"), mesh, units_); !note.empty())
       mesh.notes.push_back(std::move(note));
+    set_sizes_ = ixos::set_sizes(mesh);
     read_factor_fields(interactions_, parameters_.sublist("Mesh"), mesh);
     enrich_surfaces(interactions_, mesh);
   });
@@ -182,6 +184,7 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   SceneFacts facts = scene_facts(scene, numbers_, materials_, interactions_, mesh, parts, histories, control, inertia);
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
+  hints_ = scene_notes(facts);
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {

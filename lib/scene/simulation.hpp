@@ -9,6 +9,7 @@
 #include "base/tpetra.hpp"
 #include "base/warning.hpp"
 #include "mesh/quality.hpp"
+#include "mesh/set_size.hpp"
 #include "scene/characteristic_numbers.hpp"
 #include "scene/histories.hpp"
 #include "scene/interactions.hpp"
@@ -57,6 +58,7 @@ class Simulation {
   StopCriteria stop_criteria() const;
   const std::string& mesh_fingerprint() const { return mesh_fingerprint_; }  ///< see fingerprint()
   const MeshQuality& mesh_quality() const { return mesh_quality_; }
+  const std::vector<SetSize>& set_sizes() const { return set_sizes_; }  ///< before contact elements add nodes
   const CharacteristicNumbers& characteristic_numbers() const { return numbers_; }
   /// Returns warnings for the user about settings that are allowed but may be a mistake.
   const std::vector<Warning>& warnings() const { return warnings_; }
@@ -64,6 +66,8 @@ class Simulation {
   void resumes();
   /// Returns what Ixos left out of a mesh file, how large that mesh is, and which ramps outlast the run, in sentences.
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Returns what the scene may leave out unintended, see scene_notes().
+  const std::vector<std::string>& hints() const { return hints_; }
   double setup_seconds() const { return setup_seconds_; }
 
  private:
@@ -91,9 +95,10 @@ class Simulation {
   std::vector<Probe> probes_;
   std::string mesh_fingerprint_;
   MeshQuality mesh_quality_;
+  std::vector<SetSize> set_sizes_;
   CharacteristicNumbers numbers_;
   std::vector<Warning> warnings_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, hints_;
   double setup_seconds_ = 0;
 };
 

@@ -141,6 +141,7 @@ TEST_F(DriverTest, CheckTellsTheQualityOfTheMeshAndVeryBadCellsAreWarnedOf) {
   EXPECT_EQ(good.status, 0);
   EXPECT_NE(good.output.find("\nscaled Jacobian: least 0."), std::string::npos) << good.output;
   EXPECT_NE(good.output.find("\nlargest aspect ratio: "), std::string::npos) << good.output;
+  EXPECT_NE(good.output.find("\nside set surface: 16 sides, 31.2145 L0\n"), std::string::npos) << good.output;
   EXPECT_EQ(good.output.find("warning"), std::string::npos) << good.output;
   // Two bricks of 250 to 1.
   const std::vector<std::string> flat{ball,
@@ -218,6 +219,7 @@ TEST_F(DriverTest, ExplainTellsWhatIsModelledAndWhatIsLeftOut) {
   const Outcome outcome = ixos({ball, "--explain"}, folder_);
   EXPECT_EQ(outcome.status, 0);
   for (const char* part : {"48 cells, 114 degrees of freedom", "Neo-Hooke", "Van der Waals", "linear solver Direct",
+                           "Sets:\n  side set surface: 16 sides, 31.2145 L0\n", "node set center: 1 node\n",
                            "Left out, at no cost:\n  friction: obstacles act along their normals only",
                            "\n  damping: ", "Fields of nodes: displacement [L0], velocity [L0/T0]", "jacobian [-]"})
     EXPECT_NE(outcome.output.find(part), std::string::npos) << part << " in " << outcome.output;

@@ -102,6 +102,36 @@ TEST(DamageLawTest, EachStepsWorkIsStoredOrDissipated) {
   }
 }
 
+TEST(DamageLawTest, ABondOnTouchWaitsForAGapOfZero) {
+  const DamageLaw late(stiffness, strength, range, true);
+  EXPECT_TRUE(gap_law(late)->bonds_later());
+  EXPECT_FALSE(gap_law(law)->bonds_later());
+  Pack q = late.first(1.2);
+  for (const double r : {1.2, 0.4, 1e-9, 2.0}) {
+    q = late.updated(q, r);
+    EXPECT_EQ(late.damage(q)[0], 1) << r;
+    EXPECT_EQ(late.at(q).traction(r)[0], 0) << r;
+    EXPECT_EQ(late.at(q).energy(r)[0], 0) << r;
+    EXPECT_EQ(late.at(q).mean_traction(0.1, r)[0], 0) << r;
+  }
+  EXPECT_NEAR(late.at(q).traction(-0.1)[0], stiffness * 0.1, 1e-16);
+  // The step that touches: both laws agree at its end, and nothing is dissipated.
+  for (const double r : {0.0, -0.05}) {
+    const Pack bonded = late.updated(q, r);
+    EXPECT_EQ(late.dissipated(q, bonded)[0], 0);
+    EXPECT_EQ(late.damage(bonded)[0], 0);
+    EXPECT_EQ(late.at(q).energy(r)[0], late.at(bonded).energy(r)[0]);
+    EXPECT_EQ(late.at(q).traction(r)[0], late.at(bonded).traction(r)[0]);
+    // From then on it is the bond that another point has from the start.
+    const Pack kappa = late.updated(bonded, 0.9), other = law.updated(law.first(0.0), 0.9);
+    EXPECT_EQ(kappa[0], other[0]);
+    EXPECT_EQ(late.at(kappa).traction(0.4)[0], law.at(other).traction(0.4)[0]);
+    EXPECT_EQ(late.dissipated(bonded, kappa)[0], law.dissipated(law.first(0.0), other)[0]);
+    EXPECT_EQ(late.updated(late.updated(kappa, 3.0), -0.1)[0], 3.0) << "a broken bond does not heal";
+  }
+  for (const double r : {-0.2, 0.0, peak}) EXPECT_EQ(late.first(r)[0], law.first(r)[0]) << "bonded at the start";
+}
+
 TEST(DamageLawTest, StiffnessesAndPotentialsAreDerivatives) {
   for (const double kappa : {0.25, 0.9, 1.5, 2.0}) {
     const FrozenDamage frozen = law.at(kappa);
@@ -137,6 +167,14 @@ TEST(DamageLawTest, LanesHaveHistoriesOfTheirOwn) {
     EXPECT_EQ(frozen.mean_traction(0.3, r)[i], own.mean_traction(0.3, double(r[i]))[0]);
     EXPECT_EQ(frozen.mean_potential(0.3, r)[i], own.mean_potential(0.3, double(r[i]))[0]);
   }
+}
+
+TEST(DamageLawTest, TheCatalogueTakesBondsOnTouch) {
+  const Settings glue = {{"Work of Adhesion", work}, {"Strength", strength}, {"Stiffness", stiffness}};
+  EXPECT_FALSE(make_gap_law("Bilinear Damage", glue)->bonds_later());
+  Settings late = glue;
+  late.push_back({"Bond on Touch", true});
+  EXPECT_TRUE(make_gap_law("Bilinear Damage", late)->bonds_later());
 }
 
 TEST(DamageLawTest, TheCatalogueTakesWorkOrRange) {

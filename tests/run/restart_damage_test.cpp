@@ -11,14 +11,16 @@ namespace {
 
 const DamageLaw bond(0.5, 0.05, 0.8);
 
-/// A block on a bond that breaks; `motion`: more lists.
-std::string bonded(const std::string& motion, const std::string& integrator, const std::string& output) {
+/// A block on a bond that breaks; `motion`: more lists, `law` and `wall`: more parameters.
+std::string bonded(const std::string& motion, const std::string& integrator, const std::string& output,
+                   const std::string& law = "", const std::string& wall = "") {
   return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + counts("Divisions", {6, 1}))) +
          list("Materials", list("Rubber", number("Density", 1))) +
          list("Interactions",
               list("Bond", word("Side Set", "bottom") + word("Law", "Bilinear Damage") +
                                list("Bilinear Damage", number("Work of Adhesion", 0.02) + number("Strength", 0.05) +
-                                                           number("Stiffness", 0.5)))) +
+                                                           number("Stiffness", 0.5) + law) +
+                               wall)) +
          motion + list("Output", output) + list("Time Integrator", integrator);
 }
 
@@ -32,6 +34,18 @@ TEST_F(RestartTest, DamageGoesOn) {
                                     word("Type", "Average Vector Field"), word("Type", "Central Difference")}) {
     SCOPED_TRACE(scheme);
     const RunResult whole = expect_goes_on(bonded(leap, scheme + steps(0.05, 2), checkpoints(15, 100)), {15, 30});
+    EXPECT_EQ(whole.status, RunStatus::Completed);
+  }
+}
+
+// The first checkpoint finds points that wait for their bond, the second one bonds.
+TEST_F(RestartTest, BondsOnTouchGoOn) {
+  const std::string fall = list("Initial Conditions", numbers("Velocity", {0.02, -0.3}));
+  const std::string on_touch = R"(<Parameter name="Bond on Touch" type="bool" value="true"/>)";
+  for (const std::string& scheme : {word("Type", "Newmark"), word("Type", "Average Vector Field")}) {
+    SCOPED_TRACE(scheme);
+    const RunResult whole = expect_goes_on(
+        bonded(fall, scheme + steps(0.05, 2), checkpoints(15, 100), on_touch, numbers("Point", {0, -0.3})), {15, 30});
     EXPECT_EQ(whole.status, RunStatus::Completed);
   }
 }

@@ -170,6 +170,7 @@ TEST(SceneMeshTest, SetsTakeEveryParameterOfTheirList) {
   EXPECT_EQ(sides("Sphere Center", Numbers(Teuchos::tuple<double>(2, 0)), "Sphere Radius", 1.0), 2U);
   EXPECT_EQ(sides("Normal", Numbers(Teuchos::tuple<double>(1, 0))), 2U);
   EXPECT_EQ(sides("Normal", Numbers(Teuchos::tuple<double>(1, 0)), "Normal Angle", 90.0), 10U);
+  EXPECT_EQ(sides("Upper", Numbers(Teuchos::tuple<double>(4, -0.5)), "Tolerance", 0.6), 4U);
 }
 
 }  // namespace

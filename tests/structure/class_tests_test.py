@@ -101,6 +101,7 @@ elsewhere = {
     "scene/interactions.hpp": ("drivers/refusal_test.cpp", "interactions that are refused"),
     "scene/materials.hpp": ("drivers/refusal_test.cpp", "materials that are refused"),
     "scene/mesh_inspection.hpp": ("io/unsound_meshes_test.cpp", "the warnings of a scene's mesh"),
+    "scene/symmetry_planes.hpp": ("scene/notes_test.cpp", "what acts on a plane of symmetry"),
     "scene/mesh_sets.hpp": ("scene/scene_mesh_test.cpp", "sets take every parameter"),
     "scene/parameters.hpp": ("parameters/validation_test.cpp", "validates scenes against them"),
     "scene/probes.hpp": ("run/run_test.cpp", "columns of probes"),

@@ -22,11 +22,13 @@ using test::word;
 constexpr double stiffness = 0.5, strength = 0.05, range = 0.8, work = strength * range / 2;
 const DamageLaw law(stiffness, strength, range);
 
-std::string bond(const std::string& more) {
+const std::string on_touch = R"(<Parameter name="Bond on Touch" type="bool" value="true"/>)";
+
+std::string bond(const std::string& more, const std::string& kind = "") {
   return list("Interactions",
               list("Bond", word("Side Set", "bottom") + word("Law", "Bilinear Damage") +
                                list("Bilinear Damage", number("Work of Adhesion", work) + number("Strength", strength) +
-                                                           number("Stiffness", stiffness)) +
+                                                           number("Stiffness", stiffness) + kind) +
                                more));
 }
 
@@ -217,6 +219,71 @@ TEST(DamageTest, ASurfaceThatStartsApartHasNoBond) {
     EXPECT_NEAR(contact_energy(s), 2 * own.energy(gap)[0], 1e-15);
     EXPECT_NEAR(traction(s), own.traction(gap)[0], 1e-15);
     EXPECT_EQ(s.integrator().dissipated_energy(), 0);
+  }
+}
+
+// A block that is moved from a gap of 0.5 down to -0.02, then up to 1.15, as a whole.
+TEST(DamageTest, ABondOnTouchFormsAtTheFirstContact) {
+  const std::string lift = word("Components", "y") + word("History", "Path");
+  const std::string path =
+      list("Histories", test::expression("Path", "0.13*(t^2 - 4*t)", "0.13*(2*t - 4)", "0.26")) +
+      list("Boundary Conditions", list("Bottom", word("Node Set", "bottom") + lift) +
+                                      list("Top", word("Node Set", "top") + lift) +
+                                      list("Guide", word("Node Set", "left") + word("Components", "x")));
+  const double start = strength / stiffness;
+  for (const char* scheme : {"Static", "Newmark", "Average Vector Field"})
+    for (const bool bonds : {true, false}) {
+      SCOPED_TRACE(std::string(scheme) + (bonds ? ", on touch" : ""));
+      Simulation s(test::scene(block({2, 1}) + bond(numbers("Point", {0, -0.5}), bonds ? on_touch : "") + path +
+                               (std::string(scheme) == "Static" ? "" : flying({0, -0.52})) +
+                               test::time_integrator(scheme, 0.1, 5)),
+                   test::world());
+      bool touched = false;
+      double lost = 0;
+      for (int n = 1; n <= 50; ++n) {
+        const StepResult result = s.integrator().step(0.1);
+        ASSERT_TRUE(result.converged) << n << ": " << result.reason;
+        const double t = s.integrator().time(), gap = 0.5 + 0.13 * (t * t - 4 * t);
+        touched = touched || gap <= 0;
+        if (!bonds) continue;
+        const double fall = -strength * (range - gap) / (range - start);
+        const double expected = gap <= 0 || (touched && gap <= start) ? -stiffness * gap
+                                : touched && gap < range              ? fall
+                                                                      : 0;
+        ASSERT_NEAR(traction(s), expected, 1e-13) << n;
+        if (touched && gap > start) lost = work * (std::min(gap, range) - start) / (range - start);
+        ASSERT_NEAR(s.integrator().dissipated_energy(), 2 * lost, 1e-13) << n;
+      }
+      EXPECT_TRUE(touched);
+      // The bond that half broke at the start loses the other half.
+      const double rest = 0.5 * strength / (range - start) * range * (range - 0.5);
+      EXPECT_NEAR(s.integrator().dissipated_energy(), 2 * (bonds ? work : rest), 1e-13);
+    }
+}
+
+// A block falls on glue with one edge first, and the bond brakes its rebound.
+TEST(DamageTest, TheBalanceOfABlockThatFallsOnGlueCloses) {
+  for (const char* scheme : {"Average Vector Field", "Energy-Momentum"}) {
+    SCOPED_TRACE(scheme);
+    const bool mean = std::string(scheme) == "Average Vector Field";
+    const std::string exact =
+        mean ? test::count("Elastic Points", 6) + test::count("Interaction Points", 0) : std::string();
+    Simulation s(test::scene(block({4, 2}) + bond(numbers("Point", {0, -0.9}), on_touch) +
+                             list("Initial Conditions", numbers("Velocity", {0.05, -0.2}) +
+                                                            numbers("Velocity Gradient", {0, -0.03, 0.03, 0})) +
+                             test::time_integrator(scheme, 0.1, 20, exact)),
+                 test::world());
+    const double first = test::total_energy(s);
+    EXPECT_EQ(contact_energy(s), 0);
+    double lost = 0;
+    for (int n = 1; n <= 150; ++n) {
+      const StepResult result = s.integrator().step(0.1);
+      ASSERT_TRUE(result.converged) << n << ": " << result.reason;
+      EXPECT_GE(s.integrator().dissipated_energy(), lost);
+      lost = s.integrator().dissipated_energy();
+      ASSERT_NEAR(test::total_energy(s) + lost, first, 1e-9) << n;
+    }
+    EXPECT_GT(lost, 0.05 * work);
   }
 }
 

@@ -12,6 +12,7 @@ enum class Constants { Adhesion, Range };
 struct Parameters {
   Constants constants = Constants::Adhesion;
   double work = default_work, strength = default_strength, range = 0, stiffness = 10;
+  bool on_touch = false;
 };
 
 }  // namespace
@@ -29,7 +30,12 @@ LawEntry bilinear_damage_law() {
       .add("Stiffness", &Parameters::stiffness,
            "Traction K per gap of the undamaged bond, and of an overlap [E0/L0]. The attraction is largest at the gap "
            "d0 = s0/K, which must be less than the range.",
-           greater_than(0));
+           greater_than(0))
+      .add(
+          "Bond on Touch", &Parameters::on_touch,
+          "Whether points that begin without a bond get one later. If true, a point that begins at a gap above d0 only "
+          "repels, until a step ends at a gap of 0 or less; then its bond is whole. If false, bonds form at the start "
+          "only, up to the range.");
   return {"Bilinear Damage",
           "A cohesive bond that does not heal: T(r) = -K r up to the gap d0 = s0/K, then T falls linearly to 0 at the "
           "gap d_f. Each point keeps the largest gap kappa that a step ended at. At smaller gaps T(r) = -(1 - D) K r "
@@ -45,7 +51,7 @@ LawEntry bilinear_damage_law() {
                                                    "be less than the range, {:.6g}: more than {:.6g} is needed",
                                                    p.stiffness, peak, range, p.strength / range));
             check_derived(node, names, {{"slope s0/(d_f - d0)", p.strength / (range - peak)}});
-            return gap_law(DamageLaw(p.stiffness, p.strength, range));
+            return gap_law(DamageLaw(p.stiffness, p.strength, range, p.on_touch));
           }};
 }
 
