@@ -217,6 +217,13 @@ struct ElasticKernel {
       if (has_velocity) velocity = gradient(*segment.velocity, dn);
     }
 
+    /// `start` and `rate` may be null.
+    Ends(const Small<T, G>& end, const Small<T, G>* start, const Small<T, G>* rate)
+        : to(end), has_from(start != nullptr), has_velocity(rate != nullptr) {
+      if (has_from) from = *start;
+      if (has_velocity) velocity = *rate;
+    }
+
     Small<T, G> at(const RulePoint& point) const {
       Small<T, G> h;
       for (std::size_t i = 0; i < G; ++i)
@@ -278,6 +285,30 @@ struct ElasticKernel {
     T sum(0.0);
     for (const Point<T>& point : geometry.points) sum += point.weight;
     return sum;
+  }
+
+  /// Calls moduli(point, dN/dX, sum), which computes symmetric moduli times the weight, and adds their tangent.
+  template <class T, class Moduli>
+  [[gnu::always_inline]] static void add_symmetric_tangent(const Geometry<T>& geometry, const Moduli& moduli,
+                                                           Tangent<T>& k) {
+    if constexpr (D == 3) {
+      for (std::size_t q = 0; q < geometry.points.size(); q += contractions_at_once) {
+        const std::size_t count = std::min(contractions_at_once, geometry.points.size() - q);
+        std::array<ModuliPoint<T, N, D>, contractions_at_once> points;
+        for (std::size_t i = 0; i < count; ++i) {
+          points[i].gradients = shape_gradients(geometry, q + i);
+          moduli(q + i, points[i].gradients, points[i].moduli);
+        }
+        add_contractions(points, count, k);
+      }
+    } else {
+      for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+        const Gradients<T> dn = shape_gradients(geometry, q);
+        Small<T, C> sum;
+        moduli(q, dn, sum);
+        add_contraction<true>(dn, dn, sum, k);
+      }
+    }
   }
 
  private:
@@ -372,30 +403,6 @@ struct ElasticKernel {
             for (std::size_t c = 0; c < C; ++c) sum[r][c] *= weight;
         },
         k);
-  }
-
-  /// Calls moduli(point, dN/dX, sum), which computes symmetric moduli times the weight, and adds their tangent.
-  template <class T, class Moduli>
-  [[gnu::always_inline]] static void add_symmetric_tangent(const Geometry<T>& geometry, const Moduli& moduli,
-                                                           Tangent<T>& k) {
-    if constexpr (D == 3) {
-      for (std::size_t q = 0; q < geometry.points.size(); q += contractions_at_once) {
-        const std::size_t count = std::min(contractions_at_once, geometry.points.size() - q);
-        std::array<ModuliPoint<T, N, D>, contractions_at_once> points;
-        for (std::size_t i = 0; i < count; ++i) {
-          points[i].gradients = shape_gradients(geometry, q + i);
-          moduli(q + i, points[i].gradients, points[i].moduli);
-        }
-        add_contractions(points, count, k);
-      }
-    } else {
-      for (std::size_t q = 0; q < geometry.points.size(); ++q) {
-        const Gradients<T> dn = shape_gradients(geometry, q);
-        Small<T, C> sum;
-        moduli(q, dn, sum);
-        add_contraction<true>(dn, dn, sum, k);
-      }
-    }
   }
 
   /// Sets `sum` to the sum of the rule's stresses, times a factor, lowers `least_jacobian`, and keeps `kept` unless it

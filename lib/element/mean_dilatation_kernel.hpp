@@ -1,4 +1,4 @@
-/// A cure of volumetric locking that derives from an energy: one mean dilatation for the whole element.
+/// A cure of volumetric locking that derives from an energy: one mean dilatation for the whole of a linear element.
 #pragma once
 #include "element/elastic_kernel.hpp"
 #include "element/mean_dilatation_point.hpp"
@@ -17,6 +17,8 @@ namespace ixos {
 /// A ring has all three stretches: the exponent is 1/3.
 ///
 /// For a linear law it is the limit of small strains, H~ = H + (mean(tr H) - tr H)/D I (Hughes 1980), exactly linear.
+///
+/// Quadratic elements need more constraints, see ProjectedDilatationKernel.
 ///
 /// In a homogeneous state the element equals that of ElasticKernel. Jm couples the quadrature points, so time points
 /// cannot share one B^T A B alone: each adds a rank-two part. The kernel has no discrete gradient.

@@ -3,8 +3,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/pack.hpp"
 #include "base/small_matrix.hpp"
 #include "element/displacement_gradient.hpp"
+#include "material/exp_series.hpp"
+#include "material/log_series.hpp"
+#include "material/strain.hpp"
 
 namespace ixos {
 
@@ -29,25 +33,43 @@ struct MeanDilatationPoint {
     return trace(h);
   }
 
+  /// Returns ln J, 0 if J <= 0; for a linear law the trace of H.
+  template <class T>
+  static T log_ratio(const Small<T, D>& h) {
+    if constexpr (finite) {
+      using std::abs;
+      using std::log;
+      const T change = determinant_minus_one(h);
+      const auto small = abs(change) < 0.2;
+      const T close = log_one_plus(T(select(small, change, T(0.0))));
+      if (everywhere(small)) return close;
+      // Far from 1, J has more correct digits than J - 1.
+      const T ratio = determinant(deformation_gradient(h));
+      return select(small, close, T(log(T(select(ratio > 0.0, ratio, T(1.0))))));
+    } else {
+      return trace(h);
+    }
+  }
+
   /// H~ at a point and the quantities that its variation needs; for a linear law all except H~ are those at rest.
   template <class T>
   struct State {
-    State(const Small<T, D>& h, const T& mean_dilatation) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
-      T change;  // of the diagonal
-      if constexpr (finite) {
-        Small<T, D> f = h;
-        for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
-        jacobian = determinant(f);
-        inverse = ixos::inverse(f, jacobian);
-        change = root_minus_one(T((mean_dilatation - dilatation(h)) / jacobian));
-        scale = 1.0 + change;
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) scaled[i][j] *= scale;
-      } else {
-        change = (mean_dilatation - dilatation(h)) * (1.0 / D);
-        for (std::size_t i = 0; i < D; ++i) inverse[i][i] = T(1.0);
-      }
-      for (std::size_t i = 0; i < D; ++i) scaled[i][i] += change;
+    /// The volume ratio of F~ is 1 + mean_dilatation.
+    State(const Small<T, D>& h, const T& mean_dilatation) : State(h) {
+      if constexpr (finite)
+        stretch(root_minus_one(T((mean_dilatation - dilatation(h)) / jacobian)));
+      else
+        stretch(T((mean_dilatation - dilatation(h)) * (1.0 / D)));
+    }
+
+    /// Returns the state F~ = exp(exponent) F; for a linear law H~ = H + exponent I.
+    static State stretched(const Small<T, D>& h, const T& exponent) {
+      State s(h);
+      if constexpr (finite)
+        s.stretch(T(exponent * exp_quotient(exponent)));
+      else
+        s.stretch(exponent);
+      return s;
     }
 
     /// Returns m:F~; for a linear law the trace.
@@ -80,11 +102,33 @@ struct MeanDilatationPoint {
     }
 
     Small<T, D> scaled;   ///< H~ = F~ - I
-    T scale;              ///< (Jm/J)^(1/D)
+    T scale;              ///< of F~ = scale F, such as (Jm/J)^(1/D)
     T jacobian;           ///< J
     Small<T, D> inverse;  ///< F^-1
 
    private:
+    /// F~ = F. This function and stretch() are inlined, so that they round like one function.
+    [[gnu::always_inline]] explicit State(const Small<T, D>& h) : scaled(h), scale(1.0), jacobian(1.0), inverse{} {
+      if constexpr (finite) {
+        Small<T, D> f = h;
+        for (std::size_t i = 0; i < D; ++i) f[i][i] += 1.0;
+        jacobian = determinant(f);
+        inverse = ixos::inverse(f, jacobian);
+      } else {
+        for (std::size_t i = 0; i < D; ++i) inverse[i][i] = T(1.0);
+      }
+    }
+
+    /// Multiplies F~ by 1 + change; for a linear law adds change I.
+    [[gnu::always_inline]] void stretch(const T& change) {
+      if constexpr (finite) {
+        scale = 1.0 + change;
+        for (std::size_t i = 0; i < D; ++i)
+          for (std::size_t j = 0; j < D; ++j) scaled[i][j] *= scale;
+      }
+      for (std::size_t i = 0; i < D; ++i) scaled[i][i] += change;
+    }
+
     /// Returns (1 + x)^(1/D) - 1 without cancellation.
     static T root_minus_one(const T& x) {
       using std::cbrt;
@@ -98,11 +142,14 @@ struct MeanDilatationPoint {
   /// Second derivatives at a point, with the law's moduli A, P = P~, B = A:F~, t = P:F~, G = F^-T, c = scale:
   ///   phi_FF = c^2 A - (Q (x) G + G (x) Q)/D + z/D G (x) G + t/D G x G,  phi_Ft = (Q - z G)/D,  phi_tt = z/D,
   /// Q = c (P + B), z = (F~:B + t)/D, (G x G)_iJkL = G_iL G_kJ; for a linear law without the terms in P. The second
-  /// derivative of Jm adds sigma (G (x) G - G x G), sigma = J S/(V Jm), to phi_FF.
+  /// derivative of theta adds along G (x) G - across G x G to phi_FF. With Jm it is that of Jm: along = across =
+  /// J S/(V Jm). With ln J, along is 0.
   template <class T>
   struct Moduli {
+    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& sigma)
+        : Moduli(material, s, sigma, sigma) {}
     // It is inlined: a call for each point, through memory, would cost a tenth of a tangent's speed.
-    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& sigma) {
+    [[gnu::always_inline]] Moduli(const Material& material, const State<T>& s, const T& along, const T& across) {
       Small<T, D> p;
       Small<T, D * D> a;
       material.stress_and_moduli(s.scaled, p, a);
@@ -125,7 +172,7 @@ struct MeanDilatationPoint {
           for (std::size_t j = 0; j < D; ++j) q[i][j] = s.scale * (p[i][j] + q[i][j]);
       }
       second = z * (1.0 / D);
-      const T parallel = second + sigma, crossed = t - sigma, square = s.scale * s.scale;
+      const T parallel = second + along, crossed = t - across, square = s.scale * s.scale;
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) coupling[i][j] = (q[i][j] - z * s.inverse[j][i]) * (1.0 / D);
       // -(Q (x) G + G (x) Q)/D + parallel G (x) G = G (x) R + R (x) G

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "fem/quadratic_elements.hpp"
 
@@ -134,5 +135,10 @@ struct Hex27C4 {
     return inner;
   }
 };
+
+/// Whether the element, or the section of the ring, is that of a cell type with is_quadratic().
+template <class Element>
+constexpr bool is_quadratic_element = std::is_base_of_v<Quad9, Element> || std::is_base_of_v<Hex27, Element> ||
+                                      std::is_base_of_v<Quad9C4, Element> || std::is_base_of_v<Hex27C4, Element>;
 
 }  // namespace ixos

@@ -14,7 +14,7 @@ namespace ixos {
 /// The element's energy. All of them are functions of the displacement alone.
 enum class Formulation {
   Standard,        ///< ElasticKernel: locks if nearly incompressible, and in bending
-  MeanDilatation,  ///< MeanDilatationKernel: cures the first, of all cell types
+  MeanDilatation,  ///< DilatationKernel: cures the first, of all cell types
   Enhanced         ///< EnhancedKernel: cures both if pressures are moderate; linear cells, enriched ones stay Standard
 };
 

@@ -1,5 +1,5 @@
 #include "element/enhanced_kernel.hpp"
-#include "element/mean_dilatation_kernel.hpp"
+#include "element/projected_dilatation_kernel.hpp"
 #include "fem/with_element.hpp"
 #include "term/elastic_term_impl.hpp"
 
@@ -25,7 +25,7 @@ std::unique_ptr<Elasticity> make_any_term(const LocalMesh& mesh, const LocalBloc
   return with_element(block.type, [&](auto element) {
     using Element = typename decltype(element)::type;
     if (formulation == Formulation::MeanDilatation)
-      return make<MeanDilatationKernel, Element>(mesh, block, pattern, law, points);
+      return make<DilatationKernel, Element>(mesh, block, pattern, law, points);
     return make<ElasticKernel, Element>(mesh, block, pattern, law, points);
   });
 }

@@ -1,6 +1,6 @@
 #include "term/elastic_term_impl.hpp"
 
-#include "element/mean_dilatation_kernel.hpp"
+#include "element/projected_dilatation_kernel.hpp"
 #include "fem/with_element.hpp"
 
 namespace ixos {
@@ -9,7 +9,7 @@ std::unique_ptr<Elasticity> make_mean_dilatation_term(const LocalMesh& mesh, con
                                                       const Pattern& pattern,
                                                       const std::shared_ptr<const ElasticLaw>& law, int points) {
   return with_element(block.type, [&](auto element) {
-    return make_kernel_term<MeanDilatationKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
+    return make_kernel_term<DilatationKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
   });
 }
 

@@ -1,5 +1,5 @@
 #include "element/enhanced_kernel.hpp"
-#include "element/mean_dilatation_kernel.hpp"
+#include "element/projected_dilatation_kernel.hpp"
 #include "term/elastic_term_revolved.hpp"
 
 namespace ixos {
@@ -8,7 +8,7 @@ std::unique_ptr<Elasticity> make_revolved_mean_term(const LocalMesh& mesh, const
                                                     const Pattern& pattern,
                                                     const std::shared_ptr<const ElasticLaw>& law, int points) {
   return with_plane_element(block.type, [&](auto element) {
-    return make_ring_term<MeanDilatationKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
+    return make_ring_term<DilatationKernel, typename decltype(element)::type>(mesh, block, pattern, law, points);
   });
 }
 

@@ -21,8 +21,9 @@ struct ElementNodes {
   static constexpr std::size_t N = Element::nodes;
   static constexpr std::size_t D = Element::dimension;
   static constexpr int dofs = static_cast<int>(N * D);
-  static constexpr bool enriched = std::is_same_v<Element, Quad9C4>;  // and quadratic
-  static constexpr bool quadratic = enriched || std::is_same_v<Element, Quad9> || std::is_same_v<Element, Hex27>;
+  static constexpr bool quadratic = is_quadratic_element<Element>;
+  /// Quadratic, and enriched.
+  static constexpr bool enriched = std::is_same_v<Element, Quad9C4> || std::is_same_v<Element, Hex27C4>;
   using Variable = Dual<dofs>;
   template <class T>
   using Nodal = Small<T, N, D>;

@@ -1,8 +1,9 @@
 // States beyond the limit of a law are inadmissible in every element, as inverted ones are.
 #include <gtest/gtest.h>
 
+#include "element/element_nodes.hpp"
 #include "element/enhanced_kernel.hpp"
-#include "element/mean_dilatation_kernel.hpp"
+#include "element/projected_dilatation_kernel.hpp"
 #include "fem/reference_elements.hpp"
 #include "material/catalogue.hpp"
 
@@ -16,8 +17,9 @@ class LawLimitTest : public testing::Test {
   using Nodal = typename Kernel::template Nodal<Pack>;
 
   LawLimitTest() {
+    const auto square = test::ElementNodes<typename Kernel::Shape>::block({2.0, 2.0});
     for (std::size_t a = 0; a < Kernel::N; ++a)
-      for (std::size_t d = 0; d < 2; ++d) x_[a][d] = corners<2>()[a][d];
+      for (std::size_t d = 0; d < 2; ++d) x_[a][d] = square[a][d];
     geometry_ = Kernel::geometry(table_, x_);
   }
 
@@ -42,7 +44,7 @@ class LawLimitTest : public testing::Test {
 };
 
 using Kernels = testing::Types<ElasticKernel<Quad4, AnyElasticLaw>, MeanDilatationKernel<Quad4, AnyElasticLaw>,
-                               EnhancedKernel<Quad4, AnyElasticLaw>>;
+                               ProjectedDilatationKernel<Quad9, AnyElasticLaw>, EnhancedKernel<Quad4, AnyElasticLaw>>;
 TYPED_TEST_SUITE(LawLimitTest, Kernels);
 
 TYPED_TEST(LawLimitTest, AStateBeyondItIsInadmissible) {

@@ -2,7 +2,7 @@
 #pragma once
 #include "element/element_nodes.hpp"
 #include "element/enhanced_kernel.hpp"
-#include "element/mean_dilatation_kernel.hpp"
+#include "element/projected_dilatation_kernel.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/neo_hooke.hpp"
 
@@ -59,7 +59,7 @@ struct Body : ElementNodes<ElementType> {
 };
 
 template <class Element, class Law>
-using Mean = Body<Element, MeanDilatationKernel<Element, Law>>;
+using Mean = Body<Element, DilatationKernel<Element, Law>>;
 template <class Element, class Law>
 using Modes = Body<Element, EnhancedKernel<Element, Law>>;
 template <class Element, class Law>

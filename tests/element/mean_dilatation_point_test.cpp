@@ -108,6 +108,37 @@ TYPED_TEST(MeanDilatationPointTest, ADilatationThatIsTheMeanChangesNothing) {
     for (std::size_t j = 0; j < D; ++j) EXPECT_NEAR(s.scaled[i][j], at.h[i][j], 1e-15);
 }
 
+// The exponent (ln (1 + mean) - ln J)/D gives the dilatation that is asked for.
+TYPED_TEST(MeanDilatationPointTest, StretchedStatesAreThoseOfTheirDilatation) {
+  constexpr std::size_t D = TypeParam::D;
+  using State = typename TypeParam::template State<double>;
+  TypeParam at;
+  for (const double mean : {0.15, -0.6, 3.0}) {
+    at.mean = mean;
+    const double theta = TypeParam::Point::finite ? std::log1p(mean) : mean;
+    const auto s = State::stretched(at.h, (theta - TypeParam::Point::log_ratio(at.h)) / static_cast<double>(D));
+    const auto expected = at.state();
+    EXPECT_NEAR(s.scale, expected.scale, 1e-14);
+    EXPECT_EQ(s.jacobian, expected.jacobian);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) {
+        EXPECT_NEAR(s.scaled[i][j], expected.scaled[i][j], 1e-14) << mean;
+        EXPECT_EQ(s.inverse[i][j], expected.inverse[i][j]);
+      }
+  }
+}
+
+// A uniform stretch s of all axes: D ln s, or D (s - 1) for a linear law.
+TYPED_TEST(MeanDilatationPointTest, RatiosOfVolumesKeepTheirDigits) {
+  constexpr std::size_t D = TypeParam::D;
+  for (const double change : {1e-12, 1e-5, 0.04, 0.5, 2.0, -0.04, -0.5, -0.9999}) {
+    Small<double, D> h{};
+    for (std::size_t i = 0; i < D; ++i) h[i][i] = change;
+    const double expected = static_cast<double>(D) * (TypeParam::Point::finite ? std::log1p(change) : change);
+    EXPECT_NEAR(TypeParam::Point::log_ratio(h) / expected, 1, 1e-11 * (1e-3 + std::abs(change))) << change;
+  }
+}
+
 // At H = 0 the scaled deformation is (1 + m)^(1/D) I: m/D, up to a relative change below m.
 TYPED_TEST(MeanDilatationPointTest, SmallDilatationsKeepTheirDigits) {
   constexpr std::size_t D = TypeParam::D;
@@ -207,6 +238,31 @@ TYPED_TEST(MeanDilatationPressureTest, APressureAddsTheCurvatureOfTheVolume) {
     EXPECT_EQ(with.coupling[r / D][r % D], without.coupling[r / D][r % D]);
   }
   EXPECT_EQ(with.second, without.second);
+}
+
+// The second derivative of ln J by F is that of its slope, F^-1_Ji.
+TYPED_TEST(MeanDilatationPressureTest, OneOfALogarithmAddsItsCurvature) {
+  constexpr std::size_t D = TypeParam::D;
+  const TypeParam at;
+  const double pressure = -0.7;
+  const auto s = at.state();
+  const auto seeded = at.seeded();
+  const typename TypeParam::Moduli without(at.law, s, 0.0), with(at.law, s, 0.0, pressure);
+  for (std::size_t r = 0; r < D * D; ++r)
+    for (std::size_t c = 0; c < D * D; ++c)
+      EXPECT_NEAR(with.local[r][c] - without.local[r][c],
+                  pressure * seeded.inverse[r % D][r / D].dx(static_cast<int>(c)), 1e-13)
+          << r << ' ' << c;
+}
+
+// A mirrored element is inadmissible; its numbers stay finite, so that it spoils no other lane of a pack.
+TYPED_TEST(MeanDilatationPressureTest, RatiosOfInvertedPointsAreFinite) {
+  constexpr std::size_t D = TypeParam::D;
+  Small<double, D> h{};
+  for (const double change : {-1.0, -2.5}) {
+    h[0][0] = change;
+    EXPECT_EQ(TypeParam::Point::log_ratio(h), 0.0);
+  }
 }
 
 }  // namespace

@@ -92,11 +92,12 @@ TEST(ElementShapesTest, AffineMotionIsExactForAnyAspectAndSkew) {
 
 TEST(ElementShapesTest, AffineMotionOfQuadraticCellsIsExactForAnyAspectAndSkew) {
   for (int dimension : {2, 3})
-    for (double aspect : {1.0, 30.0, 1000.0})
-      for (double skew : {0.0, 10.0, 1000.0}) {
-        const double error = patch_error(drawn_out(dimension, aspect, skew, 2), Formulation::Standard);
-        EXPECT_LT(error, 1e-13 * (1 + aspect + skew * skew)) << dimension << "D " << aspect << ' ' << skew;
-      }
+    for (Formulation formulation : {Formulation::Standard, Formulation::MeanDilatation})
+      for (double aspect : {1.0, 30.0, 1000.0})
+        for (double skew : {0.0, 10.0, 1000.0}) {
+          const double error = patch_error(drawn_out(dimension, aspect, skew, 2), formulation);
+          EXPECT_LT(error, 1e-13 * (1 + aspect + skew * skew)) << dimension << "D " << aspect << ' ' << skew;
+        }
 }
 
 /// A quadrilateral whose third corner is at (t, t), of the square with corners 0 and 1.

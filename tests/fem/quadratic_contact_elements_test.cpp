@@ -141,6 +141,15 @@ TEST(QuadraticContactSidesTest, AreTracesOfTheHexahedron) {
       });
 }
 
+TEST(QuadraticElementTest, ElementsAreQuadraticIfTheirCellTypesAre) {
+  for (const CellType type : {CellType::Quad4, CellType::Hex8, CellType::Quad4C2, CellType::Quad4C3, CellType::Quad4C4,
+                              CellType::Quad4CH, CellType::Hex8C2, CellType::Hex8C3, CellType::Hex8C4, CellType::Hex8CH,
+                              CellType::Quad9, CellType::Hex27, CellType::Quad9C4, CellType::Hex27C4})
+    with_element(type, [&](auto tag) {
+      EXPECT_EQ(is_quadratic_element<typename decltype(tag)::type>, is_quadratic(type)) << static_cast<int>(type);
+    });
+}
+
 TEST(QuadraticContactSidesTest, AreTracesOfTheQuadrilateral) {
   EXPECT_EQ(side_nodes(CellType::Quad9C4, 0), (std::vector<int>{0, 1, 9, 4, 10}));
   for (std::size_t a = 0; a < 5; ++a) EXPECT_EQ(Quad9C4::place(Quad9C4::edge_node(a))[0], LagrangeEdge<4>::node(a));

@@ -50,13 +50,14 @@ Mesh distorted_box(int dimension, ContactElement element) {
 }
 
 void run_patch(int dimension, test::ElasticLawOfConstants law, const Table& table,
-               ContactElement element = ContactElement::Q1C1) {
+               ContactElement element = ContactElement::Q1C1, Formulation formulation = Formulation::Standard) {
   const Mesh mesh = distorted_box(dimension, element);
   const Comm comm = world();
   Material rubber;
   rubber.block = "body";
   rubber.law = law(lame_constants(1.0, 0.3));
   rubber.density = 1.0;
+  rubber.formulation = formulation;
   Model model(localize(mesh, partition_nodes(mesh, comm->getSize()), comm->getRank(), comm->getSize()), comm, {rubber});
   const LocalMesh& local = model.mesh();
   const auto d = static_cast<std::size_t>(dimension);
@@ -99,6 +100,14 @@ TEST(PatchTest, AffineMotionIsReproducedThroughEnrichedElements) {
   for (ContactElement element : {ContactElement::Q1C2, ContactElement::Q1C3, ContactElement::Q1C4, ContactElement::Q1CH,
                                  ContactElement::Q2C2, ContactElement::Q2C4})
     run_patch(3, neo_hooke, average_vector_field(4, 8), element);
+}
+
+TEST(PatchTest, AffineMotionIsReproducedByCurvedCellsWithMeanDilatation) {
+  for (ContactElement element : {ContactElement::Q2C2, ContactElement::Q2C4}) {
+    run_patch(2, neo_hooke, average_vector_field(4, 8), element, Formulation::MeanDilatation);
+    run_patch(2, linear_elastic, newmark(0.25, 0.5), element, Formulation::MeanDilatation);
+  }
+  run_patch(3, neo_hooke, newmark(0.25, 0.5), ContactElement::Q2C4, Formulation::MeanDilatation);
 }
 
 TEST(PatchTest, AffineMotionOfALinearMaterialIsReproduced) {

@@ -1,0 +1,340 @@
+/// A cure of volumetric locking for quadratic cells that derives from an energy: a linear field of the volume change.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+#include "element/elastic_kernel.hpp"
+#include "element/linear_projection.hpp"
+#include "element/mean_dilatation_kernel.hpp"
+#include "element/mean_dilatation_point.hpp"
+#include "element/point_gradients.hpp"
+#include "fem/quadratic_contact_elements.hpp"
+#include "material/revolved_law.hpp"
+
+namespace ixos {
+
+/// The energy int W(F~) dV of the displacement alone, with F~ = exp((Pi l - l)/D) F, l = ln J and Pi the projection on
+/// linear functions of the reference position (LinearProjection). An element has 1 + D volumetric constraints. With
+/// products of quadratic functions this is the pair of Crouzeix and Raviart (1973), which is stable and of second order
+/// in the stress; an enriched side only adds displacements. One constraint, as in MeanDilatationKernel, would leave
+/// quadratic elements modes without energy: F of a conformal map, such as u = ((x^2 - y^2)/2, xy), is a multiple of a
+/// rotation, and the mean alone does not see the multiple where it varies.
+///
+/// l rather than J, for Pi J may be negative where all J are positive. With P~ = dW/dF~, s = exp((Pi l - l)/D) and the
+/// mean Kirchhoff stress p = P~:F~/D, the stress is P = s P~ + (Pi p - p) F^-T, as Pi is symmetric in the integral.
+///
+/// Plane strain, rings and linear laws (l becomes tr H) are as in MeanDilatationKernel, and so are homogeneous states.
+/// The weights of a ring include 2 pi R. The kernel has no discrete gradient.
+template <class Element, class Material>
+struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
+  using Base = ElasticKernel<Element, Material>;
+  static constexpr std::size_t D = Base::D;
+  static constexpr std::size_t N = Base::N;
+  static constexpr std::size_t G = Base::G;
+  static constexpr std::size_t C = Base::C;
+  static constexpr bool has_discrete_gradient = false;
+  static constexpr bool keeps_points = false;
+
+  using Table = typename Base::Table;
+  template <class T>
+  using Nodal = typename Base::template Nodal<T>;
+  template <class T>
+  using Tangent = typename Base::template Tangent<T>;
+  template <class T>
+  using Segment = typename Base::template Segment<T>;
+  template <class T>
+  using Gradients = typename Base::template Gradients<T>;
+
+  template <class T>
+  struct Geometry : Base::template Geometry<T> {
+    LinearProjection<T, D> projection;
+  };
+
+  /// See ElasticKernel::geometry().
+  template <class T>
+  static Geometry<T> geometry(const Table& table, const Nodal<T>& x) {
+    const auto plain = Base::geometry(table, x);
+    std::vector<std::array<T, D>> places(table.size());
+    for (std::size_t q = 0; q < table.size(); ++q)
+      for (std::size_t d = 0; d < D; ++d) {
+        T sum = x[0][d] * table.value[q][0];
+        for (std::size_t a = 1; a < N; ++a) sum += x[a][d] * table.value[q][a];
+        places[q][d] = sum;
+      }
+    return {plain, LinearProjection<T, D>(plain.points, places)};
+  }
+
+  /// Returns the stored energy [E0 L0^D].
+  template <class T>
+  static T energy(const Material& material, const Geometry<T>& geometry, const Nodal<T>& u) {
+    const Rule end = end_rule();
+    const States<T> states(geometry, {nullptr, nullptr, &u}, end);
+    T sum(0.0);
+    for (std::size_t q = 0; q < states.size; ++q)
+      sum += geometry.points[q].weight * material.energy(states.at(q, 0).scaled);
+    return sum;
+  }
+
+  /// See ElasticKernel::mean(). H is H~.
+  template <class T, class Value>
+  static auto mean(const Material& /*material*/, const Geometry<T>& geometry, const Nodal<T>& u, const Value& value) {
+    const Rule end = end_rule();
+    const States<T> states(geometry, {nullptr, nullptr, &u}, end);
+    return mean_over_points(
+        geometry.points, [&](std::size_t q) { return states.at(q, 0).scaled; }, value);
+  }
+
+  /// Adds the rule's force to f. Returns the least J of the time points and of the segment's end, lane by lane.
+  template <class T>
+  static T add_force(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule,
+                     Nodal<T>& f) {
+    const States<T> states(geometry, segment, rule);
+    T least_jacobian = states.least_jacobian;
+    if constexpr (Material::has_limit)
+      if (material.is_limited() && !rule.has_end())
+        least_jacobian = smaller(least_jacobian, end_admissibility(material, geometry, segment));
+    const std::size_t size = states.size;
+    std::vector<Small<T, G>> sums(size, Small<T, G>{}), inverses(size);
+    std::vector<T> pressures(size), projected(size);
+    for (std::size_t k = 0; k < rule.points.size(); ++k) {
+      const double share = rule.points[k].weight;
+      for (std::size_t q = 0; q < size; ++q) {
+        const State<T> s = states.at(q, k);
+        Small<T, G> p;
+        const T jacobian = material.stress(s.scaled, p);
+        if constexpr (Material::has_limit) least_jacobian = smaller(least_jacobian, jacobian);
+        pressures[q] = s.product(p) * (1.0 / G);
+        inverses[q] = s.inverse;
+        const T factor = share * s.scale;
+        for (std::size_t i = 0; i < G; ++i)
+          for (std::size_t j = 0; j < G; ++j) sums[q][i][j] += factor * p[i][j];
+      }
+      geometry.projection.project(geometry.points, pressures.data(), projected.data());
+      for (std::size_t q = 0; q < size; ++q) {
+        const T factor = share * (projected[q] - pressures[q]);
+        for (std::size_t i = 0; i < G; ++i)
+          for (std::size_t j = 0; j < G; ++j) sums[q][i][j] += factor * inverses[q][j][i];
+      }
+    }
+    PointScratch<D, T> scratch(size);
+    add_forces(
+        geometry, [&](std::size_t q) -> const Small<T, G>& { return sums[q]; }, scratch, f);
+    return least_jacobian;
+  }
+
+  /// Adds the rule's tangent dF/du_s to k. With theta = Pi l the energy is sum_q w phi(F_q, theta_q), whence
+  ///   d2E = sum_q w (dF:phi_FF:dF + 2 dF:phi_Ft dtheta + phi_tt dtheta^2 + Pi p d2l).
+  /// The parts in dF:dF go to the moduli of the points. dtheta = sum_i psi_i m_i . du with m_i = sum_q w psi_i dl/du
+  /// makes the rest sum_i (m_i p_i^T + p_i m_i^T).
+  template <class T>
+  static void add_tangent(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment,
+                          const Rule& rule, Tangent<T>& k) {
+    const States<T> states(geometry, segment, rule);
+    const std::size_t size = states.size, count = rule.points.size();
+    std::vector<T> pressures(count * size, T(0.0));
+    if constexpr (finite) add_pressures(material, geometry, states, pressures);
+    std::vector<Small<T, G>> volumes(count * size), couplings(count * size);
+    std::vector<Small<T, M>> seconds(count, Small<T, M>{});
+    Base::add_symmetric_tangent(
+        geometry,
+        [&](std::size_t q, const Gradients<T>& /*dn*/, Small<T, C>& result) {
+          const T& w = geometry.points[q].weight;
+          const std::array<T, M>& functions = geometry.projection.at(q);
+          Small<T, G * G> sum{};
+          for (std::size_t point = 0; point < count; ++point) {
+            const std::size_t place = point * size + q;
+            const State<T> s = states.at(q, point);
+            const Moduli<T> moduli(material, s, T(0.0), pressures[place]);
+            const double factor = rule.points[point].weight * rule.points[point].to;
+            for (std::size_t r = 0; r < G * G; ++r)
+              for (std::size_t c = 0; c < G * G; ++c) sum[r][c] += factor * moduli.local[r][c];
+            couplings[place] = moduli.coupling;
+            for (std::size_t i = 0; i < G; ++i)
+              for (std::size_t j = 0; j < G; ++j) volumes[place][i][j] = s.inverse[j][i];
+            const T second = w * moduli.second;
+            for (std::size_t i = 0; i < M; ++i)
+              for (std::size_t j = 0; j < M; ++j) seconds[point][i][j] += second * (functions[i] * functions[j]);
+          }
+          if constexpr (Base::revolved)
+            copy_meridian(sum, result);
+          else
+            result = sum;
+          for (auto& row : result)
+            for (T& value : row) value *= w;
+        },
+        k);
+    PointScratch<D, T> scratch(size);
+    for (std::size_t point = 0; point < count; ++point)
+      add_coupling(geometry, &volumes[point * size], &couplings[point * size], seconds[point],
+                   rule.points[point].weight * rule.points[point].to, scratch, k);
+  }
+
+ private:
+  static constexpr std::size_t M = LinearProjection<double, D>::size;
+  using AtPoint = MeanDilatationPoint<Material, G>;
+  static constexpr bool finite = AtPoint::finite;
+  template <class T>
+  using State = typename AtPoint::template State<T>;
+  template <class T>
+  using Moduli = typename AtPoint::template Moduli<T>;
+  template <class T>
+  using Ends = typename Base::template Ends<T>;
+
+  /// F~ at the quadrature points and at the time points of a rule, which outlives it.
+  template <class T>
+  struct States {
+    States(const Geometry<T>& geometry, const Segment<T>& segment, const Rule& rule)
+        : time_points(rule.points),
+          size(geometry.points.size()),
+          exponents(rule.points.size() * size),
+          least_jacobian(1e300) {
+      PointScratch<D, T> scratch(size);
+      std::vector<Small<T, G>> to, from, velocity;
+      find_gradients(geometry, *segment.to, scratch, to);
+      if (segment.from != nullptr) find_gradients(geometry, *segment.from, scratch, from);
+      if (segment.velocity != nullptr) find_gradients(geometry, *segment.velocity, scratch, velocity);
+      ends.reserve(size);
+      for (std::size_t q = 0; q < size; ++q) {
+        ends.emplace_back(to[q], from.empty() ? nullptr : &from[q], velocity.empty() ? nullptr : &velocity[q]);
+        if constexpr (finite) least_jacobian = smaller(least_jacobian, ends.back().jacobian());
+      }
+      std::vector<T> logarithms(size);
+      for (std::size_t k = 0; k < time_points.size(); ++k) {
+        for (std::size_t q = 0; q < size; ++q) {
+          const Small<T, G> h = ends[q].at(time_points[k]);
+          if constexpr (finite) least_jacobian = smaller(least_jacobian, T(1.0 + AtPoint::dilatation(h)));
+          logarithms[q] = AtPoint::log_ratio(h);
+        }
+        T* own = &exponents[k * size];
+        geometry.projection.project(geometry.points, logarithms.data(), own);
+        for (std::size_t q = 0; q < size; ++q) own[q] = (own[q] - logarithms[q]) * (1.0 / G);
+      }
+    }
+
+    State<T> at(std::size_t q, std::size_t k) const {
+      return State<T>::stretched(ends[q].at(time_points[k]), exponents[k * size + q]);
+    }
+
+    const std::vector<RulePoint>& time_points;
+    std::size_t size;  ///< number of quadrature points
+    std::vector<Ends<T>> ends;
+    std::vector<T> exponents;  ///< (Pi l - l)/D, by time point and quadrature point
+    T least_jacobian;          ///< of the time points and of the segment's end
+  };
+
+  /// Computes the displacement gradients at the points.
+  template <class T>
+  static void find_gradients(const Geometry<T>& geometry, const Nodal<T>& u, PointScratch<D, T>& scratch,
+                             std::vector<Small<T, G>>& result) {
+    PointGradients<Element>::template evaluate<Base::revolved>(*geometry.table, u, scratch.gradients.data(),
+                                                               scratch.values.data());
+    result.resize(geometry.points.size());
+    for (std::size_t q = 0; q < result.size(); ++q) {
+      const auto& point = geometry.points[q];
+      Small<T, G> h{};
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j)
+          for (std::size_t d = 0; d < D; ++d) h[i][j] += scratch.gradients[q][i][d] * point.inverse_jacobian[d][j];
+      if constexpr (Base::revolved) h[2][2] = scratch.values[q][0] * point.inverse_radius;
+      result[q] = h;
+    }
+  }
+
+  /// Adds to f the nodal forces of the stresses that `stress`(point) returns.
+  template <class T, class Stress>
+  static void add_forces(const Geometry<T>& geometry, const Stress& stress, PointScratch<D, T>& scratch, Nodal<T>& f) {
+    for (std::size_t q = 0; q < geometry.points.size(); ++q) {
+      const auto& point = geometry.points[q];
+      const Small<T, G> p = stress(q);
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t d = 0; d < D; ++d) {
+          T sum = p[i][0] * point.inverse_jacobian[d][0];
+          for (std::size_t j = 1; j < D; ++j) sum += p[i][j] * point.inverse_jacobian[d][j];
+          scratch.gradients[q][i][d] = point.weight * sum;
+        }
+      if constexpr (Base::revolved) {
+        scratch.values[q][0] = point.weight * point.inverse_radius * p[2][2];
+        scratch.values[q][1] = T(0.0);
+      }
+    }
+    PointGradients<Element>::template integrate<Base::revolved>(*geometry.table, scratch.gradients.data(),
+                                                                scratch.values.data(), f);
+  }
+
+  /// Returns the least admissibility of F~ at the end of the segment.
+  template <class T>
+  static T end_admissibility(const Material& material, const Geometry<T>& geometry, const Segment<T>& segment) {
+    const Rule end = end_rule();
+    const States<T> states(geometry, {nullptr, nullptr, segment.to}, end);
+    T least_admissibility(1e300);
+    for (std::size_t q = 0; q < states.size; ++q)
+      least_admissibility = smaller(least_admissibility, material.admissibility(states.at(q, 0).scaled));
+    return least_admissibility;
+  }
+
+  /// Computes Pi p, by time point and quadrature point.
+  template <class T>
+  static void add_pressures(const Material& material, const Geometry<T>& geometry, const States<T>& states,
+                            std::vector<T>& result) {
+    std::vector<T> pressures(states.size);
+    for (std::size_t k = 0; k < states.time_points.size(); ++k) {
+      for (std::size_t q = 0; q < states.size; ++q) {
+        const State<T> s = states.at(q, k);
+        Small<T, G> p;
+        material.stress(s.scaled, p);
+        pressures[q] = s.product(p) * (1.0 / G);
+      }
+      geometry.projection.project(geometry.points, pressures.data(), &result[k * states.size]);
+    }
+  }
+
+  /// Adds factor sum_i (m_i p_i^T + p_i m_i^T) of one time point to k, where
+  ///   p_i = sum_q w psi_i phi_Ft dF/du + 1/2 sum_j second_ij m_j.
+  /// By point, `volumes` are F^-T and `couplings` phi_Ft; `second` is sum_q w phi_tt psi psi^T.
+  template <class T>
+  static void add_coupling(const Geometry<T>& geometry, const Small<T, G>* volumes, const Small<T, G>* couplings,
+                           const Small<T, M>& second, double factor, PointScratch<D, T>& scratch, Tangent<T>& k) {
+    std::array<Nodal<T>, M> m{}, p{};
+    for (std::size_t i = 0; i < M; ++i) {
+      const auto add_moment = [&](const Small<T, G>* values, Nodal<T>& result) {
+        add_forces(
+            geometry,
+            [&](std::size_t q) {
+              Small<T, G> scaled = values[q];
+              for (auto& row : scaled)
+                for (T& entry : row) entry *= geometry.projection.at(q)[i];
+              return scaled;
+            },
+            scratch, result);
+      };
+      add_moment(volumes, m[i]);
+      add_moment(couplings, p[i]);
+    }
+    for (std::size_t i = 0; i < M; ++i)
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t d = 0; d < D; ++d) {
+          T sum(0.0);
+          for (std::size_t j = 0; j < M; ++j) sum += second[i][j] * m[j][a][d];
+          p[i][a][d] = factor * (p[i][a][d] + 0.5 * sum);
+        }
+    for (std::size_t r = 0; r < N * D; ++r)
+      for (std::size_t c = 0; c <= r; ++c) {
+        T value(0.0);
+        for (std::size_t i = 0; i < M; ++i)
+          value += m[i][r / D][r % D] * p[i][c / D][c % D] + p[i][r / D][r % D] * m[i][c / D][c % D];
+        k[r][c] += value;
+        if (c < r) k[c][r] += value;
+      }
+  }
+};
+
+/// The kernel of the formulation MeanDilatation: a linear field of the volume change in quadratic cells, a mean in
+/// others.
+template <class Element, class Material>
+using DilatationKernel =
+    std::conditional_t<is_quadratic_element<Element>, ProjectedDilatationKernel<Element, Material>,
+                       MeanDilatationKernel<Element, Material>>;
+
+}  // namespace ixos
