@@ -1,5 +1,6 @@
 /// Maxwell branches beside an elastic law.
 #pragma once
+#include <cmath>
 
 namespace ixos {
 
@@ -17,5 +18,20 @@ enum class HistoryUpdate {
   BackwardEuler,  ///< from the strain at the step's end: no step dissipates less than 0
   SecondOrder     ///< from the strain in the middle: for steps shorter than about tau/3
 };
+
+/// A step at small strains: Cb - Ci at its end is `lag` times that at its start plus `change` times the change of Cb.
+struct HistoryStep {
+  double lag, change;
+};
+
+/// Returns those of a step of x = dt/tau.
+inline HistoryStep history_step(double x, HistoryUpdate update) {
+  if (update == HistoryUpdate::BackwardEuler) return {1 / (1 + x), 1 / (1 + x)};
+  const double s = x * (1 + x / 2);
+  return {1 / (1 + s), (1 + s / 2) / (1 + s)};
+}
+
+/// Returns those of the exact step in which Cb changes at a constant rate.
+inline HistoryStep exact_history_step(double x) { return {std::exp(-x), -std::expm1(-x) / x}; }
 
 }  // namespace ixos

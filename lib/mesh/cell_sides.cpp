@@ -13,6 +13,21 @@ std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side) {
   return nodes;
 }
 
+int opposite_side(CellType type, int side) {
+  if (corner_type(type) == CellType::Quad4 || side < 4) return (side + 2) % 4;
+  return side == 4 ? 5 : 4;
+}
+
+std::array<double, 3> centre_of(const Mesh& mesh, const SideCorners& corners) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  const auto count = static_cast<double>(std::count_if(corners.begin(), corners.end(), [](int n) { return n >= 0; }));
+  std::array<double, 3> x{};
+  for (int node : corners)
+    for (std::size_t i = 0; i < d && node >= 0; ++i)
+      x[i] += mesh.coordinates[static_cast<std::size_t>(node) * d + i] / count;
+  return x;
+}
+
 SideCorners corners_of(const Mesh& mesh, const Side& side) {
   const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
   const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];

@@ -25,6 +25,9 @@ using EqualSides = std::pair<std::vector<CellSide>::const_iterator, std::vector<
 /// Returns the nodes of a side of a cell: the corners, counter-clockwise seen from outside, then the others.
 std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side);
 
+/// Returns the side of a cell that has no corner of that side.
+int opposite_side(CellType type, int side);
+
 /// Returns the corners of a side in the order of a linear cell, see side_nodes(); if there are two, -1 follows twice.
 SideCorners corners_of(const Mesh& mesh, const Side& side);
 
@@ -35,6 +38,9 @@ std::array<double, 3> outward_normal(const Mesh& mesh, const Side& side);
 /// Returns the corners of a side, of 2 or 4 nodes.
 SideCorners sorted_corners(const std::vector<int>& nodes);
 SideCorners sorted_corners(const Mesh& mesh, const Side& side);
+
+/// Returns the mean of the corners of a side; the third coordinate is 0 in two dimensions.
+std::array<double, 3> centre_of(const Mesh& mesh, const SideCorners& corners);
 
 /// Returns every side of every cell, sorted by corners: neighbours share theirs. Among sides with the same corners that
 /// of the first cell comes first.

@@ -107,9 +107,9 @@ FrictionReport InteractionGroup::friction_report(const double* u) const {
   FrictionReport report;
   for (const Interaction* term : terms_)
     if (term->has_friction()) term->report_friction(u, report);
-  double sums[] = {report.acting, report.sliding, report.sticking, report.slip};
-  space_.sum(sums, 4);
-  return {sums[0], sums[1], sums[2], sums[3]};
+  double sums[] = {report.acting, report.sliding, report.sticking, report.slip, report.work, report.lag};
+  space_.sum(sums, 6);
+  return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]};
 }
 
 std::vector<double> InteractionGroup::friction(FrictionNumber number) const {

@@ -38,6 +38,16 @@ struct NamedForceTerm {
   const ForceTerm* term;
 };
 
+/// The stress of one body with Maxwell branches after a step: roots of integrals over the reference volume of squares
+/// at small strains [E0 L0^(D/2)].
+struct HistoryStress {
+  HistoryUpdate update = HistoryUpdate::BackwardEuler;
+  std::vector<double> times;     ///< of relaxation, by branch [T0]
+  std::vector<double> branches;  ///< of each branch
+  double sum = 0;                ///< of all branches
+  double all = 0;                ///< of the branches and the deviator of the elastic law: a bound
+};
+
 /// Quantities that the model stores and moves, summed over all ranks.
 struct Momenta {
   double kinetic_energy = 0;
@@ -142,6 +152,9 @@ class Model {
   /// root mean square, over the bodies with branches, of the error of stress over the shear modulus at once, times the
   /// longest side of the box around the mesh. 0 without branches. Collective.
   double history_error(const double* from, const double* to, double dt) const;
+  /// Returns the stress of each body with Maxwell branches after the step that was accepted last. Collective if there
+  /// are any.
+  std::vector<HistoryStress> history_stresses() const;
   /// Returns whether the forces of some term depend on what it keeps, see Term::has_history(). Equal on all ranks.
   bool has_histories() const;
   /// Returns the names of what dissipates, equal on all ranks.

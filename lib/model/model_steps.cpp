@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "base/agreement.hpp"
 #include "model/model.hpp"
@@ -55,6 +57,34 @@ double Model::history_error(const double* from, const double* to, double dt) con
     size = std::max(size, space_.maximum(highest) + space_.maximum(-lowest));
   }
   return size * std::sqrt(sums[0] / sums[1]);
+}
+
+std::vector<HistoryStress> Model::history_stresses() const {
+  std::vector<HistoryStress> stresses;
+  std::vector<double> squares;
+  std::vector<double> moduli;
+  for (const Body& body : bodies_) {
+    if (body.viscoelasticity == nullptr) continue;
+    const BranchSquares& own = body.viscoelasticity->last_squares();
+    HistoryStress stress;
+    stress.update = body.material.history_update;
+    for (const MaxwellBranch& branch : body.material.branches) stress.times.push_back(branch.time);
+    stress.branches = own.branches;
+    stress.branches.resize(stress.times.size(), 0.0);  // no step was accepted yet
+    squares.insert(squares.end(), stress.branches.begin(), stress.branches.end());
+    squares.insert(squares.end(), {own.sum, own.strain});
+    moduli.push_back(body.material.law->lame().mu);
+    stresses.push_back(std::move(stress));
+  }
+  if (stresses.empty()) return stresses;
+  space_.sum(squares.data(), static_cast<int>(squares.size()));
+  auto square = squares.begin();
+  for (std::size_t i = 0; i < stresses.size(); ++i) {
+    for (double& branch : stresses[i].branches) branch = std::sqrt(*square++);
+    stresses[i].sum = std::sqrt(*square++);
+    stresses[i].all = stresses[i].sum + moduli[i] * std::sqrt(*square++);
+  }
+  return stresses;
 }
 
 bool Model::has_histories() const {

@@ -94,14 +94,16 @@ std::vector<double> History::single_interactions() {
 }
 
 /// Returns the friction on the bodies, the slip and the measures of each interaction with friction.
-std::vector<double> History::frictions() const {
+std::vector<double> History::frictions() {
   const double* u = simulation_.integrator().state().u.data();
   std::vector<double> row;
+  friction_reports_.clear();
   for (const InteractionGroup& own : frictions_) {
     const std::vector<double> force = own.friction_force(u);
     const FrictionReport report = own.friction_report(u);
     row.insert(row.end(), force.begin(), force.end());
     row.insert(row.end(), {report.mean_slip(), report.sliding, report.sticking});
+    friction_reports_.push_back(report);
   }
   return row;
 }

@@ -53,6 +53,8 @@ class History {
   const ContactEvents& contacts() const { return contacts_; }
   /// Returns the last row's contact measure; NaN if rows have none.
   double contact_measure() const { return contact_measure_; }
+  /// Returns the last row's reports of the interactions with friction.
+  const std::vector<FrictionReport>& friction_reports() const { return friction_reports_; }
   /// Returns the last step's reactions by column.
   const std::vector<std::pair<std::string, double>>& forces() const { return forces_; }
   void sync();   ///< has the disk keep the rows; throws FileError
@@ -65,7 +67,7 @@ class History {
   std::vector<double> reactions();
   std::vector<double> grip_reactions();
   std::vector<double> single_interactions();
-  std::vector<double> frictions() const;
+  std::vector<double> frictions();
   void keep_force(std::size_t column, double force);
 
   Simulation& simulation_;
@@ -80,6 +82,7 @@ class History {
   std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
   ContactEvents contacts_{{}};
   std::vector<InteractionGroup> frictions_;  ///< those with friction
+  std::vector<FrictionReport> friction_reports_;
   FieldNorms norms_;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers
   std::vector<std::pair<std::string, double>> max_forces_;

@@ -190,7 +190,7 @@ void Run::step() {
   ++result_.steps;
   stop(stop_.reason(simulation_.model(), integrator_.state()));
   files_.record(result_.steps, dt, before);
-  measures_.step(result_.steps);
+  measures_.step(result_.steps, dt);
   if (files_.recorded()) measures_.row(files_.history());
   if (!watch_energy()) observe(seconds);
 }

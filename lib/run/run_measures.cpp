@@ -15,12 +15,24 @@ double finest_face(const Simulation& simulation) {
   return finest;
 }
 
+/// Returns the shortest cohesive zone of an adhesive surface; 0: the error of a step does not depend on the front,
+/// since the state is an equilibrium without a history, or there is no such surface.
+double shortest_zone(const Simulation& simulation) {
+  const Model& model = simulation.model();
+  if (is_static(simulation.integrator().table()) && !model.has_histories()) return 0;
+  double shortest = 0;
+  for (const SurfaceNumbers& surface : simulation.characteristic_numbers().surfaces)
+    if (surface.work > 0) shortest = shortest == 0 ? surface.cohesive_zone : std::min(shortest, surface.cohesive_zone);
+  return shortest;
+}
+
 }  // namespace
 
 // In three dimensions the contact is an area, whose change does not tell how far its front has moved.
 RunMeasures::RunMeasures(const Simulation& simulation)
     : simulation_(simulation),
       contact_(simulation.model().mesh().body_dimension() == 2 ? finest_face(simulation) : 0),
+      front_(shortest_zone(simulation), simulation.model().mesh().body_dimension()),
       interval_(is_explicit(simulation.integrator().table()) ? 500 : 20),
       face_measure_(std::pow(finest_face(simulation), simulation.model().mesh().body_dimension() - 1)) {
   for (const SceneInteraction& interaction : simulation.interactions()) {
@@ -35,7 +47,9 @@ void RunMeasures::look_at_cells() {
   strains_.look(simulation_.model(), integrator.state().u.data(), integrator.time());
 }
 
-void RunMeasures::step(long steps) {
+void RunMeasures::step(long steps, double dt) {
+  steps_ = steps;
+  if (simulation_.model().has_viscoelasticity()) relaxation_.step(simulation_.model().history_stresses(), dt);
   if (steps % interval_ == 0) look_at_cells();
   if (scale_ > 0)
     deepest_ = std::min(deepest_, least_free_gap(simulation_.model(), simulation_.integrator().state().u.data()));
@@ -45,6 +59,11 @@ void RunMeasures::row(const History& history) {
   const Integrator& integrator = simulation_.integrator();
   contact_.row(integrator.time(), history.contact_measure(), history.forces());
   if (is_static(integrator.table())) jumps_.row(integrator.time(), history.balance(), integrator.external_work());
+  front_.row(steps_, history.contact_measure());
+  for (const FrictionReport& report : history.friction_reports()) {
+    friction_work_ += report.work;
+    friction_lag_ += std::abs(report.lag);
+  }
 }
 
 RunFacts RunMeasures::finish(const History& history) {
@@ -63,6 +82,9 @@ RunFacts RunMeasures::finish(const History& history) {
   facts.face_measure = face_measure_;
   facts.ripple = contact_.ripple();
   facts.jump = jumps_.largest();
+  facts.friction_lag = friction_work_ > 0 ? friction_lag_ / friction_work_ : 0;
+  facts.front = front_.front();
+  facts.relaxation_error = relaxation_.share();
   return facts;
 }
 
@@ -73,6 +95,11 @@ void RunMeasures::transfer(Record& record) {
   if (is_static(simulation_.integrator().table()) && record.has_section("jump watch")) jumps_.transfer(record);
   record.number("crossings", crossings_);
   record.number("deepest", deepest_);
+  front_.transfer(record);
+  relaxation_.transfer(record);
+  record.number("steps", steps_);
+  record.number("friction work", friction_work_);
+  record.number("friction lag", friction_lag_);
 }
 
 }  // namespace ixos

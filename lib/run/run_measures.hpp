@@ -1,8 +1,10 @@
 /// The measures that a run takes for its warnings.
 #pragma once
 #include "run/contact_watch.hpp"
+#include "run/front_watch.hpp"
 #include "run/history.hpp"
 #include "run/jump_watch.hpp"
+#include "run/relaxation_watch.hpp"
 #include "run/run_warnings.hpp"
 #include "run/strain_watch.hpp"
 
@@ -13,8 +15,8 @@ class RunMeasures {
  public:
   explicit RunMeasures(const Simulation& simulation);
 
-  /// Takes part in a step that has been accepted.
-  void step(long steps);
+  /// Takes part in a step of length dt that has been accepted; `steps`: their number so far.
+  void step(long steps, double dt);
   /// Takes part in a recorded row of the present state, the first and the last one included.
   void row(const History& history);
   /// Takes part in a step that was rejected because a surface crossed its obstacle.
@@ -31,10 +33,14 @@ class RunMeasures {
   const Simulation& simulation_;
   StrainWatch strains_;
   ContactWatch contact_;
-  JumpWatch jumps_;   ///< takes part in quasi-static runs
+  JumpWatch jumps_;  ///< takes part in quasi-static runs
+  FrontWatch front_;
+  RelaxationWatch relaxation_;
   long interval_;     ///< steps between looks at cells, which so cost less than 1 % of the run
   double scale_ = 0;  ///< see RunFacts
   double face_measure_ = 0;
+  long steps_ = 0;
+  double friction_work_ = 0, friction_lag_ = 0;  ///< see FrictionReport; sums over the rows
   long crossings_ = 0;
   double deepest_ = 0;
 };

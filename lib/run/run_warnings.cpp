@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 
 namespace ixos {
@@ -88,6 +89,42 @@ Message jump_to_another_equilibrium(const Facts& facts) {
       facts.jump.from, facts.jump.to, facts.jump.released, 100 * share, 100 * limit);
 }
 
+/// Returns how many times shorter steps have to be for an error of first order to be 1 %.
+double shortening(double error) { return std::ceil(error / 0.01); }
+
+Message lagged_friction(const Facts& facts) {
+  constexpr double limit = 0.02;
+  if (!(facts.friction_lag > limit)) return "";
+  return fmt::format(
+      "the threshold of friction, which is that at the start of each step, changed by {:.2g} % in a step on average "
+      "(limit {:.0f} %): friction is off by about as much, an error of first order in the step; use steps {:.0f} times "
+      "shorter for 1 %, or the Threshold \"Current\"",
+      100 * facts.friction_lag, 100 * limit, shortening(facts.friction_lag));
+}
+
+Message front_against_step(const Facts& facts) {
+  constexpr double share = 0.5;
+  constexpr long rows = 8;
+  const FrontSteps& front = facts.front;
+  if (front.fast < rows || static_cast<double>(front.fast) <= share * static_cast<double>(front.moving)) return "";
+  return fmt::format(
+      "the front of the contact moved {:.3g} L0 in a step on average, farther than the cohesive zone, {:.3g} L0, in {} "
+      "of "
+      "{} rows in which it moved (limit {:.0f} %): its forces are not resolved in time; use steps {:.0f} times shorter",
+      front.way, front.zone, front.fast, front.moving, 100 * share, std::ceil(3 * front.way / front.zone));
+}
+
+Message unresolved_relaxation(const Facts& facts) {
+  constexpr double limit = 0.1;
+  if (!(facts.relaxation_error > limit)) return "";
+  return fmt::format(
+      "the time step's error in the stress of the Maxwell branches was {:.2g} % of the stress while they acted (limit "
+      "{:.0f} %); it is of first order in the step with the History Update \"Backward Euler\", of second order with "
+      "\"Second "
+      "Order\": use steps {:.0f} times shorter for 1 %, which are below a third of the relaxation times that matter",
+      100 * facts.relaxation_error, 100 * limit, shortening(facts.relaxation_error));
+}
+
 constexpr WarningKind<RunFacts> kinds[] = {
     {"energy error", energy_error},
     {"strains", strains_beyond_mesh},
@@ -95,6 +132,9 @@ constexpr WarningKind<RunFacts> kinds[] = {
     {"crossed obstacle", crossed_obstacle},
     {"oscillating force", oscillating_force},
     {"detachment", detachment_between_outputs},
+    {"lagged friction", lagged_friction},
+    {"front and step", front_against_step},
+    {"relaxation error", unresolved_relaxation},
     {"jump to another equilibrium", jump_to_another_equilibrium},
 };
 

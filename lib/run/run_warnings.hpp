@@ -4,6 +4,7 @@
 
 #include "base/warning.hpp"
 #include "run/contact_watch.hpp"
+#include "run/front_watch.hpp"
 #include "run/jump_watch.hpp"
 #include "run/strain_watch.hpp"
 
@@ -23,7 +24,10 @@ struct RunFacts {
   double largest_measure = 0;  ///< of contact [L0^(D-1)]
   double face_measure = 0;     ///< of the finest surface [L0^(D-1)]; 0: there is none
   Ripple ripple{};
-  Jump jump{};  ///< of a quasi-static run
+  Jump jump{};              ///< of a quasi-static run
+  double friction_lag = 0;  ///< mean change of the threshold in a step over the threshold, by the work of friction
+  FrontSteps front{};
+  double relaxation_error = 0;  ///< see RelaxationWatch::share()
 };
 
 /// Returns what may be wrong with the run: the list in run_warnings.cpp, at most one warning of each kind.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "material/lame.hpp"
 #include "mesh/layers.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
@@ -65,6 +66,43 @@ double shortest_relaxation(const Material& material) {
   return shortest;
 }
 
+/// Returns by node whether a condition or a grip prescribes a displacement of it.
+std::vector<bool> held_nodes(const SceneNode& scene, const Mesh& mesh) {
+  std::vector<bool> held(static_cast<std::size_t>(mesh.nodes()), false);
+  const auto hold = [&](const SceneNode& node) {
+    for (const NodeSet& set : mesh.node_sets)
+      if (set.name == node.text("Node Set"))
+        for (int number : set.nodes) held[static_cast<std::size_t>(number)] = true;
+  };
+  for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists())
+    if (node.text("Type") == "Displacement") hold(node);
+  for (const SceneNode& node : scene.sublist("Grips").sublists()) hold(node);
+  return held;
+}
+
+/// Returns how the cells of a material bend. `held`: see held_nodes().
+BodyBending body_bending(const Material& material, const Mesh& mesh, const std::vector<bool>& held) {
+  constexpr double slender = 4;
+  const Lame lame = material.law->lame();
+  BodyBending own;
+  own.poissons_ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
+  own.is_volumetric =
+      material.formulation == Formulation::Standard && own.poissons_ratio > nearly_incompressible + 1e-9;
+  BendingQuery query;
+  query.block = material.block;
+  query.moduli = {lame.lambda + lame.mu, lame.mu, youngs_modulus(lame) / (1 - own.poissons_ratio * own.poissons_ratio)};
+  // The deviator of the mode remains of Mean Dilatation.
+  if (material.formulation == Formulation::MeanDilatation)
+    query.moduli.along = lame.mu * (1 - 2.0 / mesh.body_dimension());
+  query.enriched_only = material.formulation == Formulation::Enhanced;
+  if (!own.is_volumetric) {
+    query.slenderness = slender;
+    query.held = held;
+  }
+  own.cells = typical_bending(mesh, query);
+  return own;
+}
+
 }  // namespace
 
 SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, const std::vector<Material>& materials,
@@ -120,6 +158,9 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
                                     std::max(mean_face_length(mesh, side_set_named(mesh, interaction.side_set)),
                                              mean_face_length(mesh, side_set_named(mesh, interaction.primary))),
                                     points_on_a_side(interaction.surface_points), interaction.law->equilibrium_gap()});
+  const std::vector<bool> held = held_nodes(scene, mesh);
+  for (const BodyNumbers& body : numbers.bodies)
+    facts.bending.push_back(body_bending(materials[body.material], mesh, held));
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

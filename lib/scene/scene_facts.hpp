@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/cell_bending.hpp"
 #include "mesh/cut_planes.hpp"
 #include "scene/characteristic_numbers.hpp"
 #include "scene/driving.hpp"
@@ -54,9 +55,20 @@ struct DensePoints {
   double equilibrium_gap = 0;  ///< [L0]
 };
 
+/// Standard cells of a material with a Poisson's ratio above this lock under any strain that is not uniform.
+constexpr double nearly_incompressible = 0.45;
+
+/// The linear cells of one body.
+struct BodyBending {
+  CellBending cells{};         ///< of Standard cells of a nearly incompressible body along all directions
+  double poissons_ratio = 0;   ///< at rest
+  bool is_volumetric = false;  ///< the cells are Standard, and the body is nearly incompressible
+};
+
 struct SceneFacts {
   int dimension = 2;  ///< of the mesh
   CharacteristicNumbers numbers{};
+  std::vector<BodyBending> bending{};  ///< parallel to CharacteristicNumbers::bodies
   std::vector<SurfaceFacts> surfaces{};
   std::vector<DensePoints> dense_points{};
   std::vector<Motion> motions{};

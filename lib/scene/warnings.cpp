@@ -239,6 +239,34 @@ Message no_way_to_bend(const Facts& facts) {
   });
 }
 
+/// The bending energy of the mesh's own cells shows both kinds of locking.
+Message cells_that_lock(const Facts& facts) {
+  constexpr double volumetric_limit = 1.02, bending_limit = 1.3;
+  const bool has_single_layer = !no_way_to_bend(facts).empty();
+  for (std::size_t i = 0; i < facts.bending.size(); ++i) {
+    const BodyBending& own = facts.bending[i];
+    const CellBending& cells = own.cells;
+    const std::string& name = facts.numbers.bodies[i].name;
+    if (own.is_volumetric && cells.body > volumetric_limit)
+      return fmt::format(
+          "Materials/{}: Poisson's ratio is {:.4g} (limit {}) and the cells are \"Standard\", which lock: one of them "
+          "is "
+          "{:.3g} times as stiff in bending as the material, {} layers of them may be {:.3g} times as stiff (limit "
+          "{}), "
+          "and more where the strains are local; use the Element Formulation \"Mean Dilatation\" or \"Enhanced\"",
+          name, own.poissons_ratio, nearly_incompressible, cells.cell, cells.layers, cells.body, volumetric_limit);
+    if (!own.is_volumetric && !has_single_layer && cells.body > bending_limit)
+      return fmt::format(
+          "Materials/{}: the body is slender, and {} layer(s) of linear cells, {:.2g} times as long as thick, are "
+          "{:.3g} "
+          "times as stiff in bending as the material (limit {}): one cell locks by {:.3g}, n layers by a share of "
+          "1/n^2 of "
+          "the excess; use more layers, shorter cells, \"Enhanced\" elements, or Cell Order 2",
+          name, cells.layers, cells.aspect, cells.body, bending_limit, cells.cell);
+  }
+  return "";
+}
+
 Message oblique_pull_without_friction(const Facts& facts) {
   constexpr double limit = 0.1;
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
@@ -295,6 +323,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"no attraction", gap_without_attraction},
     {"no repulsion", attraction_without_repulsion},
     {"bending", no_way_to_bend},
+    {"locking", cells_that_lock},
     {"friction of one law", friction_of_one_law},
     {"no friction", oblique_pull_without_friction},
 };

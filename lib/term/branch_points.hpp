@@ -33,6 +33,13 @@ class BranchPoints {
   using Step = BranchStep<Pack>;
   using Steps = std::vector<Step>;
 
+  /// Squares at a point after a step, at small strains, where half of mu (Cb - Ci) is a branch's stress.
+  struct StepSquares {
+    std::vector<Pack> branches;  ///< of each stress [E0^2]
+    Pack sum;                    ///< of their sum [E0^2]
+    Pack strain;                 ///< of half of Cb - I [-]
+  };
+
   BranchPoints(const LocalBlock& block, std::size_t points, const std::vector<MaxwellBranch>& branches)
       : branches_(branches), history_(block, points, branches.size() * size + 1) {}
 
@@ -94,13 +101,15 @@ class BranchPoints {
   }
 
   /// Accepts a step of length dt between two displacement gradients; `force` are the steps of its force. Returns the
-  /// energy that it dissipated per reference volume [E0], see step_dissipation().
+  /// energy that it dissipated per reference volume [E0], see step_dissipation(), and sets the squares.
   Pack accept(std::size_t b, std::size_t q, const Gradient& from, const Gradient& to, const Steps& force, double dt,
-              HistoryUpdate update) {
+              HistoryUpdate update, StepSquares& squares) {
     const Strain start(in_space(from)), end(in_space(to));
     std::optional<Strain> middle;
     if (update == HistoryUpdate::SecondOrder) middle.emplace(in_space(mean(from, to)));
     Pack lost = 0.0;
+    Tensor all{};
+    squares.branches.resize(branches_.size());
     for (std::size_t n = 0; n < branches_.size(); ++n) {
       const double time = branches_[n].time;
       const Tensor old = history(b, q, n);
@@ -110,7 +119,15 @@ class BranchPoints {
       lost += branches_[n].modulus * step_dissipation(start, end, old, updated, force[n]);
       for (std::size_t k = 0; k < size; ++k)
         history_(b, q, n * size + k) = updated[Components::symmetric[k][0]][Components::symmetric[k][1]];
+      Tensor own{};
+      for (const auto& [i, j] : Components::all) {
+        own[i][j] = branches_[n].modulus * (end.change[i][j] - updated[i][j]);
+        all[i][j] += own[i][j];
+      }
+      squares.branches[n] = 0.25 * Strain::Algebra::contraction(own, own);
     }
+    squares.sum = 0.25 * Strain::Algebra::contraction(all, all);
+    squares.strain = 0.25 * Strain::Algebra::contraction(end.change, end.change);
     history_(b, q, branches_.size() * size) += lost;
     return lost;
   }
@@ -152,10 +169,8 @@ class BranchPoints {
 
   /// Returns the factors of Cb - Ci at the start, and of the change of Cb, in the local error of Ci; x = dt/tau.
   static std::array<double, 2> error_factors(double x, HistoryUpdate update) {
-    const double decay = std::exp(-x), ramp = -std::expm1(-x) / x;
-    if (update == HistoryUpdate::BackwardEuler) return {1 / (1 + x) - decay, 1 / (1 + x) - ramp};
-    const double s = x * (1 + x / 2);
-    return {1 / (1 + s) - decay, (1 + s / 2) / (1 + s) - ramp};
+    const HistoryStep own = history_step(x, update), exact = exact_history_step(x);
+    return {own.lag - exact.lag, own.change - exact.change};
   }
 
   static constexpr std::size_t size = Components::symmetric.size();

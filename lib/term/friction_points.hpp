@@ -47,10 +47,13 @@ class FrictionPoints {
   void clear() {
     stored_.clear();
     in_step_ = false;
+    last_work_ = last_lag_ = 0;
   }
   void transfer(Record& record) {
     stored_.transfer(record);
-    if (record.loading()) in_step_ = false;
+    if (!record.loading()) return;
+    in_step_ = false;
+    last_work_ = last_lag_ = 0;
   }
   /// Freezes the state of a step's start; a displacement since then will have taken the time `length` [T0].
   void begin(const double* u, double length);
@@ -113,7 +116,8 @@ class FrictionPoints {
   Step step(std::size_t b, std::size_t q, const Vector& u) const {
     return {law_.friction(), creep_length_, stored_traction(b, q), threshold(b, q, u)};
   }
-  Pack accept(std::size_t b, std::size_t q, const Vector& u, const Contact& end);
+  /// Adds the measure of the point times the slip, times the threshold and its change, to the last two.
+  Pack accept(std::size_t b, std::size_t q, const Vector& u, const Contact& end, Pack& work, Pack& lag);
 
   FrictionLaw law_;
   std::shared_ptr<const Obstacle> obstacle_;
@@ -123,6 +127,7 @@ class FrictionPoints {
   std::vector<bool> is_idle_;  ///< by batch, see is_idle()
   double creep_length_ = 0;    ///< length up to which smoothed friction grows, see SmoothedSlip
   bool in_step_ = false;
+  double last_work_ = 0, last_lag_ = 0;  ///< of the step that was accepted last, see FrictionReport
 };
 
 }  // namespace ixos

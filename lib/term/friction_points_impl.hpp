@@ -102,24 +102,31 @@ Pack FrictionPoints<SideElement>::largest_stiffness(std::size_t b, std::size_t q
 
 template <class SideElement>
 double FrictionPoints<SideElement>::accept(const double* u) {
-  Pack sum = 0.0;
+  Pack sum = 0.0, work = 0.0, lag = 0.0;
   for (std::size_t b = 0; b < sides_.size(); ++b) {
     const auto nodal = sides_.change_of(b, u);
     for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
       const Vector end = at(q, nodal);
-      sum += sides_.owned(b) * sides_.measure(b)[q] * accept(b, q, end, contact_at(place(b, q, end)));
+      sum += sides_.owned(b) * sides_.measure(b)[q] * accept(b, q, end, contact_at(place(b, q, end)), work, lag);
     }
   }
   in_step_ = false;
+  last_work_ = total(work);
+  last_lag_ = total(lag);
   return total(sum);
 }
 
 /// Updates what a point stores. Returns the work dissipated per area. The traction is carried along with the tangent
 /// plane.
 template <class SideElement>
-Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vector& u, const Contact& end) {
+Pack FrictionPoints<SideElement>::accept(std::size_t b, std::size_t q, const Vector& u, const Contact& end, Pack& work,
+                                         Pack& lag) {
   const Start& start = this->start(b, q);
-  const auto left = step(b, q, u).end(slip_since(start, u), law_.threshold(end.gap));
+  const Pack begins = threshold(b, q, u), ends = law_.threshold(end.gap);
+  const auto left = step(b, q, u).end(slip_since(start, u), ends);
+  const Pack slipped = sides_.owned(b) * sides_.measure(b)[q] * left.slip;
+  work += slipped * begins;
+  lag += slipped * (ends - begins);
   const Vector traction = carried(left.traction, start.normal, end.normal);
   for (std::size_t i = 0; i < D; ++i) stored_(b, q, i) = traction[i];
   stored_(b, q, place_of(FrictionNumber::Slip)) += left.slip;
@@ -149,6 +156,8 @@ void FrictionPoints<SideElement>::report(const double* u, FrictionReport& report
   report.sliding += total(sliding);
   report.sticking += total(sticking);
   report.slip += total(slip);
+  report.work += last_work_;
+  report.lag += last_lag_;
 }
 
 }  // namespace ixos

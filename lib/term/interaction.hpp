@@ -47,6 +47,9 @@ struct FrictionReport {
   double sliding = 0;   ///< measure that slid in the last step
   double sticking = 0;  ///< measure on which friction acts and that did not slide in the last step
   double slip = 0;      ///< integral of the slip so far over the measure on which friction acts [L0^D]
+  double work = 0;      ///< integral of the last step's threshold times its slip [E0 L0^D]
+  /// Integral of the change of that threshold over the step times the slip; 0 if it is that at the end [E0 L0^D].
+  double lag = 0;
 
   /// Returns the mean of the slip over the measure on which friction acts [L0]; 0 if it acts nowhere.
   double mean_slip() const { return acting > 0 ? slip / acting : 0.0; }

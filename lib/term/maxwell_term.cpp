@@ -54,16 +54,28 @@ class MaxwellTerm final : public Viscoelasticity {
   }
 
   double accept(const AcceptedStep& step) override {
-    Pack sum = 0.0;
+    Pack sum = 0.0, stress = 0.0, strain = 0.0;
+    std::vector<Pack> branches(frozen_.size(), Pack(0.0));
+    typename Points::StepSquares squares{};
     for (std::size_t b = 0; b < cells_.size(); ++b) {
       const Gradients from(cells_, b, step.states.front().u), to(cells_, b, step.states.back().u);
       for (std::size_t q = 0; q < cells_.table.size(); ++q) {
-        const Pack loss = points_.accept(b, q, from(q), to(q), stage_, step.dt, update_);
-        sum += cells_.owned[b] * weight(b, q) * loss;
+        const Pack loss = points_.accept(b, q, from(q), to(q), stage_, step.dt, update_, squares);
+        const Pack share = cells_.owned[b] * weight(b, q);
+        sum += share * loss;
+        for (std::size_t n = 0; n < branches.size(); ++n) branches[n] += share * squares.branches[n];
+        stress += share * squares.sum;
+        strain += share * squares.strain;
       }
     }
+    last_.branches.clear();
+    for (const Pack& branch : branches) last_.branches.push_back(total(branch));
+    last_.sum = total(stress);
+    last_.strain = total(strain);
     return total(sum);
   }
+
+  const BranchSquares& last_squares() const override { return last_; }
 
   void transfer(Record& record) override { points_.transfer(record); }
 
@@ -267,6 +279,7 @@ class MaxwellTerm final : public Viscoelasticity {
   Points points_;
   Steps frozen_;  ///< of length 0
   Steps stage_;   ///< of the force in the stage that began last
+  BranchSquares last_;
 };
 
 }  // namespace

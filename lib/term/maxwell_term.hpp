@@ -12,6 +12,14 @@
 
 namespace ixos {
 
+/// This rank's integrals over the reference volume of squares at the end of an accepted step, at small strains, where
+/// half of mu (Cb - Ci) is a branch's stress.
+struct BranchSquares {
+  std::vector<double> branches;  ///< of each stress [E0^2 L0^D]
+  double sum = 0;                ///< of the sum of the stresses [E0^2 L0^D]
+  double strain = 0;             ///< of half of Cb - I [L0^D]
+};
+
 /// The Maxwell branches of a block, beside its elasticity. A segment that has a length is a stage's: its force is the
 /// gradient of the incremental potential E_n of MaxwellBranch over StageStart::mean_time, with the history at the
 /// step's start. Over a segment without a length, histories are frozen: forces are those of the stored energy, which
@@ -31,6 +39,8 @@ class Viscoelasticity : public ForceTerm {
   /// Returns this rank's integral over the reference volume of the squared error [E0^2 L0^D] that a step of length dt
   /// between two displacements makes in half the sum of mu Ci: that of the stress at small strains. Then the volume.
   virtual std::array<double, 2> squared_error(const double* from, const double* to, double dt) const = 0;
+  /// Returns the squares of the step that was accepted last; no checkpoint holds them.
+  virtual const BranchSquares& last_squares() const = 0;
   /// Adds, for each local cell of the block, the mean density of the stored energy [E0].
   virtual void add_cell_energy(const double* u, std::vector<double>& density) const = 0;
   /// Adds, for each local cell of the block, the mean Cauchy stress over the reference volume [E0].

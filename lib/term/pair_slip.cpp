@@ -83,12 +83,15 @@ template <std::size_t D>
 void PairSlip<D>::clear() {
   stored_.clear();
   in_step_ = false;
+  last_work_ = last_lag_ = 0;
 }
 
 template <std::size_t D>
 void PairSlip<D>::transfer(Record& record) {
   stored_.transfer(record);
-  if (record.loading()) in_step_ = false;
+  if (!record.loading()) return;
+  in_step_ = false;
+  last_work_ = last_lag_ = 0;
 }
 
 template <std::size_t D>
@@ -203,11 +206,13 @@ double PairSlip<D>::accept(const double* u) {
   const auto times = contacts(u);
   const auto& end = times->front();
   double sum = 0;
+  last_work_ = last_lag_ = 0;
   for (const Point& point : acting_) {
     const auto& contact = point.contact;
     const auto* const now = end.find(contact.patch, contact.point);
     const bool has_foot = now != nullptr && now->foot.patch >= 0;
-    const auto left = step(point).end(slip(point, u), has_foot ? friction_.threshold_at(now->foot.gap) : 0.0);
+    const double threshold = has_foot ? friction_.threshold_at(now->foot.gap) : 0.0;
+    const auto left = step(point).end(slip(point, u), threshold);
     const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
     const auto from = triad<D>(contact.foot.frame),
                to = triad<D>(patch.placed(patch.among(end.places.primary)).frame(contact.foot.xi));
@@ -220,7 +225,10 @@ double PairSlip<D>::accept(const double* u) {
     add(FrictionNumber::Slip, left.slip);
     add(FrictionNumber::Dissipated, left.work);
     store(contact.patch, contact.point, place_of(FrictionNumber::Sliding), left.slid);
-    if (points_.counts(contact.patch)) sum += points_.measure(contact) * left.work;
+    if (!points_.counts(contact.patch)) continue;
+    sum += points_.measure(contact) * left.work;
+    last_work_ += points_.measure(contact) * left.slip * point.threshold;
+    last_lag_ += points_.measure(contact) * left.slip * (threshold - point.threshold);
   }
   in_step_ = false;
   return sum;
@@ -228,6 +236,8 @@ double PairSlip<D>::accept(const double* u) {
 
 template <std::size_t D>
 void PairSlip<D>::report(const double* u, FrictionReport& report) const {
+  report.work += last_work_;
+  report.lag += last_lag_;
   const auto times = contacts(u);
   for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
     if (!points_.counts(s)) continue;

@@ -94,6 +94,7 @@ class PairSlip {
   mutable Points near_;  ///< the last ones that near() returned; both keep their memory
   double creep_length_ = 0;
   bool in_step_ = false;
+  double last_work_ = 0, last_lag_ = 0;  ///< of the step that was accepted last, see FrictionReport
 };
 
 extern template class PairSlip<2>;

@@ -36,6 +36,22 @@ TEST(CellSidesTest, TheBoundaryIsTheGeneratorsSurface) {
   EXPECT_EQ(boundary_sides(bricks(3, 2, 3, 1)).size(), 2U * (2 * 3 + 2 * 1 + 3 * 1));
 }
 
+TEST(CellSidesTest, OppositeSidesShareNoCorner) {
+  for (const Mesh& mesh : {bricks(2, 1, 1, 1), bricks(3, 1, 1, 1)}) {
+    const CellType type = mesh.blocks[0].type;
+    for (int side = 0; side < sides_per_cell(type); ++side) {
+      const int other = opposite_side(type, side);
+      EXPECT_EQ(opposite_side(type, other), side);
+      for (int corner : side_nodes(type, side))
+        for (int far : side_nodes(type, other)) EXPECT_NE(corner, far);
+      const auto x = centre_of(mesh, corners_of(mesh, {0, 0, side})),
+                 y = centre_of(mesh, corners_of(mesh, {0, 0, other}));
+      for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(x[i] + y[i], i < static_cast<std::size_t>(mesh.dimension) ? 1 : 0, 1e-15);
+    }
+  }
+}
+
 TEST(CellSidesTest, CornersRunAlongTheRimOfTheSide) {
   const Mesh squares = bricks(2, 2, 1, 1), cube = bricks(3, 1, 1, 1);
   EXPECT_EQ(corners_of(squares, {0, 1, 1}), (SideCorners{2, 5, -1, -1}));

@@ -25,7 +25,8 @@ const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement:
 enum class Shape { Plane, Sphere, Ring };
 
 /// A rigid body of 3 by 1 (by 1) L0 over a wall or a sphere, or one of revolution with a radius of 3 L0 over a wall.
-std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shape, double eps, double factor) {
+std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shape, double eps, double factor,
+                               double sharpness = 0, bool current = false) {
   BoxShape own;
   own.dimension = dimension;
   own.lengths = {3, 1, 1};
@@ -54,6 +55,8 @@ std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shap
   wall.friction.stress = stress;
   wall.friction.stiffness = eps;
   wall.friction.cutoff_share = 1;
+  wall.friction.sharpness = sharpness;
+  wall.friction.current = current;
   if (factor != 1) wall.factor = [factor](const std::array<double, 3>&) { return factor; };
   add_interaction(*model, wall);
   model->initialize({test::at_rest(*model).data()});
@@ -108,6 +111,41 @@ TEST(FrictionFieldsTest, AUniformSlideAlongAPlaneIsExact) {
         EXPECT_EQ(report.sticking, 0);
         EXPECT_NEAR(report.mean_slip(), slid, 1e-13);
       }
+}
+
+// The threshold changes with the gap while the surface slides; where it falls, the spring's slip becomes free.
+TEST(FrictionFieldsTest, AStepTellsHowFarItsThresholdLags) {
+  Friction friction;
+  friction.type = FrictionType::ConstantStress;
+  friction.stress = stress;
+  friction.stiffness = stiffness;
+  friction.sharpness = 20;
+  const FrictionLaw law(friction, gap_law(VanDerWaals(2.5, 25)));
+  for (const int dimension : {2, 3})
+    for (const double rise : {-0.02, 0.04, 0.1})
+      for (const double factor : {1.0, 2.0}) {
+        const auto model = resting(dimension, ContactElement::Q1C1, Shape::Plane, stiffness, factor, 20);
+        const auto d = static_cast<std::size_t>(dimension);
+        const std::vector<double> from = test::at_rest(*model);
+        std::vector<double> to = from;
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = i % d == 0 ? way : i % d + 1 == d ? rise : 0.0;
+        const InteractionGroup& group = model->interaction("Wall");
+        EXPECT_EQ(group.friction_report(from.data()).work, 0);
+        model->begin_step({from.data()}, 0, 1);
+        model->accept({{{from.data()}, {to.data()}}, nullptr, 1});
+        const double begins = law.threshold_at(lowest), ends = law.threshold_at(lowest + rise);
+        const double slip = way - begins / stiffness + std::max(begins - ends, 0.0) / stiffness;
+        const FrictionReport report = group.friction_report(to.data());
+        EXPECT_NEAR(report.work, 3 * factor * begins * slip, 1e-13);
+        EXPECT_NEAR(report.lag, 3 * factor * (ends - begins) * slip, 1e-13);
+      }
+}
+
+TEST(FrictionFieldsTest, AThresholdAtTheEndOfTheStepDoesNotLag) {
+  const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1, 20, true);
+  const std::vector<double> u = slide(*model, [](double) { return way; });
+  EXPECT_GT(model->interaction("Wall").friction_report(u.data()).work, 0);
+  EXPECT_NEAR(model->interaction("Wall").friction_report(u.data()).lag, 0, 1e-15);
 }
 
 // The places x < 1.5 stay, those beyond 2 slide, and the slip is linear between.

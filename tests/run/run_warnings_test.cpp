@@ -66,7 +66,92 @@ TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
               });
 }
 
+TEST(RunWarningsTest, ErrorsOfTheStepNameTheirSizeAndTheRemedy) {
+  expect_only("lagged friction", "changed by 3.6 % in a step on average (limit 2 %)",
+              [](RunFacts& f) { f.friction_lag = 0.036; });
+  expect_only("lagged friction", "use steps 8 times shorter for 1 %", [](RunFacts& f) { f.friction_lag = 0.073; });
+  expect_only("front and step",
+              "moved 6 L0 in a step on average, farther than the cohesive zone, 4 L0, in 9 of 10 rows",
+              [](RunFacts& f) {
+                f.front = {4, 6, 10, 9};
+              });
+  expect_only("relaxation error", "was 20 % of the stress while they acted (limit 10 %)",
+              [](RunFacts& f) { f.relaxation_error = 0.2; });
+  RunFacts facts = sound();
+  facts.friction_lag = 0.019;
+  facts.relaxation_error = 0.099;
+  facts.front = {4, 6, 10, 5};  // jumps now and then
+  EXPECT_TRUE(run_warnings(facts).empty());
+}
+
 using RunMeasuresTest = RestartTest;
+
+bool has(const RunResult& result, const std::string& name) {
+  return std::any_of(result.findings.begin(), result.findings.end(),
+                     [&](const Warning& warning) { return warning.name == name; });
+}
+
+/// A cube or square, sheared within a millionth of T0 and then held; the relaxation time of the first branch is 1.
+std::string sheared(double step, const std::string& update, int dimension, const std::string& branches) {
+  const bool plane = dimension == 2;
+  const std::string shape =
+      count("Dimension", dimension) + (plane ? numbers("Lengths", {1, 1}) + counts("Divisions", {2, 1})
+                                             : numbers("Lengths", {1, 1, 1}) + counts("Divisions", {2, 1, 1}));
+  const std::string across = plane ? "y" : "z";
+  return list("Mesh", word("Type", "Box") + list("Box", shape)) +
+         list("Materials", list("M", number("Young's Modulus", 0.001) + number("Poisson's Ratio", 0) +
+                                         list("Maxwell Branches", branches + word("History Update", update)))) +
+         list("Histories",
+              list("Pull", word("Type", "Ramp") + list("Ramp", number("Value", 0.001) + number("Length", 1e-6)))) +
+         list("Boundary Conditions",
+              list("Pull", word("Node Set", "right") + word("Components", across) + word("History", "Pull")) +
+                  list("Guide", word("Node Set", "right") + word("Components", plane ? "x" : "xy")) +
+                  list("Hold", word("Node Set", "left"))) +
+         list("Time Integrator", word("Type", "Static") + steps(step, 4));
+}
+
+TEST_F(RunMeasuresTest, StepsThatDoNotResolveRelaxationAreToldOf) {
+  const std::string one = numbers("Relaxation Times", {1}) + numbers("Moduli", {0.5});
+  const std::string quick = numbers("Relaxation Times", {1, 0.01}) + numbers("Moduli", {0.5, 1e-5});
+  const auto warns = [&](double step, const std::string& update, int dimension, const std::string& branches) {
+    return has(run_scene(sheared(step, update, dimension, branches), "sheared"), "relaxation error");
+  };
+  for (const double step : {1.0 / 3, 1.0, 4.0}) EXPECT_TRUE(warns(step, "Backward Euler", 2, one)) << step;
+  for (const double step : {1.0, 4.0}) EXPECT_TRUE(warns(step, "Second Order", 2, one)) << step;
+  EXPECT_TRUE(warns(1, "Backward Euler", 3, one));
+  EXPECT_TRUE(warns(1, "Backward Euler", 2, quick));
+  EXPECT_FALSE(warns(0.05, "Backward Euler", 2, one));
+  EXPECT_FALSE(warns(0.1, "Second Order", 2, one));
+  EXPECT_FALSE(warns(0.05, "Backward Euler", 2, quick)) << "the quick branch has no share of the stress";
+}
+
+/// A pad that is dragged along a wall and rises from a gap of 0.15 to one of 0.35, where its friction fades.
+std::string dragged(double step, const std::string& friction) {
+  const auto driven = [](const std::string& set, const std::string& axis, const std::string& history) {
+    return list(set + " " + axis, word("Node Set", set) + word("Components", axis) + word("History", history));
+  };
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {2, 0.25}) + counts("Divisions", {4, 1}))) +
+         list("Materials", list("Rubber", number("Density", 1))) +
+         list("Interactions",
+              list("Wall", word("Side Set", "bottom") + numbers("Point", {0, -0.15}) + list("Friction", friction))) +
+         list("Histories", expression("Up", "0.2*t", "0.2", "0") + expression("Along", "t", "1", "0")) +
+         list("Boundary Conditions", driven("bottom", "x", "Along") + driven("bottom", "y", "Up") +
+                                         driven("top", "x", "Along") + driven("top", "y", "Up")) +
+         list("Time Integrator", word("Type", "Static") + steps(step, 1));
+}
+
+// Over N steps the threshold of Constant Stress falls to half of it: by about 0.7/N of its mean in each.
+TEST_F(RunMeasuresTest, AThresholdThatLagsIsToldOf) {
+  const std::string constant = word("Type", "Constant Stress") + number("Stress", 0.01) + number("Sharpness", 10);
+  const auto warns = [&](double step, const std::string& friction) {
+    return has(run_scene(dragged(step, friction), "dragged"), "lagged friction");
+  };
+  EXPECT_TRUE(warns(0.1, constant));
+  EXPECT_TRUE(warns(0.05, constant));
+  EXPECT_TRUE(warns(0.1, word("Type", "Extended Amontons") + number("Coefficient", 0.01)));
+  EXPECT_FALSE(warns(0.005, constant));
+  EXPECT_FALSE(warns(0.1, constant + word("Threshold", "Current")));
+}
 
 /// A ball so soft that the wall crumples it: W/E is 15 L0.
 TEST_F(RunMeasuresTest, ACrumpledBallIsToldOfInTheSummary) {

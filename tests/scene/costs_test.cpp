@@ -147,7 +147,7 @@ std::vector<long> looks_at_cells(const std::string& scheme, long last) {
   for (long step = 1; step <= last; ++step) {
     RunMeasures measures(s);
     for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.5 * places[i];  // J = 2.25, for this step only
-    measures.step(step);
+    measures.step(step, 0.05);
     u = rest;
     if (measures.finish(history).strains.largest_jacobian > 2) steps.push_back(step);
   }

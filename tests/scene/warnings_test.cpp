@@ -283,6 +283,53 @@ TEST(WarningsTest, OneLayerOfCells) {
         << element;
 }
 
+bool warns_of_locking(const std::string& file, const Assignments& assignments) {
+  return all_of(file, assignments).find("locking: ") != std::string::npos;
+}
+
+TEST(WarningsTest, NearlyIncompressibleStandardCells) {
+  const std::string ball = "Materials/Ball/";
+  expect_warning("ball.xml", {ball + "Poisson's Ratio=0.4995"}, "locking",
+                 "Materials/Ball: Poisson's ratio is 0.4995 (limit 0.45) and the cells are \"Standard\", which lock");
+  for (const char* ratio : {"0.499", "0.49"})
+    EXPECT_TRUE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=" + ratio})) << ratio;
+  // The mode's (1 - nu)^2/(1 - 2 nu) + (1 - nu)/2 = 13.26, and 1 + 12.26/16^2
+  expect_warning("block-on-wall.xml", {"Materials/Rubber/Poisson's Ratio=0.49", "Mesh/Box/Divisions={16, 16, 16}"},
+                 "locking",
+                 "one of them is 13.3 times as stiff in bending as the material, 16 layers of them may be 1.05");
+  expect_warning("strip.xml", {"Materials/Strip/Poisson's Ratio=0.49"}, "locking", "use the Element Formulation");
+  for (const char* cure : {"Materials/Ball/Element Formulation=Mean Dilatation",
+                           "Materials/Ball/Element Formulation=Enhanced", "Mesh/Cell Order=2"})
+    EXPECT_FALSE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=0.4995", cure})) << cure;
+  EXPECT_FALSE(warns_of_locking("ball.xml", {ball + "Poisson's Ratio=0.45"}));
+}
+
+TEST(WarningsTest, FewLayersOfLongCells) {
+  // Cells of 10 by 5: 0.8^2/0.6 + 0.4 2^2 = 2.67, and 1 + 1.67/4
+  const std::string divisions = "Mesh/Box/Divisions=";
+  expect_warning(
+      "strip.xml", {divisions + "{20, 2}"}, "locking",
+      "2 layer(s) of linear cells, 2 times as long as thick, are 1.42 times as stiff in bending as the material "
+      "(limit 1.3): one cell locks by 2.67");
+  EXPECT_TRUE(warns_of_locking("strip.xml", {divisions + "{10, 3}"}));
+  // 0.4 (1 + 4^2) = 6.8, and 1 + 5.8/4
+  EXPECT_TRUE(
+      warns_of_locking("strip.xml", {divisions + "{10, 2}", "Materials/Strip/Element Formulation=Mean Dilatation"}));
+  EXPECT_FALSE(warns_of_locking("strip.xml", {divisions + "{40, 2}"}));
+  EXPECT_FALSE(warns_of_locking("strip.xml", {divisions + "{20, 4}", "Materials/Strip/Element Formulation=Enhanced",
+                                              "Interactions/Wall/Contact Element=Q1C1"}));
+  EXPECT_FALSE(warns_of_locking("strip.xml", {divisions + "{20, 1}"})) << "that is \"bending\"";
+  EXPECT_FALSE(warns_of_locking("strip.xml", {"Mesh/Box/Lengths={20, 10}", divisions + "{4, 2}"})) << "compact";
+}
+
+TEST(WarningsTest, TheCellsOfTheProjectsScenesDoNotLock) {
+  for (const char* file :
+       {"ball.xml", "strip.xml", "block-on-wall.xml", "crossed-cylinders.xml", "film-peel.xml", "gecko-drag.xml",
+        "hairpin.xml", "hertz.xml", "jkr.xml", "pillar.xml", "rate-peel.xml", "restitution.xml", "spatula.xml",
+        "spatula-stiff.xml", "spatula-vibration.xml", "spring-block.xml", "stamp.xml", "t-peel.xml", "waviness.xml"})
+    EXPECT_FALSE(warns_of_locking(file, {})) << file;
+}
+
 /// 16 sides of 1.95 L0 on each disk.
 TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
   const std::string pair = "Interactions/Contact/";

@@ -278,6 +278,33 @@ TEST(MaxwellTermTest, TheErrorOfAStepIsThatOfTheHistory) {
     }
 }
 
+// The stress of each branch after a step in which the strain grows, and one in which it is held.
+TEST(MaxwellTermTest, AnAcceptedStepTellsItsStresses) {
+  const std::vector<MaxwellBranch> both{{0.5, 0.05}, {0.2, 3}};
+  for (Kind kind : kinds)
+    for (HistoryUpdate update : {HistoryUpdate::BackwardEuler, HistoryUpdate::SecondOrder}) {
+      const Body body(kind, both, update);
+      body.begin(dt);
+      const std::vector<double> from = test::at_rest(*body.model), to = body.field(1e-6, 0.5);
+      double share = 1, sum = 0;
+      for (int step = 0; step < 2; ++step) {
+        body.accept(step == 0 ? from : to, to);
+        const BranchSquares& squares = body.term->last_squares();
+        const double strain = std::sqrt(body.sum(squares.strain));
+        EXPECT_GT(strain, 0);
+        sum = 0;
+        for (std::size_t n = 0; n < both.size(); ++n) {
+          const double x = dt / both[n].time, s = update == HistoryUpdate::BackwardEuler ? x : x * (1 + x / 2);
+          const double grown = update == HistoryUpdate::BackwardEuler ? 1 / (1 + x) : (1 + s / 2) / (1 + s);
+          share = step == 0 ? grown : grown / (1 + s);
+          EXPECT_NEAR(std::sqrt(body.sum(squares.branches.at(n))), both[n].modulus * share * strain, 1e-4 * strain);
+          sum += both[n].modulus * share * strain;
+        }
+        EXPECT_NEAR(std::sqrt(body.sum(squares.sum)), sum, 1e-4 * strain);
+      }
+    }
+}
+
 TEST(MaxwellTermTest, HistoriesOfOtherBranchesAreRefused) {
   const Body body(Kind::Plane);
   body.exercise();

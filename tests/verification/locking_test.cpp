@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "discretization/nodal_measure.hpp"
+#include "mesh/cell_bending.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
@@ -201,6 +202,39 @@ TEST(LockingVerification, QuadraticCellsOfANearlyIncompressibleCantilever) {
   EXPECT_LT(deflection(incompressible_cantilever(20, 2, 2), Formulation::Standard), 0.98 * reference) << "it locks";
 }
 
+/// A cantilever 20 by 1 of several layers in plane strain.
+Problem layered(int divisions, int layers, double nu) {
+  BoxShape shape;
+  shape.lengths = {20, 1, 1};
+  shape.divisions = {divisions, layers, 1};
+  Problem problem{box(shape), {}, 1e-3, 0};
+  for (std::size_t n = 0; n < problem.mesh.coordinates.size() / 2; ++n)
+    if (problem.mesh.coordinates[2 * n] > 20 - 1e-9) problem.probe = n;
+  problem.material.law = linear_elastic(lame_constants(1, nu));
+  return problem;
+}
+
+// Timoshenko's deflection with a bending stiffness that is larger by the factor of the warning. Nearly incompressible
+// layers also constrain each other, so that the factor is then a lower bound.
+TEST(LockingVerification, TheFactorOfTheWarningIsThatOfTheDeflection) {
+  for (double nu : {0.0, 0.3, 0.4995})
+    for (int divisions : {10, 20})
+      for (int layers : {1, 2, 4}) {
+        const Problem problem = layered(divisions, layers, nu);
+        const double mu = 1 / (2 * (1 + nu)), lambda = 2 * mu * nu / (1 - 2 * nu), modulus = 1 / (1 - nu * nu);
+        BendingQuery query;
+        query.block = "body";
+        query.moduli = {lambda + mu, mu, modulus};
+        query.slenderness = 4;
+        const double factor = typical_bending(problem.mesh, query).body;
+        const double curved = 1e-3 * 8000 / (3 * modulus / 12) * (1 - 0.25 / (divisions * divisions));
+        const double predicted = curved / factor + 1e-3 * 20 / mu, found = deflection(problem, Formulation::Standard);
+        const double coupling = nu < 0.4 || layers == 1 ? 0.01 : 0.3;
+        EXPECT_LT(found, 1.005 * predicted) << nu << ", " << divisions << " x " << layers;
+        EXPECT_GT(found, (1 - coupling) * predicted) << nu << ", " << divisions << " x " << layers;
+      }
+}
+
 /// A spinning, stretching block; in 2D its bottom may have a contact element, away from the wall.
 std::string block(const std::string& formulation, int dimension, const std::string& element = "Q1C1", int order = 1) {
   using test::list;
@@ -217,16 +251,16 @@ std::string block(const std::string& formulation, int dimension, const std::stri
   const std::string gradient = plane ? numbers("Velocity Gradient", {0.15, -0.5, 0.5, -0.05})
                                      : numbers("Velocity Gradient", {0.1, -0.5, 0.2, 0.5, 0, -0.1, -0.2, 0.1, -0.1});
   return list("Mesh", test::count("Cell Order", order) + word("Type", "Box") + list("Box", shape)) +
-         list("Materials", list("Rubber", rubber)) +
-         list("Interactions", list("Wall", wall)) + list("Initial Conditions", gradient);
+         list("Materials", list("Rubber", rubber)) + list("Interactions", list("Wall", wall)) +
+         list("Initial Conditions", gradient);
 }
 
 // The forces derive from the energy that is reported: their mean over a step's straight path conserves it.
 TEST(LockingVerification, AverageVectorFieldKeepsTheEnergyOfTheCures) {
   const auto expect_energy = [](const std::string& body) {
-    Simulation s(test::scene(body + test::time_integrator("Average Vector Field", 0.02, 1,
-                                                          test::count("Elastic Points", 8))),
-                 world());
+    Simulation s(
+        test::scene(body + test::time_integrator("Average Vector Field", 0.02, 1, test::count("Elastic Points", 8))),
+        world());
     const double start = test::total_energy(s);
     for (int step = 0; step < 30; ++step) ASSERT_TRUE(s.integrator().step(0.02).converged) << body;
     EXPECT_NEAR(test::total_energy(s), start, 1e-11) << body;
