@@ -35,6 +35,14 @@ void read_values(const std::vector<AskedQuantity>& quantities, const std::string
     run.outcome = AccuracyOutcome::NoValue;
 }
 
+/// Returns whether a failed run decides the quantities, as the first rank reads it.
+bool is_decided(const std::vector<AskedQuantity>& quantities, const std::string& folder, const Comm& comm) {
+  int decided = 0;
+  on_first_rank(comm, [&] { decided = are_decided(quantities, RunHistory(folder)) ? 1 : 0; });
+  Teuchos::broadcast(*comm, 0, &decided);
+  return decided != 0;
+}
+
 /// The runs of one command.
 class AccuracyRuns {
  public:
@@ -94,10 +102,11 @@ AccuracyRun AccuracyRuns::run(const AccuracySettings& settings) {
   run.problem = last_.reason;
   if (last_.status == RunStatus::Interrupted)
     run.outcome = AccuracyOutcome::Interrupted;
-  else if (last_.status == RunStatus::Diverged)
+  else if (last_.status == RunStatus::Diverged && !is_decided(task_.question.quantities, results_folder(asked_), comm_))
     run.outcome = AccuracyOutcome::Failed;
   else
     read_values(task_.question.quantities, results_folder(asked_), comm_, run);
+  if (run.outcome == AccuracyOutcome::Good && last_.status == RunStatus::Diverged) run.problem = last_.reason;
   if (speaks(asked_, comm_)) {
     console::say("{}", printable(run_text(task_.question, run, number_)));
     console::flush();

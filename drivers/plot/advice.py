@@ -68,8 +68,14 @@ def title(advice):
     return f"Advice: {pathlib.Path(advice['scene']).stem}"
 
 
+def unexamined(advice):
+    """The names of what the runs did not examine for some quantity, in the order of the answer."""
+    return list(dict.fromkeys(name for each in advice["quantities"] for name in each.get("not_examined", [])))
+
+
 def answer(advice):
     """The recommendation, or why there is none."""
+    rest = f" without what was not examined: {', '.join(unexamined(advice))}" if unexamined(advice) else ""
     best, known, plane = advice["recommended"], advice["most_accurate"], advice.get("plane")
     parts = ["<h2>Recommendation</h2>"]
     if plane:
@@ -78,16 +84,18 @@ def answer(advice):
                                f"the scene has {plane['depth']:g} L0; z is called y."))
     if best:
         parts.append(paragraph(f"Within the tolerance {percent(advice['tolerance'])}: {best['description']}. The error is "
-                               f"at most {percent(best['error'])}; a run takes {best['seconds']:.2g} s."))
+                               f"at most {percent(best['error'])}{rest}; a run takes {best['seconds']:.2g} s."))
+        if advice.get("fails_later"):
+            parts.append(paragraph("That run fails after the times that decide the quantities: "
+                                   f"{advice['fails_later']}."))
         parts.append(f"<pre>{html.escape(command((plane or advice)['scene'], best['settings']))}</pre>")
     elif known:
         parts.append(paragraph(f"No settings were found within the tolerance {percent(advice['tolerance'])}. The smallest "
-                               f"error seen is {percent(known['error'])}: {known['description']}."))
+                               f"error seen is {percent(known['error'])}{rest}: {known['description']}."))
     if advice["problem"]:
         parts.append(paragraph(advice["problem"]))
-    if advice["verified_change"] is not None:
-        parts.append(paragraph("Half the step on the next finer mesh changes the quantities by at most "
-                               f"{percent(advice['verified_change'])}."))
+    if advice.get("verification"):
+        parts.append(paragraph(advice["verification"]))
     return f'<section class="advice">{"".join(parts)}</section>'
 
 
@@ -96,10 +104,12 @@ def quantities(advice):
     rows = []
     for each in advice["quantities"]:
         for name, part in each.get("parts", {}).items():
+            known = percent(part["error"]) if part.get("examined", True) else "not examined"
             rows.append((False, [text(each["name"]), text(name), text(part["reason"], "reason"),
-                                 text(percent(part["error"]), "number")]))
+                                 text(known, "number")]))
         if "error" in each:
-            rows.append((True, [text(each["name"]), text("all"), text(f"estimated value {each['estimate']:.6g}", "reason"),
+            whole = "all that was examined" if each.get("not_examined") else "all"
+            rows.append((True, [text(each["name"]), text(whole), text(f"estimated value {each['estimate']:.6g}", "reason"),
                                 text(percent(each["error"]), "number")]))
     return ["<h2>Errors to expect</h2>", table(["quantity", "of", "how it is known"], ["error, at most"], rows)]
 

@@ -9,6 +9,7 @@
 #include "base/phase_timer.hpp"
 #include "model/grips.hpp"
 #include "model/set_reactions.hpp"
+#include "model/strain_extent.hpp"
 #include "scene/history_columns.hpp"
 
 namespace ixos {
@@ -174,6 +175,11 @@ void History::record(const RowCounts& counts) {
     row.insert(row.end(), values.begin(), values.end());
   for (double dissipated : integrator.dissipations()) row.push_back(output.energies ? dissipated : empty);
   for (double norm : norms_.values(simulation_.integrator())) row.push_back(norm);
+  if (output.strains) {
+    const StrainExtent extent = strain_extent(model.mesh(), state.u);
+    const DofSpace& space = model.space();
+    row.insert(row.end(), {space.maximum(extent.rotation), space.minimum(extent.least), space.maximum(extent.largest)});
+  }
   together(model.space().comm(), [&] {
     if (file_) file_->write(row);
   });

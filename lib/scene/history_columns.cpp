@@ -9,6 +9,7 @@
 #include "io/history_file.hpp"
 #include "model/grips.hpp"
 #include "scene/output_norms.hpp"
+#include "scene/strain_columns.hpp"
 
 namespace ixos {
 namespace {
@@ -97,6 +98,8 @@ HistoryColumns history_columns(const Simulation& simulation) {
     }
   for (const std::string& source : model.dissipation_names()) columns.add(list_of(source), dissipation_column(source));
   for (const std::string& field : simulation.output().norms) columns.add("Output/Norms", norm_column(field));
+  if (simulation.output().strains)
+    for (const char* column : strain_columns) columns.add("Output/Strains", column);
   return {columns.names(), reactions};
 }
 

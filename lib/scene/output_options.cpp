@@ -62,6 +62,9 @@ const Options<OutputOptions>& options() {
           .add("Momenta", &OutputOptions::momenta, "Whether history.csv has the momenta.")
           .add("Interaction", &OutputOptions::interaction,
                "Whether history.csv has contact force, contact measure and least gap.")
+          .add("Strains", &OutputOptions::strains,
+               "Whether history.csv has the largest rotation of a quadrature point [rad] and the least and largest "
+               "principal strain, a stretch less 1 [-].")
           .choose("Interaction Columns", &OutputOptions::interaction_columns,
                   {{"Automatic", InteractionColumns::Automatic},
                    {"On", InteractionColumns::On},

@@ -42,6 +42,7 @@ struct OutputOptions {
   bool energies = true;     ///< whether history.csv has these columns
   bool momenta = true;      ///< the same
   bool interaction = true;  ///< the same
+  bool strains = false;     ///< whether it has strain_columns
   InteractionColumns interaction_columns = InteractionColumns::Automatic;
   std::vector<std::string> reactions{};   ///< node sets whose reactions are recorded
   std::vector<std::string> norms{};       ///< fields whose norms are recorded

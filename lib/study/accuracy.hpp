@@ -15,13 +15,14 @@ struct AccuracyQuestion {
       0.01;  ///< largest relative error of each quantity; of one that is itself an error, the largest value
 };
 
-/// Failed: the run ended before its time. NoValue: a quantity has none.
+/// Good: the run ended as it should, or failed after the times that decide the quantities. Failed: it ended before
+/// these. NoValue: a quantity has none.
 enum class AccuracyOutcome { Good, NoValue, Failed, Interrupted };
 
 struct AccuracyRun {
   AccuracySettings settings;
   AccuracyOutcome outcome = AccuracyOutcome::Good;
-  std::string problem;  ///< why the run is not good, as a part of a sentence
+  std::string problem;  ///< why the run failed or is not good, as a part of a sentence
   long steps = 0;
   double end_time = 0;         ///< [T0]
   double mean_step = 0;        ///< [T0]

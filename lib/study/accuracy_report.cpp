@@ -1,11 +1,13 @@
 #include "study/accuracy_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"
@@ -18,6 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const char* const covered = "time steps and the tolerance of Newton's method, not the mesh";
+const std::vector<std::string> not_covered{"mesh", "surface points", "cutoffs"};
 
 std::string percent(double part) {
   return std::isfinite(part) ? fmt::format("{:.2g} %", 100 * part) : "unknown, as the value may be 0";
@@ -58,11 +61,15 @@ std::string accuracy_text(const AccuracyQuestion& question, const AccuracyResult
   if (result.status == AccuracyStatus::Interrupted) return "";
   std::string text;
   if (result.status == AccuracyStatus::Kept)
-    text = fmt::format("The accuracy {} is kept:\n", percent(question.accuracy));
+    text = fmt::format("The accuracy {} is kept by the time steps; the {} were not examined:\n",
+                       percent(question.accuracy), fmt::join(not_covered, ", "));
   else if (result.achieved.empty())
     return fmt::format("The accuracy {} cannot be judged: {}.\n", percent(question.accuracy), result.limit);
   else
     text = fmt::format("The accuracy {} is not reached, limited by: {}.\n", percent(question.accuracy), result.limit);
+  if (!result.runs.back().problem.empty() && result.runs.back().outcome == AccuracyOutcome::Good)
+    text += fmt::format("  The last run failed after the times that decide the quantities: {}.\n",
+                        result.runs.back().problem);
   double seconds = 0;
   for (const AccuracyRun& run : result.runs) seconds += run.seconds;
   for (std::size_t q = 0; q < result.achieved.size(); ++q) {
@@ -82,6 +89,7 @@ void add_accuracy(const AccuracyQuestion& question, const AccuracyResult& result
   json["kept"] = result.status == AccuracyStatus::Kept;
   json["limit"] = result.limit;
   json["covers"] = covered;
+  json["not_examined"] = not_covered;
   json["quantities"] = Json::array();
   for (std::size_t q = 0; q < result.achieved.size(); ++q) {
     const AchievedAccuracy& own = result.achieved[q];

@@ -70,6 +70,7 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
   advice.choices = choices(advice.directions, best->point, known, cost);
   const AdviceSample* sample = search.runs().sample(best->point);
   advice.confirmed = sample != nullptr && sample->good;
+  if (sample != nullptr && sample->failed_later) advice.fails_later = sample->reason;
   advice.trades = best_trades(tested);
   const std::vector<AdviceCandidate> further = candidates(advice.directions, known, cost, extrapolated_levels);
   for (double factor : other_tolerances) {
@@ -85,25 +86,41 @@ void conclude(const AdviceQuestion& question, AdviceSearch& search, Advice& advi
   }
   for (std::size_t d = 0; d < advice.directions.all.size(); ++d) {
     std::vector<std::string>& reasons = advice.reasons.emplace_back();
-    for (std::size_t q = 0; q < question.quantities.size(); ++q) reasons.push_back(known.reason(d, q));
+    std::vector<bool>& examined = advice.examined.emplace_back();
+    for (std::size_t q = 0; q < question.quantities.size(); ++q) {
+      reasons.push_back(known.reason(d, q));
+      examined.push_back(known.is_examined(best->point, d, q));
+    }
   }
 }
 
-/// Runs half the step on the next finer mesh, whatever it costs, and compares.
+/// Runs half the step on the next finer mesh, as far as there are, whatever it costs, and compares.
 void verify(const AdviceQuestion& question, AdviceRuns& runs, Advice& advice) {
+  AdviceVerification& found = advice.verification;
   AdvicePoint finer = advice.best.point;
-  for (std::size_t d : {time_direction, mesh_direction})
-    finer[d].level = std::min(finer[d].level + 1, branch_at(advice.directions, finer, d).levels.size() - 1);
+  for (std::size_t d : {time_direction, mesh_direction}) {
+    if (finer[d].level + 1 >= branch_at(advice.directions, finer, d).levels.size()) continue;
+    ++finer[d].level;
+    (d == time_direction ? found.step : found.mesh) = true;
+  }
+  if (finer == advice.best.point) {
+    found.problem = "there is neither a shorter step nor a finer mesh";
+    return;
+  }
   const double budget = runs.budget();
   runs.set_budget(0);
   runs.carry_out({advice.best.point, finer});
   runs.set_budget(budget);
   const AdviceSample *coarse = runs.sample(advice.best.point), *fine = runs.sample(finer);
-  if (!coarse->good || !fine->good) return;
-  advice.verified = 0;
+  for (const AdviceSample* sample : {fine, coarse})
+    if (!sample->good)
+      found.problem = fmt::format("{} failed: {}", description_of(advice.directions, sample->point), sample->reason);
+  if (!found.problem.empty()) return;
+  found.change = 0;
   for (std::size_t q = 0; q < coarse->values.size(); ++q) {
+    const double difference = std::abs(fine->values[q] - coarse->values[q]);
     const double scale = question.quantities[q].is_error() ? 1 : std::abs(fine->values[q]);
-    advice.verified = std::max(advice.verified, std::abs(fine->values[q] - coarse->values[q]) / scale);
+    found.change = std::max(found.change, difference == 0 ? 0 : difference / scale);
   }
 }
 
@@ -161,8 +178,9 @@ std::optional<Advice> answer_in_plane(const AdviceQuestion& question, const Advi
   }
   std::filesystem::remove(plane->question.scene);
   if (why.empty())
-    why = std::isfinite(plane->difference) ? fmt::format("the quantities differ by {:.2g} %", 100 * plane->difference)
-                                           : "one of the first runs failed";
+    why = std::isfinite(plane->difference)
+              ? fmt::format("the quantities or their columns differ by {:.2g} %", 100 * plane->difference)
+              : "one of the first runs failed, or a quantity is 0";
   if (options.tell) options.tell("Two dimensions will not do: " + why + ".");
   return std::nullopt;
 }

@@ -33,10 +33,12 @@ struct AdviceOptions {
 
 /// Two dimensions in place of three.
 struct AdvicePlane {
-  AdviceQuestion question;      ///< on the scene in two dimensions
-  std::vector<double> factors;  ///< by quantity: that of the whole depth over that of a unit
-  double depth = 1;             ///< [L0]
-  /// Largest relative one of the quantities in two and in three dimensions; infinite if it is not known.
+  AdviceQuestion question;             ///< on the scene in two dimensions
+  std::vector<double> factors;         ///< by quantity: that of the whole depth over that of a unit
+  std::vector<double> column_factors;  ///< the same of its column
+  double depth = 1;                    ///< [L0]
+  /// Largest relative one of the quantities and their columns in two and in three dimensions; infinite if it is not
+  /// known.
   double difference = std::numeric_limits<double>::infinity();
 };
 
@@ -47,8 +49,16 @@ struct AdviceChoice {
   double seconds = 0;          ///< of the recommended settings with this choice, to expect
 };
 
+/// A run that is finer than the recommended one.
+struct AdviceVerification {
+  bool step = false, mesh = false;  ///< whether each is finer
+  /// Largest relative change of a quantity; negative if it is not known.
+  double change = -1;
+  std::string problem;  ///< why not, if it was asked for; a part of a sentence
+};
+
 /// Chaotic: a quantity depends on perturbations of 1e-10. Unreachable: no settings keep the tolerance that the budget
-/// could find. NoRun: no run reached its end.
+/// could find. NoRun: no run has the quantities.
 enum class AdviceStatus { Advised, Chaotic, Unreachable, NoRun, Interrupted };
 
 struct Advice {
@@ -60,16 +70,19 @@ struct Advice {
   std::vector<Sensitivity> sensitivities;  ///< by quantity; empty if they were not measured
   std::vector<double> exact;               ///< by quantity: its estimated exact value
   std::vector<std::vector<std::string>> reasons;  ///< by direction and quantity: how the errors are known
+  /// The same: whether the runs tell the error, see AdviceErrors::is_examined().
+  std::vector<std::vector<bool>> examined;
   /// The recommended settings; if there are none, those of the smallest error, or without a point if none is known.
   AdviceCandidate best;
   bool confirmed = false;               ///< whether the recommended settings were run
+  std::string fails_later;              ///< why that run failed after the times that decide the quantities; empty: not
   double interaction = 0;               ///< the largest difference of runs from the sum of the directions, relative
   std::vector<AdviceCandidate> trades;  ///< of tested settings: none is better in both cost and error
   /// By tolerance, from ten times the asked one to a tenth: the cheapest settings to expect; without a point if none.
   std::vector<std::pair<double, AdviceCandidate>> other_tolerances;
   /// Two dimensions, if they answer a scene in space. Settings and quantities are those of its question.
   std::optional<AdvicePlane> plane;
-  double verified = -1;          ///< largest relative change of a quantity in a finer run; negative if there was none
+  AdviceVerification verification;
   double budget = 0, spent = 0;  ///< seconds of processor time
   double sufficient_budget = 0;  ///< that may do where the budget did not; 0: not known
   std::string problem;           ///< why there is no recommendation; a sentence

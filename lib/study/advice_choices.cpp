@@ -107,9 +107,11 @@ std::vector<AdviceDirection> advice_choices(const List& complete) {
   if (!walls.empty()) result.push_back(surface_points(interactions, walls));
   if (AdviceDirection cutoff = cutoffs(interactions, walls); !cutoff.branches[0].levels.empty())
     result.push_back(std::move(cutoff));
-  if (all_are(materials, bodies, "Model", {"Neo-Hooke", "Saint Venant-Kirchhoff"}))
+  if (all_are(materials, bodies, "Model", {"Neo-Hooke", "Saint Venant-Kirchhoff"})) {
     result.push_back(choice("material", materials.sublist(bodies.front()).get<std::string>("Model"), linear_material,
                             in_all("Materials", bodies, std::string("Model=") + linear_material)));
+    result.back().branches.back().law = linear_material;
+  }
   if (is_damped(materials, bodies)) {
     Assignments settings = in_all("Materials", bodies, "Mass Damping=0");
     for (const std::string& setting : in_all("Materials", bodies, "Stiffness Damping=0")) settings.push_back(setting);

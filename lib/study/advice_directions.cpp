@@ -87,6 +87,18 @@ AdviceDirection meshes(const List& scene, const MeshLevels& found) {
 
 }  // namespace
 
+bool replaces_model(const AdviceDirections& directions, std::size_t direction, std::size_t branch) {
+  const AdviceDirection& own = directions.all[direction];
+  return branch != 0 && !(own.converges && own.branches[branch].same_limit);
+}
+
+bool has_other_laws(const AdviceDirections& directions) {
+  for (const AdviceDirection& direction : directions.all)
+    for (const AdviceBranch& branch : direction.branches)
+      if (!branch.law.empty()) return true;
+  return false;
+}
+
 AdviceDirections advice_directions(const List& complete) {
   AdviceDirections result;
   result.all.push_back(time_steps(complete.sublist("Time Integrator"), result.adaptive));

@@ -23,6 +23,7 @@ struct AdviceBranch {
   bool same_limit = true;           ///< whether refinement leads to the solution that the first branch leads to, too
   bool may_be_better = true;        ///< whether the branch may be more accurate than the first at the same level
   bool higher_order = false;        ///< whether it has elements of a higher order than the first
+  std::string law{};                ///< an elastic law in place of the scene's; empty: the scene's own
 };
 
 /// Branches that exclude each other. The first one is the scene's own.
@@ -48,6 +49,13 @@ struct AdviceDirections {
 };
 
 inline constexpr std::size_t time_direction = 0, mesh_direction = 1;
+
+/// Returns whether a branch replaces the scene's model: refinement does not lead to what the scene's own branch leads
+/// to.
+bool replaces_model(const AdviceDirections& directions, std::size_t direction, std::size_t branch);
+
+/// Returns whether a branch has another elastic law, whose strain measure must hold for the strains of the runs.
+bool has_other_laws(const AdviceDirections& directions);
 
 /// Returns what can be varied in a complete scene. Refines the time step and the mesh by factors of two. The coarsest
 /// step divides the run into at least 30 steps, and is at most 16 times the scene's; the coarsest mesh has up to

@@ -43,6 +43,7 @@ AdviceErrors::AdviceErrors(const AdviceDirections& directions, AdvicePoint base,
   exact_ = base_values_;
   for (std::size_t d = 0; d < directions.all.size(); ++d) {
     std::vector<Line>& lines = lines_.emplace_back();
+    examined_.emplace_back(quantities, true);
     const Line direct = line(d, own(d), {}, samples);  // there is nothing to compare with elsewhere
     const Line leading = line(d, own(d), direct, samples);
     for (std::size_t b = 0; b < directions.all[d].branches.size(); ++b)
@@ -70,7 +71,9 @@ void AdviceErrors::judge(std::size_t d, std::size_t q) {
     own.limit = base_values_[q];
     own.errors = errors_against(points, own.limit, 0);
     const bool is_choice = !direction.converges || (d > mesh_direction && points.size() > 1);
-    own.reason = is_choice ? "the scene's own counts as exact" : is_error_[q] ? "changes of the base" : "not examined";
+    const bool changes = is_error_[q] && !unexamined && points.size() > 1;
+    own.reason = is_choice ? "the scene's own counts as exact" : changes ? "changes of the base" : not_examined;
+    examined_[d][q] = !direction.converges || changes;
   } else if (points.size() > 1) {
     own = sequence_errors(points, true);
     if (points.size() == 2) doubt_two_sizes(d, q, own);
@@ -145,10 +148,11 @@ double AdviceErrors::part(std::size_t d, std::size_t q, const AdvicePlace& place
   const Line& line = lines_[d][place.branch];
   const AdviceDirection& direction = directions_.all[d];
   if (line.levels.empty()) return unknown;
-  if (!direction.converges) return line.errors[q].errors.back();
+  if (!direction.converges) return with_model(d, q, place, line.errors[q].errors.back());
   // One run of another branch may be near the limit by coincidence, and beyond its runs nothing is known.
   if (place.branch != own(d) && (line.levels.size() < 2 || place.level > line.levels.back())) return unknown;
-  return error_at(line.points[q], line.errors[q], direction.branches[place.branch].levels[place.level].size);
+  return with_model(
+      d, q, place, error_at(line.points[q], line.errors[q], direction.branches[place.branch].levels[place.level].size));
 }
 
 /// Compares the runs off the lines with the sums of the changes along the lines.
@@ -249,7 +253,9 @@ double AdviceErrors::scale(std::size_t q) const { return is_error_[q] ? 1 : std:
 
 double AdviceErrors::finest_error(std::size_t direction, std::size_t branch, std::size_t quantity) const {
   const Line& line = lines_[direction][branch];
-  return line.levels.empty() ? unknown : line.errors[quantity].errors.back() / scale(quantity);
+  if (line.levels.empty()) return unknown;
+  const double error = line.errors[quantity].errors.back();
+  return with_model(direction, quantity, {branch, line.levels.back()}, error) / scale(quantity);
 }
 
 double AdviceErrors::limit_uncertainty(std::size_t direction, std::size_t quantity) const {

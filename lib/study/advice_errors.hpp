@@ -8,6 +8,9 @@
 
 namespace ixos {
 
+/// The reason of a part of which the runs tell nothing.
+inline constexpr const char* not_examined = "not examined";
+
 /// The error to expect of a point, relative to the exact value of each quantity.
 struct AdviceEstimate {
   std::vector<double> errors;              ///< by quantity; infinite if unknown
@@ -21,10 +24,11 @@ struct AdviceEstimate {
 
 /// Adds the errors of all directions. Each is measured with everything else at a base, which may be much coarser than
 /// the point; the base's own branch leads in each direction, and other branches are compared with its limit.
-/// Differences that were measured elsewhere count where the base has none. Runs that differ from the base in several
-/// directions measure the interaction of directions, which the sum leaves out. interaction() returns that of the
-/// point's own run, or else the smallest one of the runs that are farther from the base in every direction, or else the
-/// largest one of all.
+/// Differences that were measured elsewhere count where the base has none. A branch that replaces the scene's model has
+/// at least the error of its columns and of its law's strain measure: a number may agree by coincidence. Runs that
+/// differ from the base in several directions measure the interaction of directions, which the sum leaves out.
+/// interaction() returns that of the point's own run, or else the smallest one of the runs that are farther from the
+/// base in every direction, or else the largest one of all.
 class AdviceErrors {
  public:
   /// `is_error`: by quantity, whether it is an error itself, whose exact value is 0. `noise`: by quantity, the change
@@ -43,6 +47,18 @@ class AdviceErrors {
 
   /// Returns what the sequence of a direction tells of a quantity, as "asymptotic, of order 2".
   std::string reason(std::size_t direction, std::size_t quantity) const;
+
+  /// Returns the relative error of a place whose branch replaces the scene's model, by the comparison of columns and by
+  /// measure_error(); infinite if no columns were compared, 0 for other branches.
+  double model_error(std::size_t direction, const AdvicePlace& place, std::size_t quantity) const;
+
+  /// Returns the error by the strain measure of a branch's law, see ixos::measure_error(), for the strains of the runs
+  /// with the scene's own law; 0 for a branch without a law.
+  double measure_error(std::size_t direction, std::size_t branch) const;
+
+  /// Returns whether the runs tell what a direction adds to the error of a point. If not, its part is 0 because nothing
+  /// finer was run.
+  bool is_examined(const AdvicePoint& point, std::size_t direction, std::size_t quantity) const;
 
   /// Returns the errors to hope for if a direction is refined once more and the sequence turns out to be asymptotic.
   AdviceErrors hopeful(std::size_t direction) const;
@@ -93,6 +109,7 @@ class AdviceErrors {
   void share_limit(std::size_t d, std::size_t q, SequenceErrors& own) const;
   void judge_branch(std::size_t d, std::size_t b, std::size_t q);
   double part(std::size_t d, std::size_t q, const AdvicePlace& place) const;
+  double with_model(std::size_t d, std::size_t q, const AdvicePlace& place, double error) const;
   double change_by_step(const AdvicePoint& point, std::size_t q) const;
   double scale(std::size_t q) const;
   void measure_interaction(const std::vector<AdviceSample>& samples);
@@ -103,6 +120,7 @@ class AdviceErrors {
   std::vector<bool> is_error_;
   std::vector<double> noise_, base_values_, exact_;
   std::vector<std::vector<Line>> lines_;
+  std::vector<std::vector<bool>> examined_;  ///< by direction and quantity: the base's own branch
   std::vector<Defect> defects_;
   std::vector<AdvicePoint> failed_;  ///< points of runs that did not reach their end
   std::vector<AdviceSample> good_;   ///< the others

@@ -87,6 +87,7 @@ std::vector<AdviceTrial> explorations(const AdviceDirections& directions, const 
       AdvicePlace& place = trial.point[d];
       place.branch = b;
       if (d > mesh_direction) {
+        if (errors.measure_error(d, b) > tolerance) continue;  // the law does not hold for these strains
         // Levels finer than the scene's own save nothing.
         const std::size_t end = b == 0 ? direction.scene_level : direction.branches[b].levels.size();
         for (place.level = 0; place.level < end; ++place.level)

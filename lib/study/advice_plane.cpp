@@ -32,6 +32,7 @@ std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const 
     if (!column || (grows && asked.has_limit())) return std::nullopt;
     plane.question.quantities.push_back(asked.of_column(*column));
     plane.factors.push_back(grows && asked.is_proportional() ? plane.depth : 1.0);
+    plane.column_factors.push_back(grows ? plane.depth : 1.0);
   }
   return plane;
 }
@@ -51,17 +52,18 @@ double difference_from_space(const AdviceQuestion& question, const AdvicePlane& 
   const List there = changed_scene(plane.question.scene, settings);
   const auto cells = there.sublist("Mesh").sublist("Box").get<Teuchos::Array<int>>("Divisions");
   settings.push_back("Mesh/Box/Divisions={" + std::to_string(cells[0]) + ", 1, " + std::to_string(cells[1]) + "}");
-  const std::vector<double> spatial =
+  const AdviceSample spatial =
       runs.in_another_scene(question, {"in-space", {"in space, one cell across"}, {}}, settings);
-  if (spatial.empty()) return unknown;
+  if (!spatial.good) return unknown;
   double largest = 0;
-  for (std::size_t q = 0; q < spatial.size(); ++q) {
-    const double scale = question.quantities[q].is_error() ? 1 : std::abs(spatial[q]);
-    const double difference = std::abs(plane.factors[q] * flat->values[q] - spatial[q]);
-    if (difference == 0) continue;
-    const double share = difference / scale;
-    if (!std::isfinite(share)) return unknown;
-    largest = std::max(largest, share);
+  for (std::size_t q = 0; q < spatial.values.size(); ++q) {
+    const double scale = question.quantities[q].is_error() ? 1 : std::abs(spatial.values[q]);
+    const double difference = std::abs(plane.factors[q] * flat->values[q] - spatial.values[q]);
+    const double share = difference == 0 ? 0 : difference / scale;
+    const double of_column =
+        column_difference((*spatial.histories)[q], scaled((*flat->histories)[q], plane.column_factors[q]));
+    if (!std::isfinite(share) || !std::isfinite(of_column)) return unknown;
+    largest = std::max({largest, share, of_column});
   }
   return largest;
 }

@@ -16,9 +16,9 @@ std::optional<AdvicePlane> plane_question(const AdviceQuestion& question, const 
 /// Writes the scene in two dimensions, to the path of that question.
 void write_plane_scene(const AdviceQuestion& question, const AdvicePlane& plane);
 
-/// Returns the largest difference of the quantities at a point in two dimensions, which was run, from those in space
-/// with one cell across the depth, as a share of the latter; infinite if that run fails. `runs`: those in two
-/// dimensions.
+/// Returns the largest difference of the quantities and their columns at a point in two dimensions, which was run, from
+/// those in space with one cell across the depth, as a share of the latter; infinite if that run fails, or a quantity
+/// cannot be compared. `runs`: those in two dimensions.
 double difference_from_space(const AdviceQuestion& question, const AdvicePlane& plane,
                              const AdviceDirections& directions, AdviceRuns& runs, const AdvicePoint& point);
 

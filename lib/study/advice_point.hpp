@@ -1,9 +1,12 @@
 /// Settings that an advice considers, and what their runs gave.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "study/advice_directions.hpp"
+#include "study/column_history.hpp"
+#include "study/strain_measure.hpp"
 
 namespace ixos {
 
@@ -16,17 +19,27 @@ struct AdvicePlace {
 /// A complete choice of settings: a place in each direction.
 using AdvicePoint = std::vector<AdvicePlace>;
 
+/// The columns of a run beside those of the scene's own model, with everything but a direction the same.
+struct AdviceComparison {
+  std::size_t direction = 0;
+  std::vector<double> differences{};  ///< by quantity, see column_difference()
+};
+
 /// A run that an advice carried out.
 struct AdviceSample {
   AdvicePoint point;
   bool reached_end = false;     ///< whether the run ended as it should
-  bool good = false;            ///< whether it did, and has all quantities
-  std::string reason;           ///< why not
+  bool good = false;            ///< whether it did, or failed after the times that decide the quantities, and has them
+  bool failed_later = false;    ///< whether it failed after those times
+  std::string reason;           ///< why it failed, or is not good
   std::vector<double> values;   ///< of the quantities, in their order
   bool refused = false;         ///< whether ixos took the scene for bad input
   double seconds = 0;           ///< of processor time
   double seconds_per_step = 0;  ///< at most, without what a run does before its first step if the machine is idle
   double steps = 0, dofs = 0;
+  std::shared_ptr<const std::vector<ColumnHistory>> histories{};  ///< of a good run, by quantity
+  std::vector<AdviceComparison> comparisons{};                    ///< see compare_models()
+  MeasuredStrains strains{};                                      ///< up to the times that decide the quantities
 };
 
 inline const AdviceBranch& branch_at(const AdviceDirections& directions, const AdvicePoint& point, std::size_t d) {

@@ -39,17 +39,56 @@ const AdviceDirection& limiting(const Advice& advice) {
   return advice.directions.all[advice.best.estimate.worst_direction()];
 }
 
+/// Returns what is known of a part that was not examined, in brackets.
+std::string remark(const std::string& reason) { return reason == not_examined ? "" : " (" + reason + ")"; }
+
+/// Returns names as "step, mesh and cutoff".
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+/// Returns the names of the directions whose parts the error of a quantity contains, or of those that it does not
+/// contain because the runs did not examine them. Choices that are the scene's own are in neither.
+std::vector<std::string> parts_of(const Advice& advice, std::size_t q, bool examined) {
+  std::vector<std::string> names;
+  for (std::size_t d = 0; d < advice.directions.all.size(); ++d) {
+    const AdviceDirection& direction = advice.directions.all[d];
+    const bool counts = direction.converges || advice.best.estimate.parts[q][d] > 0;
+    if (counts && advice.examined[d][q] == examined) names.push_back(direction.name);
+  }
+  return names;
+}
+
+/// Returns which of step and mesh was not examined for some quantity.
+std::vector<std::string> open_parts(const Advice& advice) {
+  std::vector<std::string> names;
+  for (std::size_t d : {time_direction, mesh_direction}) {
+    const std::vector<bool>& examined = advice.examined[d];
+    if (std::find(examined.begin(), examined.end(), false) != examined.end())
+      names.push_back(advice.directions.all[d].name);
+  }
+  return names;
+}
+
 /// Returns the lines on each quantity's error and its parts.
 std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
   std::string text;
   for (std::size_t q = 0; q < question.quantities.size(); ++q) {
     const AdvicePoint& point = advice.best.point;
-    text += fmt::format("  {}: about {:.6g}, error at most {}\n", question.quantities[q].text(), advice.exact[q],
-                        percent(advice.best.estimate.errors[q]));
+    const std::string open = joined(parts_of(advice, q, false));
+    text += fmt::format("  {}: about {:.6g}, error at most {} of {}{}\n", question.quantities[q].text(),
+                        advice.exact[q], percent(advice.best.estimate.errors[q]), joined(parts_of(advice, q, true)),
+                        open.empty() ? "" : "; not examined: " + open);
     for (std::size_t d = 0; d < point.size(); ++d) {
       const double part = advice.best.estimate.parts[q][d];
-      if (advice.directions.all[d].converges || part > 0)
-        text += fmt::format("    {}: {} ({})\n", advice.directions.all[d].name, percent(part), advice.reasons[d][q]);
+      const AdviceDirection& direction = advice.directions.all[d];
+      if (!advice.examined[d][q])
+        text += fmt::format("    {}: not examined{}\n", direction.name, remark(advice.reasons[d][q]));
+      else if (direction.converges || part > 0)
+        text += fmt::format("    {}: {} ({})\n", direction.name, percent(part), advice.reasons[d][q]);
     }
   }
   if (advice.interaction > 0)
@@ -60,7 +99,7 @@ std::string error_lines(const AdviceQuestion& question, const Advice& advice) {
       text += fmt::format("  {} is sensitive: a change of the density by 1e-10 changes it by {}.\n",
                           question.quantities[q].text(), percent(advice.sensitivities[q].change));
   if (!advice.directions.mesh_note.empty())
-    text += fmt::format("  The error of the mesh is not contained: {}.\n", advice.directions.mesh_note);
+    text += fmt::format("  The mesh was not examined: {}.\n", advice.directions.mesh_note);
   return text;
 }
 
@@ -74,6 +113,20 @@ std::string plane_line(const AdvicePlane& plane) {
       "Two dimensions will do: nothing acts along y. On the coarsest mesh they change the quantities by {}. Settings "
       "and numbers below are for a depth of 1 L0, where the scene has {:.6g} L0; z is called y.\n",
       percent(plane.difference), plane.depth);
+}
+
+/// Returns a sentence on the verification; empty if nobody asked for one.
+std::string verification_sentence(const AdviceVerification& found) {
+  if (!found.problem.empty()) return fmt::format("Not verified: {}.", found.problem);
+  if (found.change < 0) return "";
+  const char* const changes = "changes the quantities by at most";
+  if (found.step && found.mesh)
+    return fmt::format("Verified: half the step on the next finer mesh {} {}.", changes, percent(found.change));
+  if (found.step)
+    return fmt::format("Verified for the step alone: half the step {} {}; there is no finer mesh.", changes,
+                       percent(found.change));
+  return fmt::format("Verified for the mesh alone: the next finer mesh {} {}; there is no shorter step.", changes,
+                     percent(found.change));
 }
 
 std::string tolerance_lines(const Advice& advice) {
@@ -124,9 +177,13 @@ std::string advice_text(const AdviceQuestion& asked, const Advice& advice) {
   const std::string best = known ? description_of(advice.directions, advice.best.point) : "";
   if (advice.plane) text += plane_line(*advice.plane);
   if (advice.status == AdviceStatus::Advised) {
+    const std::string open = joined(open_parts(advice));
     text +=
-        fmt::format("Recommended within the tolerance {}: {}, {} {:.2g} s\n", percent(question.tolerance), best,
+        fmt::format("Recommended within the tolerance {}{}: {}, {} {:.2g} s\n", percent(question.tolerance),
+                    open.empty() ? "" : " but for the " + open + ", which the runs did not examine", best,
                     advice.confirmed ? "which took" : "which was not run and should take about", advice.best.seconds);
+    if (!advice.fails_later.empty())
+      text += "That run fails after the times that decide the quantities: " + advice.fails_later + ".\n";
   } else if (advice.status == AdviceStatus::Unreachable && known) {
     text += fmt::format(
         "No settings were found within the tolerance {}. The smallest error seen is {}, limited by the {}: {}, {:.2g} "
@@ -142,10 +199,10 @@ std::string advice_text(const AdviceQuestion& asked, const Advice& advice) {
   if (known) {
     text += error_lines(question, advice);
     if (advice.status == AdviceStatus::Advised)
-      text += fmt::format("The accuracy is limited by the {}.\n", limiting(advice).name);
-    if (advice.verified >= 0)
-      text += fmt::format("Verified: half the step on the next finer mesh changes the quantities by at most {}.\n",
-                          percent(advice.verified));
+      text += fmt::format("The accuracy{} is limited by the {}.\n",
+                          open_parts(advice).empty() ? "" : ", as far as it was examined,", limiting(advice).name);
+    if (const std::string verified = verification_sentence(advice.verification); !verified.empty())
+      text += verified + "\n";
     text += choice_lines(advice) + tolerance_lines(advice);
   }
   return text + fmt::format("The advice took {:.3g} s of processor time, of a budget of {:.3g} s.\n", advice.spent,
@@ -168,7 +225,9 @@ void write_advice(const AdviceQuestion& asked, const Advice& advice, const std::
   json["recommended"] = advice.status == AdviceStatus::Advised ? json_of(advice, advice.best) : Json(nullptr);
   json["most_accurate"] = advice.status == AdviceStatus::Unreachable ? json_of(advice, advice.best) : Json(nullptr);
   json["confirmed"] = advice.confirmed;
-  json["verified_change"] = advice.verified >= 0 ? Json(advice.verified) : Json(nullptr);
+  json["fails_later"] = advice.fails_later;
+  json["verified_change"] = advice.verification.change >= 0 ? Json(advice.verification.change) : Json(nullptr);
+  json["verification"] = verification_sentence(advice.verification);
   json["quantities"] = Json::array();
   for (std::size_t q = 0; q < question.quantities.size(); ++q) {
     Json one = {{"name", question.quantities[q].text()}};
@@ -176,9 +235,15 @@ void write_advice(const AdviceQuestion& asked, const Advice& advice, const std::
     if (q < advice.sensitivities.size()) one["change_by_perturbation"] = advice.sensitivities[q].change;
     if (!advice.best.point.empty()) {
       one["error"] = advice.best.estimate.errors[q];
-      for (std::size_t d = 0; d < advice.directions.all.size(); ++d)
-        one["parts"][advice.directions.all[d].name] = {{"error", advice.best.estimate.parts[q][d]},
-                                                       {"reason", advice.reasons[d][q]}};
+      one["error_of"] = parts_of(advice, q, true);
+      one["not_examined"] = parts_of(advice, q, false);
+      for (std::size_t d = 0; d < advice.directions.all.size(); ++d) {
+        const bool examined = advice.examined[d][q];
+        one["parts"][advice.directions.all[d].name] = {
+            {"error", examined ? Json(advice.best.estimate.parts[q][d]) : Json(nullptr)},
+            {"examined", examined},
+            {"reason", advice.reasons[d][q]}};
+      }
     }
     json["quantities"].push_back(one);
   }
@@ -194,6 +259,7 @@ void write_advice(const AdviceQuestion& asked, const Advice& advice, const std::
         {{"name", name_of(advice.directions, sample.point)},
          {"description", description_of(advice.directions, sample.point)},
          {"good", sample.good},
+         {"failed_later", sample.failed_later},
          {"reason", sample.reason},
          {"values", sample.values},
          {"seconds", sample.seconds},

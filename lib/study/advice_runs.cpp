@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
 
 #include "base/error.hpp"
+#include "study/advice_models.hpp"
 #include "study/history_table.hpp"
 
 namespace ixos {
@@ -16,6 +20,50 @@ constexpr double grace_seconds = 1;
 
 /// Settings of all runs: nothing but the history is needed.
 const Assignments without_fields{"Output/Fields Interval=0", "Output/Fields Time Interval=0"};
+const char* const with_strains = "Output/Strains=true";
+
+/// Fills in the quantities of a sample and their columns. Throws InputError if the run does not have one.
+void read_quantities(const RunHistory& history, const std::vector<AskedQuantity>& quantities, AdviceSample& sample) {
+  std::vector<ColumnHistory> columns;
+  double decided = -std::numeric_limits<double>::infinity();
+  for (const AskedQuantity& quantity : quantities) {
+    sample.values.push_back(quantity.value(history));
+    columns.push_back(quantity.history(history));
+    decided = std::max(decided, columns.back().decided);
+  }
+  sample.good = std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return std::isfinite(v); });
+  if (!sample.good) sample.reason = "a quantity is no number";
+  sample.histories = std::make_shared<const std::vector<ColumnHistory>>(std::move(columns));
+  sample.strains = measured_strains(history.table(), decided);
+}
+
+/// Returns the sample of a run, without its point. A run that failed has its quantities, too, if it failed after the
+/// times that decide them.
+AdviceSample read_sample(const RunPool& pool, const StudyRun& run, const std::vector<AskedQuantity>& quantities) {
+  const StudyResult result = pool.result(run);
+  AdviceSample sample;
+  sample.reason = result.reason;
+  sample.refused = result.refused;
+  sample.seconds = result.cpu_seconds;
+  // Wall-clock time leaves out the start, processor time leaves out the waiting of a busy machine.
+  const double seconds = std::min(result.wall_seconds, result.cpu_seconds);
+  sample.seconds_per_step = seconds / static_cast<double>(std::max(1L, result.steps));
+  sample.dofs = static_cast<double>(result.dofs);
+  sample.steps = static_cast<double>(result.steps + result.rejected_steps);
+  sample.reached_end = result.reached_its_end();
+  if (!sample.reached_end && !result.failed_with_rows()) return sample;
+  try {
+    const RunHistory history(pool.folder(run));
+    if (!sample.reached_end && !are_decided(quantities, history)) return sample;
+    read_quantities(history, quantities, sample);
+    sample.failed_later = !sample.reached_end && sample.good;
+  } catch (const InputError& error) {
+    if (sample.reached_end) sample.reason = error.what();
+  } catch (const FileError&) {
+    if (sample.reached_end) throw;  // a run that failed may have left no rows
+  }
+  return sample;
+}
 
 }  // namespace
 
@@ -30,6 +78,7 @@ StudyRun AdviceRuns::run_of(const AdvicePoint& point) const {
   StudyRun run{name_of(directions_, point), {description_of(directions_, point)}, question_.common};
   for (const Assignments& more : {without_fields, settings_of(directions_, point)})
     run.settings.insert(run.settings.end(), more.begin(), more.end());
+  if (has_other_laws(directions_)) run.settings.emplace_back(with_strains);
   return run;
 }
 
@@ -63,45 +112,25 @@ void AdviceRuns::carry_out(const std::vector<AdvicePoint>& points) {
     runs.push_back(run_of(point));
   }
   run(runs);
+  const std::size_t before = samples_.size();
   for (std::size_t i = 0; i < runs.size(); ++i) samples_.push_back(sample_of(missing[i], runs[i]));
+  for (std::size_t i = before; i < samples_.size(); ++i) compare_models(directions_, samples_, samples_[i]);
 }
 
-std::vector<double> AdviceRuns::in_another_scene(const AdviceQuestion& other, StudyRun there,
-                                                 const Assignments& settings) {
+AdviceSample AdviceRuns::in_another_scene(const AdviceQuestion& other, StudyRun there, const Assignments& settings) {
   there.settings = other.common;
   for (const Assignments& more : {without_fields, settings})
     there.settings.insert(there.settings.end(), more.begin(), more.end());
   RunPool pool = pool_of(other.scene);
   run({there}, pool);
-  if (!pool.result(there).reached_its_end()) return {};
-  const RunHistory history(pool.folder(there));
-  std::vector<double> values;
-  for (const AskedQuantity& quantity : other.quantities) values.push_back(quantity.value(history));
-  return values;
+  AdviceSample sample = read_sample(pool, there, other.quantities);
+  if (sample.reached_end && !sample.good) throw InputError(sample.reason);
+  return sample;
 }
 
 AdviceSample AdviceRuns::sample_of(const AdvicePoint& point, const StudyRun& run) const {
-  const StudyResult result = pool_.result(run);
-  AdviceSample sample;
+  AdviceSample sample = read_sample(pool_, run, question_.quantities);
   sample.point = point;
-  sample.reason = result.reason;
-  sample.refused = result.refused;
-  sample.seconds = result.cpu_seconds;
-  // Wall-clock time leaves out the start, processor time leaves out the waiting of a busy machine.
-  const double seconds = std::min(result.wall_seconds, result.cpu_seconds);
-  sample.seconds_per_step = seconds / static_cast<double>(std::max(1L, result.steps));
-  sample.dofs = static_cast<double>(result.dofs);
-  sample.steps = static_cast<double>(result.steps + result.rejected_steps);
-  sample.reached_end = result.reached_its_end();
-  if (!sample.reached_end) return sample;
-  try {
-    const RunHistory history(pool_.folder(run));
-    for (const AskedQuantity& quantity : question_.quantities) sample.values.push_back(quantity.value(history));
-    sample.good = std::all_of(sample.values.begin(), sample.values.end(), [](double v) { return std::isfinite(v); });
-    if (!sample.good) sample.reason = "a quantity is no number";
-  } catch (const InputError& error) {
-    sample.reason = error.what();
-  }
   return sample;
 }
 

@@ -26,10 +26,10 @@ class AdviceRuns {
   /// reach its end, or if there is no perturbation.
   std::vector<double> perturbed(const AdvicePoint& point);
 
-  /// Runs another question's scene with these settings besides its own, and returns its quantities; none if that run
-  /// did not reach its end. Its cost counts, too. `there`: the run's name and label. Throws Interrupted, and InputError
-  /// if the run does not have a quantity.
-  std::vector<double> in_another_scene(const AdviceQuestion& other, StudyRun there, const Assignments& settings);
+  /// Runs another question's scene with these settings besides its own, and returns the sample, without a point. Its
+  /// cost counts, too. `there`: the run's name and label. Throws Interrupted, and InputError if the run reached its end
+  /// and does not have a quantity.
+  AdviceSample in_another_scene(const AdviceQuestion& other, StudyRun there, const Assignments& settings);
   /// Counts the cost of runs that were carried out before.
   void count(double seconds) { spent_ += seconds; }
 

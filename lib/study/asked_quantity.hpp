@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "study/column_history.hpp"
 #include "study/run_history.hpp"
 
 namespace ixos {
@@ -62,8 +63,15 @@ class AskedQuantity {
   void check_times(double from, double to) const;
 
   /// Returns the value. Throws InputError if a column is missing or empty, the window holds too few rows, the run ended
-  /// before it, or the event did not happen.
+  /// before it, or the event did not happen. A first event counts even if the run ended before its window.
   double value(const RunHistory& run) const;
+
+  /// Returns the whole column, with the time that decides the value. Throws as value().
+  ColumnHistory history(const RunHistory& run) const;
+
+  /// Returns whether nothing that a failed run had still ahead can change the value: its time or its window has passed,
+  /// its first event has happened, or it is a peak of a force that the run reached before the contact was released.
+  bool is_decided(const RunHistory& run) const;
 
   /// Returns whether the number of a chaotic run may be predictable: means and errors of conserved quantities.
   bool is_statistic() const { return kind_ == Kind::Mean || kind_ == Kind::Rms || kind_ == Kind::EnergyError; }
@@ -83,7 +91,10 @@ class AskedQuantity {
  private:
   struct Rows;
   Rows rows(const RunHistory& run) const;
+  Rows rows_so_far(const RunHistory& run) const;
   double event(const RunHistory& run) const;
+  double deciding_time(const RunHistory& run) const;
+  bool is_decided_by_release(const RunHistory& run) const;
   [[noreturn]] void refuse(const std::string& why) const;
 
   std::string text_;
@@ -92,5 +103,8 @@ class AskedQuantity {
   double number_ = 0;  ///< a time or a limit
   double from_ = -std::numeric_limits<double>::infinity(), to_ = std::numeric_limits<double>::infinity();
 };
+
+/// Returns whether all quantities of a failed run are decided.
+bool are_decided(const std::vector<AskedQuantity>& quantities, const RunHistory& run);
 
 }  // namespace ixos

@@ -3,14 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "study/asked_quantity.hpp"
 
 namespace ixos {
 namespace {
 
+using Kind = AskedQuantity::Kind;
+
 constexpr double at_rest = 0.01;    ///< part of the largest kinetic energy below which a body has stopped
 constexpr double near_end = 0.05;   ///< part of the window that a run may miss at its end
 constexpr double same_time = 1e-9;  ///< part of a run's duration
+const char* const contact_column = "contact_measure";
+
+/// Returns whether a quantity is the time at which something happens first.
+bool is_first_event(Kind kind) {
+  return kind == Kind::TimeAbove || kind == Kind::TimeBelow || kind == Kind::FirstContact;
+}
+
+/// Returns the difference below which times count as the same.
+double slack(const std::vector<double>& times) { return same_time * (times.back() - times.front()); }
 
 }  // namespace
 
@@ -18,10 +30,20 @@ constexpr double same_time = 1e-9;  ///< part of a run's duration
 struct AskedQuantity::Rows {
   std::vector<double> times, values;
 
-  std::size_t largest() const {
+  template <class Value>
+  std::size_t first_largest(const Value& value) const {
     const auto found =
-        std::max_element(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+        std::max_element(values.begin(), values.end(), [&](double a, double b) { return value(a) < value(b); });
     return static_cast<std::size_t>(found - values.begin());
+  }
+  std::size_t largest() const {
+    return first_largest([](double value) { return std::abs(value); });
+  }
+  std::size_t maximum() const {
+    return first_largest([](double value) { return value; });
+  }
+  std::size_t minimum() const {
+    return first_largest([](double value) { return -value; });
   }
   /// Returns the mean in time of a function of the values, by the trapezoidal rule.
   template <class Function>
@@ -38,39 +60,54 @@ struct AskedQuantity::Rows {
   }
 };
 
+/// Returns the rows in the window, whose end the run must have reached.
 AskedQuantity::Rows AskedQuantity::rows(const RunHistory& run) const {
   if (!run.table().has(column_)) check_columns(run.table().names());
   const std::vector<double> times = run.times(column_);
-  const std::vector<double>& values = run.table().column(column_);
-  const double slack = same_time * (times.back() - times.front());
-  if (std::isfinite(to_) && times.back() < to_ - near_end * (to_ - from_) - slack)
+  if (std::isfinite(to_) && times.back() < to_ - near_end * (to_ - from_) - slack(times))
     refuse(fmt::format("the run ended at {:.6g} T0, before the end of the window", run.table().column("time").back()));
-  Rows chosen;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] < from_ - slack || times[i] > to_ + slack) continue;
-    if (std::isnan(values[i])) continue;
-    chosen.times.push_back(times[i]);
-    chosen.values.push_back(values[i]);
-  }
+  Rows chosen = rows_so_far(run);
   if (chosen.times.empty()) refuse("the window holds no rows with a value of " + column_);
   if (chosen.times.size() < 2) refuse("the window holds one row only; a shorter step or a longer window gives more");
   return chosen;
 }
 
+/// Returns the rows in the window, however few.
+AskedQuantity::Rows AskedQuantity::rows_so_far(const RunHistory& run) const {
+  if (!run.table().has(column_)) check_columns(run.table().names());
+  const std::vector<double> times = run.times(column_);
+  const std::vector<double>& values = run.table().column(column_);
+  Rows chosen;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] < from_ - slack(times) || times[i] > to_ + slack(times)) continue;
+    if (std::isnan(values[i])) continue;
+    chosen.times.push_back(times[i]);
+    chosen.values.push_back(values[i]);
+  }
+  return chosen;
+}
+
 double AskedQuantity::event(const RunHistory& run) const {
+  if (is_first_event(kind_)) {
+    const Rows all = rows_so_far(run);
+    const std::size_t n = all.values.size();
+    const auto happened = [&](double value) {
+      if (kind_ == Kind::FirstContact) return value > 0;
+      return kind_ == Kind::TimeAbove ? value > number_ : value < number_;
+    };
+    std::size_t i = 0;
+    while (i < n && !happened(all.values[i])) ++i;
+    if (i == n || n < 2) {
+      rows(run);  // throws if the run ended too early, or the window holds too few rows
+      refuse(kind_ == Kind::FirstContact ? "there is no contact" : "the column never passes the limit");
+    }
+    if (kind_ != Kind::FirstContact) return all.crossing(i, number_);
+    return i == 0 ? all.times[0] : (all.times[i] + all.times[i - 1]) / 2;
+  }
   const Rows all = rows(run);
   const std::size_t n = all.values.size();
   std::size_t i = 0;
   switch (kind_) {
-    case Kind::TimeAbove:
-    case Kind::TimeBelow:
-      while (i < n && !(kind_ == Kind::TimeAbove ? all.values[i] > number_ : all.values[i] < number_)) ++i;
-      if (i == n) refuse("the column never passes the limit");
-      return all.crossing(i, number_);
-    case Kind::FirstContact:
-      while (i < n && !(all.values[i] > 0)) ++i;
-      if (i == n) refuse("there is no contact");
-      return i == 0 ? all.times[0] : (all.times[i] + all.times[i - 1]) / 2;
     case Kind::Detachment:
       i = n;
       while (i > 0 && !(all.values[i - 1] > 0)) --i;
@@ -106,9 +143,9 @@ double AskedQuantity::value(const RunHistory& run) const {
     case Kind::PeakTime:
       return all.times[all.largest()];
     case Kind::Maximum:
-      return *std::max_element(all.values.begin(), all.values.end());
+      return all.values[all.maximum()];
     case Kind::Minimum:
-      return *std::min_element(all.values.begin(), all.values.end());
+      return all.values[all.minimum()];
     case Kind::Mean:
       return all.mean([](double value) { return value; });
     case Kind::Rms:
@@ -131,6 +168,63 @@ double AskedQuantity::value(const RunHistory& run) const {
   }
   if (after == 0) refuse("the column does not change its sign");
   return std::abs(after / before);
+}
+
+/// Returns the time after which rows do not change the value as they stand.
+double AskedQuantity::deciding_time(const RunHistory& run) const {
+  if (kind_ == Kind::Value) return number_;
+  if (kind_ >= Kind::TimeAbove) return event(run);
+  const Rows all = rows(run);
+  if (kind_ == Kind::Peak || kind_ == Kind::PeakTime) return all.times[all.largest()];
+  if (kind_ == Kind::Maximum) return all.times[all.maximum()];
+  if (kind_ == Kind::Minimum) return all.times[all.minimum()];
+  return all.times.back();
+}
+
+ColumnHistory AskedQuantity::history(const RunHistory& run) const {
+  ColumnHistory result;
+  result.decided = deciding_time(run);
+  const std::vector<double> times = run.times(column_);
+  const std::vector<double>& values = run.table().column(column_);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    result.times.push_back(times[i]);
+    result.values.push_back(values[i]);
+  }
+  return result;
+}
+
+/// Returns whether the contact was released before the last row, and the value's time is before that. Forces that
+/// follow are those of a free body.
+bool AskedQuantity::is_decided_by_release(const RunHistory& run) const {
+  const bool is_extreme = kind_ == Kind::Peak || kind_ == Kind::Maximum || kind_ == Kind::Minimum ||
+                          kind_ == Kind::PeakTime || kind_ == Kind::Detachment;
+  const bool is_of_contact = column_.rfind("contact_", 0) == 0 || column_.rfind("reaction_", 0) == 0;
+  if (!is_extreme || !is_of_contact || !run.table().has(contact_column)) return false;
+  const std::vector<double>&measure = run.table().column(contact_column), &times = run.table().column("time");
+  std::size_t released = measure.size();
+  while (released > 0 && measure[released - 1] == 0) --released;
+  // The last row must be without contact, and one before it must have some.
+  if (released == 0 || released == measure.size() || !(measure[released - 1] > 0)) return false;
+  return deciding_time(run) <= times[released] + slack(times);
+}
+
+bool AskedQuantity::is_decided(const RunHistory& run) const {
+  if (!run.table().has(column_) || kind_ == Kind::Final || kind_ == Kind::EnergyError) return false;
+  const std::vector<double> times = run.times(column_);
+  if (kind_ == Kind::Value) return times.back() >= number_ - slack(times);
+  try {
+    if (is_first_event(kind_)) return std::isfinite(event(run));
+    if (std::isfinite(to_)) return times.back() >= to_ - slack(times);
+    return is_decided_by_release(run);
+  } catch (const InputError&) {
+    return false;  // the event has not happened
+  }
+}
+
+bool are_decided(const std::vector<AskedQuantity>& quantities, const RunHistory& run) {
+  return std::all_of(quantities.begin(), quantities.end(),
+                     [&](const AskedQuantity& quantity) { return quantity.is_decided(run); });
 }
 
 }  // namespace ixos

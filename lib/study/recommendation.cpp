@@ -123,6 +123,17 @@ class Answer {
                        connected(*candidate.worse), candidate.error);
   }
 
+  /// Returns a doubt if the measure compares one number and the run's force over time is not within the tolerance.
+  std::string doubt(const Candidate& candidate) const {
+    const bool one_number = asked_.measure == "peak_error" || asked_.measure == "work_error";
+    const double force = candidate.run->errors.force;
+    if (!one_number || !(force > asked_.tolerance)) return "";
+    return fmt::format(
+        " Its {} may agree by coincidence: its force over time differs by {:.3g} of the reference's, more than the "
+        "tolerance.",
+        measure_.quantity, force);
+  }
+
   /// Returns what is known of the reference as far as it matters for the measure.
   std::string reference() const {
     if (!own_) {
@@ -136,6 +147,10 @@ class Answer {
           " That is more than a third of the tolerance {:.3g}: the reference is too coarse for it; refine "
           "Reference/Settings.",
           asked_.tolerance);
+    const Assignments& check = study_.check.settings;
+    const auto is_of_mesh = [](const std::string& setting) { return setting.rfind("Mesh/", 0) == 0; };
+    if (std::none_of(check.begin(), check.end(), is_of_mesh))
+      text += " The error of its mesh was not examined (Reference/Check Settings).";
     return text;
   }
 
@@ -193,7 +208,8 @@ Recommendation recommend(const Study& study, const std::vector<StudyResult>& res
     if (found != all.end()) {
       answer.run = found->run;
       answer.sentence =
-          fmt::format("The cheapest run within the tolerance {:.3g}: {}.", asked.tolerance, words.told(*found));
+          fmt::format("The cheapest run within the tolerance {:.3g}: {}.", asked.tolerance, words.told(*found)) +
+          words.doubt(*found);
     } else {
       answer.sentence = fmt::format("No run is within the tolerance {:.3g}. The most accurate run: {}.",
                                     asked.tolerance, words.told(*most_accurate(all, HUGE_VAL)));

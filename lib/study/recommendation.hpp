@@ -24,7 +24,8 @@ struct Recommendation {
 /// its sign: such a run is accurate by coincidence, and the sentence names it. A line holds the runs that differ only
 /// in the connecting axis, if the labels of that are numbers that rise or fall; its more expensive end is the finer
 /// one. A run is within the tolerance if its error and that of the reference together are. The sentence tells the error
-/// of the reference, and whether that is more than a third of the tolerance.
+/// of the reference, whether that is more than a third of the tolerance, and whether it contains an error of the mesh.
+/// A peak or a work within the tolerance is doubted if the force over time is not.
 Recommendation recommend(const Study& study, const std::vector<StudyResult>& results,
                          const ReferenceQuality& reference);
 

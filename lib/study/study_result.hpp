@@ -22,6 +22,8 @@ struct StudyResult {
   bool refused = false;  ///< whether ixos took the scene for bad input
 
   bool reached_its_end() const { return status == "completed" || status == "stopped"; }
+  /// Returns whether the run failed, with all its rows on the disk.
+  bool failed_with_rows() const { return status == "diverged"; }
   /// Returns the value of a column by its name. Throws std::invalid_argument for any other name.
   double error(const std::string& measure) const;
   double cost(const std::string& name) const;

@@ -22,8 +22,9 @@ class AccuracyDriverTest : public test::DriverTest {
 TEST_F(AccuracyDriverTest, TellsTheRunsAndTheErrors) {
   const Outcome outcome = run({oscillator, "--accuracy", "1%", "--output", "out"});
   ASSERT_EQ(outcome.status, 0) << outcome.output;
-  for (const char* part : {"Run 1: local error 0.01 L0: ", "Run 3: ", "The accuracy 1 % is kept:\n  final P_ux = ",
-                           "not the mesh; for the mesh, use ixos-study --advise", "Results are in out"})
+  for (const char* part :
+       {"Run 1: local error 0.01 L0: ", "Run 3: ", "The accuracy 1 % is kept by the time steps; the mesh, ",
+        "\n  final P_ux = ", "not the mesh; for the mesh, use ixos-study --advise", "Results are in out"})
     EXPECT_TRUE(has(outcome.output, part)) << part << " in " << outcome.output;
   for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": true",
                            "\"quantity\": \"peak P_ux\"", "Adaptive/Maximum Time Step="})

@@ -87,6 +87,7 @@ TEST_F(AdviseDriverTest, TheAdvisedSceneKeepsTheTolerance) {
   EXPECT_NE(first.output.find("Budget: "), std::string::npos) << first.output;
   EXPECT_NE(first.output.find("Recommended within the tolerance 2 %: "), std::string::npos) << first.output;
   EXPECT_NE(first.output.find("Costs of other tolerances:"), std::string::npos);
+  EXPECT_EQ(first.output.find("Linear Elastic"), std::string::npos) << "the block turns by more than a radian";
   EXPECT_NE(contents(folder_ + "/out/advice.json").find("\"status\": \"advised\""), std::string::npos);
   // The scene as it is ready to run, against a much finer one.
   ASSERT_EQ(shell("'" IXOS_DRIVER "' out/advised.xml --quiet --output advised", folder_).status, 0);
@@ -118,6 +119,7 @@ TEST_F(AdviseDriverTest, SeveralQuantitiesTwoJobsAndAReport) {
   for (const char* quantity : {"  final P_uy: about ", "  peak P_ux: about "})
     EXPECT_NE(two.output.find(quantity), std::string::npos) << two.output;
   EXPECT_NE(two.output.find("Plots and report: two/report.html"), std::string::npos) << two.output;
+  EXPECT_NE(two.output.find("; not examined: "), std::string::npos) << "Newton's tolerance is the scene's own";
   const std::string page = contents(folder_ + "/two/report.html");
   for (const char* part : {"Recommendation", "Errors to expect", "final P_uy", "peak P_ux", "All runs"})
     EXPECT_NE(page.find(part), std::string::npos) << part;

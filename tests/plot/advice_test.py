@@ -15,10 +15,12 @@ FINE = {"settings": ["Time Step=0.2"], "description": "Newmark, time step 0.2", 
 ADVICE = {
     "scene": "xml/strip.xml", "command": "ixos-study --advise xml/strip.xml", "version": "1.2.3", "status": "advised",
     "tolerance": 0.01, "budget_seconds": 60.0, "spent_seconds": 4.5, "problem": "", "recommended": FINE,
-    "most_accurate": None, "confirmed": True, "verified_change": 0.004,
+    "most_accurate": None, "confirmed": True, "fails_later": "",
+    "verification": "Verified: half the step on the next finer mesh changes the quantities by at most 0.4 %.",
     "quantities": [{"name": "peak force", "estimate": 0.125, "change_by_perturbation": 1e-10, "error": 0.008,
-                    "parts": {"time step": {"error": 0.003, "reason": "asymptotic, of order 2"},
-                              "mesh": {"error": 0.005, "reason": "<two sizes only>"}}}],
+                    "error_of": ["time step", "mesh"], "not_examined": [],
+                    "parts": {"time step": {"error": 0.003, "examined": True, "reason": "asymptotic, of order 2"},
+                              "mesh": {"error": 0.005, "examined": True, "reason": "<two sizes only>"}}}],
     "pareto": [COARSE, FINE],
     "other_tolerances": [{"tolerance": 0.1, "settings": COARSE}, {"tolerance": 0.001, "settings": None}],
     "choices": [{"direction": "material", "choice": "material Linear Elastic", "errors": [0.07], "seconds": 1.5}],
@@ -63,9 +65,22 @@ class AdviceTest(ScriptTest):
 
     def test_no_settings(self):
         folder = self.made("unreachable", status="unreachable", recommended=None, most_accurate=COARSE,
-                           verified_change=None)
+                           verification="")
         self.draw("advice.py", folder)
         self.assertIn("The smallest error seen is 3 %: Newmark, time step 0.4.", Page(folder).text)
+
+    def test_what_was_not_examined_is_in_no_bound(self):
+        one = {**ADVICE["quantities"][0], "error_of": ["time step"], "not_examined": ["mesh", "surface points"],
+               "parts": {"time step": {"error": 0.008, "examined": True, "reason": "asymptotic, of order 2"},
+                         "mesh": {"error": None, "examined": False, "reason": "not examined"}}}
+        folder = self.made("open", quantities=[one], fails_later="the step is too short")
+        self.draw("advice.py", folder)
+        page = Page(folder)
+        self.assertIn("at most 0.8 % without what was not examined: mesh, surface points; a run takes 2 s.", page.text)
+        self.assertIn("That run fails after the times that decide the quantities: the step is too short.", page.text)
+        rows = page.table("quantity", "of", "how it is known", "error, at most")
+        self.assertEqual([row[-1] for row in rows], ["0.8 %", "not examined", "0.8 %"])
+        self.assertEqual(rows[-1][1], "all that was examined")
 
     def test_a_plane_scene(self):
         folder = self.made("plane", plane={"scene": "out/plane.xml", "depth": 3.0, "difference": 1e-12})
@@ -76,7 +91,7 @@ class AdviceTest(ScriptTest):
 
     def test_no_errors_give_no_picture(self):
         told = "The scene is chaotic for peak force."
-        folder = self.made("chaotic", status="chaotic", recommended=None, verified_change=None, problem=told, pareto=[],
+        folder = self.made("chaotic", status="chaotic", recommended=None, verification="", problem=told, pareto=[],
                            other_tolerances=[], choices=[], runs=[{**ADVICE["runs"][0], "error": None}])
         self.assertEqual([path.name for path in self.draw("advice.py", folder)], ["report.html"])
         self.assertIn(told, Page(folder).text)

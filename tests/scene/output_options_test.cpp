@@ -36,6 +36,7 @@ TEST(OutputOptionsTest, AnEmptyListGivesTheDefaultsOfTheStruct) {
   EXPECT_EQ(output.energies, fresh.energies);
   EXPECT_EQ(output.momenta, fresh.momenta);
   EXPECT_EQ(output.interaction, fresh.interaction);
+  EXPECT_EQ(output.strains, fresh.strains);
   EXPECT_EQ(output.interaction_columns, fresh.interaction_columns);
   EXPECT_TRUE(output.reactions.empty());
   EXPECT_TRUE(output.fields.empty());
@@ -53,6 +54,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   user.set("Energies", false);
   user.set("Momenta", false);
   user.set("Interaction", false);
+  user.set("Strains", true);
   user.set("Interaction Columns", "Off");
   user.set("Reactions", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("left", "right")));
   user.set("Quantities", Teuchos::Array<std::string>(Teuchos::tuple<std::string>("work", "mean x [1, 2]")));
@@ -77,6 +79,7 @@ TEST(OutputOptionsTest, EveryParameterReachesItsMember) {
   EXPECT_FALSE(output.energies);
   EXPECT_FALSE(output.momenta);
   EXPECT_FALSE(output.interaction);
+  EXPECT_TRUE(output.strains);
   EXPECT_EQ(output.interaction_columns, InteractionColumns::Off);
   EXPECT_EQ(output.reactions, (std::vector<std::string>{"left", "right"}));
   EXPECT_EQ(output.quantities, (std::vector<std::string>{"work", "mean x [1, 2]"}));

@@ -43,9 +43,15 @@ TEST(AccuracyReportTest, ALineForEachRun) {
 TEST(AccuracyReportTest, TheAnswerNamesErrorsLimitAndScope) {
   const std::string kept = accuracy_text(question(), result(AccuracyStatus::Kept, 0.005));
   expect_contains(kept,
-                  "The accuracy 1 % is kept:\n  final x = 3.25, estimated error 0.1 % (asymptotic, of order 2)\n");
+                  "The accuracy 1 % is kept by the time steps; the mesh, surface points, cutoffs were not examined:\n"
+                  "  final x = 3.25, estimated error 0.1 % (asymptotic, of order 2)\n");
   expect_contains(kept, "not the mesh; for the mesh, use ixos-study --advise");
   expect_contains(kept, "3 runs took 1.5 s, the last one 0.5 s");
+  EXPECT_EQ(kept.find("The last run failed"), std::string::npos);
+  AccuracyResult late = result(AccuracyStatus::Kept, 0.005);
+  late.runs.back().problem = "the step is too short";
+  expect_contains(accuracy_text(question(), late),
+                  "The last run failed after the times that decide the quantities: the step is too short.\n");
   AccuracyResult missed = result(AccuracyStatus::Missed, std::numeric_limits<double>::infinity());
   missed.limit = "10 runs are the most";
   expect_contains(accuracy_text(question(), missed),
@@ -62,7 +68,7 @@ TEST(AccuracyReportTest, TheSummaryKeepsItsEntriesAndGetsTheObject) {
   const std::string text = test::contents(folder.path() + "/summary.json");
   for (const char* part : {"\"status\": \"completed\"", "\"asked\": 0.01", "\"kept\": false",
                            "\"quantity\": \"peak y\"", "\"error\": null", "\"known_by\": \"asymptotic, of order 2\"",
-                           "\"longest_step\": 0.25", "Adaptive/Maximum Gap Ratio=1.5"})
+                           "\"longest_step\": 0.25", "\"not_examined\"", "Adaptive/Maximum Gap Ratio=1.5"})
     expect_contains(text, part);
 }
 

@@ -63,6 +63,7 @@ TEST(AdviceChoicesTest, DampingCanBeLeftOut) {
 
 TEST(AdviceChoicesTest, ALinearMaterialIsAChoiceOfSomeOthers) {
   EXPECT_EQ(choice("material").branches[1].label, "Linear Elastic");
+  EXPECT_EQ(choice("material").branches[1].law, "Linear Elastic") << "its strain measure must hold";
   EXPECT_TRUE(choice("material", {"Materials/Strip/Model=Linear Elastic"}).branches.empty());
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "support/advice_case.hpp"
 
@@ -43,6 +44,20 @@ TEST_F(AdviceExplorationTest, EachChoiceIsTriedBesideTheBase) {
   EXPECT_EQ(found[1].point, (AdvicePoint{{0, 2}, {1, 0}, {0, 0}})) << "the element";
   EXPECT_EQ(found[2].point, (AdvicePoint{{0, 2}, {0, 1}, {1, 0}})) << "the tolerance";
   EXPECT_GT(found[1].saving, found[0].saving) << "a mesh of half the cells saves more than half the steps";
+}
+
+TEST_F(AdviceExplorationTest, ALawThatDoesNotHoldIsNotTried) {
+  AdviceDirections directions = directions_;
+  directions.all[2].branches[1].law = "Linear Elastic";
+  const auto tries_law = [&](const MeasuredStrains& strains) {
+    samples_.front().strains = strains;
+    const AdviceErrors errors(directions, base_, samples_, {false}, {0.0});
+    const std::vector<AdviceTrial> found = explorations(directions, base_, plan_, samples_, errors, 0.05);
+    return std::any_of(found.begin(), found.end(), [](const AdviceTrial& trial) { return trial.direction == 2; });
+  };
+  EXPECT_TRUE(tries_law({0.1, -0.01, 0.01}));
+  EXPECT_FALSE(tries_law({std::atan(1.0), -0.01, 0.01})) << "45 degrees";
+  EXPECT_FALSE(tries_law({0, -0.06, 0})) << "compressed by more than the tolerance";
 }
 
 TEST_F(AdviceExplorationTest, WhatIsWithinTheToleranceIsTriedCoarser) {

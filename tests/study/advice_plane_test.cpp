@@ -37,6 +37,7 @@ TEST_F(AdvicePlaneTest, QuantitiesHaveOtherNamesAndFactors) {
                                              "time of peak contact_force_y", "time of first contact", "energy error",
                                              "value elastic_energy at 0.01"}));
   EXPECT_EQ(found->factors, (std::vector<double>{3, 1, 1, 1, 1, 3}));
+  EXPECT_EQ(found->column_factors, (std::vector<double>{3, 1, 3, 3, 3, 3})) << "columns of times grow, too";
   EXPECT_EQ(found->depth, 3);
 }
 

@@ -30,6 +30,7 @@ class AdviceReportTest : public testing::Test {
     advice_.best.estimate.parts[0][time_direction] = 0.002;
     advice_.best.estimate.parts[0][mesh_direction] = 0.004;
     advice_.reasons.assign(advice_.directions.all.size(), {"asymptotic, of order 2"});
+    advice_.examined.assign(advice_.directions.all.size(), {true});
     advice_.exact = {0.1234};
     advice_.confirmed = true;
     advice_.other_tolerances = {{0.1, advice_.best}, {0.001, {}}};
@@ -44,9 +45,55 @@ TEST_F(AdviceReportTest, TellsWhatAReaderNeeds) {
   for (const char* part :
        {"Recommended within the tolerance 1 %: Gautam-Sauer Composite, time step 0.2, Q1C4, mesh 320 x 16, which took "
         "12 s",
-        "peak reaction_right_y: about 0.1234, error at most 0.6 %", "time step: 0.2 % (asymptotic, of order 2)",
-        "mesh: 0.4 %", "The accuracy is limited by the mesh.", "no settings that the runs tell of"})
+        "peak reaction_right_y: about 0.1234, error at most 0.6 % of time step, mesh",
+        "time step: 0.2 % (asymptotic, of order 2)", "mesh: 0.4 %", "The accuracy is limited by the mesh.",
+        "no settings that the runs tell of"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST_F(AdviceReportTest, WhatWasNotExaminedIsInNoBound) {
+  advice_.examined[mesh_direction] = {false};
+  advice_.reasons[mesh_direction] = {not_examined};
+  advice_.best.estimate.parts[0][mesh_direction] = 0;
+  advice_.best.estimate.errors = {0.002};
+  advice_.directions.mesh_note = "the mesh is not made by a generator";
+  const std::string text = advice_text(question_, advice_);
+  for (const char* part : {"Recommended within the tolerance 1 % but for the mesh, which the runs did not examine: ",
+                           "error at most 0.2 % of time step", "; not examined: mesh\n", "    mesh: not examined\n",
+                           "The mesh was not examined: the mesh is not made by a generator.",
+                           "The accuracy, as far as it was examined, is limited by the time step."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_EQ(text.find("mesh: 0 %"), std::string::npos) << text;
+  write_advice(question_, advice_, folder_.path(), "command", "1");
+  const nlohmann::json json = nlohmann::json::parse(test::contents(folder_.path() + "/advice.json"))["quantities"][0];
+  EXPECT_TRUE(json["parts"]["mesh"]["error"].is_null());
+  EXPECT_EQ(json["parts"]["mesh"]["examined"], false);
+  EXPECT_EQ(json["parts"]["time step"]["error"], 0.002);
+  EXPECT_EQ(json["not_examined"], nlohmann::json::array({"mesh"}));
+}
+
+TEST_F(AdviceReportTest, AVerificationSaysWhatWasFiner) {
+  EXPECT_EQ(advice_text(question_, advice_).find("erified"), std::string::npos) << "nobody asked";
+  advice_.verification = {true, true, 0.003, ""};
+  const auto told = [&](const std::string& part) {
+    return advice_text(question_, advice_).find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(told("Verified: half the step on the next finer mesh changes the quantities by at most 0.3 %.\n"));
+  advice_.verification.mesh = false;
+  EXPECT_TRUE(
+      told("Verified for the step alone: half the step changes the quantities by at most 0.3 %; there is no "
+           "finer mesh.\n"));
+  advice_.verification = {false, true, 0.003, ""};
+  EXPECT_TRUE(told("Verified for the mesh alone: "));
+  advice_.verification = {false, false, -1, "there is neither a shorter step nor a finer mesh"};
+  EXPECT_TRUE(told("Not verified: there is neither a shorter step nor a finer mesh.\n"));
+}
+
+TEST_F(AdviceReportTest, TellsThatTheRecommendedRunFailsLater) {
+  advice_.fails_later = "the step is too short";
+  EXPECT_NE(advice_text(question_, advice_)
+                .find("That run fails after the times that decide the quantities: the step is too short.\n"),
+            std::string::npos);
 }
 
 TEST_F(AdviceReportTest, TellsTheSmallestErrorIfNothingIsGoodEnough) {

@@ -111,6 +111,72 @@ TEST_F(AskedQuantityTest, ChecksBeforeARun) {
   EXPECT_THROW(AskedQuantity("value force at 11").check_times(0, 10), InputError);
 }
 
+// The column runs from the beginning of the run, whatever the window.
+TEST_F(AskedQuantityTest, ColumnsHaveTheTimeThatDecides) {
+  const auto decided = [&](const std::string& text) {
+    const ColumnHistory found = AskedQuantity(text).history(RunHistory(folder_.path()));
+    EXPECT_EQ(found.times.front(), 0) << text;
+    EXPECT_NEAR(found.times.back(), 10, 1e-9) << text;
+    EXPECT_EQ(found.times.size(), found.values.size()) << text;
+    return found.decided;
+  };
+  EXPECT_NEAR(decided("maximum force"), 2.5, 1e-9);
+  EXPECT_NEAR(decided("minimum force"), 7.5, 1e-9);
+  EXPECT_NEAR(decided("peak force [6, 10]"), 7.5, 1e-9);
+  EXPECT_NEAR(decided("time of peak force [0, 5]"), 2.5, 1e-9);
+  EXPECT_NEAR(decided("value momentum at 2.005"), 2.005, 1e-12);
+  EXPECT_NEAR(decided("mean force [1, 4]"), 4, 1e-9);
+  EXPECT_NEAR(decided("final momentum"), 10, 1e-9);
+  EXPECT_NEAR(decided("work"), 10, 1e-9);
+  EXPECT_NEAR(decided("time of force above 1.5"), 5.0 / 6, 1e-4);
+  EXPECT_NEAR(decided("time of detachment"), 6.001, 0.01);
+  EXPECT_THROW(decided("time of force above 4"), InputError);
+}
+
+TEST_F(AskedQuantityTest, AFailedRunHasWhatItPassed) {
+  const auto is_decided = [&](const std::string& text) {
+    return AskedQuantity(text).is_decided(RunHistory(folder_.path()));
+  };
+  for (const char* passed : {"value force at 9", "mean force [1, 9]", "work [1, 10]", "peak pull [0, 5]",
+                             "time of force above 1", "time of first contact", "restitution momentum [0, 9]"})
+    EXPECT_TRUE(is_decided(passed)) << passed;
+  for (const char* open : {"final force", "mean force", "rms force [1, 11]", "peak pull", "maximum external_work",
+                           "work", "value force at 11", "time of force above 4", "energy error", "time of arrest",
+                           "restitution momentum", "final nothing"})
+    EXPECT_FALSE(is_decided(open)) << open;
+  EXPECT_TRUE(
+      are_decided({AskedQuantity("value force at 9"), AskedQuantity("work [1, 2]")}, RunHistory(folder_.path())));
+  EXPECT_FALSE(are_decided({AskedQuantity("value force at 9"), AskedQuantity("work")}, RunHistory(folder_.path())));
+}
+
+// The pull-off force is known once the contact is released, unless the force grows again.
+TEST_F(AskedQuantityTest, ReleaseDecidesForces) {
+  const auto write = [&](double release, double later) {
+    test::write_results(folder_.path(), "Newmark", 0.01, 10,
+                        {{"contact_measure", [=](double t) { return t < release ? 1.0 : 0.0; }},
+                         {"reaction_top_y", [=](double t) { return t < 4   ? t
+                                                                   : t < 8 ? 0.1
+                                                                           : later; }},
+                         {"kinetic_energy", [](double t) { return t < 4 ? t : 0.1; }}});
+    return RunHistory(folder_.path());
+  };
+  const RunHistory released = write(4, 0.1);
+  for (const char* known :
+       {"peak reaction_top_y", "maximum reaction_top_y", "time of peak reaction_top_y", "time of detachment"})
+    EXPECT_TRUE(AskedQuantity(known).is_decided(released)) << known;
+  for (const char* open : {"mean reaction_top_y", "peak kinetic_energy"})
+    EXPECT_FALSE(AskedQuantity(open).is_decided(released)) << open;
+  EXPECT_FALSE(AskedQuantity("peak reaction_top_y").is_decided(write(4, 5))) << "a larger force follows";
+  EXPECT_FALSE(AskedQuantity("peak reaction_top_y").is_decided(write(11, 0.1))) << "still in contact";
+  EXPECT_FALSE(AskedQuantity("peak reaction_top_y").is_decided(write(0, 0.1))) << "never in contact";
+}
+
+TEST_F(AskedQuantityTest, AFirstEventNeedsNoEndOfItsWindow) {
+  EXPECT_NEAR(value("time of force above 1.5 [0, 20]"), 5.0 / 6, 1e-4);
+  EXPECT_NEAR(value("time of first contact [1, 20]"), 2.001, 0.01);
+  expect_refused("time of force above 4 [0, 20]", "before the end of the window");
+}
+
 TEST_F(AskedQuantityTest, StatisticsAndErrors) {
   EXPECT_TRUE(AskedQuantity("mean force").is_statistic());
   EXPECT_FALSE(AskedQuantity("peak force").is_statistic());

@@ -124,6 +124,33 @@ TEST(RecommendationTest, TheFinerEndOfALineIsTheDearerOne) {
   EXPECT_EQ(recommend(study, rising, {}).run->run.name, "1");
 }
 
+TEST(RecommendationTest, OneNumberThatAgreesIsDoubtedIfTheForceOverTimeDoesNot) {
+  Study study;
+  study.axes = {{"Case", {}}};
+  study.question = {"Case", "wall_seconds", "peak_error", 0.05, 0};
+  const std::string doubt =
+      " Its peak force may agree by coincidence: its force over time differs by 0.2 of the reference's, more than the "
+      "tolerance.";
+  for (double force : {0.2, 0.04}) {
+    StudyResult result = outcome({"a"}, 1, force);
+    result.errors.peak = 0.01;
+    const Recommendation answer = recommend(study, {result}, {});
+    EXPECT_EQ(has(answer.sentence, doubt), force > 0.05) << answer.sentence;
+  }
+}
+
+TEST(RecommendationTest, AMeshThatNoCheckExaminesIsNamed) {
+  ReferenceQuality reference;
+  reference.own.force = 0.001;
+  reference.origin = "a coarser run";
+  Study study = study_of_steps(0.05);
+  const std::vector<StudyResult> results{outcome({"N", "0.4"}, 1, 0.01)};
+  const std::string open = " The error of its mesh was not examined";
+  EXPECT_TRUE(has(recommend(study, results, reference).sentence, open));
+  study.check.settings = {"Mesh/Box/Divisions={4, 4}"};
+  EXPECT_FALSE(has(recommend(study, results, reference).sentence, open));
+}
+
 TEST(RecommendationTest, TheReferencesOwnErrorIsAdded) {
   const std::vector<StudyResult> results{outcome({"N", "0.4"}, 1, 0.09), outcome({"N", "0.2"}, 2, 0.04),
                                          outcome({"N", "0.1"}, 4, 0.01)};
