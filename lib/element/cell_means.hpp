@@ -60,18 +60,17 @@ std::array<T, 6> cauchy_stress(const Material& material, const Small<T, D>& h) {
   return {sigma[0][0], sigma[1][1], sigma[2][2], sigma[0][1], sigma[1][2], sigma[0][2]};
 }
 
-/// Returns the viscous Cauchy stress J^-1 F S F^T of a displacement gradient H and that of the velocity, G, where the
-/// law gives S of the rate of Green's strain, sym(F^T G): xx, yy, zz, xy, yz, zx. In plane strain the rate has no
-/// components out of the plane, but S has one.
+/// Returns the viscous Cauchy stress J^-1 F S F^T of a displacement gradient H and a rate of Green's strain, of which
+/// the law gives S: xx, yy, zz, xy, yz, zx. In plane strain the rate has no components out of the plane, but S has one.
 template <class Law, class T, std::size_t D>
-std::array<T, 6> viscous_cauchy_stress(const Law& law, const Small<T, D>& h, const Small<T, D>& g) {
+std::array<T, 6> viscous_cauchy_stress_at(const Law& law, const Small<T, D>& h, const Small<T, D>& strain_rate) {
   Small<T, 3> f{}, rate{};
   f[2][2] = T(1.0);  // in plane strain
   const Small<T, D> in_space = deformation_gradient(h);
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) {
       f[i][j] = in_space[i][j];
-      for (std::size_t k = 0; k < D; ++k) rate[i][j] += 0.5 * (in_space[k][i] * g[k][j] + in_space[k][j] * g[k][i]);
+      rate[i][j] = strain_rate[i][j];
     }
   const Small<T, 3> s = law.stress(rate);
   const T jacobian = determinant(f);
@@ -82,6 +81,18 @@ std::array<T, 6> viscous_cauchy_stress(const Law& law, const Small<T, D>& h, con
     return T(sum / jacobian);
   };
   return {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)};
+}
+
+/// Returns that of a displacement gradient H and the gradient G of the velocity, whose rate of Green's strain is
+/// sym(F^T G).
+template <class Law, class T, std::size_t D>
+std::array<T, 6> viscous_cauchy_stress(const Law& law, const Small<T, D>& h, const Small<T, D>& g) {
+  const Small<T, D> f = deformation_gradient(h);
+  Small<T, D> rate{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j)
+      for (std::size_t k = 0; k < D; ++k) rate[i][j] += 0.5 * (f[k][i] * g[k][j] + f[k][j] * g[k][i]);
+  return viscous_cauchy_stress_at(law, h, rate);
 }
 
 }  // namespace ixos

@@ -56,20 +56,20 @@ struct ViscousPoint {
     return contraction(law.stress(r), r) * (1 / inverse_dt);
   }
 
- private:
-  Matrix deformation(double share) const {
-    Matrix f = deformation_gradient(start);
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) f[i][j] += share * change[i][j];
-    return f;
-  }
-
   /// Returns the rate of strain [1/T0].
   Matrix rate() const {
     Matrix result = change_of_strain(start, change);
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) result[i][j] = inverse_dt * (unknown * result[i][j] + known[i][j]);
     return result;
+  }
+
+ private:
+  Matrix deformation(double share) const {
+    Matrix f = deformation_gradient(start);
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) f[i][j] += share * change[i][j];
+    return f;
   }
 };
 

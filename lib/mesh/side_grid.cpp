@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
@@ -31,15 +33,33 @@ void SideGrid::find_edges(const std::string& name, const std::vector<long long>&
                         name, numbers[at(a)], numbers[at(b)]));
       place = static_cast<int>(f);
     }
-  const auto normal = [&](int face) {
-    const Face& n = faces_[at(face)];
-    return cross(x_[at(n[2])] - x_[at(n[0])], x_[at(n[3])] - x_[at(n[1])]);
-  };
   for (auto& [nodes, own] : edges_) {
     ends_[at(nodes.first)].push_back(nodes.second);
     ends_[at(nodes.second)].push_back(nodes.first);
     if (own.faces[0] >= 0 && own.faces[1] >= 0) own.crease = !meet_smoothly(normal(own.faces[0]), normal(own.faces[1]));
   }
+}
+
+Vec<3> SideGrid::normal(int face) const {
+  const auto at = [](int node) { return static_cast<std::size_t>(node); };
+  const Face& n = faces_[at(face)];
+  return cross(x_[at(n[2])] - x_[at(n[0])], x_[at(n[3])] - x_[at(n[1])]);
+}
+
+SideGrid::OpenCreases SideGrid::open_creases() const {
+  const auto is_end = [&](int node) {
+    const std::vector<int>& ends = ends_[static_cast<std::size_t>(node)];
+    return std::count_if(ends.begin(), ends.end(), [&](int end) { return is_crease(node, end); }) == 1;
+  };
+  OpenCreases result;
+  for (const auto& [nodes, own] : edges_) {
+    if (!own.crease || own.faces[0] < 0 || own.faces[1] < 0) continue;
+    if (!is_end(nodes.first) && !is_end(nodes.second)) continue;
+    ++result.count;
+    const Vec<3> a = normal(own.faces[0]), b = normal(own.faces[1]);
+    result.angle = std::max(result.angle, std::atan2(length(cross(a, b)), inner(a, b)));
+  }
+  return result;
 }
 
 void SideGrid::find_strips(const std::vector<Vec<3>>& x) {
@@ -102,6 +122,26 @@ int SideGrid::continuation(int node, int far) const {
   const auto place = [&](int n) { return x_[static_cast<std::size_t>(n)]; };
   if (other < 0 || !meet_smoothly(place(node) - place(far), place(other) - place(node))) return -1;
   return other;
+}
+
+SideGrid::OpenCreases open_creases(const Mesh& mesh, const SideSet& set) {
+  std::vector<SideGrid::Face> faces;
+  for (const Side& side : set.sides) {
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+    const std::vector<int>& corners = side_nodes(block.type, side.side);
+    if (corners.size() != 4) return {};
+    SideGrid::Face face;
+    for (std::size_t k = 0; k < 4; ++k)
+      face[k] = block.nodes[cell_entry(side.cell, nodes_per_cell(block.type), corners[k])];
+    faces.push_back(face);
+  }
+  std::vector<Vec<3>> x;
+  std::vector<long long> numbers;
+  for (std::size_t k = 0; k + 2 < mesh.coordinates.size(); k += 3) {
+    x.push_back({mesh.coordinates[k], mesh.coordinates[k + 1], mesh.coordinates[k + 2]});
+    numbers.push_back(static_cast<long long>(x.size()));
+  }
+  return SideGrid(std::move(faces), x, set.name, numbers).open_creases();
 }
 
 }  // namespace ixos

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesh/mesh.hpp"
 
 namespace ixos {
 
@@ -20,6 +21,12 @@ namespace ixos {
 class SideGrid {
  public:
   using Face = std::array<int, 4>;
+  /// Edges of two faces that are creases, but end inside the surface: at a node without another crease or rim. The
+  /// edges of a body do not. Those of a smooth surface whose faces are too large for its curvature do.
+  struct OpenCreases {
+    int count = 0;
+    double angle = 0;  ///< the largest one between two faces
+  };
 
   /// `x`: places by node. Throws InputError with `name` if more than two faces have an edge, or if two faces go along
   /// it in one direction. `numbers`: those of the nodes in messages.
@@ -39,6 +46,7 @@ class SideGrid {
   /// Returns the corner of the face that is opposite to the node; -1 if the face does not have it.
   int opposite(int face, int node) const;
   bool has(int face, int node) const;
+  OpenCreases open_creases() const;
 
  private:
   struct Edge {
@@ -47,6 +55,7 @@ class SideGrid {
     int strip = -1;
   };
   const Edge& edge(int a, int b) const { return edges_.at(std::minmax(a, b)); }
+  Vec<3> normal(int face) const;  ///< of any length
   void find_edges(const std::string& name, const std::vector<long long>& numbers);
   void find_strips(const std::vector<Vec<3>>& x);
 
@@ -57,5 +66,8 @@ class SideGrid {
   std::vector<Vec<3>> x_;
   std::vector<double> strip_length_;
 };
+
+/// Returns the open creases of a side set of a mesh in space; none if its cells are not linear.
+SideGrid::OpenCreases open_creases(const Mesh& mesh, const SideSet& set);
 
 }  // namespace ixos

@@ -238,13 +238,14 @@ class Model {
   InteractionReport interaction_report(const double* u) const;
   Momenta momenta(const double* u, const double* v) const;
 
-  /// Returns the fields by block, local cells. Not collective.
-  std::vector<CellFields> cell_fields(const double* u) const;
+  /// Returns the fields by block, local cells. Not collective. `v`: null, or the velocity: the stress invariant is then
+  /// that of cell_stress(), else that of the elastic law alone.
+  std::vector<CellFields> cell_fields(const double* u, const double* v = nullptr) const;
   /// Returns the traction of all interactions on the bodies, their nodal force over int N_a dA: a local array, valid
   /// for owned nodes, zero away from interacting surfaces and at derivative nodes [E0]. Not collective.
   std::vector<double> interaction_traction(const double* u) const;
-  /// Returns the mean Cauchy stress over each cell's reference volume, by block and local cell: that of elasticity and
-  /// of Kelvin-Voigt viscosity, without Rayleigh damping [E0]. Not collective.
+  /// Returns the mean Cauchy stress over each cell's reference volume, by block and local cell: that of elasticity,
+  /// of Kelvin-Voigt viscosity and of Maxwell branches, without Rayleigh damping [E0]. Not collective.
   std::vector<std::vector<SymmetricTensor>> cell_stress(const double* u, const double* v) const;
   /// Returns, by local node and valid for owned nodes, the gap to the nearest obstacle of an interaction [L0]; NaN away
   /// from interacting surfaces. Derivative nodes have the gap's derivative. Not collective.
@@ -290,6 +291,9 @@ class Model {
     std::size_t block;
     Material material;
   };
+  /// Adds the stress of viscosity and of Maxwell branches by local cell of a block.
+  static void add_inelastic_stress(const Body& body, const double* u, const double* v,
+                                   std::vector<SymmetricTensor>& stress);
   std::vector<Body> bodies_;                      ///< blocks and their terms
   std::vector<NamedForceTerm> force_terms_;       ///< the force terms among them
   std::vector<const Interaction*> interactions_;  ///< the interactions among the terms

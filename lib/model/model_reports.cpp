@@ -95,17 +95,4 @@ Momenta Model::momenta(const double* u, const double* v) const {
   return {sums[0], {first, middle}, {middle, sums.end()}};
 }
 
-std::vector<CellFields> Model::cell_fields(const double* u) const {
-  std::vector<CellFields> fields(mesh_.blocks.size());
-  for (const Body& body : bodies_) {
-    CellFields& own = fields[body.block];
-    body.term->cell_fields(u, own);
-    if (body.viscosity != nullptr) body.viscosity->cell_dissipation(own.dissipated);
-    if (body.viscoelasticity == nullptr) continue;
-    body.viscoelasticity->add_cell_dissipation(own.dissipated);
-    body.viscoelasticity->add_cell_energy(u, own.energy_density);
-  }
-  return fields;
-}
-
 }  // namespace ixos

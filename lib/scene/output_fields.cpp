@@ -180,7 +180,7 @@ NodalValues scalar_of_owned(const Model& model, const std::vector<double>& by_no
 }
 
 const std::vector<CellFields>& FieldFrame::cells() {
-  if (!cells_) cells_ = model().cell_fields(state().u.data());
+  if (!cells_) cells_ = model().cell_fields(state().u.data(), state().v.data());
   return *cells_;
 }
 

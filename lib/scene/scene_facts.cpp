@@ -8,6 +8,7 @@
 #include "mesh/layers.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/side_grid.hpp"
 #include "scene/symmetry_planes.hpp"
 
 namespace ixos {
@@ -103,6 +104,14 @@ BodyBending body_bending(const Material& material, const Mesh& mesh, const std::
   return own;
 }
 
+/// Adds the surfaces of an interaction whose spline has open creases.
+void add_open_surfaces(const SceneInteraction& interaction, const Mesh& mesh, std::vector<OpenSurface>& surfaces) {
+  if (!interaction.is_pair() || interaction.smoothing != Smoothing::Spline || mesh.dimension != 3) return;
+  for (const std::string& set : {interaction.side_set, interaction.primary})
+    if (const auto open = open_creases(mesh, side_set_named(mesh, set)); open.count > 0)
+      surfaces.push_back({interaction.node.name(), set, open.count, open.angle});
+}
+
 }  // namespace
 
 SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, const std::vector<Material>& materials,
@@ -161,6 +170,7 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
   const std::vector<bool> held = held_nodes(scene, mesh);
   for (const BodyNumbers& body : numbers.bodies)
     facts.bending.push_back(body_bending(materials[body.material], mesh, held));
+  for (const SceneInteraction& interaction : interactions) add_open_surfaces(interaction, mesh, facts.open_surfaces);
   for (const BodyNumbers& body : numbers.bodies)
     facts.relaxation_times.push_back(shortest_relaxation(materials[body.material]));
   facts.numbers = std::move(numbers);

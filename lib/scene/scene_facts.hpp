@@ -65,12 +65,21 @@ struct BodyBending {
   bool is_volumetric = false;  ///< the cells are Standard, and the body is nearly incompressible
 };
 
+/// A surface of two bodies with Smoothing Spline in space, with edges as SideGrid::OpenCreases.
+struct OpenSurface {
+  std::string name{};  ///< of the interaction
+  std::string side_set{};
+  int creases = 0;
+  double angle = 0;  ///< the largest one between two faces
+};
+
 struct SceneFacts {
   int dimension = 2;  ///< of the mesh
   CharacteristicNumbers numbers{};
   std::vector<BodyBending> bending{};  ///< parallel to CharacteristicNumbers::bodies
   std::vector<SurfaceFacts> surfaces{};
   std::vector<DensePoints> dense_points{};
+  std::vector<OpenSurface> open_surfaces{};
   std::vector<Motion> motions{};
   bool loaded = false;  ///< there are loads
   bool moves = false;   ///< see Driving::moves(); or an obstacle is moved

@@ -31,8 +31,9 @@ std::string asymmetry(const SceneNode& scene, const std::vector<Material>& mater
       // A discrete gradient of the gap is its exact mean.
       std::string interaction = "Interactions/" + named.name;
       if (const auto* own = dynamic_cast<const Interaction*>(named.term); own != nullptr && own->has_friction())
-        return own->is_gradient(end_rule()) ? "the mean friction along the turning obstacle of " + interaction
-                                            : interaction + "/Friction/Threshold \"Current\"";
+        return !own->is_gradient(end_rule()) ? interaction + "/Friction/Threshold \"Current\""
+               : own->is_moved()             ? "the mean friction along the turning obstacle of " + interaction
+                                             : "the mean friction between the bodies of " + interaction;
       if (const auto* own = dynamic_cast<const Interaction*>(named.term); own != nullptr && own->couples_anew())
         return "the discrete gradient of " + interaction;
       if (rule.mean == Mean::Points || !named.term->is_gradient(end_rule())) return interaction;

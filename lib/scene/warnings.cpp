@@ -64,6 +64,18 @@ Message points_of_double_integral(const Facts& facts) {
   return "";
 }
 
+/// A crease that ends inside a surface is none of the body's edges. The spline has a spike at its end, beside which the
+/// nearest point of another surface jumps.
+Message spline_with_open_creases(const Facts& facts) {
+  if (facts.open_surfaces.empty()) return "";
+  const OpenSurface& own = facts.open_surfaces.front();
+  return fmt::format(
+      "Interactions/{}: {} edges of the surface \"{}\" end inside it, but their faces meet at up to {:.3g} degrees "
+      "(limit 30), so that the spline has kinks there: Newton's method may need many iterations; use smaller faces, or "
+      "Smoothing \"Catmull-Rom\"",
+      own.name, own.creases, own.side_set, own.angle * 180 / M_PI);
+}
+
 /// Beyond this, adhesion deforms the whole body like a liquid (the contact radius of Johnson, Kendall and Roberts
 /// reaches that of the sphere at W/(E R) = 0.07).
 Message elastic_length_against_body(const Facts& facts) {
@@ -314,6 +326,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"elastic length", elastic_length_against_body},
     {"cohesive zone", cohesive_zone_against_faces},
     {"double integral", points_of_double_integral},
+    {"coarse spline", spline_with_open_creases},
     {"wave and run", wave_crossing_against_run},
     {"wave and step", wave_crossing_against_step},
     {"gap and step", gap_crossing_against_step},

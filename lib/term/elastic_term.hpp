@@ -20,7 +20,7 @@ enum class Formulation {
 
 /// Means over the reference volume of each cell of one block, for output.
 struct CellFields {
-  std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus
+  std::vector<double> stress_invariant;  ///< tr(sigma)/E [-], E Young's modulus; see Model::cell_fields()
   std::vector<double> jacobian;          ///< J [-]
   std::vector<double> energy_density;    ///< stored by the law and by Maxwell branches [E0]
   std::vector<double> dissipated;        ///< by viscosity and branches since the start [E0]; empty without them

@@ -14,7 +14,8 @@ namespace {
 template <std::size_t D>
 class PairFriction final : public FrictionInteraction {
   using Point = typename PairSlip<D>::Point;
-  using Response = SlipResponse<double, D>;
+  using Motion = typename PairSlip<D>::Motion;
+  using Moduli = typename PairSlip<D>::Moduli;
 
  public:
   PairFriction(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std::vector<LocalSide>& sides,
@@ -33,19 +34,19 @@ class PairFriction final : public FrictionInteraction {
   void transfer(Record& record) override { slip_.transfer(record); }
 
   // Force and tangent.
-  bool is_gradient(const Rule&) const override { return true; }
+  bool is_gradient(const Rule& rule) const override { return D == 2 || followed(rule).mean == Mean::Points; }
 
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     for (const Point& point : slip_.acting(segment.to))
-      slip_.add_force(point, respond<SlipPart::Traction>(point, segment, rule).traction, f);
+      slip_.add_force(point, respond<SlipPart::Traction>(point, segment, rule, Tangent::Exact).force, f);
     return true;
   }
-  void add_tangent(const Segment& segment, const Rule& rule, Tangent, double* values) const override {
-    for_each_block(segment, rule, [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); });
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override {
+    for_each_block(segment, rule, kind, [&](const PairBlock& block) { add_to_matrix<D>(block, pattern_, values); });
   }
   std::unique_ptr<TangentAction> create_action() const override {
-    return std::make_unique<PairAction<D>>([this](const Segment& segment, const Rule& rule, Tangent,
-                                                  const auto& visit) { for_each_block(segment, rule, visit); });
+    return std::make_unique<PairAction<D>>([this](const Segment& segment, const Rule& rule, Tangent kind,
+                                                  const auto& visit) { for_each_block(segment, rule, kind, visit); });
   }
 
   /// Throws InputError for smoothed friction, whose stiffness follows from the length of the step.
@@ -53,11 +54,11 @@ class PairFriction final : public FrictionInteraction {
     const Friction& friction = slip_.friction().friction();
     if (friction.type == FrictionType::Smoothed)
       throw InputError("smoothed friction has no longest stable step; use an implicit scheme");
-    Small<double, D> spring{};
-    for (std::size_t i = 0; i < D; ++i) spring[i][i] = friction.stiffness;
+    SlipResponse<double, D> spring;
+    for (std::size_t i = 0; i < D; ++i) spring.stiffness[i][i] = friction.stiffness;
     for (const Point& point : slip_.near(segment.to)) {
       begin_block(point);
-      slip_.add_stiffness(point, spring, block_.k);
+      slip_.add_stiffness(point, point.map.moduli(spring, {}, SlipKind::At, Tangent::Convex), block_.k);
       ixos::add_row_sums<D>(block_, sums);
     }
     return true;
@@ -80,12 +81,7 @@ class PairFriction final : public FrictionInteraction {
     if (!slip_.in_step()) return 0;  // the traction is constant
     return sum(u, [&](const Point& point) {
       const double stiffness = slip_.step(point).acting_stiffness(slip_.slip(point, u));
-      double square = 0;
-      for (std::size_t a = 0; a < point.nodes.size(); ++a) {
-        const double* const own = u + D * static_cast<std::size_t>(point.nodes[a]);
-        for (std::size_t i = 0; i < D; ++i)
-          for (std::size_t j = 0; j < D; ++j) square += std::pow(point.slips[a][i][j] * own[j], 2);
-      }
+      const double square = point.map.squares(point.nodes, u);
       return slip_.points().measure(point.contact) * stiffness * stiffness * square;  // sum() has the other measure
     });
   }
@@ -93,7 +89,8 @@ class PairFriction final : public FrictionInteraction {
   void report(const double* u, InteractionReport& report) const override {
     report.force.resize(D, 0.0);
     sum(u, [&](const Point& point) {
-      const Vec<D> traction = respond<SlipPart::Traction>(point, {nullptr, nullptr, u}, end_rule()).traction;
+      const Vec<D> traction = PatchSlip<D>::on_point(
+          respond<SlipPart::Traction>(point, {nullptr, nullptr, u}, end_rule(), Tangent::Exact).force);
       for (std::size_t i = 0; i < D; ++i) report.force[i] -= slip_.points().measure(point.contact) * traction[i];
       return 0.0;
     });
@@ -149,7 +146,7 @@ class PairFriction final : public FrictionInteraction {
   }
 
   /// Calls visit(block) for each pair of patches with points that friction acts on.
-  void for_each_block(const Segment& segment, const Rule& rule,
+  void for_each_block(const Segment& segment, const Rule& rule, Tangent kind,
                       const std::function<void(const PairBlock&)>& visit) const {
     bool any = false;
     for (const Point& point : slip_.acting(segment.to)) {
@@ -158,30 +155,40 @@ class PairFriction final : public FrictionInteraction {
         begin_block(point);
         any = true;
       }
-      slip_.add_stiffness(point, respond<SlipPart::All>(point, segment, rule).stiffness, block_.k);
+      slip_.add_stiffness(point, respond<SlipPart::All>(point, segment, rule, kind).moduli, block_.k);
     }
     if (any) visit(block_);
   }
 
-  /// Returns traction and stiffness by the rule that friction follows.
+  /// The force of a point by its Motion, and the derivative.
+  struct Response {
+    Motion force{};
+    Moduli moduli{};
+  };
+
+  /// Returns the response by the rule that friction follows.
   template <SlipPart part>
-  Response respond(const Point& point, const Segment& segment, const Rule& asked) const {
+  Response respond(const Point& point, const Segment& segment, const Rule& asked, Tangent tangent) const {
     const Rule& rule = followed(asked);
     Response result;
     const auto step = slip_.step(point);
-    const auto add = [&](const Vec<D>& slip, SlipKind kind, double weight, double slope_weight) {
-      Response here{point.traction, {}, {}};
-      if (slip_.in_step()) here = step.template respond<part>(slip, point.plane, kind);
-      result.traction = result.traction + weight * here.traction;
-      for (std::size_t i = 0; i < D; ++i) result.stiffness[i] = result.stiffness[i] + slope_weight * here.stiffness[i];
+    const auto add = [&](const Motion& motion, SlipKind kind, double weight, double slope_weight) {
+      const Motion change = slip_.change(point, motion);
+      SlipResponse<double, D> here{point.traction, {}, {}};
+      if (slip_.in_step()) here = step.template respond<part>(point.map.slip(change), point.map.plane(), kind);
+      result.force = result.force + weight * point.map.force(here.traction, change, kind);
+      if constexpr (part == SlipPart::All) {
+        const Moduli moduli = point.map.moduli(here, change, kind, tangent);
+        for (std::size_t i = 0; i < moduli.size(); ++i) result.moduli[i] = result.moduli[i] + slope_weight * moduli[i];
+      }
     };
-    const Vec<D> to = slip_.relative(point, segment.to);
-    if (rule.mean != Mean::Points) add(to - point.start, SlipKind::Mean, 1, 1);
+    const Motion to = slip_.motion(point, segment.to);
+    if (rule.mean != Mean::Points) add(to, SlipKind::Mean, 1, 1);
     for (const RulePoint& at : rule.points) {
-      Vec<D> moved = at.to * to;
-      if (at.from != 0) moved = moved + at.from * slip_.relative(point, segment.from);
-      if (at.velocity != 0) moved = moved + at.velocity * slip_.relative(point, segment.velocity);
-      add(moved - point.start, SlipKind::At, at.weight, at.weight * at.to);
+      Motion moved = at.to * to;
+      if (at.from != 0) moved = moved + at.from * slip_.motion(point, segment.from);
+      if (at.velocity != 0) moved = moved + at.velocity * slip_.motion(point, segment.velocity);
+      add(moved, SlipKind::At, at.weight, at.weight * at.to);
     }
     return result;
   }

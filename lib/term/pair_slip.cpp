@@ -1,8 +1,8 @@
 #include "term/pair_slip.hpp"
 
 #include <algorithm>
-#include <boost/container/static_vector.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/vector3.hpp"
@@ -18,14 +18,26 @@ double reach(const Friction& friction, double cutoff, double range) {
   return std::min(range, fades ? cutoff + 40 / friction.sharpness : cutoff);
 }
 
-/// Orthonormal vectors that go along with a patch: its first tangent's direction, in space one across it, the normal.
+/// Orthonormal vectors at two places of a patch, which its rotation maps onto each other.
 template <std::size_t D>
-Small<double, D> triad(const typename PlacedPatch<D>::Frame& frame) {
-  const Vec<D> along = 1 / length(frame.tangents[0]) * frame.tangents[0], normal = PlacedPatch<D>::normal(frame);
-  if constexpr (D == 2)
-    return {along, normal};
-  else
-    return {along, cross(normal, along), normal};
+using Triads = std::array<Small<double, D>, 2>;
+
+Small<double, 2> triad(const PlacedPatch<2>::Frame& frame) {
+  return {1 / length(frame.tangents[0]) * frame.tangents[0], PlacedPatch<2>::normal(frame)};
+}
+Triads<2> triads(const PlacedPatch<2>::Frame& from, const PlacedPatch<2>::Frame& to) {
+  return {triad(from), triad(to)};
+}
+/// The rotation is the polar factor of the linear map of the tangents and the normal.
+Triads<3> triads(const PlacedPatch<3>::Frame& from, const PlacedPatch<3>::Frame& to) {
+  const Vec<3>&x = from.tangents[0], &y = from.tangents[1];
+  const Vec<3> along = 1 / length(x) * x, normal = PlacedPatch<3>::normal(from), across = cross(normal, along);
+  // The map takes `along` to a and `across` to b.
+  const Vec<3> a = 1 / length(x) * to.tangents[0], b = 1 / inner(y, across) * (to.tangents[1] - inner(y, along) * a);
+  const Vec<3> end_normal = PlacedPatch<3>::normal(to), sum = a - cross(end_normal, b);
+  const Vec<3> end_along = 1 / length(sum) * sum;
+  const Small<double, 3> start{along, across, normal}, end{end_along, cross(end_normal, end_along), end_normal};
+  return {start, end};
 }
 
 template <std::size_t D>
@@ -35,38 +47,11 @@ Vec<D> turned(const Vec<D>& vector, const Small<double, D>& from, const Small<do
   return result;
 }
 
-/// By node of a patch.
-template <std::size_t D>
-using Turns = boost::container::static_vector<Small<double, D>, SurfacePatch<D>::most>;
-
-/// Returns a turned by a right angle.
-Vec<2> across(const Vec<2>& a) { return {-a[1], a[0]}; }
-
-/// Returns, by node of a patch, the derivative of -g w x n by its displacement, with the rotation w of the patch at the
-/// foot.
-Turns<2> turns(const SurfacePatch<2>& patch, const SurfaceFoot<2>& foot) {
-  const auto slopes = patch.shape(foot.xi).slopes;
-  const Vec<2>& x = foot.frame.tangents[0];
-  const Vec<2> way = -foot.gap / inner(x, x) * across(foot.normal), along = across(x);
-  Turns<2> result(patch.count);
-  for (std::size_t a = 0; a < patch.count; ++a)
-    for (std::size_t i = 0; i < 2; ++i) result[a][i] = slopes[0][a] * way[i] * along;
-  return result;
-}
-Turns<3> turns(const SurfacePatch<3>& patch, const SurfaceFoot<3>& foot) {
-  const auto slopes = patch.shape(foot.xi).slopes;
-  const Vec<3>&x = foot.frame.tangents[0], &y = foot.frame.tangents[1], &n = foot.normal;
-  const double xx = inner(x, x), xy = inner(x, y), yy = inner(y, y), det = xx * yy - xy * xy;
-  const Vec<3> m = PlacedPatch<3>::normal(foot.frame);
-  const std::array<Vec<3>, 2> c{cross(m, 1 / det * (yy * x - xy * y)), cross(m, 1 / det * (xx * y - xy * x))};
-  Turns<3> result(patch.count);
-  for (std::size_t a = 0; a < patch.count; ++a) {
-    const Vec<3> r = slopes[0][a] * c[0] + slopes[1][a] * c[1];
-    // g n x w, w = (m . r/2) - r (m .)
-    const Vec<3> by_r = foot.gap / 2 * cross(n, m), by_m = -foot.gap * cross(n, r);
-    for (std::size_t i = 0; i < 3; ++i) result[a][i] = by_r[i] * r + by_m[i] * m;
-  }
-  return result;
+/// Returns whether two patches have a node in common.
+bool meet(const SurfacePatch<3>& a, const SurfacePatch<3>& b) {
+  const auto end = b.nodes.begin() + static_cast<std::ptrdiff_t>(b.count);
+  return std::any_of(a.nodes.begin(), a.nodes.begin() + static_cast<std::ptrdiff_t>(a.count),
+                     [&](int node) { return std::find(b.nodes.begin(), end, node) != end; });
 }
 
 }  // namespace
@@ -115,24 +100,35 @@ std::shared_ptr<const typename PairPoints<D>::Times> PairSlip<D>::contacts(const
 }
 
 template <std::size_t D>
-void PairSlip<D>::set(const typename PairPoints<D>::Contact& contact, Point& point) const {
-  const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
-  const Vec<D>& n = contact.foot.normal;
+SurfaceFoot<D> PairSlip<D>::foot_of(const typename PairPoints<D>::Contacts& at,
+                                    const typename PairPoints<D>::Contact& contact) const {
+  const SurfaceFoot<D>& foot = contact.foot;
+  if constexpr (D == 3) {
+    if (!foot.fixed[0] && !foot.fixed[1]) return foot;
+    const auto& patches = points_.primary().patches;
+    const double farthest = std::abs(foot.gap) + 1e-10 * length(foot.frame.tangents[0]);
+    for (const int other : at.candidates(contact)) {
+      if (other >= foot.patch) break;
+      if (!meet(patches[static_cast<std::size_t>(other)], patches[static_cast<std::size_t>(foot.patch)])) continue;
+      FootGuess<D> guess;
+      guess.patch = other;
+      const SurfaceFoot<D> own = at.primary->nearest_on(guess, contact.place, std::numeric_limits<double>::infinity());
+      if (std::abs(own.gap) <= farthest) return own;
+    }
+  }
+  return foot;
+}
+
+template <std::size_t D>
+void PairSlip<D>::set(const typename PairPoints<D>::Contacts& at, const typename PairPoints<D>::Contact& contact,
+                      Point& point) const {
   point.contact = contact;
-  const auto nodes = points_.nodes_of(contact);
+  point.contact.foot = foot_of(at, contact);
+  const SurfaceFoot<D>& foot = point.contact.foot;
+  const auto nodes = points_.nodes_of(point.contact);
   point.nodes.assign(nodes.begin(), nodes.end());
-  point.slips.clear();
-  for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t j = 0; j < D; ++j) point.plane[i][j] = (i == j ? 1.0 : 0.0) - n[i] * n[j];
-  const auto add = [&](double weight, Small<double, D> slip) {
-    for (std::size_t i = 0; i < D; ++i) slip[i] = slip[i] + weight * point.plane[i];
-    point.slips.push_back(slip);
-  };
-  for (std::size_t a = 0; a < points_.secondary().patches[contact.patch].count; ++a)
-    add(points_.weights(contact)[a], {});
-  const auto weights = patch.weights(contact.foot.xi);
-  const auto turned = turns(patch, contact.foot);
-  for (std::size_t a = 0; a < patch.count; ++a) add(-weights[a], turned[a]);
+  point.map.set(points_.weights(contact), points_.secondary().patches[contact.patch].count, contact.place,
+                points_.primary().patches[static_cast<std::size_t>(foot.patch)], foot);
   point.traction = stored_traction(contact);
   point.threshold = friction_.threshold_at(contact.foot.gap);
 }
@@ -146,7 +142,7 @@ const typename PairSlip<D>::Points& PairSlip<D>::near(const double* u) const {
     const Vec<D> kept = stored_traction(contact);
     if (friction_.threshold_at(contact.foot.gap) > 0 || inner(kept, kept) > 0) {
       if (used == near_.size()) near_.emplace_back();
-      set(contact, near_[used++]);
+      set(times->front(), contact, near_[used++]);
     }
   }
   near_.resize(used);
@@ -157,47 +153,9 @@ template <std::size_t D>
 void PairSlip<D>::begin(const double* u, double length) {
   near(u);
   acting_.swap(near_);
-  for (Point& point : acting_) point.start = relative(point, u);
+  for (Point& point : acting_) point.start = motion(point, u);
   set_length(length);
   in_step_ = true;
-}
-
-template <std::size_t D>
-Vec<D> PairSlip<D>::relative(const Point& point, const double* u) const {
-  Vec<D> result{};
-  for (std::size_t a = 0; a < point.nodes.size(); ++a) {
-    const double* const own = u + D * static_cast<std::size_t>(point.nodes[a]);
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) result[i] += point.slips[a][i][j] * own[j];
-  }
-  return result;
-}
-
-template <std::size_t D>
-void PairSlip<D>::add_force(const Point& point, const Vec<D>& traction, double* f) const {
-  const Vec<D> force = points_.measure(point.contact) * traction;
-  for (std::size_t a = 0; a < point.nodes.size(); ++a) {
-    double* const at = f + D * static_cast<std::size_t>(point.nodes[a]);
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) at[j] += point.slips[a][i][j] * force[i];
-  }
-}
-
-/// With the slip's derivatives B_a by node, the matrix is B_a^T C B_b.
-template <std::size_t D>
-void PairSlip<D>::add_stiffness(const Point& point, const Small<double, D>& stiffness, std::vector<double>& k) const {
-  const std::size_t count = point.nodes.size(), size = D * count;
-  const double w = points_.measure(point.contact);
-  boost::container::static_vector<Small<double, D>, PairGap<D>::most> forces(count);
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t l = 0; l < D; ++l) forces[a][i] = forces[a][i] + w * stiffness[i][l] * point.slips[a][l];
-  for (std::size_t r = 0; r < size; ++r)
-    for (std::size_t c = 0; c < size; ++c) {
-      double sum = 0;
-      for (std::size_t l = 0; l < D; ++l) sum += point.slips[r / D][l][r % D] * forces[c / D][l][c % D];
-      k[r * size + c] += sum;
-    }
 }
 
 /// The traction goes along with the primary surface, then with the tangent plane from the first foot to the last one.
@@ -214,8 +172,8 @@ double PairSlip<D>::accept(const double* u) {
     const double threshold = has_foot ? friction_.threshold_at(now->foot.gap) : 0.0;
     const auto left = step(point).end(slip(point, u), threshold);
     const SurfacePatch<D>& patch = points_.primary().patches[static_cast<std::size_t>(contact.foot.patch)];
-    const auto from = triad<D>(contact.foot.frame),
-               to = triad<D>(patch.placed(patch.among(end.places.primary)).frame(contact.foot.xi));
+    const auto [from, to] =
+        triads(contact.foot.frame, patch.placed(patch.among(end.places.primary)).frame(contact.foot.xi));
     const Vec<D> normal = turned<D>(contact.foot.normal, from, to);
     const Vec<D> traction = carried(turned<D>(left.traction, from, to), normal, has_foot ? now->foot.normal : normal);
     for (std::size_t i = 0; i < D; ++i) store(contact.patch, contact.point, i, traction[i]);

@@ -6,34 +6,34 @@
 #include "discretization/point_data.hpp"
 #include "interaction/friction_step.hpp"
 #include "term/pair_points.hpp"
+#include "term/patch_slip.hpp"
 
 namespace ixos {
 
 /// The points of a pair, the friction law, and what each point stores: the traction that resists its slip [E0], and the
 /// numbers of FrictionNumber.
 ///
-/// A step's slip is a linear function of the nodes' displacements since its start. With the normal n, the gap g, the
-/// weights S of the relative position, and the primary surface's tangents x_k, dual vectors x^k and normal m at the
-/// foot, all of the start,
+/// The slip of a step is a function of the displacement alone, see PatchSlip, and so is the potential. The sum of the
+/// forces vanishes. In the plane their moment about the places of the start vanishes. In space the moment of the forces
+/// at a point in time vanishes about the places there.
 ///
-///   slip = P (S du - g w x n),   P = I - n n^T,   w = sum of (m/2 c_k^T - c_k m^T) N_,k du,   c_k = m x x^k.
-///
-/// w is the rotation of the primary surface: a motion of both bodies as one is no slip. The potential of a step is
-/// therefore a function of the displacement alone, the forces are its gradient, their sum vanishes, and so does their
-/// moment about the places of the start.
+/// accept() carries the traction with the rotation of the primary surface at the foot. In space that is the rotation in
+/// the polar decomposition of the map of the tangents and the normal: neither the parameters of a patch nor the size of
+/// the step change it.
 ///
 /// Between steps, before begin() and after accept(), the traction is the stored one, at the feet of the displacement.
 /// All ranks have all points.
 template <std::size_t D>
 class PairSlip {
  public:
+  using Motion = typename PatchSlip<D>::Motion;
+  using Moduli = typename PatchSlip<D>::Moduli;
   /// A point that friction acts on.
   struct Point {
     typename PairPoints<D>::Contact contact;  ///< with the foot that the slip refers to
     std::vector<int> nodes;                   ///< local, of both surfaces
-    std::vector<Small<double, D>> slips;      ///< by node: the derivative of the slip by its displacement
-    Small<double, D> plane;                   ///< P
-    Vec<D> start{};                           ///< of the linear function, at the displacement of the step's start
+    PatchSlip<D> map;                         ///< the slip of displacements
+    Motion start{};                           ///< at the displacement of the step's start
     Vec<D> traction{};                        ///< at the start
     double threshold = 0;
   };
@@ -61,14 +61,19 @@ class PairSlip {
   /// Returns all points whose threshold at u is greater than zero, and those with a stored traction. They are valid
   /// until the next call.
   const Points& near(const double* u) const;
-  /// Returns the linear function of a local array of displacements.
-  Vec<D> relative(const Point& point, const double* u) const;
-  Vec<D> slip(const Point& point, const double* u) const { return relative(point, u) - point.start; }
+  Motion motion(const Point& point, const double* u) const { return point.map.motion(point.nodes, u); }
+  /// Returns the change since the step's start; zero between steps.
+  Motion change(const Point& point, const Motion& here) const { return in_step_ ? here - point.start : Motion{}; }
+  Vec<D> slip(const Point& point, const double* u) const { return point.map.slip(change(point, motion(point, u))); }
   Step step(const Point& point) const { return {friction_.friction(), creep_length_, point.traction, point.threshold}; }
-  /// Adds the force that a traction on the primary surface causes at the point's nodes, times the measure, to f.
-  void add_force(const Point& point, const Vec<D>& traction, double* f) const;
-  /// Adds the matrix of a stiffness d(traction)/d(slip), times the measure, to a block of the point's nodes.
-  void add_stiffness(const Point& point, const Small<double, D>& stiffness, std::vector<double>& k) const;
+  /// Adds a force of the point's PatchSlip, times the measure, to f.
+  void add_force(const Point& point, const Motion& force, double* f) const {
+    point.map.add_force(point.nodes, points_.measure(point.contact), force, f);
+  }
+  /// Adds the matrix of moduli, times the measure, to a block of the point's nodes.
+  void add_stiffness(const Point& point, const Moduli& moduli, std::vector<double>& k) const {
+    point.map.add_stiffness(points_.measure(point.contact), moduli, k);
+  }
 
   double number(std::size_t patch, std::size_t point, FrictionNumber number) const {
     return stored(patch, point, place_of(number));
@@ -81,8 +86,13 @@ class PairSlip {
   double stored(std::size_t patch, std::size_t point, std::size_t number) const;
   void store(std::size_t patch, std::size_t point, std::size_t number, double value);
   Vec<D> stored_traction(const typename PairPoints<D>::Contact& contact) const;
-  /// Sets everything but the start.
-  void set(const typename PairPoints<D>::Contact& contact, Point& point) const;
+  /// Sets everything but the start. `at`: the contacts that have this one.
+  void set(const typename PairPoints<D>::Contacts& at, const typename PairPoints<D>::Contact& contact,
+           Point& point) const;
+  /// Returns the foot of a contact. At a kink in space it is that on the first of the patches that meet there, so that
+  /// rounding errors do not choose between them.
+  SurfaceFoot<D> foot_of(const typename PairPoints<D>::Contacts& at,
+                         const typename PairPoints<D>::Contact& contact) const;
   /// Returns the contacts at u, as far as friction reaches.
   std::shared_ptr<const typename PairPoints<D>::Times> contacts(const double* u) const;
 

@@ -1,5 +1,6 @@
 #include "term/viscous_term.hpp"
 
+#include <memory>
 #include <stdexcept>
 
 #include "discretization/point_data.hpp"
@@ -11,6 +12,15 @@
 
 namespace ixos {
 namespace {
+
+/// Returns whether the row is a multiple of the change of the displacement since the step's start.
+bool is_difference(const Row& row) {
+  for (std::size_t j = 0; j < row.known.size(); ++j) {
+    const Row::Known& k = row.known[j];
+    if (k.v != 0 || k.a != 0 || (j > 0 && k.u != 0)) return false;
+  }
+  return true;
+}
 
 template <class Element>
 class ViscousTerm final : public Viscosity {
@@ -28,6 +38,7 @@ class ViscousTerm final : public Viscosity {
  public:
   ViscousTerm(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, const Hooke& law, int points)
       : law_(law),
+        block_(block),
         owned_dofs_(static_cast<std::size_t>(mesh.owned_nodes) * D),
         local_dofs_(static_cast<std::size_t>(mesh.nodes()) * D),
         cells_(mesh, block, pattern, points),
@@ -36,13 +47,18 @@ class ViscousTerm final : public Viscosity {
   bool is_gradient(RateForm form) const override { return form == RateForm::End; }
 
   void place(const Pattern& pattern) override { cells_.batches.place(pattern); }
-  void initialize(const KnownState&) override { dissipated_.clear(); }
+  void initialize(const KnownState&) override {
+    dissipated_.clear();
+    rates_.reset();
+    has_mean_rate_ = false;
+  }
 
   void begin_stage(const StageStart& start) override {
     form_ = start.rate_form;
     unknown_ = form_ == RateForm::End ? start.velocity->unknown : 1.0;
     inverse_dt_ = 1 / start.dt;
     end_weight_ = 1 - start.start_weight;
+    has_mean_rate_ = form_ == RateForm::End && start.length == start.dt && is_difference(*start.velocity);
     from_ = start.known.front().u;
     if (form_ == RateForm::End) freeze_strains(*start.velocity, start.known, start.dt);
     kept_.clear();
@@ -134,11 +150,20 @@ class ViscousTerm final : public Viscosity {
         dissipated_(b, q) += work;
         sum += cells_.owned[b] * cells_.geometry[b].points[q].weight * work;
       });
+    keep_rates(step.states.back().u);
     return total(sum);
   }
 
   bool has_state() const override { return true; }
-  void transfer(Record& record) override { dissipated_.transfer(record); }
+  void transfer(Record& record) override {
+    dissipated_.transfer(record);
+    bool keeps = rates_ != nullptr;
+    record.number("has a mean rate", keeps);
+    if (!keeps) return rates_.reset();
+    const Record::Section section(record, "mean rate");
+    create_rates();
+    rates_->transfer(record);
+  }
 
   void cell_dissipation(std::vector<double>& density) const override {
     density.resize(cells_.batches.cells());
@@ -158,7 +183,10 @@ class ViscousTerm final : public Viscosity {
       const Gradients displacement(cells_, b, u), velocity(cells_, b, v);
       const auto mean = mean_over_points(
           cells_.geometry[b].points, [](std::size_t q) { return q; },
-          [&](std::size_t q) { return viscous_cauchy_stress(law_, displacement(q), velocity(q)); });
+          [&](std::size_t q) {
+            return rates_ ? viscous_cauchy_stress_at(law_, displacement(q), kept_rate(b, q))
+                          : viscous_cauchy_stress(law_, displacement(q), velocity(q));
+          });
       for (std::size_t lane = 0; lane < cells_.batches.lanes(b); ++lane)
         for (std::size_t i = 0; i < mean.size(); ++i) stress[cells_.number(b, lane)][i] += mean[i][lane];
     }
@@ -239,6 +267,25 @@ class ViscousTerm final : public Viscosity {
     });
   }
 
+  void create_rates() {
+    if (!rates_) rates_ = std::make_unique<PointData>(block_, cells_.table.size(), G * G);
+  }
+  /// Keeps the rates of strain of the step that ends at u, if the force has their mean, for reports.
+  void keep_rates(const double* u) {
+    if (!has_mean_rate_) return rates_.reset();
+    create_rates();
+    for (std::size_t b = 0; b < cells_.size(); ++b)
+      for_each_point(b, u, [&](std::size_t q, const Point& point) {
+        const Matrix rate = point.rate();
+        for (std::size_t k = 0; k < G * G; ++k) (*rates_)(b, q, k) = rate[k / G][k % G];
+      });
+  }
+  Matrix kept_rate(std::size_t b, std::size_t q) const {
+    Matrix rate;
+    for (std::size_t k = 0; k < G * G; ++k) rate[k / G][k % G] = (*rates_)(b, q, k);
+    return rate;
+  }
+
   /// Returns P of a displacement gradient and that of its velocity.
   Matrix stress_at(const Matrix& h, const Matrix& g) const {
     const Matrix f = deformation_gradient(h);
@@ -268,10 +315,13 @@ class ViscousTerm final : public Viscosity {
       for (std::size_t j = 0; j < G; ++j) sum[i][j] += factor * a[i][j];
   }
 
-  Hooke law_;  ///< of rates of strain [E0 T0]
+  Hooke law_;                ///< of rates of strain [E0 T0]
+  const LocalBlock& block_;  ///< of the mesh
   std::size_t owned_dofs_, local_dofs_;
   BlockCells<Kernel> cells_;
-  PointData dissipated_;  ///< energy per reference volume [E0]
+  PointData dissipated_;              ///< energy per reference volume [E0]
+  std::unique_ptr<PointData> rates_;  ///< of Green's strain in the accepted step [1/T0]; null unless it is their mean
+  bool has_mean_rate_ = false;        ///< of the stage that began last
 
   RateForm form_ = RateForm::End;
   double unknown_ = 0, inverse_dt_ = 0, end_weight_ = 1;

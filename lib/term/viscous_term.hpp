@@ -17,11 +17,13 @@ class Viscosity : public RateTerm {
   /// Sets, for each local cell of the block, the mean density of the energy dissipated so far [E0].
   virtual void cell_dissipation(std::vector<double>& density) const = 0;
   /// Adds, for each local cell of the block, the mean viscous Cauchy stress J^-1 F S F^T of a displacement and a
-  /// velocity over the reference volume [E0].
+  /// velocity over the reference volume [E0]. After a step whose force has the mean rate of strain of the step
+  /// (Static), it takes that rate in place of the velocity's.
   virtual void add_cell_stress(const double* u, const double* v, std::vector<SymmetricTensor>& stress) const = 0;
 };
 
-/// Returns the Kelvin-Voigt viscosity of one block of Standard elements; `points` as for make_elastic_term().
+/// Returns the Kelvin-Voigt viscosity of one block of Standard elements; `points` as for make_elastic_term(). Mesh
+/// and block must outlive it.
 std::unique_ptr<Viscosity> make_viscous_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
                                              const Hooke& law, int points = 0);
 

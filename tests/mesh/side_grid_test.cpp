@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.hpp"
+#include "mesh/generators/shapes.hpp"
 #include "support/refusal.hpp"
 
 namespace ixos {
@@ -77,6 +80,29 @@ TEST(SideGridTest, RefusesThreeFacesAtAnEdgeAndOppositeDirections) {
   Sheet turned(2, 1);
   std::swap(turned.faces[1][1], turned.faces[1][3]);
   EXPECT_NE(test::refusal([&] { turned.grid(); }).find("opposite directions"), std::string::npos);
+}
+
+TEST(SideGridTest, CreasesThatEndInsideAreOpen) {
+  EXPECT_EQ(Sheet(3, 3, 0.7).grid().open_creases().count, 0);  // from rim to rim
+  // A ridge of the height 0.8 begins in the middle. The edge in front of it has faces with the normals (-0.8, -0.8, 2)
+  // and (0.8, -0.8, 2); it begins on flat ground, where all other edges are below 30 degrees.
+  Sheet roof(4, 4);
+  for (const int j : {3, 4}) roof.x[static_cast<std::size_t>(roof.at(2, j))][2] = 0.8;
+  const SideGrid::OpenCreases open = roof.grid().open_creases();
+  EXPECT_EQ(open.count, 1);
+  EXPECT_NEAR(open.angle, std::acos(4 / 5.28), 1e-12);
+}
+
+/// The faces in the middle of the cube's edges have their middles at 30 degrees from each other, and meet at more.
+TEST(SideGridTest, OnlyCoarseBallsHaveOpenCreases) {
+  for (const int divisions : {2, 3, 4, 5}) {
+    BallShape shape;
+    shape.core_divisions = divisions;
+    shape.rings = 1;
+    const Mesh mesh = ball(shape);
+    // With two divisions all edges are creases, so that none of them ends.
+    EXPECT_EQ(open_creases(mesh, mesh.side_sets.front()).count, divisions == 3 ? 12 : 0) << divisions;
+  }
 }
 
 }  // namespace

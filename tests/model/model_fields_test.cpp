@@ -100,6 +100,36 @@ TEST(ModelFieldsTest, TheTraceOfTheStressIsTheFirstInvariant) {
     }
 }
 
+TEST(ModelFieldsTest, TheFirstInvariantHasTheStressOfViscosityAndBranches) {
+  for (int dimension : {2, 3})
+    for (const bool viscous : {false, true})
+      for (Formulation formulation : {Formulation::Standard, Formulation::MeanDilatation}) {
+        if (viscous && formulation != Formulation::Standard) continue;  // not offered
+        Material material = elastic(neo_hooke, nu);
+        material.formulation = formulation;
+        if (viscous)
+          material.viscosity = 0.4;
+        else
+          material.branches = {{0.5, 0.1}, {0.2, 3}};
+        const auto model = model_of(block(dimension), material, Inertia::Consistent);
+        const std::vector<double> u = noise(*model, 0.03), v = stretched(*model, 0.2);
+        const auto stress = model->cell_stress(u.data(), v.data());
+        const std::vector<double> invariant = model->cell_fields(u.data(), v.data())[0].stress_invariant,
+                                  elastic_part = model->cell_fields(u.data())[0].stress_invariant;
+        double most = 0;
+        for (std::size_t cell = 0; cell < invariant.size(); ++cell) {
+          EXPECT_NEAR(stress[0][cell][0] + stress[0][cell][1] + stress[0][cell][2], invariant[cell], 1e-14);
+          most = std::max(most, std::abs(invariant[cell] - elastic_part[cell]));
+        }
+        // The stress of branches has no trace.
+        if (viscous) {
+          EXPECT_GT(model->space().maximum(most), 1e-2);
+        } else {
+          EXPECT_LT(model->space().maximum(most), 1e-14);
+        }
+      }
+}
+
 constexpr ContactElement elements[] = {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C3,
                                        ContactElement::Q1C4, ContactElement::Q1CH, ContactElement::Q2C2,
                                        ContactElement::Q2C4};

@@ -55,6 +55,31 @@ TEST(AsymmetryTest, OnlyAnObstacleThatTurnsIsCalledMoved) {
   EXPECT_EQ(moved(wall, word("Rotation", "Way")), "the exact mean before the moved obstacle of Interactions/Wall");
 }
 
+/// Two boxes that rub on each other.
+std::string rubbing(std::size_t dimension, const std::string& scheme) {
+  const auto box = [&](const std::string& name, double lower) {
+    std::vector<double> corner(dimension, 0.0);
+    corner.back() = lower;
+    return list(name,
+                word("Type", "Box") +
+                    list("Box", test::count("Dimension", static_cast<int>(dimension)) + test::numbers("Lower", corner) +
+                                    test::numbers("Lengths", std::vector<double>(dimension, 1.0)) +
+                                    test::counts("Divisions", std::vector<int>(dimension, 1))));
+  };
+  return list("Mesh", word("Type", "Parts") + list("Parts", box("low", -1.26) + box("high", 0))) +
+         list("Materials", list("Low", word("Block", "low_body")) + list("High", word("Block", "high_body"))) +
+         list("Interactions",
+              list("Pair", word("Side Set", "high_bottom") + word("Primary Side Set", "low_top") +
+                               list("Friction", word("Type", "Constant Stress") + test::number("Stress", 0.02)))) +
+         test::time_integrator(scheme, 0.1, 1);
+}
+
+TEST(AsymmetryTest, TheMeanFrictionBetweenBodiesIsNamedInSpace) {
+  EXPECT_EQ(cause(rubbing(2, "Average Vector Field")), "");
+  EXPECT_EQ(cause(rubbing(3, "Newmark")), "");
+  EXPECT_EQ(cause(rubbing(3, "Average Vector Field")), "the mean friction between the bodies of Interactions/Pair");
+}
+
 TEST(LinearSolverCheckTest, SolversOfSymmetricMatricesAreRefusedForUnsymmetricTangents) {
   const struct {
     std::string scene, cause;

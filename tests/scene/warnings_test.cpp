@@ -348,6 +348,19 @@ TEST(WarningsTest, PointsThatDoNotResolveTheGap) {
                  "use faces of at most 0.54 L0");
 }
 
+/// Twelve edges in the middles of those of the cube meet at 33.2 degrees on balls of 54 faces, none at more than 30 on
+/// balls of 96.
+TEST(WarningsTest, ASplineOverFacesThatAreTooLarge) {
+  const std::string left = "Mesh/Parts/left/Ball/Core Divisions=", right = "Mesh/Parts/right/Ball/Core Divisions=";
+  const std::string spline = "Interactions/Contact/Smoothing=Spline";
+  for (const auto& [coarse, set] : {std::pair{left, "left_surface"}, std::pair{right, "right_surface"}})
+    expect_warning(
+        "two-spheres.xml", {left + "4", right + "4", coarse + "3", spline}, "coarse spline",
+        std::string("12 edges of the surface \"") + set + "\" end inside it, but their faces meet at up to 33.2");
+  for (const Assignments& sound : {Assignments{left + "4", right + "4", spline}, Assignments{left + "3", right + "3"}})
+    EXPECT_EQ(all_of("two-spheres.xml", sound).find("coarse spline"), std::string::npos);
+}
+
 /// A traction on the block's upper side.
 Assignments pressed(const std::string& vector) {
   const std::string press = "Boundary Conditions/Press/";

@@ -193,5 +193,42 @@ TEST(ViscosityTest, CreepUnderALoadIsExponential) {
   }
 }
 
+/// One cell with nu = 0, without inertia: the stress in the field is that of the force, P = E U + (1 + U) alpha E e/dt
+/// with the change e of Green's strain. A load holds it, or a motion drives it.
+TEST(ViscosityTest, StaticFieldsHaveTheRateOfTheForce) {
+  const double alpha = 0.5, load = 0.2, dt = 0.5;
+  for (const bool driven : {false, true}) {
+    SCOPED_TRACE(driven);
+    std::string body = with_viscosity(test::oscillator(), alpha);
+    const std::string conditions = "<ParameterList name=\"Boundary Conditions\">";
+    const std::string top = driven ? word("Node Set", "top") + word("Components", "y") + word("History", "Way")
+                                   : word("Type", "Traction") + word("Side Set", "top") + numbers("Vector", {0, load});
+    body.insert(body.find(conditions) + conditions.size(), list("Top", top));
+    if (driven) body += list("Histories", test::expression("Way", "0.2*t^2", "0.4*t", "0.4"));
+    const std::string motion = list("Initial Conditions", numbers("Velocity Gradient", {0, 0, 0, 1}));
+    body.replace(body.find(motion), motion.size(), "");
+    Simulation s(test::scene(body + test::time_integrator("Static", dt, 2)), world());
+    double before = 0;
+    for (int step = 1; step <= 3; ++step) {
+      ASSERT_TRUE(s.integrator().step(dt).converged);
+      const State& state = s.integrator().state();
+      const double now = test::gathered(s.model(), state.u).back();
+      const double viscous = (1 + now) * alpha * ((now - before) + (now * now - before * before) / 2) / dt;
+      before = now;
+      const auto stress = s.model().cell_stress(state.u.data(), state.v.data())[0];
+      const auto all = s.model().cell_fields(state.u.data(), state.v.data())[0].stress_invariant,
+                 elastic = s.model().cell_fields(state.u.data())[0].stress_invariant;
+      for (std::size_t cell = 0; cell < stress.size(); ++cell) {
+        EXPECT_NEAR(stress[cell][1], now + viscous, 1e-12);
+        EXPECT_NEAR(all[cell] - elastic[cell], viscous, 1e-12);
+        if (!driven) {
+          EXPECT_NEAR(stress[cell][1], load, 1e-8);
+        }
+      }
+      EXPECT_GT(std::abs(viscous), 1e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ixos
