@@ -4,6 +4,8 @@
 #include <mpi.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
 #include <csignal>
@@ -65,6 +67,13 @@ void check_restart(const ixos::Simulation& simulation, const std::string& file, 
   for (const std::string& note : restart.notes()) ixos::console::say("{}\n", ixos::printable(note));
 }
 
+/// Returns what --check says of a scene that can run.
+std::string verdict(std::size_t warnings) {
+  if (warnings == 0) return "The scene is sound.";
+  if (warnings == 1) return "The scene can run, but the warning above says what may be wrong with it.";
+  return fmt::format("The scene can run, but the {} warnings above say what may be wrong with it.", warnings);
+}
+
 int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   const bool speaks = ixos::speaks(arguments, comm);
   ixos::PlacedScene scene{{}, scene_folder(arguments)};
@@ -90,7 +99,8 @@ int run_scene(const Arguments& arguments, const ixos::Comm& comm) {
   if (arguments.check) {
     if (!arguments.restart.empty()) check_restart(simulation, arguments.restart, speaks);
     if (speaks) ixos::tell_sets_and_hints(simulation);
-    if (speaks) ixos::console::say("{}The scene is sound.\n", to_string(simulation.mesh_quality()));
+    if (speaks)
+      ixos::console::say("{}{}\n", to_string(simulation.mesh_quality()), verdict(simulation.warnings().size()));
     return 0;
   }
   const ixos::RunResult result = ixos::carry_out(simulation, arguments);

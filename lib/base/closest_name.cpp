@@ -41,7 +41,7 @@ std::vector<std::string> words(const std::string& name) {
 }
 
 /// Returns whether `name` abbreviates a candidate of several words: it consists of beginnings of all of them ("AVF",
-/// "gen-alpha") or of the first of them in full ("HHT").
+/// "gen-alpha"), of the first of them in full ("HHT"), or of another one of four letters or more ("Dugdale").
 bool abbreviates(const std::string& name, const std::string& candidate) {
   const std::vector<std::string> full = words(candidate);
   if (full.size() < 2) return false;
@@ -52,7 +52,7 @@ bool abbreviates(const std::string& name, const std::string& candidate) {
   spelt[0] = true;
   for (const std::string& word : full) {
     first += word;
-    if (first == letters) return true;
+    if (first == letters || (word == letters && word.size() >= 4)) return true;
     std::vector<bool> next(spelt.size(), false);
     for (std::size_t k = 0; k < letters.size(); ++k)
       for (std::size_t n = 0; spelt[k] && n < word.size() && k + n < letters.size() && letters[k + n] == word[n]; ++n)

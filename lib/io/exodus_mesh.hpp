@@ -8,13 +8,14 @@
 
 namespace ixos {
 
-/// Reads blocks of QUAD4 or HEX8, node sets and side sets. Blocks and sets without a name are called block_<id>,
-/// nodelist_<id> and surface_<id>. A file of three dimensions whose cells are QUAD4 in the plane z = 0 is a mesh of two
-/// dimensions. Blocks of lower dimension than the cells (points, lines, and quadrilaterals beside hexahedra) and nodes
-/// that no cell has are left out, with notes. Every rank may call it. Throws InputError, with the file and the fault,
-/// for a file that does not exist, is not Exodus, or is truncated or inconsistent: node or element numbers out of
-/// range, ids or names given twice, other element types. netCDF and HDF5 are not safe against malicious files: another
-/// process tries to read the file first.
+/// Reads blocks of QUAD4 (or SHELL4) or HEX8 and their quadratic counterparts, node sets and side sets. Blocks and sets
+/// without a name are called block_<id>, nodelist_<id> and surface_<id>; ids may have 64 bits. A file of three
+/// dimensions whose cells are quadrilaterals in the plane z = 0 is a mesh of two dimensions. Cells that are numbered as
+/// mirror images are turned, see turn_cells(). Blocks of lower dimension than the cells (points, lines, and
+/// quadrilaterals beside hexahedra) and nodes that no cell has are left out, with notes. Every rank may call it. Throws
+/// InputError, with the file and the fault, for a file that does not exist, is not Exodus, or is truncated or
+/// inconsistent: node or element numbers out of range, ids or names given twice, other element types, shells beside
+/// hexahedra. netCDF and HDF5 are not safe against malicious files: another process tries to read the file first.
 Mesh read_exodus_mesh(const std::string& path);
 
 /// Read as read_exodus_mesh() and read_exodus_field() do, without the trial in another process.

@@ -22,6 +22,7 @@
 #include "io/guarded.hpp"
 #include "io/hdf5_handle.hpp"
 #include "mesh/normalize.hpp"
+#include "mesh/turned_cells.hpp"
 #include "parameters/scene_node.hpp"
 
 namespace ixos {
@@ -57,6 +58,7 @@ class Reader {
  public:
   explicit Reader(const std::string& path) : file_(open_checked(path), path) {
     ex_set_max_name_length(file_, name_length);
+    ex_set_int64_status(file_, EX_IDS_INT64_API | EX_MAPS_INT64_API);  // ids and numbers of 64 bits
     require(ex_get_init_ext(file_, &header_), "the header");
     // Compression gains a factor of a few hundred at most; sizes beyond that are nonsense, not a reason to allocate.
     most_ = 10 * static_cast<int64_t>(std::filesystem::file_size(path));
@@ -66,9 +68,11 @@ class Reader {
     if (header_.num_dim != 2 && header_.num_dim != 3)
       refuse(path(), "has {} dimensions; 2 and 3 are allowed", header_.num_dim);
     if (header_.num_nodes < 1 || header_.num_elem < 1) refuse(path(), "has no nodes or no elements");
-    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8 || header_.num_nodes > most_ ||
-        header_.num_elem > most_)
+    if (header_.num_nodes > most_ || header_.num_elem > most_)
       refuse(path(), "is damaged: it claims {} nodes and {} elements", header_.num_nodes, header_.num_elem);
+    if (header_.num_nodes > INT_MAX / 3 || header_.num_elem > INT_MAX / 8)
+      refuse(path(), "has {} nodes and {} elements; up to {} nodes and {} elements are allowed", header_.num_nodes,
+             header_.num_elem, INT_MAX / 3, INT_MAX / 8);
     check_exodus_shapes(file_, header_, most_);
     mesh_.dimension = static_cast<int>(header_.num_dim);
     read_coordinates();
@@ -76,10 +80,11 @@ class Reader {
     read_blocks();
     read_node_sets();
     read_side_sets();
-    check_id_map(EX_NODE_MAP, header_.num_nodes, "node");
-    check_id_map(EX_ELEM_MAP, header_.num_elem, "element");
+    numbers(EX_NODE_MAP, header_.num_nodes, "node");
+    number_cells(numbers(EX_ELEM_MAP, header_.num_elem, "element"));
     node_ = drop_unused_nodes(mesh_);
-    if (mesh_.dimension > cell_dimension_) at(path(), [&] { flatten(mesh_); });
+    if (mesh_.dimension > cell_dimension_) flatten_faces();
+    turn_cells(mesh_);
     return std::move(mesh_);
   }
 
@@ -113,18 +118,18 @@ class Reader {
   }
 
   /// Returns the ids of all objects of a kind, each given once.
-  std::vector<int> ids(ex_entity_type type, int64_t count, const char* what) const {
+  std::vector<int64_t> ids(ex_entity_type type, int64_t count, const char* what) const {
     if (count > most_) refuse(path(), "is damaged: it claims {} {}s", count, what);
-    std::vector<int> result(static_cast<std::size_t>(std::max<int64_t>(count, 0)));
+    std::vector<int64_t> result(static_cast<std::size_t>(std::max<int64_t>(count, 0)));
     if (result.empty()) return result;
     require(ex_get_ids(file_, type, result.data()), what);
-    const std::set<int> distinct(result.begin(), result.end());
+    const std::set<int64_t> distinct(result.begin(), result.end());
     if (distinct.size() != result.size()) refuse(path(), "two {}s have the same id", what);
     return result;
   }
 
   /// Returns the object's name, or prefix_id; each name given once.
-  std::string name(ex_entity_type type, int id, const char* prefix, std::set<std::string>& taken) const {
+  std::string name(ex_entity_type type, int64_t id, const char* prefix, std::set<std::string>& taken) const {
     std::vector<char> text(name_length + 1, '\0');
     ex_get_name(file_, type, id, text.data());
     std::string result(text.data());
@@ -137,7 +142,7 @@ class Reader {
   void read_block_headers() {
     std::set<std::string> taken;
     int64_t cells = 0;
-    for (int id : ids(EX_ELEM_BLOCK, header_.num_elem_blk, "block")) {
+    for (const int64_t id : ids(EX_ELEM_BLOCK, header_.num_elem_blk, "block")) {
       ex_block block{};
       block.id = id;
       block.type = EX_ELEM_BLOCK;
@@ -160,6 +165,11 @@ class Reader {
     check_exodus_cells(file_, static_cast<int64_t>(blocks_.size()));
     for (const ExodusBlock& block : blocks_) {
       const bool kept = dimension_of(block, mesh_.dimension) >= cell_dimension_;
+      if (!kept && is_shell(block) && block.cells > 0)
+        refuse(path(),
+               "block \"{}\" has shells ({}) beside hexahedra, and Ixos has no shells: mesh this part with hexahedra, "
+               "or leave the block out of the file; surfaces on which something acts are side sets",
+               block.name, block.topology);
       ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};
       if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
       here.nodes = read_nodes(block);
@@ -190,7 +200,7 @@ class Reader {
   }
 
   /// Returns the entries of a set, and for side sets the side numbers.
-  std::vector<int> read_set(ex_entity_type type, int id, int64_t largest, const std::string& set_name,
+  std::vector<int> read_set(ex_entity_type type, int64_t id, int64_t largest, const std::string& set_name,
                             std::vector<int>* extra) {
     ex_set set{};
     set.id = id;
@@ -212,7 +222,7 @@ class Reader {
 
   void read_node_sets() {
     std::set<std::string> taken;
-    for (int id : ids(EX_NODE_SET, header_.num_node_sets, "node set")) {
+    for (const int64_t id : ids(EX_NODE_SET, header_.num_node_sets, "node set")) {
       NodeSet set{name(EX_NODE_SET, id, "nodelist", taken), {}};
       set.nodes = read_set(EX_NODE_SET, id, header_.num_nodes, set.name, nullptr);
       for (int& node : set.nodes) --node;
@@ -224,7 +234,7 @@ class Reader {
 
   void read_side_sets() {
     std::set<std::string> taken;
-    for (int id : ids(EX_SIDE_SET, header_.num_side_sets, "side set")) {
+    for (const int64_t id : ids(EX_SIDE_SET, header_.num_side_sets, "side set")) {
       SideSet set{name(EX_SIDE_SET, id, "surface", taken), {}};
       std::vector<int> sides;
       const std::vector<int> cells = read_set(EX_SIDE_SET, id, header_.num_elem, set.name, &sides);
@@ -238,22 +248,46 @@ class Reader {
           refuse(path(), "side set \"{}\" refers to element {} of block \"{}\", which is no cell of the mesh", set.name,
                  cell + 1, blocks_[place].name);
         const CellType type = mesh_.blocks[static_cast<std::size_t>(block)].type;
-        if (sides[i] < 1 || sides[i] > sides_per_cell(type))
-          refuse(path(), "side set \"{}\" refers to side {} of element {}", set.name, sides[i], cell + 1);
+        const int first = first_edge(blocks_[place], static_cast<int>(header_.num_dim));
+        if (sides[i] <= first || sides[i] > first + sides_per_cell(type))
+          refuse(path(), "side set \"{}\" refers to side {} of element {}; sides {} to {} are allowed", set.name,
+                 sides[i], cell + 1, first + 1, first + sides_per_cell(type));
         if (!distinct.insert({cell, sides[i]}).second)
           refuse(path(), "side set \"{}\" holds side {} of element {} twice", set.name, sides[i], cell + 1);
-        set.sides.push_back({block, static_cast<int>(cell - first_cell_[place]), sides[i] - 1});
+        set.sides.push_back({block, static_cast<int>(cell - first_cell_[place]), sides[i] - 1 - first});
       }
       mesh_.side_sets.push_back(std::move(set));
     }
   }
 
-  void check_id_map(ex_entity_type type, int64_t count, const char* what) const {
-    std::vector<int> numbers(static_cast<std::size_t>(count));
-    if (ex_get_id_map(file_, type, numbers.data()) < 0) return;
-    std::sort(numbers.begin(), numbers.end());
-    const auto twice = std::adjacent_find(numbers.begin(), numbers.end());
-    if (twice != numbers.end()) refuse(path(), "{} number {} is given twice", what, *twice);
+  /// Returns the numbers that the file gives its nodes or elements: 1, 2, ... without a map. Each is given once.
+  std::vector<int64_t> numbers(ex_entity_type type, int64_t count, const char* what) const {
+    std::vector<int64_t> result(static_cast<std::size_t>(count));
+    if (ex_get_id_map(file_, type, result.data()) < 0) return {};
+    std::vector<int64_t> sorted(result);
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end()) refuse(path(), "{} number {} is given twice", what, *twice);
+    return result;
+  }
+
+  void number_cells(const std::vector<int64_t>& given) {
+    for (std::size_t place = 0; place < blocks_.size() && !given.empty(); ++place) {
+      if (block_place_[place] < 0) continue;
+      const auto first = given.begin() + first_cell_[place];
+      mesh_.blocks[static_cast<std::size_t>(block_place_[place])].file_numbers.assign(first,
+                                                                                      first + blocks_[place].cells);
+    }
+  }
+
+  void flatten_faces() {
+    const bool shells = std::any_of(blocks_.begin(), blocks_.end(), is_shell);
+    try {
+      flatten(mesh_);
+    } catch (const InputError& error) {
+      refuse(path(), "{}{}", error.what(),
+             shells ? ". Ixos has no shells in space: mesh the volume of the body with hexahedra" : "");
+    }
   }
 
   ExodusHandle file_;

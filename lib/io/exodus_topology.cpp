@@ -12,6 +12,10 @@ bool begins(const std::string& text, const char* beginning) { return text.rfind(
 
 }  // namespace
 
+bool is_shell(const ExodusBlock& block) { return begins(block.topology, "SHELL"); }
+
+int first_edge(const ExodusBlock& block, int file_dimension) { return is_shell(block) && file_dimension == 3 ? 2 : 0; }
+
 int dimension_of(const ExodusBlock& block, int file_dimension) {
   for (const char* point : {"SPHERE", "CIRCLE", "POINT"})
     if (begins(block.topology, point)) return 0;
@@ -19,19 +23,22 @@ int dimension_of(const ExodusBlock& block, int file_dimension) {
     if (begins(block.topology, line)) return 1;
   for (const char* face : {"QUAD", "TRI"})
     if (begins(block.topology, face)) return 2;
+  // A shell of two nodes, or of three in the plane, is a line.
+  if (is_shell(block)) return block.nodes_per_cell < (file_dimension == 2 ? 4 : 3) ? 1 : 2;
   return file_dimension;
 }
 
 CellType cell_type_of(const ExodusBlock& block, int file_dimension) {
   const bool solid = begins(block.topology, "HEX") && file_dimension == 3;
-  if (begins(block.topology, "QUAD") && block.nodes_per_cell == 4) return CellType::Quad4;
-  if (begins(block.topology, "QUAD") && block.nodes_per_cell == 9) return CellType::Quad9;
+  const bool face = begins(block.topology, "QUAD") || is_shell(block);
+  if (face && block.nodes_per_cell == 4) return CellType::Quad4;
+  if (face && block.nodes_per_cell == 9) return CellType::Quad9;
   if (solid && block.nodes_per_cell == 8) return CellType::Hex8;
   if (solid && block.nodes_per_cell == 27) return CellType::Hex27;
   const int dimension = dimension_of(block, file_dimension);
   throw InputError(
-      fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4 and QUAD9 in 2, "
-                  "HEX8 and HEX27 in 3 are allowed. {}",
+      fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4, QUAD9, SHELL4 and "
+                  "SHELL9 in a plane, HEX8 and HEX27 in 3 dimensions are allowed. {}",
                   block.name, block.topology, block.nodes_per_cell, file_dimension,
                   recombining_recipe(dimension < 2 ? file_dimension : dimension)));
 }

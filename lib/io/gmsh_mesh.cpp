@@ -12,6 +12,7 @@
 #include "io/msh_file.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/normalize.hpp"
+#include "mesh/turned_cells.hpp"
 
 namespace ixos {
 namespace {
@@ -40,6 +41,7 @@ class Builder {
     add_node_sets();
     drop_unused_nodes(mesh_);
     if (dimension_ == 2) flatten_surfaces();
+    turn_cells(mesh_);
     return std::move(mesh_);
   }
 
@@ -126,6 +128,8 @@ class Builder {
         mesh_.blocks.push_back({name, dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}});
       std::vector<int>& nodes = mesh_.blocks[place].nodes;
       nodes.insert(nodes.end(), elements.nodes.begin(), elements.nodes.end());
+      std::vector<long long>& tags = mesh_.blocks[place].file_numbers;
+      tags.insert(tags.end(), elements.tags.begin(), elements.tags.end());
     };
     for (const auto& [group, members] : members_) {
       if (group.first != dimension_) continue;

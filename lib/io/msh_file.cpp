@@ -16,7 +16,9 @@ class Reader {
   explicit Reader(MshSource source) : source_(std::move(source)) { file_.length = source_.length(); }
 
   MshFile read() {
-    if (source_.next_section() != "MeshFormat") source_.refuse_file("is not a mesh of gmsh: it begins otherwise");
+    std::string first = source_.next_section();
+    for (; first == "Comments"; first = source_.next_section()) source_.skip_section();
+    if (first != "MeshFormat") source_.refuse_file("is not a mesh of gmsh: it begins otherwise");
     read_format();
     std::set<std::string> seen;
     for (std::string name = source_.next_section(); !name.empty(); name = source_.next_section()) {
@@ -175,10 +177,11 @@ class Reader {
     const auto nodes = static_cast<std::size_t>(type.nodes);
     const std::size_t count = source_.count("the number of elements of an entity", {0, 1 + nodes, 0});
     if (count > most) source_.refuse("the entities have more elements than $Elements claims");
-    MshElements elements{dimension, entity, number, {}};
+    MshElements elements{dimension, entity, number, {}, {}};
+    elements.tags.reserve(count);
     elements.nodes.reserve(count * nodes);
     for (std::size_t k = 0; k < count; ++k) {
-      source_.size("the tag of an element");
+      elements.tags.push_back(static_cast<long long>(source_.size("the tag of an element")));
       for (std::size_t a = 0; a < nodes; ++a) elements.nodes.push_back(read_node_of_element());
     }
     if (count > 0) file_.elements.push_back(std::move(elements));

@@ -14,8 +14,9 @@ namespace ixos {
 struct MshElements {
   int dimension;
   int entity;
-  int type;                ///< gmsh's number
-  std::vector<int> nodes;  ///< cells x nodes of the type: indices into the file's nodes
+  int type;                     ///< gmsh's number
+  std::vector<int> nodes;       ///< cells x nodes of the type: indices into the file's nodes
+  std::vector<long long> tags;  ///< of the cells
 };
 
 /// A physical group or an entity: dimension and tag.
@@ -40,8 +41,9 @@ struct MshType {
 MshType msh_type(int type);
 
 /// Reads ASCII and binary files of version 4.1. Other versions, other byte orders and partitioned meshes are refused.
-/// Sections that hold no mesh are skipped. The number of every list is compared with the length of the file before
-/// memory is allocated, and every node that an element names exists. Throws InputError, see MshSource.
+/// Sections that hold no mesh are skipped; comments may come first. The number of every list is compared with the
+/// length of the file before memory is allocated, and every node that an element names exists. Throws InputError, see
+/// MshSource.
 MshFile read_msh_file(MshSource source);
 
 }  // namespace ixos

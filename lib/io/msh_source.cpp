@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -27,9 +28,21 @@ std::string shortened(std::string_view word) {
   return std::string(word.substr(0, longest)) + (word.size() > longest ? "..." : "");
 }
 
+/// Returns the word without a plus sign before its first digit or its point, which std::from_chars does not know.
+std::string_view without_plus(std::string_view word) {
+  constexpr const char* begins = "0123456789.";
+  if (word.size() > 1 && word[0] == '+' && std::strchr(begins, word[1]) != nullptr) word.remove_prefix(1);
+  return word;
+}
+
 }  // namespace
 
 MshSource::MshSource(const std::string& path) : MshSource(path, contents(path)) {}
+
+MshSource::MshSource(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {
+  const std::string mark = "\xef\xbb\xbf";
+  if (bytes_.rfind(mark, 0) == 0) place_ = mark.size();
+}
 
 void MshSource::refuse_whole(const std::string& why) const { throw InputError(path_ + ": " + printable(why)); }
 
@@ -97,11 +110,11 @@ T MshSource::raw() {
 
 template <class T>
 T MshSource::parsed(const char* what, const char* kind) {
-  const std::string_view text = word(what);
+  const std::string_view whole = word(what), text = without_plus(whole);
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size())
-    refuse("{} is \"{}\"; {} is allowed", what, shortened(text), kind);
+    refuse("{} is \"{}\"; {} is allowed", what, shortened(whole), kind);
   return value;
 }
 

@@ -9,14 +9,15 @@
 
 namespace ixos {
 
-/// Reads numbers of a file of gmsh's format MSH 4.1, in ASCII or binary. Trusts nothing: whatever is not as the format
+/// Reads numbers of a file of gmsh's format MSH 4.1, in ASCII or binary. Lines may end as on Windows, numbers may have
+/// a plus sign. Trusts nothing: whatever is not as the format
 /// demands ends in an InputError that names the file, the line (ASCII) or byte (binary) and what was found.
 class MshSource {
  public:
   /// Reads the whole file. Throws InputError if it is no readable file.
   explicit MshSource(const std::string& path);
-  /// Reads bytes that are in memory; messages name `path`.
-  MshSource(std::string path, std::string bytes) : path_(std::move(path)), bytes_(std::move(bytes)) {}
+  /// Reads bytes that are in memory; messages name `path`. Skips the byte-order mark of UTF-8.
+  MshSource(std::string path, std::string bytes);
 
   std::size_t length() const { return bytes_.size(); }  ///< of the file [bytes]
 

@@ -23,6 +23,8 @@ struct ElementBlock {
   /// Bit k: edge k of the cells' contact sides, from its k-th corner to the next, is kept as it is: evaluate_tied().
   /// Its inner nodes do not exist; one of its ends stands in their places among the cells' nodes.
   unsigned tied = 0;
+  /// Empty, or per cell: the number that the mesh's file gives it. Messages name it beside the number in the block.
+  std::vector<long long> file_numbers{};
   int cells() const { return static_cast<int>(nodes.size()) / nodes_per_cell(type); }
 };
 

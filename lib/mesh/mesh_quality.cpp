@@ -9,6 +9,7 @@
 
 #include "base/small_matrix.hpp"
 #include "fem/jacobian.hpp"
+#include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
@@ -45,11 +46,12 @@ Small<double, D> jacobian_at(const std::array<double, D>& xi, const std::vector<
 }
 
 /// Returns the quality of a cell. `Corners`: the linear element of its corners; the columns of that element's Jacobian
-/// at a corner are half the edges there.
+/// at a corner are half the edges there. `revolved`: the volume is that of the ring which a plane cell sweeps.
 template <class Element, class Corners>
-CellQuality cell_quality(const std::vector<double>& coordinates, const int* nodes) {
+CellQuality cell_quality(const std::vector<double>& coordinates, const int* nodes, bool revolved) {
   constexpr std::size_t D = Element::dimension;
-  static const ShapeTable<Element> table;  // its points integrate the Jacobian of straight-sided cells exactly
+  // Its points integrate the Jacobian of straight-sided cells exactly, also with the radius as a factor.
+  static const ShapeTable<Element> table;
   std::array<double, Element::nodes> ones;
   ones.fill(1);
   CellQuality cell;
@@ -71,34 +73,21 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
   }
   if (D == 3) judge({});
   for (std::size_t q = 0; !std::is_same_v<Element, Corners> && q < table.size(); ++q) judge(table.point[q]);
-  for (std::size_t q = 0; q < table.size(); ++q)
-    cell.volume += table.weight[q] * determinant(jacobian<D>(coordinates, nodes, ones, table.gradient[q]));
+  for (std::size_t q = 0; q < table.size(); ++q) {
+    double measure = table.weight[q] * determinant(jacobian<D>(coordinates, nodes, ones, table.gradient[q]));
+    if constexpr (D == 2)
+      if (revolved) measure *= circumference(coordinates, nodes, ones, table.value[q]);
+    cell.volume += measure;
+  }
   return cell;
 }
 
 /// Returns the quality of a cell; that of an enriched one is the quality of its plain_type().
-CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, const int* nodes) {
-  if (plain_type(type) == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes);
-  if (plain_type(type) == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes);
-  return corner_type(type) == CellType::Hex8 ? cell_quality<Hex8, Hex8>(coordinates, nodes)
-                                             : cell_quality<Quad4, Quad4>(coordinates, nodes);
-}
-
-CellPlace place_of(const Mesh& mesh, const ElementBlock& block, int cell) {
-  CellPlace place{block.name, cell + 1, {}};
-  const auto d = static_cast<std::size_t>(mesh.dimension);
-  const int corners = nodes_per_cell(corner_type(block.type));
-  for (int a = 0; a < corners; ++a) {
-    const auto node = static_cast<std::size_t>(block.nodes[cell_entry(cell, nodes_per_cell(block.type), a)]);
-    for (std::size_t i = 0; i < d; ++i) place.centre[i] += mesh.coordinates[node * d + i] / corners;
-  }
-  return place;
-}
-
-std::string in_words(const CellPlace& place, int dimension) {
-  std::string centre = fmt::format("{:.6g}, {:.6g}", place.centre[0], place.centre[1]);
-  if (dimension == 3) centre += fmt::format(", {:.6g}", place.centre[2]);
-  return fmt::format("block \"{}\", cell {} at ({})", place.block, place.cell, centre);
+CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, const int* nodes, bool revolved) {
+  if (plain_type(type) == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes, revolved);
+  if (plain_type(type) == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes, revolved);
+  return corner_type(type) == CellType::Hex8 ? cell_quality<Hex8, Hex8>(coordinates, nodes, revolved)
+                                             : cell_quality<Quad4, Quad4>(coordinates, nodes, revolved);
 }
 
 }  // namespace
@@ -111,7 +100,7 @@ MeshQuality mesh_quality(const Mesh& mesh) {
   for (const ElementBlock& block : mesh.blocks)
     for (int c = 0; c < block.cells(); ++c) {
       const int* nodes = &block.nodes[cell_entry(c, nodes_per_cell(block.type))];
-      const CellQuality cell = cell_quality(block.type, mesh.coordinates, nodes);
+      const CellQuality cell = cell_quality(block.type, mesh.coordinates, nodes, mesh.axisymmetric);
       scaled.push_back(cell.scaled_jacobian);
       all.volume += cell.volume;
       if (cell.scaled_jacobian < all.least_scaled_jacobian) {
@@ -137,7 +126,7 @@ double least_scaled_jacobian(CellType type, const std::vector<int>& nodes, const
   const auto count = static_cast<std::size_t>(nodes_per_cell(type));
   double least = 1;
   for (std::size_t first = 0; first + count <= nodes.size(); first += count)
-    least = std::min(least, cell_quality(type, coordinates, &nodes[first]).scaled_jacobian);
+    least = std::min(least, cell_quality(type, coordinates, &nodes[first], false).scaled_jacobian);
   return least;
 }
 

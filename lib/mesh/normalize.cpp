@@ -12,12 +12,6 @@
 namespace ixos {
 namespace {
 
-/// Returns twice the signed area of a quadrilateral with nodes in the plane.
-double doubled_area(const std::vector<double>& coordinates, const int* nodes) {
-  const auto x = [&](int a, std::size_t i) { return coordinates[2 * static_cast<std::size_t>(nodes[a]) + i]; };
-  return (x(2, 0) - x(0, 0)) * (x(3, 1) - x(1, 1)) - (x(3, 0) - x(1, 0)) * (x(2, 1) - x(0, 1));
-}
-
 std::vector<double> plane_coordinates(const std::vector<double>& space) {
   if (space.empty()) return {};
   const auto [low, high] = std::minmax_element(space.begin(), space.end());
@@ -70,22 +64,6 @@ std::vector<int> drop_unused_nodes(Mesh& mesh) {
 void flatten(Mesh& mesh) {
   mesh.coordinates = plane_coordinates(mesh.coordinates);
   mesh.dimension = 2;
-  // A quadratic cell's edges from and to corner 0 change places, and so do the two others.
-  constexpr std::array<std::array<int, 2>, 3> swaps{{{1, 3}, {4, 7}, {5, 6}}};
-  std::vector<std::vector<bool>> turned;
-  for (ElementBlock& block : mesh.blocks) {
-    turned.emplace_back(static_cast<std::size_t>(block.cells()));
-    for (int cell = 0; cell < block.cells(); ++cell) {
-      int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
-      if (doubled_area(mesh.coordinates, nodes) >= 0) continue;
-      for (const auto& [a, b] : swaps)
-        if (a < nodes_per_cell(block.type) && b < nodes_per_cell(block.type)) std::swap(nodes[a], nodes[b]);
-      turned.back()[static_cast<std::size_t>(cell)] = true;
-    }
-  }
-  for (SideSet& set : mesh.side_sets)
-    for (Side& side : set.sides)
-      if (turned[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)]) side.side = 3 - side.side;
 }
 
 }  // namespace ixos

@@ -8,9 +8,8 @@ namespace ixos {
 /// the old number of each node.
 std::vector<int> drop_unused_nodes(Mesh& mesh);
 
-/// Turns a mesh of Quad4 or Quad9 cells with three coordinates into one of two dimensions. Such cells have no
-/// orientation of their own: those that run clockwise are turned, and the sides of side sets are renumbered. Throws
-/// InputError, with the place of a node, if the mesh does not lie in the plane z = 0 (to 1e-9 of its size).
+/// Turns a mesh of Quad4 or Quad9 cells with three coordinates into one of two dimensions. Throws InputError, with the
+/// place of a node, if the mesh does not lie in the plane z = 0 (to 1e-9 of its size).
 void flatten(Mesh& mesh);
 
 }  // namespace ixos

@@ -27,9 +27,9 @@ void check(const std::vector<double>& coordinates, const Block& block, const Nam
       const double det = determinant(jacobian<D>(coordinates, &block.nodes[cell_entry(cell, N)], scale, gradient));
       if (!(det > 0))
         throw InputError(
-            fmt::format("block \"{}\", {}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered "
-                        "counter-clockwise, in a hexahedron the bottom face first",
-                        block.name, name(cell), det));
+            fmt::format("{}: inverted or degenerate (Jacobian {:.3g}); its nodes must be ordered counter-clockwise, in "
+                        "a hexahedron the bottom face first",
+                        name(cell), det));
     }
   }
 }
@@ -40,8 +40,8 @@ void check_cells(const Mesh& mesh) {
   check_meridian(mesh);
   for (const ElementBlock& block : mesh.blocks)
     with_element(block.type, [&](auto element) {
-      check<typename decltype(element)::type>(mesh.coordinates, block,
-                                              [](int cell) { return fmt::format("cell {}", cell + 1); });
+      check<typename decltype(element)::type>(
+          mesh.coordinates, block, [&](int cell) { return in_words(place_of(mesh, block, cell), mesh.dimension); });
     });
 }
 
@@ -54,7 +54,8 @@ void check_cells(const LocalMesh& mesh) {
       for (int a = 0; a < n; ++a)
         nodes[static_cast<std::size_t>(a)] =
             mesh.program_id(static_cast<std::size_t>(block.nodes[cell_entry(cell, n, a)]));
-      return fmt::format("the cell with nodes {}", fmt::join(nodes, ", "));
+      return fmt::format("block \"{}\", the cell with nodes {} at {}", block.name, fmt::join(nodes, ", "),
+                         point_in_words(cell_centre(mesh, block, cell), mesh.dimension));
     };
     with_element(block.type,
                  [&](auto element) { check<typename decltype(element)::type>(mesh.coordinates, block, name); });

@@ -1,26 +1,19 @@
 /// Checks of a mesh before computation, and figures of its quality.
 #pragma once
-#include <array>
 #include <string>
 
+#include "mesh/cell_place.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/mesh.hpp"
 
 namespace ixos {
 
-/// Throws InputError, naming block and cell (from 1), if a cell's reference Jacobian is not positive at some corner
+/// Throws InputError, naming the place of the cell, if a cell's reference Jacobian is not positive at some corner
 /// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered. Throws also if check_meridian() does.
 void check_cells(const Mesh& mesh);
 
-/// Does the same with the cells of a rank's part, and names a cell by its nodes' program_id().
+/// Does the same with the cells of a rank's part, and names a cell by its nodes' program_id() and its centre.
 void check_cells(const LocalMesh& mesh);
-
-/// The place of a cell, as a message names it.
-struct CellPlace {
-  std::string block;
-  int cell = 0;                    ///< of the block, from 1
-  std::array<double, 3> centre{};  ///< mean of its corners [L0]
-};
 
 /// Figures of the whole mesh. They use the corners of linear cells only: the further nodes of enriched ones do not
 /// change their shape.
@@ -36,7 +29,7 @@ struct MeshQuality {
   double largest_aspect_ratio = 0;  ///< of a cell: its longest edge over its shortest, corner to corner
   CellPlace longest{};              ///< the cell with the largest aspect ratio
   int dimension = 2;
-  double volume = 0;  ///< area [L0^2] or volume [L0^3]
+  double volume = 0;  ///< area [L0^2]; in three dimensions and of a body of revolution volume [L0^3]
 };
 
 MeshQuality mesh_quality(const Mesh& mesh);

@@ -1,5 +1,6 @@
 /// Sets of sides and nodes chosen by their place.
 #pragma once
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,13 @@
 #include "mesh/region.hpp"
 
 namespace ixos {
+
+/// Returns the set of that name; null if there is none. `Set`: SideSet or NodeSet.
+template <class Set>
+const Set* find_set(const std::vector<Set>& sets, const std::string& name) {
+  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Set& set) { return set.name == name; });
+  return found == sets.end() ? nullptr : &*found;
+}
 
 /// Returns the side set of that name. Throws InputError that names the nearest one.
 const SideSet& side_set_named(const Mesh& mesh, const std::string& name);

@@ -15,6 +15,8 @@
 #include "run/run_files.hpp"
 #include "run/run_measures.hpp"
 #include "run/summary.hpp"
+#include "scene/steep_laws.hpp"
+#include "scene/supports.hpp"
 #include "time/step_judge.hpp"
 
 namespace ixos {
@@ -67,6 +69,7 @@ class Run {
   void checkpoint();
   bool watch_energy();
   void go_back();
+  std::string hints(const StepResult& step) const;
   std::string with_position(const std::string& message) const;
   void transfer(Record& record);
   void tell(const std::string& line) const {
@@ -176,7 +179,7 @@ void Run::step() {
   if (!step.converged) {
     ++result_.rejected_steps;
     if (step.crossed) measures_.crossed();
-    if (!control_.cut(dt)) fail(step.reason);
+    if (!control_.cut(dt)) fail(step.reason + hints(step));
     return;
   }
   if (times_.adaptive.on && !judge_step(integrator_, times_.adaptive, dt, control_)) {
@@ -184,7 +187,7 @@ void Run::step() {
     if (control_.exhausted(result_.reason)) result_.status = RunStatus::Diverged;
     return;
   }
-  if (watch_.on()) watch_.step(integrator_.table().interaction_points, [this] { return integrator_.gap_ratio(); });
+  if (watch_.on()) watch_.step(integrator_);
   integrator_.accept();
   control_.succeeded();
   ++result_.steps;
@@ -193,6 +196,16 @@ void Run::step() {
   measures_.step(result_.steps, dt);
   if (files_.recorded()) measures_.row(files_.history());
   if (!watch_energy()) observe(seconds);
+}
+
+/// Returns what of the scene may explain that the step failed, for its reason; empty if there is nothing.
+std::string Run::hints(const StepResult& step) const {
+  if (step.crossed) return "";
+  std::string text;
+  for (const Warning& warning : simulation_.warnings())
+    if (warning.name == support_warning && text.empty()) text = "; " + warning.message;
+  if (const std::string steep = steep_law_hint(simulation_.interactions()); !steep.empty()) text += "; " + steep;
+  return text;
 }
 
 /// Shows the accepted step to the caller.

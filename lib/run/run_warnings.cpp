@@ -1,9 +1,11 @@
 #include "run/run_warnings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace ixos {
 namespace {
@@ -11,26 +13,40 @@ namespace {
 using Facts = RunFacts;
 using Message = std::string;  ///< empty: nothing to warn of
 
+/// Returns the value in as many digits, at least those, as tell it from the limit that it passed.
+std::string beyond(double value, double limit, int digits = 3) {
+  while (digits < 17 && fmt::format("{:.{}g}", value, digits) == fmt::format("{:.{}g}", limit, digits)) ++digits;
+  return fmt::format("{:.{}g}", value, digits);
+}
+
 Message energy_error(const Facts& facts) {
   constexpr double limit = 0.05;
   const double share = facts.energy_error / facts.largest_energy;
   if (!facts.has_inertia || !(share > limit)) return "";
   return fmt::format(
-      "the scheme's energy error reached {:.3g}, {:.0f} % of the largest kinetic, elastic or interaction energy (limit "
+      "the scheme's energy error reached {:.3g}, {} % of the largest kinetic, elastic or interaction energy (limit "
       "{:.0f} %); reduce it with shorter steps or with a scheme that conserves energy (see --list-schemes)",
-      facts.energy_error, 100 * share, 100 * limit);
+      facts.energy_error, beyond(100 * share, 100 * limit), 100 * limit);
 }
 
 Message strains_beyond_mesh(const Facts& facts) {
   constexpr double least = 0.5, largest = 2, stress = 2;
   const StrainExtremes& s = facts.strains;
-  if (s.least_jacobian >= least && s.largest_jacobian <= largest && s.largest_invariant <= stress) return "";
+  std::vector<std::string> found;
+  if (!(s.least_jacobian >= least))
+    found.push_back(
+        fmt::format("cells were compressed to {} of their volume (limit {})", beyond(s.least_jacobian, least), least));
+  if (!(s.largest_jacobian <= largest))
+    found.push_back(fmt::format("cells were stretched to {} times their volume (limit {})",
+                                beyond(s.largest_jacobian, largest), largest));
+  if (!(s.largest_invariant <= stress))
+    found.push_back(
+        fmt::format("|tr(sigma)|/E of cells reached {} (limit {})", beyond(s.largest_invariant, stress), stress));
+  if (found.empty()) return "";
   return fmt::format(
-      "cells were compressed to {:.3g} of their volume and stretched to {:.3g} (limits {} and {}), their |tr(sigma)|/E "
-      "reached {:.3g} (limit {}): the mesh may not resolve such strains, and the elastic law may not hold for them; "
-      "use smaller cells, or check "
-      "the units of the law and of Young's modulus",
-      s.least_jacobian, s.largest_jacobian, least, largest, s.largest_invariant, stress);
+      "{}: the mesh may not resolve such strains, and the elastic law may not hold for them; use smaller cells, or "
+      "check the units of the law and of Young's modulus",
+      fmt::join(found, ", "));
 }
 
 Message distorted_cells(const Facts& facts) {
@@ -39,9 +55,9 @@ Message distorted_cells(const Facts& facts) {
   // A mesh that is bad from the beginning has had its warning.
   if (scaled >= limit || scaled >= 0.5 * facts.first_scaled_jacobian) return "";
   return fmt::format(
-      "the most deformed cell had a scaled Jacobian of {:.2g} at t = {:.6g} T0 (limit {}; {:.2g} before the run): the "
+      "the most deformed cell had a scaled Jacobian of {} at t = {:.6g} T0 (limit {}; {:.2g} before the run): the "
       "stresses there are not resolved; use smaller cells there, or check the units of the law and of Young's modulus",
-      scaled, facts.strains.time, limit, facts.first_scaled_jacobian);
+      beyond(scaled, limit, 2), facts.strains.time, limit, facts.first_scaled_jacobian);
 }
 
 Message crossed_obstacle(const Facts& facts) {
@@ -61,9 +77,9 @@ Message oscillating_force(const Facts& facts) {
   constexpr double limit = 0.06, faces = 8;
   if (!(facts.ripple.roughness > limit) || facts.ripple.faces < faces) return "";
   return fmt::format(
-      "{} oscillates by {:.2g} of its size from row to row (limit {}) while the front of the contact passes "
+      "{} oscillates by {} of its size from row to row (limit {}) while the front of the contact passes "
       "{:.0f} faces: the mesh does not resolve the front; use shorter faces or a richer Contact Element",
-      facts.ripple.column, facts.ripple.roughness, limit, facts.ripple.faces);
+      facts.ripple.column, beyond(facts.ripple.roughness, limit, 2), limit, facts.ripple.faces);
 }
 
 Message detachment_between_outputs(const Facts& facts) {
@@ -71,10 +87,10 @@ Message detachment_between_outputs(const Facts& facts) {
   const double fall = facts.fall.before - facts.fall.after;
   if (facts.face_measure == 0 || fall <= share * facts.largest_measure || fall < faces * facts.face_measure) return "";
   return fmt::format(
-      "the contact fell from {:.3g} to {:.3g} between two rows, from t = {:.6g} to {:.6g} T0, {:.0f} % of its largest "
+      "the contact fell from {:.3g} to {:.3g} between two rows, from t = {:.6g} to {:.6g} T0, {} % of its largest "
       "value (limit {:.0f} %): peaks in between are not recorded; use a smaller History Interval or Time Step",
-      facts.fall.before, facts.fall.after, facts.fall.from, facts.fall.to, 100 * fall / facts.largest_measure,
-      100 * share);
+      facts.fall.before, facts.fall.after, facts.fall.from, facts.fall.to,
+      beyond(100 * fall / facts.largest_measure, 100 * share), 100 * share);
 }
 
 Message jump_to_another_equilibrium(const Facts& facts) {

@@ -5,18 +5,13 @@
 #include <algorithm>
 
 #include "mesh/joined_parts.hpp"
+#include "mesh/selection.hpp"
 #include "mesh/soundness.hpp"
 #include "scene/mesh_parts.hpp"
 #include "scene/scene_mesh.hpp"
 
 namespace ixos {
 namespace {
-
-template <class Set>
-const Set* find(const std::vector<Set>& sets, const std::string& name) {
-  const auto found = std::find_if(sets.begin(), sets.end(), [&](const Set& set) { return set.name == name; });
-  return found == sets.end() ? nullptr : &*found;
-}
 
 /// Sets that a scene uses, checked, and the nodes that they hold.
 class Inspection {
@@ -27,7 +22,7 @@ class Inspection {
 
   /// `parameter`: the one that names the side set.
   void sides(const SceneNode& node, bool holds, const char* parameter = "Side Set") {
-    const SideSet* set = find(mesh_.side_sets, node.text(parameter));
+    const SideSet* set = find_set(mesh_.side_sets, node.text(parameter));
     if (set == nullptr) return;
     at(node.path_of(parameter), [&] {
       require_sides(*set);
@@ -40,7 +35,7 @@ class Inspection {
     }
   }
   void nodes(const SceneNode& node, bool holds) {
-    const NodeSet* set = find(mesh_.node_sets, node.text("Node Set"));
+    const NodeSet* set = find_set(mesh_.node_sets, node.text("Node Set"));
     if (set == nullptr) return;
     at(node.path_of("Node Set"), [&] { require_nodes(*set); });
     for (int number : set->nodes) hold(number, holds);

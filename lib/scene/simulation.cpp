@@ -32,6 +32,7 @@
 #include "scene/scene_facts.hpp"
 #include "scene/scene_mesh.hpp"
 #include "scene/scene_units.hpp"
+#include "scene/supports.hpp"
 #include "scene/symmetry.hpp"
 #include "scene/warnings.hpp"
 #include "solve/linear_solver_defaults.hpp"
@@ -185,6 +186,8 @@ void Simulation::build_model(const Comm& comm, const MakeMesh& make_mesh, const 
   facts.scales = Scales{units_.si("L0"), units_.si("E0"), units_.si("T0")};
   for (Warning& warning : scene_warnings(facts)) warnings_.push_back(std::move(warning));
   hints_ = scene_notes(facts);
+  if (inertia == Inertia::None)
+    for (Warning& found : missing_supports(scene, interactions_, mesh, parts)) warnings_.push_back(std::move(found));
   probes_ = find_probes(scene.sublist("Output").sublist("Probes"), *model_);
   const std::vector<std::string>& recorded = output_.reactions;
   for (const std::string& name : recorded) {

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "fem/row_on_states.hpp"
 #include "model/crossing.hpp"
+#include "model/edge_change.hpp"
 #include "time/compatibility.hpp"
 #include "time/displacement_error.hpp"
 #include "time/equilibrium.hpp"
@@ -274,6 +275,18 @@ double Integrator::error() {
 double Integrator::gap_ratio() const {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
   return model_.gap_ratio(states_.front().u.data(), states_.back().u.data());
+}
+
+double Integrator::edge_change() const {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  return ixos::edge_change(model_, states_.front().u.data(), states_.back().u.data());
+}
+
+double Integrator::unbalanced_work() const {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  const StageProblem& problem = solver(table_.stages.size() - 1).problem;
+  return ixos::unbalanced_work(model_, problem.convergence_bound(newton_.tolerance), problem.force_scale(),
+                               states_.front().u, states_.back().u);
 }
 
 void Integrator::set_interaction_points(int points) {

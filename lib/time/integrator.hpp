@@ -50,6 +50,10 @@ class Integrator {
   /// the first call of error() on, a velocity is kept.
   double error();
   double gap_ratio() const;
+  /// Returns edge_change() over the attempted step, and a bound of the energy by which the tolerance of Newton's method
+  /// and rounding move the balance of a scheme with one stage in it, see unbalanced_work(); likewise.
+  double edge_change() const;
+  double unbalanced_work() const;
   /// Changes the number of points in time of the interaction, if the table allows it (Table::interaction_points); those
   /// of the load stay.
   void set_interaction_points(int points);

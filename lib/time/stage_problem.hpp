@@ -49,6 +49,8 @@ class StageProblem final : public NonlinearProblem {
   /// Returns tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but at least the change that
   /// rounding u_s alone makes.
   double convergence_bound(double relative_tolerance) const override;
+  /// Returns the largest of those four norms at the last x that residual() saw.
+  double force_scale() const { return scale_; }
   bool is_gradient() const override { return has_potential_ && !moving_; }
   bool has_kinks() const override { return !has_potential_ && !moving_ && model_.has_friction(); }
   double way_left(const Vector& x) override;

@@ -32,6 +32,12 @@ double quadrature_error(int n, double gap_ratio) {
   return 1e9 * std::pow(rho, -2 * n);
 }
 
+double elastic_quadrature_error(int n, double edge_change) {
+  if (n == 0 || edge_change <= 0) return 0;
+  const double z = std::max(1.0, 2 / edge_change), rho = z + std::sqrt(z * z - 1);
+  return 1e4 * std::pow(rho, -2 * n);
+}
+
 std::vector<TimePoint> gauss_times(int n) {
   const Quadrature gauss = gauss_legendre_unit(n > 0 ? n : 8);
   std::vector<TimePoint> times;

@@ -1,6 +1,8 @@
 #include "time/work.hpp"
 
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include "base/dot.hpp"
 
@@ -53,6 +55,15 @@ double work_of_external_forces(const Model& model, const Table& table, const std
   }
   model.space().sum(&sum, 1);
   return sum;
+}
+
+double unbalanced_work(const Model& model, double residual, double force, const std::vector<double>& u0,
+                       const std::vector<double>& u1) {
+  const auto owned = static_cast<std::size_t>(model.space().owned());
+  double squares[2] = {0, dot(u1, u1, owned)};
+  for (std::size_t i = 0; i < owned; ++i) squares[0] += (u1[i] - u0[i]) * (u1[i] - u0[i]);
+  model.space().sum(squares, 2);
+  return residual * std::sqrt(squares[0]) + 16 * std::numeric_limits<double>::epsilon() * force * std::sqrt(squares[1]);
 }
 
 double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double time,

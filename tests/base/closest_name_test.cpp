@@ -44,6 +44,14 @@ TEST(ClosestNameTest, OfALongNameItsBeginningCounts) {
   EXPECT_EQ(closest_name(long_name, {"Bathe", "Newmarkx"}), "Newmarkx");
 }
 
+TEST(ClosestNameTest, AWordOfANameIsUnderstood) {
+  const std::vector<std::string> laws{"Van der Waals", "Morse", "Mie", "Xu-Needleman", "Smooth Dugdale", "Triangle"};
+  for (const char* name : {"Dugdale", "dugdale", "DUGDALE"}) EXPECT_EQ(closest_name(name, laws), "Smooth Dugdale");
+  EXPECT_EQ(closest_name("Needleman", laws), "Xu-Needleman");
+  EXPECT_EQ(closest_name("Waals", laws), "Van der Waals");
+  EXPECT_EQ(closest_name("der", {"Van der Waals", "dero"}), "dero");  // too short to mean the whole
+}
+
 TEST(ClosestNameTest, AbbreviationsOfTheLiteratureAreUnderstood) {
   const std::vector<std::string> schemes{"Newmark",
                                          "Bathe Composite",

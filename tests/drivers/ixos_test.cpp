@@ -67,6 +67,16 @@ TEST_F(DriverTest, CheckBuildsButDoesNotRun) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
+TEST_F(DriverTest, ASceneWithWarningsIsNotCalledSound) {
+  const std::string sound = ixos({ball, "--check"}, folder_).output;
+  EXPECT_EQ(sound.find("warning"), std::string::npos) << sound;
+  EXPECT_NE(sound.find("The scene is sound."), std::string::npos) << sound;
+  const std::string soft = ixos({ball, "--check", "--set", "Materials/Ball/Young's Modulus=1e-3"}, folder_).output;
+  EXPECT_NE(soft.find("warning"), std::string::npos) << soft;
+  EXPECT_NE(soft.find("The scene can run, but "), std::string::npos) << soft;
+  EXPECT_EQ(soft.find("is sound"), std::string::npos) << soft;
+}
+
 TEST_F(DriverTest, TheCostOfAPreconditionerMayBeWhole) {
   for (const char* type : {"Direct", "Belos"}) {
     const Outcome outcome = ixos({ball, "--check", "--set", "Linear Solver/Reuse/Setup Cost=5", "--set",

@@ -142,8 +142,8 @@ TEST(ExodusTest, SizesBeyondTheFilesAreRefused) {
 }
 
 TEST(ExodusTest, InconsistentMeshesAreRefused) {
-  expect_contains(changed_box("inverted.e", [](Mesh& m) { std::swap(m.blocks[0].nodes[1], m.blocks[0].nodes[3]); }),
-                  "block \"body\", cell 1: inverted or degenerate");
+  expect_contains(changed_box("inverted.e", [](Mesh& m) { std::swap(m.blocks[0].nodes[0], m.blocks[0].nodes[1]); }),
+                  "block \"body\", cell 1 (number 1 in the file) at (0.25, 0.25): inverted or degenerate");
   expect_contains(changed_box("range.e", [](Mesh& m) { m.blocks[0].nodes[0] = 1000; }),
                   "block \"body\" refers to node 1001, but there are 9");
   expect_contains(changed_box("zero.e", [](Mesh& m) { m.blocks[0].nodes[0] = -1; }),
@@ -265,8 +265,6 @@ TEST(ExodusTest, ForeignFilesAreReadOrRefusedByWhatTheyHold) {
   const Mesh mesh = read_exodus_mesh(path("foreign.e"));
   EXPECT_EQ(mesh.blocks.at(1).name, "block_20");
   EXPECT_EQ(mesh.cells(), 2);
-  make_file("shell.e", 3, "SHELL4", 20, 2);
-  expect_contains(refusal(path("shell.e")), "has elements of type SHELL4 with 4 nodes in 3 dimensions");
   make_file("lines.e", 2, "BAR", 20, 2);
   expect_contains(refusal(path("lines.e")), "Mesh.RecombineAll = 1;");
   make_file("lines.e", 3, "BAR", 20, 2);

@@ -150,14 +150,41 @@ TEST(GmshMeshTest, GroupsThatMakeNoMeshAreRefused) {
                   "the quadrilaterals of entity 1 belong to the physical groups \"soft\" and \"hard one\"");
 }
 
-/// Writes a file of the sections $Entities, $Nodes and $Elements, and returns the refusal of it.
-std::string refusal_of(const std::string& entities, const std::string& nodes, const std::string& elements) {
+/// Writes a file of the sections $Entities, $Nodes and $Elements, and returns its path.
+std::string written(const std::string& entities, const std::string& nodes, const std::string& elements) {
   const std::string file = testing::TempDir() + "written.msh";
   std::ofstream(file) << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n"
                       << entities << "\n$EndEntities\n$Nodes\n"
                       << nodes << "\n$EndNodes\n$Elements\n"
                       << elements << "\n$EndElements\n";
+  return file;
+}
+std::string refusal_of(const std::string& entities, const std::string& nodes, const std::string& elements) {
+  const std::string file = written(entities, nodes, elements);
   return refusal([&] { read_gmsh_mesh(file); });
+}
+
+TEST(GmshMeshTest, MessagesOfCellsNameTheTagInTheFile) {
+  const std::string nodes = "1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0";
+  const Mesh mesh = read_gmsh_mesh(written("0 0 1 0\n1 0 0 0 2 1 0 0 0", nodes,
+                                           "1 2 1 77\n2 1 3 2\n5 1 2 5 4\n77 2 3 5 6"));  // the last crosses itself
+  EXPECT_EQ(mesh.blocks.at(0).file_numbers, (std::vector<long long>{5, 77}));
+  expect_contains(refusal([&] { check_cells(mesh); }),
+                  "block \"body\", cell 2 (number 77 in the file) at (1.5, 0.5): inverted or degenerate");
+}
+
+// A brick whose upper side comes first, and its upper side, z = 1, as a physical group.
+TEST(GmshMeshTest, LeftHandedHexahedraAreTurnedWithANote) {
+  const Mesh mesh = read_gmsh_mesh(
+      written("0 0 1 1\n1 0 0 1 1 1 1 1 7 0\n1 0 0 0 1 1 1 0 0",
+              "1 8 1 8\n3 1 0 8\n1\n2\n3\n4\n5\n6\n7\n8\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1",
+              "2 2 1 2\n2 1 3 1\n1 5 6 7 8\n3 1 5 1\n2 5 6 7 8 1 2 3 4"));
+  EXPECT_NO_THROW(check_cells(mesh));
+  EXPECT_NEAR(mesh_quality(mesh).volume, 1, 1e-15);
+  ASSERT_EQ(mesh.notes.size(), 1U);
+  expect_contains(mesh.notes[0], "1 of the mesh's 1 hexahedra are numbered as mirror images");
+  EXPECT_EQ(places(mesh, mesh.side_sets.at(0)),
+            (std::set<std::array<double, 3>>{{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}));
 }
 
 // One point entity in many groups, with many elements: each group would get a copy of them all.

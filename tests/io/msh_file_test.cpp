@@ -74,6 +74,41 @@ TEST(MshFileTest, ASquareIsReadAsItIsWritten) {
   EXPECT_EQ(file.elements[2].nodes, (std::vector<int>{0, 1, 2, 3}));
 }
 
+void expect_same(const MshFile& file, const MshFile& other) {
+  EXPECT_EQ(file.coordinates, other.coordinates);
+  EXPECT_EQ(file.names, other.names);
+  EXPECT_EQ(file.groups, other.groups);
+  ASSERT_EQ(file.elements.size(), other.elements.size());
+  for (std::size_t k = 0; k < file.elements.size(); ++k) {
+    EXPECT_EQ(file.elements[k].nodes, other.elements[k].nodes);
+    EXPECT_EQ(file.elements[k].tags, other.elements[k].tags);
+  }
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t place = text.find(from); place != std::string::npos; place = text.find(from, place + to.size()))
+    text.replace(place, from.size(), to);
+  return text;
+}
+
+TEST(MshFileTest, MarksCommentsLineEndsAndPlusSignsChangeNothing) {
+  const MshFile file = read(square);
+  EXPECT_EQ(file.elements.at(2).tags, std::vector<long long>{3});
+  const std::string mark = "\xef\xbb\xbf", comment = "$Comments\nmade by hand, $Nodes and all\n$EndComments\n";
+  expect_same(read(mark + square), file);
+  expect_same(read(comment + square), file);
+  expect_same(read(mark + comment + comment + square), file);
+  expect_same(read(square + comment), file);
+  for (const char* name : {"PhysicalNames", "Entities", "Nodes", "Elements"})
+    expect_same(read(changed("\n$" + std::string(name) + "\n", "\n" + comment + "$" + name + "\n")), file);
+  expect_same(read(replaced(square, "\n", "\r\n")), file);
+  expect_same(read(mark + replaced(comment + square, "\n", "\r\n")), file);
+  expect_same(read(replaced(replaced(square, " 0", " +0"), " 1", " +1")), file);
+  test::expect_contains(test::refusal([&] { read(comment); }), "m.msh: is not a mesh of gmsh");
+  test::expect_contains(test::refusal([&] { read("$Comments\n" + square.substr(0, square.find("$Comments"))); }),
+                        "m.msh: ends inside $Comments: the file is truncated");
+}
+
 TEST(MshFileTest, ASectionMayBeMissingThatOnlyNames) {
   const std::size_t names = square.find("$PhysicalNames"), nodes = square.find("$Nodes");
   const MshFile file = read(square.substr(0, names) + square.substr(nodes));

@@ -39,6 +39,30 @@ TEST(MshSourceTest, NumbersInAsciiAreReadStrictly) {
   EXPECT_EQ(refusal([&] { source.number("x"); }), "m.msh: ends inside $Stuff, before x: the file is truncated");
 }
 
+TEST(MshSourceTest, NumbersMayHaveAPlusSign) {
+  MshSource source("m.msh", "$Stuff\n+0 +3 +1.5e3 +.5 1.5E+3 -0 +-3 ++3 + +x +inf\n$EndStuff\n");
+  source.next_section();
+  EXPECT_EQ(source.integer("a"), 0);
+  EXPECT_EQ(source.size("a"), 3U);
+  EXPECT_EQ(source.number("a"), 1500);
+  EXPECT_EQ(source.number("a"), 0.5);
+  EXPECT_EQ(source.number("a"), 1500);
+  EXPECT_EQ(source.number("a"), 0);
+  for (const char* word : {"+-3", "++3", "+", "+x", "+inf"})
+    EXPECT_EQ(refusal([&] { source.number("x"); }),
+              "m.msh: line 2: x is \"" + std::string(word) + "\"; a number is allowed");
+}
+
+TEST(MshSourceTest, AByteOrderMarkIsSkipped) {
+  MshSource source("m.msh", "\xef\xbb\xbf$One\n1\n$EndOne\n");
+  EXPECT_EQ(source.next_section(), "One");
+  EXPECT_EQ(source.integer("a"), 1);
+  source.end_section();
+  EXPECT_EQ(source.next_section(), "");
+  MshSource other("m.msh", "\xff\xfe$One\n");  // of UTF-16
+  EXPECT_NE(refusal([&] { other.next_section(); }), "");
+}
+
 TEST(MshSourceTest, NumbersInBinaryAreReadAsTheyAre) {
   MshSource source("m.msh", "$Stuff\n" + bytes(std::int32_t{-3}) + bytes(std::uint64_t{7}) + bytes(0.1) +
                                 bytes(1 / 0.0) + "\n$EndStuff\n$Next\n" + "ab");

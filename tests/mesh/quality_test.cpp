@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 
 namespace ixos {
@@ -58,6 +59,33 @@ TEST(MeshQualityTest, OfATwistedBrickCountsItsVolumeExactly) {
   // The top's corner at (1, 2) lifted by 1: volume 8 and a bilinear cap of mean height 1/4 over an area of 2.
   mesh.coordinates[3 * static_cast<std::size_t>(mesh.blocks[0].nodes[6]) + 2] += 1;
   EXPECT_NEAR(mesh_quality(mesh).volume, 8.5, 1e-13);
+}
+
+// A tube of radii 1 and 3 and length 2, its straight cells sheared along the axis: pi (9 - 1) 2, whatever the cells. A
+// cone's frustum of radii 2 and 1 and height 3: pi 3 (4 + 2 + 1)/3. Each is the body's volume, not that of the section.
+TEST(MeshQualityTest, OfABodyOfRevolutionCountsTheVolumeOfTheBody) {
+  for (const bool quadratic : {false, true}) {
+    BoxShape shape;
+    shape.lower = {1, 0, 0};
+    shape.lengths = {2, 2, 1};
+    shape.divisions = {3, 2, 1};
+    Mesh tube = box(shape);
+    for (std::size_t i = 0; i < tube.coordinates.size(); i += 2) tube.coordinates[i + 1] += 0.3 * tube.coordinates[i];
+    shape.lower = {0, 0, 0};
+    shape.lengths = {1, 3, 1};
+    Mesh frustum = box(shape);
+    for (std::size_t i = 0; i < frustum.coordinates.size(); i += 2)
+      frustum.coordinates[i] *= 2 - frustum.coordinates[i + 1] / 3;
+    for (Mesh* mesh : {&tube, &frustum}) {
+      if (quadratic) raise_order(*mesh);
+      mesh->axisymmetric = true;
+    }
+    EXPECT_NEAR(mesh_quality(tube).volume, 16 * M_PI, 1e-12);
+    EXPECT_NEAR(mesh_quality(frustum).volume, 7 * M_PI, 1e-12);
+    EXPECT_NE(to_string(mesh_quality(tube)).find("volume 50.2655\n"), std::string::npos);
+    tube.axisymmetric = false;
+    EXPECT_NEAR(mesh_quality(tube).volume, 4, 1e-13);
+  }
 }
 
 TEST(MeshQualityTest, IsWrittenInThreeLines) {

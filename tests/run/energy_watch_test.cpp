@@ -6,6 +6,7 @@
 #include "run/energy_watch.hpp"
 #include "run/restart_fixture.hpp"
 #include "support/bodies.hpp"
+#include "time/table.hpp"
 
 namespace ixos::test {
 namespace {
@@ -61,6 +62,35 @@ TEST_F(EnergyWatchTest, AnUndamagedRunIsQuiet) {
     EXPECT_EQ(result.status, RunStatus::Completed) << result.reason;
     EXPECT_EQ(warnings_, 0) << told_;
   }
+}
+
+// Where steps are long against the period of a cell, or displacements large against their change, the residual does
+// more work than the energies suggest.
+TEST_F(EnergyWatchTest, StiffBodiesAndLongWaysAreQuiet) {
+  const auto stiff = [](std::string scene, double modulus, double speed) {
+    const std::string density = number("Density", 1), velocity = numbers("Velocity", {0.1, -0.05});
+    scene.insert(scene.find(density), number("Young's Modulus", modulus));
+    return scene.replace(scene.find(velocity), velocity.size(), numbers("Velocity", {speed, -0.05}));
+  };
+  for (const char* scheme : {"Energy-Momentum", "Average Vector Field"})
+    for (const double modulus : {1.0, 1e3, 1e6})
+      for (const double speed : {0.1, 1e3}) {
+        disturbed(stiff(flying(scheme, ""), modulus, speed), "whole", -1);
+        EXPECT_EQ(warnings_, 0) << scheme << ", " << modulus << ", " << speed << ": " << told_;
+      }
+}
+
+// -ln l of an edge whose length l changes from 1 - s/2 to 1 + s/2: its gain is known, its mean force has a pole.
+TEST(ElasticQuadratureTest, TheBoundHoldsForALogarithm) {
+  for (const int n : {1, 2, 3, 4, 5, 8})
+    for (const double s : {0.01, 0.1, 0.3, 1.0, 1.5}) {
+      double gain = std::log((1 + s / 2) / (1 - s / 2));
+      for (const TimePoint& point : gauss_times(n)) gain -= point.weight * s / (1 + s * (point.time - 0.5));
+      EXPECT_LE(std::abs(gain), elastic_quadrature_error(n, s) + 1e-15) << n << ", " << s;
+      EXPECT_LE(elastic_quadrature_error(n, s / 2), elastic_quadrature_error(n, s) / 2);
+    }
+  EXPECT_EQ(elastic_quadrature_error(0, 1), 0);
+  EXPECT_EQ(elastic_quadrature_error(4, 0), 0);
 }
 
 // Points in time bound neither the work of a moved wall nor the kinks of a law that allows overlaps; the exact mean and

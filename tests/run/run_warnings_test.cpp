@@ -50,9 +50,10 @@ TEST(RunWarningsTest, ASoundRunHasNone) {
 TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
   expect_only("energy error", "the scheme's energy error reached 0.06, 6 % of the largest kinetic",
               [](RunFacts& f) { f.energy_error = 0.06; });
-  expect_only("strains", "cells were compressed to 0.4 of their volume",
+  expect_only("strains", "cells were compressed to 0.4 of their volume (limit 0.5): the mesh",
               [](RunFacts& f) { f.strains.least_jacobian = 0.4; });
-  expect_only("strains", "stretched to 2.5 (limits 0.5 and 2)", [](RunFacts& f) { f.strains.largest_jacobian = 2.5; });
+  expect_only("strains", "cells were stretched to 2.5 times their volume (limit 2): the mesh",
+              [](RunFacts& f) { f.strains.largest_jacobian = 2.5; });
   expect_only("strains", "|tr(sigma)|/E reached 6 (limit 2)", [](RunFacts& f) { f.strains.largest_invariant = 6; });
   expect_only("distorted cells", "scaled Jacobian of -0.3 at t = 3 T0 (limit 0.15; 0.7 before the run)",
               [](RunFacts& f) { f.strains.least_scaled_jacobian = -0.3; });
@@ -82,6 +83,27 @@ TEST(RunWarningsTest, ErrorsOfTheStepNameTheirSizeAndTheRemedy) {
   facts.relaxation_error = 0.099;
   facts.front = {4, 6, 10, 5};  // jumps now and then
   EXPECT_TRUE(run_warnings(facts).empty());
+}
+
+// A number is not printed as its limit, and what is within its limit is not named.
+TEST(RunWarningsTest, NumbersAreToldFromTheirLimits) {
+  expect_only("strains", "cells were compressed to 0.4999 of their volume (limit 0.5)",
+              [](RunFacts& f) { f.strains.least_jacobian = 0.4999; });
+  expect_only("strains", "cells were stretched to 2.00001 times their volume (limit 2)",
+              [](RunFacts& f) { f.strains.largest_jacobian = 2.00001; });
+  expect_only("energy error", "5.001 % of the largest", [](RunFacts& f) { f.energy_error = 0.05001; });
+  expect_only("oscillating force", "by 0.0601 of its size", [](RunFacts& f) { f.ripple.roughness = 0.0601; });
+  RunFacts facts = sound();
+  facts.strains.least_jacobian = facts.strains.largest_jacobian = 1;
+  facts.strains.largest_invariant = 6;
+  ASSERT_EQ(run_warnings(facts).size(), 1U);
+  const std::string message = run_warnings(facts)[0].message;
+  EXPECT_EQ(message.find("|tr(sigma)|/E of cells reached 6 (limit 2): the mesh"), 0U) << message;
+  EXPECT_EQ(message.find("volume"), std::string::npos) << message;
+  facts.strains.largest_jacobian = 3;
+  expect_contains(
+      run_warnings(facts)[0].message,
+      "cells were stretched to 3 times their volume (limit 2), |tr(sigma)|/E of cells reached 6 (limit 2): ");
 }
 
 using RunMeasuresTest = RestartTest;
@@ -186,6 +208,22 @@ TEST_F(RunMeasuresTest, TheFirstAndTheLastRowCount) {
   EXPECT_EQ(result.findings[0].name, "detachment");
   expect_contains(result.findings[0].message,
                   "the contact fell from 2 to 0 between two rows, from t = 0 to 1 T0, 100 % of its largest value");
+}
+
+// A plate on rollers that a traction drags along: nothing balances the traction.
+TEST_F(RunMeasuresTest, AStaticStepThatFailsNamesTheMissingSupport) {
+  const std::string rollers = list("Rollers", word("Node Set", "bottom") + word("Components", "y"));
+  const std::string drag =
+      list("Drag", word("Type", "Traction") + word("Side Set", "top") + numbers("Vector", {0.01, 0}));
+  Simulation simulation(scene(list("Mesh", word("Type", "Box") + list("Box", counts("Divisions", {2, 2}))) +
+                              list("Materials", list("Rubber", "")) + list("Boundary Conditions", rollers + drag) +
+                              time_integrator("Static", 1, 1)),
+                        world());
+  RunOptions options;
+  options.folder = folder("dragged");
+  const RunResult result = run(simulation, options);
+  EXPECT_EQ(result.status, RunStatus::Diverged);
+  expect_contains(result.reason, "nothing holds the translation along (1, 0) of the body \"body\"");
 }
 
 using RunMeasuresSerialTest = RestartTest;

@@ -142,13 +142,17 @@ class BlockSplit {
 
     places_.emplace_back();
     std::vector<int> plain_nodes;
+    std::vector<long long> plain_numbers;
     std::vector<double> plain_scale = old.derivative_scale;  // of an enriched block, which is never split
     const int n = nodes_per_cell(old.type);
     int plain = 0;
     for (int cell = 0; cell < old.cells(); ++cell) {
       const int* nodes = &old.nodes[cell_entry(cell, n)];
       const auto found = rich.find(cell);
+      const auto number_in_file = old.file_numbers.begin() + (old.file_numbers.empty() ? 0 : cell);
+      const auto end_of_number = number_in_file + (old.file_numbers.empty() ? 0 : 1);
       if (found == rich.end()) {
+        plain_numbers.insert(plain_numbers.end(), number_in_file, end_of_number);
         places_.back().push_back({first, plain++, -1});
         plain_nodes.insert(plain_nodes.end(), nodes, nodes + n);
         continue;
@@ -159,12 +163,13 @@ class BlockSplit {
       places_.back().push_back({block, target.cells(), found->second.side});
       for (int a : turn(found->second.side).node) target.nodes.push_back(nodes[a]);
       target.nodes.insert(target.nodes.end(), extra.nodes.begin(), extra.nodes.end());
+      target.file_numbers.insert(target.file_numbers.end(), number_in_file, end_of_number);
       target.derivative_scale.insert(target.derivative_scale.end(), extra.derivative_scale.begin(),
                                      extra.derivative_scale.end());
     }
     if (plain > 0 || rich.empty())
-      blocks[static_cast<std::size_t>(first)] = {old.name,   old.type, std::move(plain_nodes), std::move(plain_scale),
-                                                 old.points, old.tied};
+      blocks[static_cast<std::size_t>(first)] = {old.name,   old.type, std::move(plain_nodes),  std::move(plain_scale),
+                                                 old.points, old.tied, std::move(plain_numbers)};
   }
 
   Mesh& mesh_;
