@@ -45,24 +45,38 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
   return "the place " + coordinates(point.place, mesh.dimension) + " on a side";
 }
 
-std::string crossing(const Model& model, const double* u) {
+std::string crossing(const Model& model, const double* u, const double* from) {
   LowestPoint lowest;
   std::string name;
-  bool any = false;
+  bool any = false, passes = false;
   for (const bool positive : {true, false})
     for_each_interaction(model, positive, [&](const std::string& own, const Interaction& term) {
       any = true;
+      if (from != nullptr) {
+        const LowestPoint passed = term.passage(from, u);
+        if (passed.gap < std::min(lowest.gap, 0.0)) {
+          lowest = passed;
+          name = own;
+          passes = true;
+        }
+      }
       if (positive && term.is_clear(u)) return;
       const LowestPoint point = term.lowest_point(u);
       if (point.gap > (positive ? 0 : -infinity) || !(point.gap < lowest.gap)) return;
       lowest = point;
       name = own;
+      passes = false;
     });
   if (!any) return "";
   const double least = model.space().minimum(lowest.gap);
   if (least > 0) return "";
   std::string text;
-  if (lowest.gap == least)
+  if (lowest.gap == least && passes)
+    text = fmt::format(
+        "the surface of interaction \"{}\" passes through the obstacle, or through the other body, within one step: "
+        "the gap falls to {:.6g} L0 on the way to {}",
+        name, least, in_words(model.mesh(), u, lowest));
+  else if (lowest.gap == least)
     text = std::isinf(least)
                ? fmt::format("the surface of interaction \"{}\" is beyond the edge of the obstacle, at {}", name,
                              in_words(model.mesh(), u, lowest))

@@ -12,8 +12,10 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
 
 /// Returns how far and where a surface is in or below its obstacle at the local displacement u, by
 /// Interaction::lowest_point(); empty if all gaps are positive. Of interactions whose laws are defined at every gap,
-/// only a gap of minus infinity counts, beyond the obstacle's edge. Equal on all ranks; collective.
-std::string crossing(const Model& model, const double* u);
+/// only a gap of minus infinity counts, beyond the obstacle's edge. `from`: the displacement at the start of the step
+/// that ends at u, or null. Then a point that passes through its obstacle or another body on the way counts, too, by
+/// Interaction::passage(), whatever the law. Equal on all ranks; collective.
+std::string crossing(const Model& model, const double* u, const double* from = nullptr);
 
 /// Returns the least gap of the interactions whose laws are defined at every gap, likewise; infinity if there are none.
 /// Collective if there are any.

@@ -223,6 +223,15 @@ LowestPoint MovedInteraction::lowest_point(const double* u) const {
   return point;
 }
 
+LowestPoint MovedInteraction::passage(const double* from, const double* to) const {
+  RigidPose end;
+  see_ends({from, nullptr, to, step_start_, step_end_ - step_start_}, end);
+  if (std::abs(end.angle - frame_.pose(step_start_).angle) > 0.1) return {};
+  LowestPoint point = fixed_->passage(from_.data(), to_.data());
+  point.place = MovingFrame::from_frame(end, point.place);
+  return point;
+}
+
 void MovedInteraction::add_nodal_measure(CountedSides& counted, double* measure) const {
   fixed_->add_nodal_measure(counted, measure);
 }

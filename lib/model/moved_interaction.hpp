@@ -57,6 +57,8 @@ class MovedInteraction final : public Interaction {
   double rounding(const double* u) const override;
   void report(const double* u, InteractionReport& report) const override;
   LowestPoint lowest_point(const double* u) const override;
+  /// No point passes in a step in which the obstacle turns by more than 0.1 radian: ways are not straight then.
+  LowestPoint passage(const double* from, const double* to) const override;
   void add_nodal_measure(CountedSides& counted, double* measure) const override;
   void add_nodal_pressure(const double* u, double* force) const override;
   bool has_damage() const override { return fixed_->has_damage(); }

@@ -153,6 +153,8 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
   options.reacts = pair.passes != Passes::TwoWithoutReaction;
   std::vector<std::unique_ptr<Interaction>> frictions;
   const auto pass = [&](const PairSurfaces<D>& own, const std::string& secondary) {
+    if (law->domain() == GapDomain::All)
+      options.depth = pair.exclusion > 0 ? HUGE_VAL : model.space().maximum(overlap_depth(mesh, own.primary));
     if (pair.friction.type != FrictionType::None) {
       const FrictionLaw friction(pair.friction, law);
       const std::vector<LocalSide>& sides = all_sides(mesh, comm, secondary);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "interaction/gap_law.hpp"
+#include "interaction/passage.hpp"
 #include "term/curved_sides.hpp"
 #include "term/point_laws.hpp"
 
@@ -112,6 +113,34 @@ class CurvedPoints {
       }
     }
     return total(sum);
+  }
+
+  /// See Interaction::passage().
+  LowestPoint find_passage(const double* from, const double* to) const {
+    const double scale = laws_.whole().equilibrium_gap(), short_way = scale / 8;
+    LowestPoint lowest;
+    for (std::size_t b = 0; b < sides_.size(); ++b) {
+      const typename Sides::Vectors start = sides_.places_of(b, from), end = sides_.places_of(b, to);
+      Pack square = 0.0;
+      for (std::size_t a = 0; a < N; ++a) {
+        Pack own = 0.0;
+        for (std::size_t i = 0; i < D; ++i) own += (end[a][i] - start[a][i]) * (end[a][i] - start[a][i]);
+        square = std::experimental::max(square, own);
+      }
+      if (everywhere(square <= short_way * short_way)) continue;
+      for (std::size_t q = 0; q < sides_.quadrature().size(); ++q) {
+        const PackPoint x0 = sides_.interpolate(q, start), x1 = sides_.interpolate(q, end);
+        const Pack looks = may_pass(*obstacle_, x0, x1, scale);
+        if (everywhere(looks == 0.0)) continue;
+        for (std::size_t k = 0; k < sides_.batches().lanes(b); ++k) {
+          if (looks[k] == 0) continue;
+          const std::array<double, 3> last{x1[0][k], x1[1][k], x1[2][k]};
+          const WayThrough way = way_through(*obstacle_, {x0[0][k], x0[1][k], x0[2][k]}, last);
+          if (has_passed(way, scale) && way.deepest < lowest.gap) lowest = {way.deepest, last};
+        }
+      }
+    }
+    return lowest;
   }
 
   /// See InteractionOverSteps.

@@ -172,6 +172,8 @@ class CurvedSurfaceTerm final : public InteractionOverSteps<CurvedSurfaceTerm<Si
     });
   }
 
+  LowestPoint passage(const double* from, const double* to) const override { return Points::find_passage(from, to); }
+
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
     sides_.add_nodal_measure(counted, measure);
   }

@@ -106,6 +106,12 @@ class Interaction : public ForceTerm {
   /// Returns whether it is known, without that search, that the lowest point's gap is greater than zero.
   virtual bool is_clear(const double* /*u*/) const { return false; }
 
+  /// Returns the end of a point of this rank's sides that surely passes through the obstacle, or through another body,
+  /// on its straight way in a step, with the least gap that was found on the way; if several do, that of the deepest.
+  /// The law does not notice that: it acts at the ends, or at a few points in time. An infinite gap by default. A moved
+  /// obstacle is at its places at both ends of the step that began last.
+  virtual LowestPoint passage(const double* /*from*/, const double* /*to*/) const { return {}; }
+
   /// Adds, per local node, int w_a dA over those sides of the surface that are not counted yet, and counts them:
   /// several interactions may act on one side. The weight w_a is the shape function N_a [L0^(D-1)], but
   /// N_a/(2 pi R) at a node on the axis of an axisymmetric mesh where int N_a dA vanishes.

@@ -79,6 +79,7 @@ PairApproach<D>::PairApproach(const PairPoints<D>& points, double margin) : poin
 template <std::size_t D>
 LowestPoint PairApproach<D>::lowest_point(const Places& x, const Places* start) const {
   LowestPoint lowest;
+  if (!points_.is_positive()) lower_to_points(x, lowest);
   if (points_.sight() != nullptr) {
     lower_to_itself(x, lowest);
     return lowest;
@@ -107,6 +108,14 @@ void PairApproach<D>::lower_both(const Places& x, LowestPoint& lowest) const {
 }
 
 template <std::size_t D>
+void PairApproach<D>::lower_to_points(const Places& x, LowestPoint& lowest) const {
+  memory_.part.assign(1, x);
+  const auto times = points_.contacts(memory_.part, PairPoints<D>::Share::Forces);
+  for (const Contact& c : times->front().all)
+    if (c.foot.patch >= 0) lower_to<D>(c.place, c.foot.gap, lowest);
+}
+
+template <std::size_t D>
 void PairApproach<D>::lower_to_itself(const Places& x, LowestPoint& lowest) const {
   const PlacedSurface<D> surface(points_.secondary().patches, x.secondary);
   for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
@@ -115,8 +124,7 @@ void PairApproach<D>::lower_to_itself(const Places& x, LowestPoint& lowest) cons
       PatchParameters<D> xi{0.5 * static_cast<double>(i % 3)};
       if constexpr (D == 3) xi[1] = 0.5 * static_cast<double>(row);
       const Vec<D> place = surface.patch(static_cast<int>(p)).at(xi);
-      const SurfaceFoot<D> foot = points_.nearest(surface, p, place, points_.law().range());
-      lower_to<D>(place, foot.gap, lowest);
+      lower_to<D>(place, points_.nearest_seen(surface, p, place).gap, lowest);
     }
 }
 

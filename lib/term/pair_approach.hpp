@@ -32,6 +32,9 @@ class PairApproach {
  private:
   /// Lowers the lowest point to the nodes and the middles of the sides of both surfaces before the other one.
   void lower_both(const Places& x, LowestPoint& lowest) const;
+  /// Lowers it to the points at which forces act: the other searches look for the deepest overlap only as far as the
+  /// longest side.
+  void lower_to_points(const Places& x, LowestPoint& lowest) const;
   /// Lowers it to the corners and middles of the patches of a surface before what they see of it.
   void lower_to_itself(const Places& x, LowestPoint& lowest) const;
   void lower_on_the_way(const Places& from, const Places& to, LowestPoint& lowest) const;

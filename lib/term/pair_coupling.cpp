@@ -31,12 +31,16 @@ double reach_of_stiffness(const GapLaw& law) {
 
 template <std::size_t D>
 PairCoupling<D>::PairCoupling(const PairPoints<D>& points)
-    : points_(points), reach_(reach_of_stiffness(points.law())), skin_(reach_ / 2) {}
+    : points_(points), reach_(reach_of_stiffness(points.law())), skin_(reach_ / 2) {
+  if (points.sight() != nullptr) return;  // every point is on the surface
+  overlap_ = points.overlap();
+  overlap_.least = reach_;
+}
 
 template <std::size_t D>
 std::vector<std::pair<int, int>> PairCoupling<D>::pairs_within(const typename PairPoints<D>::Places& places,
                                                                double range) const {
-  const auto near = find_neighbours(points_.surfaces(), places, range);
+  const auto near = find_neighbours(points_.surfaces(), places, range, overlap_, skin_);
   std::vector<Pair> result;
   for (std::size_t k = 0; k < near->secondary.size(); ++k)
     for (const int p : near->primary[k])

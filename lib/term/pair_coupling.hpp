@@ -10,11 +10,11 @@
 namespace ixos {
 
 /// The pairs of a secondary and a primary patch that were within reach, and a skin beyond it, at the last search. A new
-/// search is due when the nodes have moved so far that others can be within reach. It changes the pairs only if one
-/// within reach is missing. The matrix leaves out the blocks of patches that are farther apart. They act on each other
-/// all the same, with less than 1e-3 of the largest stiffness beyond the equilibrium gap (reach_of_stiffness()). It
-/// leaves them out as a whole: the columns of each block have no sum, so that a step of Newton's method changes the
-/// linear momentum by no more than rounding, whatever the matrix lacks.
+/// search is due when the nodes have moved so far that others can be within reach. Overlaps count as deep as the law
+/// acts. It changes the pairs only if one within reach is missing. The matrix leaves out the blocks of patches that are
+/// farther apart. They act on each other all the same, with less than 1e-3 of the largest stiffness beyond the
+/// equilibrium gap (reach_of_stiffness()). It leaves them out as a whole: the columns of each block have no sum, so
+/// that a step of Newton's method changes the linear momentum by no more than rounding, whatever the matrix lacks.
 template <std::size_t D>
 class PairCoupling {
  public:
@@ -48,6 +48,7 @@ class PairCoupling {
 
   const PairPoints<D>& points_;
   double reach_, skin_;
+  PairOverlap<D> overlap_;
   std::vector<Pair> pairs_;   ///< ascending
   std::vector<double> last_;  ///< places of the last search; empty if there was none
   long searches_ = 0;

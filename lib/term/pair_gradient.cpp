@@ -72,20 +72,14 @@ typename PairGradient<D>::Step PairGradient<D>::take(const Segment& segment) con
   return {times, (*times)[0], (*times)[1], (*times)[2]};
 }
 
-/// Returns whether the point is within the law's range.
-template <std::size_t D>
-bool PairGradient<D>::acts(const Contact& contact) const {
-  return contact.foot.patch >= 0 && !(std::abs(contact.foot.gap) >= points_.law().range());
-}
-
 /// Returns whether the point has a force.
 template <std::size_t D>
 bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& point) const {
   const Contact &start = step.start.all[number], &end = step.end.all[number], &mean = step.mean.all[number];
-  if (mean.foot.patch < 0 || (!acts(start) && !acts(end))) return false;
+  if (mean.foot.patch < 0 || (!points_.acts(start.foot) && !points_.acts(end.foot))) return false;
   const GapLaw& law = points_.law();
-  const double g0 = acts(start) ? start.foot.gap : law.range();
-  const double g1 = acts(end) ? end.foot.gap : law.range();
+  const double g0 = points_.acts(start.foot) ? start.foot.gap : law.range();
+  const double g1 = points_.acts(end.foot) ? end.foot.gap : law.range();
   point.at_end = &end;
   point.at_mean = &mean;
   point.d = end.place - start.place;
@@ -128,9 +122,9 @@ bool PairGradient<D>::evaluate(const Step& step, std::size_t number, Point& poin
     point.v += b * change;
   }
   point.traction = law.mean_traction(g0, g1)[0];
-  point.mean_slope = acts(end) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
+  point.mean_slope = points_.acts(end.foot) ? static_cast<double>(law.mean_stiffness(g0, g1)[0]) : 0.0;
   const double off = g1 - g0 - point.a;
-  point.by_gap = acts(end) ? point.mean_slope * off - point.traction : 0.0;
+  point.by_gap = points_.acts(end.foot) ? point.mean_slope * off - point.traction : 0.0;
   share(-point.traction * off, point);
   return true;
 }

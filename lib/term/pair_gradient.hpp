@@ -90,7 +90,6 @@ class PairGradient {
     /// Returns the force that N_,j takes.
     Vec<D> turn(const Along& j) const { return c * j.b * r; }
   };
-  bool acts(const Contact& contact) const;
   Step take(const Segment& segment) const;
   bool evaluate(const Step& step, std::size_t number, Point& point) const;
   /// Sets c and the rest of the work, from e and v.

@@ -46,7 +46,7 @@ void PairGradient<D>::set_block(const Step& step, const Point& point, PairBlock&
   const auto own_nodes = points_.nodes_of(mean);
   block.nodes.assign(own_nodes.begin(), own_nodes.end());
   ByNode<D, double> end_weights(size, 0.0);  // of the end's gap
-  if (acts(end)) {
+  if (points_.acts(end.foot)) {
     if (end.foot.patch != mean.foot.patch) block.next = end.foot.patch;
     const SurfacePatch<D>& last = points_.primary().patches[static_cast<std::size_t>(end.foot.patch)];
     const auto nodes = points_.nodes_of(end);

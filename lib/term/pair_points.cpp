@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/vector3.hpp"
@@ -32,6 +33,17 @@ double factor_at(const SurfaceFactor& factor, const Vec<D>& x, const PatchParame
            ((1 - xi[1]) * ((1 - xi[0]) * at(0) + xi[0] * at(1)) + xi[1] * ((1 - xi[0]) * at(3) + xi[0] * at(2)));
 }
 
+/// Returns the overlaps on which the law acts beyond its range, at the points of all patches.
+template <std::size_t D>
+PairOverlap<D> overlap_of(const GapLaw& law, const PairOptions& options) {
+  PairOverlap<D> result;
+  if (law.domain() == GapDomain::Positive) return result;
+  result.depth = options.depth;
+  for (const PatchPoint<D>& point : patch_points<D>(points_on_a_side(options.points)))
+    result.points.push_back(point.xi);
+  return result;
+}
+
 /// Returns length or area for a change of the parameters.
 double stretch(const PlacedPatch<2>::Frame& frame) { return length(frame.tangents[0]); }
 double stretch(const PlacedPatch<3>::Frame& frame) { return length(cross(frame.tangents[0], frame.tangents[1])); }
@@ -47,9 +59,10 @@ PairPoints<D>::PairPoints(const LocalMesh& mesh, PairSurfaces<D> surfaces, std::
       range_(law_->range()),
       share_(options.share),
       reacts_(options.reacts),
+      overlap_(overlap_of<D>(*law_, options)),
       owns_secondary_(patches_with_own_nodes(surfaces_.secondary, mesh.owned_nodes)),
       owns_primary_(patches_with_own_nodes(surfaces_.primary, mesh.owned_nodes)),
-      search_(surfaces_, law_->equilibrium_gap()) {
+      search_(surfaces_, law_->equilibrium_gap(), overlap_) {
   const std::vector<PatchPoint<D>> on_a_patch = patch_points<D>(points_on_a_side(options.points));
   per_patch_ = on_a_patch.size();
   const std::vector<double> rest(coordinates_.size(), 0.0);
@@ -125,6 +138,7 @@ std::shared_ptr<const PairNeighbours> PairPoints<D>::neighbours(const std::vecto
     seen->secondary.push_back(s);
     seen->primary.push_back(sight_->seen(s));
   }
+  if (overlap_.depth > 0) seen->deep.assign(seen->secondary.size(), 1);
   std::vector<int> all(primary().patches.size());
   std::iota(all.begin(), all.end(), 0);
   seen->together = patch_subset(std::move(all), primary().patches.size());

@@ -1,5 +1,6 @@
 /// The quadrature points of a surface before the surface of another body.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <boost/container/static_vector.hpp>
 #include <limits>
@@ -26,7 +27,17 @@ struct PairOptions {
   double exclusion = 0;
   double share = 1;    ///< of the law's energy, in (0, 1]: that of one of two passes
   bool reacts = true;  ///< whether the primary surface takes the reaction; if not, the force is no gradient
+  /// Depth of the deepest overlap on which a law acts that is defined at every gap, if that exceeds its range: see
+  /// overlap_depth() [L0].
+  double depth = 0;
 };
+
+/// Returns the depth below the primary surface down to which a place can be in its body: infinity if the surface is
+/// closed, because its gaps then tell inside from outside. Otherwise it is the greatest depth of a node of the blocks
+/// that have its sides, at rest: a place that is deeper is behind the body. This rank's share; the maximum over ranks
+/// gives the whole.
+template <std::size_t D>
+double overlap_depth(const LocalMesh& mesh, const SurfacePatches<D>& primary);
 
 /// The secondary surface (slave), on which the law is integrated, Pi = sum of w psi(g), and the primary one (master),
 /// from which its gaps g are measured: signed least distances. All ranks have all sides of both. A rank looks at the
@@ -84,10 +95,23 @@ class PairPoints {
 
   /// Null unless the surface interacts with itself.
   SelfSight<D>* sight() const { return sight_.get(); }
-  /// Returns the nearest point of the primary surface that a secondary patch sees.
-  SurfaceFoot<D> nearest(const PlacedSurface<D>& primary, std::size_t patch, const Vec<D>& place, double range) const {
-    return sight_ ? primary.nearest_of(sight_->seen(patch), place, range) : primary.nearest(place, range);
+  /// Returns the nearest point that a patch of a surface sees of it.
+  SurfaceFoot<D> nearest_seen(const PlacedSurface<D>& surface, std::size_t patch, const Vec<D>& place) const {
+    const double farthest = std::max(range_, overlap_.depth);
+    SurfaceFoot<D> foot = surface.nearest_of(sight_->seen(patch), place, farthest);
+    keep_within(range_, farthest, foot);
+    return foot;
   }
+  /// Returns whether the law acts at the foot of a point.
+  bool acts(const SurfaceFoot<D>& foot) const {
+    return foot.patch >= 0 && !(foot.gap >= range_) && !(foot.gap <= -std::max(range_, overlap_.depth));
+  }
+  /// Makes the gap of a point below a free rim of the primary surface negative if its way to the rim differs from the
+  /// normal by 30 degrees or less: else points near an edge where both bodies end would lose their force as the
+  /// surfaces turn a little. Only for laws that act on overlaps, not for a surface that interacts with itself.
+  void count_below_rim(SurfaceFoot<D>& foot) const;
+  /// The overlaps on which the law acts, with the points at which it does.
+  const PairOverlap<D>& overlap() const { return overlap_; }
   /// Returns how often the law, with its share, acts on a place of the surface: twice if it interacts with itself.
   double passes() const { return (sight_ ? 2 : 1) / share_; }
   bool reacts() const { return reacts_; }
@@ -132,6 +156,14 @@ class PairPoints {
   void find_acting(const Times& times, double range, std::vector<char>& acting) const;
   /// `looks`: by entry of the neighbours, whether its points count.
   void find_feet(Contacts& contacts, const EarlierFeet<D>& earlier, const std::vector<char>& looks, double range) const;
+  /// Discards a foot whose gap is out of range, because it was searched farther than that, for an overlap.
+  static void keep_within(double range, double searched, SurfaceFoot<D>& foot) {
+    if (searched > range && foot.patch >= 0 && foot.gap >= range) foot = {};
+  }
+  /// Returns how far the feet of an entry's points are searched.
+  double search_range(const PairNeighbours& near, std::size_t entry, double range) const {
+    return near.is_deep(entry) ? std::max(range, overlap_.depth) : range;
+  }
   void evaluate_law(Contacts& contacts) const;
   void add(const Contact& contact, double factor, Tangent kind, std::vector<OpenBlock>& blocks,
            std::size_t& used) const;
@@ -142,6 +174,7 @@ class PairPoints {
   std::shared_ptr<const GapLaw> law_;
   double range_, share_;
   bool reacts_;
+  PairOverlap<D> overlap_;
   std::size_t per_patch_;
   std::vector<Point> points_;
   std::vector<char> owns_secondary_, owns_primary_;  ///< by patch: some node is this rank's
@@ -190,6 +223,8 @@ void PairPoints<D>::for_each_block(const Segment& segment, const Rule& rule, Tan
   }
 }
 
+extern template double overlap_depth(const LocalMesh&, const SurfacePatches<2>&);
+extern template double overlap_depth(const LocalMesh&, const SurfacePatches<3>&);
 extern template class PairPoints<2>;
 extern template class PairPoints<3>;
 

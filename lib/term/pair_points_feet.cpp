@@ -66,7 +66,8 @@ void PairPoints<D>::find_acting(const Times& times, double range, std::vector<ch
     const std::size_t s = near.secondary[entry];
     if (acting[entry] == 0 || owns_secondary_[s] != 0) continue;
     place_points(s, first.places, points);
-    first.primary->reduce(near.primary[entry], points.middle, points.radius(), range, 2 * motion, possible);
+    first.primary->reduce(near.primary[entry], points.middle, points.radius(), search_range(near, entry, range),
+                          2 * motion, possible);
     acting[entry] = std::any_of(possible.begin(), possible.end(),
                                 [&](int p) { return owns_primary_[static_cast<std::size_t>(p)] != 0; })
                         ? 1
@@ -89,6 +90,7 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
     contacts.first[s] = static_cast<int>(contacts.all.size());
     place_points(s, contacts.places, points);
     const std::vector<int>& candidates = near.primary[entry];
+    const double farthest = search_range(near, entry, range);
     std::vector<int>& nearest = memory_.nearest;  // of the candidates, for points that need them
     bool has_nearest = false;
     for (std::size_t q = 0; q < per_patch_; ++q) {
@@ -106,16 +108,18 @@ void PairPoints<D>::find_feet(Contacts& contacts, const EarlierFeet<D>& earlier,
         if (!earlier.same_neighbours) contact.foot.lead = 0;
       } else if (lead > 0) {
         const int patch = earlier.last->find(s, q)->foot.patch;
-        if (patch >= 0) contact.foot = contacts.primary->nearest_on(start, place, range);
+        if (patch >= 0) contact.foot = contacts.primary->nearest_on(start, place, farthest);
         contact.foot.lead = contact.foot.patch == patch ? lead : 0;
       } else if (sight_) {
-        contact.foot = contacts.primary->nearest_of(candidates, place, range);
+        contact.foot = contacts.primary->nearest_of(candidates, place, farthest);
       } else {
         if (!has_nearest)
-          contacts.primary->reduce(candidates, points.middle, points.radius(), range, earlier.slack, nearest);
+          contacts.primary->reduce(candidates, points.middle, points.radius(), farthest, earlier.slack, nearest);
         has_nearest = true;
-        contact.foot = contacts.primary->nearest_among(nearest, place, range, start, earlier.slack);
+        contact.foot = contacts.primary->nearest_among(nearest, place, farthest, start, earlier.slack);
       }
+      count_below_rim(contact.foot);
+      keep_within(range, farthest, contact.foot);
       guess = contact.foot.patch;
       contacts.all.push_back(contact);
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -26,6 +28,12 @@ std::pair<Vec<D>, double> ball_around(const PlacedPatch<D>& patch) {
   return {center, radius};
 }
 
+/// The primary patches that points of a secondary one can have feet on, and whether these points can be deep.
+struct Near {
+  std::vector<int> patches;
+  bool deep = false;
+};
+
 /// Returns the neighbours of the secondary patches that have some; find(primary surface, secondary patch) returns them.
 template <std::size_t D, class Find>
 std::shared_ptr<const PairNeighbours> neighbours_of(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
@@ -35,12 +43,14 @@ std::shared_ptr<const PairNeighbours> neighbours_of(const PairSurfaces<D>& surfa
   std::vector<int> together;
   for (std::size_t s = 0; s < surfaces.secondary.patches.size(); ++s) {
     const SurfacePatch<D>& patch = surfaces.secondary.patches[s];
-    std::vector<int> near = find(primary, patch.placed(patch.among(places.secondary)));
-    if (near.empty()) continue;
-    together.insert(together.end(), near.begin(), near.end());
+    Near near = find(primary, patch.placed(patch.among(places.secondary)));
+    if (near.patches.empty()) continue;
+    together.insert(together.end(), near.patches.begin(), near.patches.end());
     result->secondary.push_back(s);
-    result->primary.push_back(std::move(near));
+    result->primary.push_back(std::move(near.patches));
+    result->deep.push_back(near.deep ? 1 : 0);
   }
+  if (std::none_of(result->deep.begin(), result->deep.end(), [](char deep) { return deep != 0; })) result->deep.clear();
   std::sort(together.begin(), together.end());
   together.erase(std::unique(together.begin(), together.end()), together.end());
   result->together = patch_subset(std::move(together), surfaces.primary.patches.size());
@@ -54,8 +64,30 @@ std::shared_ptr<const PairNeighbours> find_nearest(const PairSurfaces<D>& surfac
                                                    double slack) {
   return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
     const auto [center, radius] = ball_around(patch);
-    return primary.reduced(center, radius, HUGE_VAL, slack);
+    return Near{primary.reduced(center, radius, HUGE_VAL, slack)};
   });
+}
+
+/// Returns the primary patches on which points of the secondary patch can have feet that overlap by more than
+/// `overlap.least`, while gaps change by no more than `motion`; none if there are surely no such points. Below a free
+/// rim the sign of a gap jumps: before an open surface, a foot at a kink or a rim is no proof of a gap.
+template <std::size_t D>
+std::vector<int> feet_of_overlaps(const PlacedSurface<D>& primary, const PlacedPatch<D>& patch,
+                                  const PairOverlap<D>& overlap, double motion) {
+  const bool closed = std::isinf(overlap.depth);
+  const double open_from = motion - overlap.least;  // a greater gap stays above -overlap.least
+  const auto [center, radius] = ball_around(patch);
+  const SurfaceFoot<D> middle = primary.nearest(center, overlap.depth + radius + motion);
+  if (middle.patch < 0 || (closed && middle.gap > radius + open_from)) return {};
+  const auto may_be_deep = [&](const PatchParameters<D>& xi) {
+    const SurfaceFoot<D> foot = primary.nearest(patch.at(xi), overlap.depth + motion, {middle.patch, {}});
+    if (foot.patch < 0) return false;
+    const bool may_jump =
+        !closed && std::any_of(foot.fixed.begin(), foot.fixed.end(), [](bool fixed) { return fixed; });
+    return foot.gap <= open_from || may_jump;
+  };
+  if (std::none_of(overlap.points.begin(), overlap.points.end(), may_be_deep)) return {};
+  return primary.reduced(center, radius, HUGE_VAL, 2 * motion + overlap.lead);
 }
 
 /// Returns the mean radius of balls around the patches.
@@ -107,16 +139,24 @@ std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::s
 
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
-                                                      double range) {
+                                                      double range, const PairOverlap<D>& overlap, double motion) {
   return neighbours_of(surfaces, places, [&](const PlacedSurface<D>& primary, const PlacedPatch<D>& patch) {
-    return primary.near(patch.hull(), range);
+    Near near{primary.near(patch.hull(), range)};
+    if (overlap.depth == 0) return near;
+    const std::vector<int> below = feet_of_overlaps(primary, patch, overlap, motion);
+    if (below.empty()) return near;
+    Near all{{}, true};
+    std::set_union(near.patches.begin(), near.patches.end(), below.begin(), below.end(),
+                   std::back_inserter(all.patches));
+    return all;
   });
 }
 
 template <std::size_t D>
-PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead)
+PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOverlap<D> overlap)
     : surfaces_(surfaces),
       lead_(lead),
+      overlap_(std::move(overlap)),
       secondary_amplification_(largest_amplification(surfaces.secondary)),
       primary_amplification_(largest_amplification(surfaces.primary)) {
   auto all = std::make_shared<PairNeighbours>();
@@ -124,6 +164,8 @@ PairSearch<D>::PairSearch(const PairSurfaces<D>& surfaces, double lead)
   std::iota(all->secondary.begin(), all->secondary.end(), std::size_t{0});
   all->primary.resize(all->secondary.size());
   all_ = std::move(all);
+  overlap_.lead = lead;
+  overlap_.least = std::numeric_limits<double>::infinity();
 }
 
 template <std::size_t D>
@@ -154,6 +196,10 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
     for (const PairPlaces<D>* places : times) result = std::max(result, motion(from, *places));
     return result;
   };
+  if (overlap_.depth > 0 && range < overlap_.least) {
+    overlap_.least = range;
+    last_ = nullptr;  // it can lack feet of overlaps that are deeper than this range
+  }
   if (last_) {
     const double motion = farthest(places_);
     if (std::isfinite(reach_) ? range + motion <= reach_ : motion <= skin_) return last_;
@@ -166,7 +212,10 @@ std::shared_ptr<const PairNeighbours> PairSearch<D>::cover(const std::vector<con
   skin_ = std::max(usual, 2 * farthest(places_));
   is_wide_ = skin_ > 4 * usual;
   reach_ = range + skin_;
-  last_ = bounded ? find_neighbours(surfaces_, places_, reach_) : find_nearest(surfaces_, places_, 2 * skin_ + lead_);
+  if (bounded)
+    last_ = find_neighbours(surfaces_, places_, reach_, overlap_, reach_ - overlap_.least);
+  else
+    last_ = find_nearest(surfaces_, places_, 2 * skin_ + lead_);
   return last_;
 }
 
@@ -195,8 +244,10 @@ template std::vector<char> patches_with_own_nodes(const SurfacePatches<2>&, int)
 template std::vector<char> patches_with_own_nodes(const SurfacePatches<3>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<2>&, int);
 template std::vector<char> acting_patches(const PairSurfaces<3>&, int);
-template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double);
-template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double);
+template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&, double,
+                                                               const PairOverlap<2>&, double);
+template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&, double,
+                                                               const PairOverlap<3>&, double);
 template struct PairPlaces<2>;
 template struct PairPlaces<3>;
 template class PairSearch<2>;

@@ -1,5 +1,6 @@
 /// The patches of one surface that are near those of another.
 #pragma once
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -30,29 +31,46 @@ std::vector<char> acting_patches(const PairSurfaces<D>& surfaces, int owned_node
 template <std::size_t D>
 std::vector<char> patches_with_own_nodes(const SurfacePatches<D>& surface, int owned_nodes);
 
+/// The overlaps on which a law acts that is defined at every gap: they may be deeper than its range.
+template <std::size_t D>
+struct PairOverlap {
+  double depth = 0;  ///< of the deepest overlap that counts, see PairOptions; 0: none beyond the range [L0]
+  /// Lists of patches within a range can lack the feet of overlaps that are deeper than this [L0].
+  double least = std::numeric_limits<double>::infinity();
+  double lead = 0;                              ///< the greatest lead of feet, see SurfaceFoot [L0]
+  std::vector<PatchParameters<D>> points = {};  ///< of each secondary patch: forces act there
+};
+
 /// Secondary patches, and the primary ones that their points can have feet on. If places are no numbers, these are all
 /// secondary patches, without primary ones and without `together`.
 struct PairNeighbours {
   std::vector<std::size_t> secondary;           ///< ascending
   std::vector<std::vector<int>> primary;        ///< by entry of `secondary`, ascending
   std::shared_ptr<const PatchSubset> together;  ///< all of these primary ones
+  /// By entry: points of the patch can be deeper in the other body than the range. Empty if none are.
+  std::vector<char> deep = {};
+  bool is_deep(std::size_t entry) const { return !deep.empty() && deep[entry] != 0; }
 };
 
 /// Returns the secondary patches whose bounding boxes are nearer than `range` to those of primary patches, with these.
+/// It adds those whose points can overlap more deeply, with the primary ones that can have their feet, while gaps
+/// change by no more than `motion` [L0].
 template <std::size_t D>
 std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<D>& surfaces, const PairPlaces<D>& places,
-                                                      double range);
+                                                      double range, const PairOverlap<D>& overlap = {},
+                                                      double motion = 0);
 
 /// Finds neighbours and keeps them as long as they hold. Those within a range were searched within the range and a skin
 /// beyond it, its reach. They hold as long as the range and the change of gaps stay within that reach. Without a range
 /// they are the patches that can have feet, and those that are farther by twice the skin and the greatest lead. They
 /// hold for places from which no gap can have changed by more than the skin. Feet do not depend on which patches are
-/// kept, as long as these contain all that can have one.
+/// kept, as long as these contain all that can have one. Lists within a range contain the feet of overlaps, too.
 template <std::size_t D>
 class PairSearch {
  public:
-  /// `lead`: the greatest lead of feet, see SurfaceFoot [L0]. The surfaces must outlive it.
-  PairSearch(const PairSurfaces<D>& surfaces, double lead);
+  /// `lead`: the greatest lead of feet, see SurfaceFoot [L0]. The surfaces must outlive it. `overlap`: its `least` and
+  /// its lead are not used.
+  PairSearch(const PairSurfaces<D>& surfaces, double lead, PairOverlap<D> overlap = {});
 
   /// Returns neighbours within the range at all of these places and on straight ways between them. If a place is no
   /// number, it returns what PairNeighbours says of such places, without a search.
@@ -71,6 +89,7 @@ class PairSearch {
  private:
   const PairSurfaces<D>& surfaces_;
   double lead_;
+  PairOverlap<D> overlap_;
   double secondary_amplification_, primary_amplification_;
   std::shared_ptr<const PairNeighbours> all_, last_;
   PairPlaces<D> places_;         ///< of the last search
@@ -83,9 +102,9 @@ class PairSearch {
 std::shared_ptr<const PatchSubset> patch_subset(std::vector<int> patches, std::size_t count);
 
 extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<2>&, const PairPlaces<2>&,
-                                                                      double);
+                                                                      double, const PairOverlap<2>&, double);
 extern template std::shared_ptr<const PairNeighbours> find_neighbours(const PairSurfaces<3>&, const PairPlaces<3>&,
-                                                                      double);
+                                                                      double, const PairOverlap<3>&, double);
 extern template struct PairPlaces<2>;
 extern template struct PairPlaces<3>;
 extern template class PairSearch<2>;

@@ -9,6 +9,7 @@
 #include "term/pair_approach.hpp"
 #include "term/pair_coupling.hpp"
 #include "term/pair_gradient.hpp"
+#include "term/pair_passage.hpp"
 
 namespace ixos {
 namespace {
@@ -59,6 +60,7 @@ class PairTerm final : public Interaction {
     approach_.begin_anew();
     in_step_ = false;
     if (points_.sight() == nullptr) return;
+    seen_.clear();
     look(start, 0);
     seen_ = points_.sight()->seen();
   }
@@ -190,6 +192,15 @@ class PairTerm final : public Interaction {
     return approach_.lowest_point(now_, in_step_ ? &start_ : nullptr);
   }
 
+  /// A law that needs positive gaps leaves that to lowest_point(), which looks at the way of the step.
+  LowestPoint passage(const double* from, const double* to) const override {
+    if (needs_positive_gaps()) return {};
+    path_.resize(2);
+    points_.place(from, path_[0]);
+    points_.place(to, path_[1]);
+    return find_passage(points_, path_[0], path_[1]);
+  }
+
   void add_nodal_measure(CountedSides& counted, double* measure) const override {
     for (std::size_t s = 0; s < points_.secondary().patches.size(); ++s) {
       if (!counted.insert(points_.secondary().sides[s]).second) continue;
@@ -269,15 +280,18 @@ class PairTerm final : public Interaction {
     const Places x = points_.places(u);
     const PlacedSurface<D> primary(points_.primary().patches, x.primary);
     if (points_.sight() == nullptr) {
-      for (std::size_t i = 0; i < x.secondary.size(); ++i)
-        visit(static_cast<std::size_t>(points_.secondary().nodes[i]), primary.nearest(x.secondary[i]));
+      for (std::size_t i = 0; i < x.secondary.size(); ++i) {
+        SurfaceFoot<D> foot = primary.nearest(x.secondary[i]);
+        points_.count_below_rim(foot);
+        visit(static_cast<std::size_t>(points_.secondary().nodes[i]), foot);
+      }
       return;
     }
     std::vector<SurfaceFoot<D>> feet(x.secondary.size());  // the nearest of those that the patches at a corner see
     for (std::size_t p = 0; p < points_.secondary().patches.size(); ++p)
       for (std::size_t c = 0; c < corners; ++c) {
         const auto node = static_cast<std::size_t>(points_.secondary().patches[p].nodes[c]);
-        const SurfaceFoot<D> foot = points_.nearest(primary, p, x.secondary[node], points_.law().range());
+        const SurfaceFoot<D> foot = points_.nearest_seen(primary, p, x.secondary[node]);
         if (foot.patch >= 0 && foot.gap < feet[node].gap) feet[node] = foot;
       }
     for (std::size_t node = 0; node < feet.size(); ++node)
@@ -294,7 +308,8 @@ class PairTerm final : public Interaction {
       points_.place_ways(start.v, ways_);
       for (const Vec<D>& v : ways_.secondary) fastest = std::max(fastest, length(v));
     }
-    points_.sight()->look(x.secondary, std::max(points_.law().range(), 2 * dt * fastest));
+    points_.sight()->look(x.secondary, std::max(points_.law().range(), 2 * dt * fastest),
+                          needs_positive_gaps() ? nullptr : &seen_);
   }
 
   void add_weighted(const Contact& contact, double value, double* by_node) const {

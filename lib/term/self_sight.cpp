@@ -69,7 +69,7 @@ bool SelfSight<D>::is_excluded(std::size_t patch, int other) const {
 }
 
 template <std::size_t D>
-void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin) {
+void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin, const std::vector<std::vector<int>>* before) {
   ++version_;
   const PlacedSurface<D> placed(patches_, x);
   std::vector<Vec<D>> places, normals;
@@ -78,13 +78,25 @@ void SelfSight<D>::look(const std::vector<Vec<D>>& x, double skin) {
     places.push_back(frame.place);
     normals.push_back(PlacedPatch<D>::normal(frame));
   }
+  const auto way = [&](std::size_t p, std::size_t q) { return places[q] - places[p]; };
+  const auto face = [&](std::size_t p, std::size_t q) {
+    return inner(way(p, q), normals[p]) > 0 && inner(way(p, q), normals[q]) < 0;
+  };
   for (std::size_t p = 0; p < patches_.size(); ++p) {
-    seen_[p].clear();
-    for (const int other : placed.near(placed.patch(static_cast<int>(p)).hull(), range_ + skin)) {
-      const auto q = static_cast<std::size_t>(other);
-      const Vec<D> way = places[q] - places[p];
-      if (inner(way, normals[p]) > 0 && inner(way, normals[q]) < 0 && !is_excluded(p, other)) seen_[p].push_back(other);
+    std::vector<int> seen;
+    const std::vector<int> near = placed.near(placed.patch(static_cast<int>(p)).hull(), range_ + skin);
+    for (const int other : near)
+      if (face(p, static_cast<std::size_t>(other)) && !is_excluded(p, other)) seen.push_back(other);
+    if (before != nullptr && p < before->size()) {
+      for (const int other : (*before)[p]) {
+        const auto q = static_cast<std::size_t>(other);
+        if (face(p, q) || !(inner(normals[p], normals[q]) < 0)) continue;
+        const bool behind = inner(way(p, q), normals[p]) < 0 && inner(way(p, q), normals[q]) > 0;
+        if (behind || std::binary_search(near.begin(), near.end(), other)) seen.push_back(other);
+      }
+      std::sort(seen.begin(), seen.end());
     }
+    seen_[p] = std::move(seen);
   }
 }
 

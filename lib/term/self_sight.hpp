@@ -22,8 +22,10 @@ class SelfSight {
   SelfSight(const std::vector<SurfacePatch<D>>& patches, const std::vector<Vec<D>>& x, double exclusion, double range);
 
   /// Finds the patches that each one sees at these places: within the range and `skin`, by which a gap can fall in the
-  /// step.
-  void look(const std::vector<Vec<D>>& x, double skin);
+  /// step. `before`: what patches saw at the last places; null if overlaps have no forces. Two patches that saw each
+  /// other then, whose normals are still opposed and that no longer face each other, overlap: they go on seeing each
+  /// other.
+  void look(const std::vector<Vec<D>>& x, double skin, const std::vector<std::vector<int>>* before = nullptr);
   /// Returns the patches that a patch sees, ascending.
   const std::vector<int>& seen(std::size_t patch) const { return seen_[patch]; }
   const std::vector<std::vector<int>>& seen() const { return seen_; }

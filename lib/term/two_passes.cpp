@@ -80,6 +80,7 @@ class TwoPasses final : public Interaction {
   double rounding(const double* u) const override { return first_->rounding(u) + second_->rounding(u); }
   LowestPoint lowest_point(const double* u) const override { return first_->lowest_point(u); }
   bool is_clear(const double* u) const override { return first_->is_clear(u); }
+  LowestPoint passage(const double* from, const double* to) const override { return first_->passage(from, to); }
 
   void report(const double* u, InteractionReport& report) const override {
     InteractionReport other;

@@ -223,9 +223,10 @@ StepResult Integrator::advance(double dt) {
     }
     close_stage(stage, dt, std::move(u));
   }
-  // The forces at quadrature points do not notice a node that has crossed an obstacle.
+  // The forces at quadrature points do not notice a node that has crossed an obstacle, nor a point that has jumped
+  // through it.
   model_.set_time(time_ + dt);
-  const std::string crossed = crossing(model_, states_.back().u.data());
+  const std::string crossed = crossing(model_, states_.back().u.data(), states_.front().u.data());
   model_.set_time(time_);
   result.crossed = !crossed.empty();
   if (result.crossed) result.reason = crossed + "; allow Maximum Cuts, or use shorter steps or smaller faces";

@@ -19,6 +19,12 @@ class Silent final : public test::SilentInteraction {
   bool add_force(const Segment&, const Rule&, double*) const override { return true; }
   void add_tangent(const Segment&, const Rule&, Tangent, double*) const override {}
   bool needs_positive_gaps() const override { return positive_; }
+  /// Something below y = -1 has gone through a thin obstacle; the way is 0.25 deep.
+  LowestPoint passage(const double* from, const double* to) const override {
+    const LowestPoint end = lowest_point(to);
+    if (!(end.gap < -1 && lowest_point(from).gap > 0)) return {};
+    return {-0.25, end.place};
+  }
   LowestPoint lowest_point(const double* u) const override {
     LowestPoint lowest;
     for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
@@ -109,6 +115,36 @@ TEST(CrossingTest, AStepThatCrossesIsRejectedByImplicitAndExplicitSchemes) {
     test::expect_contains(result.reason, "; allow Maximum Cuts, or use shorter steps or smaller faces");
     EXPECT_NEAR(integrator.time(), 0.4, 1e-12) << name;
     EXPECT_TRUE(integrator.step(0.05).converged) << name;
+  }
+}
+
+TEST(CrossingTest, TellsOfAPointThatPassesThroughTheObstacle) {
+  const auto model = block(false);
+  const std::vector<double> rest = test::at_rest(*model), near = velocity(*model, 0, -0.6),
+                            beyond = velocity(*model, 0, -2);
+  EXPECT_EQ(crossing(*model, near.data(), rest.data()), "");
+  EXPECT_EQ(crossing(*model, beyond.data()), "") << "no step";
+  EXPECT_EQ(crossing(*model, beyond.data(), near.data()), "") << "the overlap was there before";
+  const std::string found = crossing(*model, beyond.data(), rest.data());
+  test::expect_contains(found,
+                        "the surface of interaction \"Wall\" passes through the obstacle, or through the other body, "
+                        "within one step: the gap falls to -0.25 L0 on the way to node ");
+}
+
+TEST(CrossingTest, AStepThatPassesThroughTheObstacleIsRejectedWithEveryLaw) {
+  for (const char* name : {"Newmark", "Average Vector Field", "Central Difference"}) {
+    const Scheme& chosen = scheme(name);
+    const Table table = chosen.table(chosen.parameters);
+    const auto model = block(false, table.mass);
+    Integrator integrator = test::direct(*model, table);
+    integrator.initialize(test::at_rest(*model), velocity(*model, 0, -1), 0);
+    const StepResult result = integrator.step(2);
+    EXPECT_FALSE(result.converged) << name;
+    EXPECT_TRUE(result.crossed) << name;
+    test::expect_contains(result.reason, "passes through the obstacle");
+    test::expect_contains(result.reason, "; allow Maximum Cuts, or use shorter steps");
+    EXPECT_EQ(integrator.time(), 0) << name;
+    EXPECT_TRUE(integrator.step(1).converged) << name;
   }
 }
 

@@ -299,10 +299,11 @@ TEST(MovedInteractionTest, AWayThroughTheSurfaceIsNoticed) {
   const RigidMotion way(2, options);
   const std::vector<double> rest = test::at_rest(*model);
   const Segment segment{rest.data(), nullptr, rest.data(), 0, 1};
-  double ratio = 1, ends_apart = 1, noticed = 0;
+  double ratio = 1, ends_apart = 1, noticed = 0, deepest = 1;
   for (const auto& term : terms(*model, ball, &way)) {
     term->begin_step({rest.data()}, 0, 1);
     ratio = std::max(ratio, term->gap_ratio(rest.data(), rest.data()));
+    deepest = std::min(deepest, term->passage(rest.data(), rest.data()).gap);
     std::vector<double> f(rest.size(), 0.0);
     if (!term->add_force(segment, end_rule(), f.data())) ends_apart = 0;
     if (!term->add_force(segment, point_rule({0.5}, {1.0}), f.data())) noticed = 1;
@@ -310,6 +311,13 @@ TEST(MovedInteractionTest, AWayThroughTheSurfaceIsNoticed) {
   EXPECT_EQ(model->space().minimum(ends_apart), 1);
   EXPECT_EQ(model->space().maximum(noticed), 1);
   EXPECT_GT(model->space().maximum(ratio), 1e5);
+  EXPECT_NEAR(model->space().minimum(deepest), 0.3 - 0.5, 1e-3);  // the points are 0.3 above the centre
+  options.angle = polynomial(0.2, 0);
+  const RigidMotion turning(2, options);
+  for (const auto& term : terms(*model, ball, &turning)) {
+    term->begin_step({rest.data()}, 0, 1);
+    EXPECT_FALSE(term->passage(rest.data(), rest.data()).gap < 0) << "ways are not straight";
+  }
 }
 
 }  // namespace

@@ -54,8 +54,11 @@ struct PairOfBodies {
     const auto surface = [&](const std::string& set) {
       return surface_patches<D>(mesh, mesh.whole_side_sets.at(set), pair.smoothing, set);
     };
-    const PairPoints<D> points(mesh, {surface(pair.secondary), surface(pair.primary)},
-                               pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law, {pair.points});
+    PairSurfaces<D> surfaces{surface(pair.secondary), surface(pair.primary)};
+    PairOptions options{pair.points};
+    options.depth = model->space().maximum(overlap_depth(mesh, surfaces.primary));
+    const PairPoints<D> points(mesh, std::move(surfaces), pair.cutoff > 0 ? pair.law->cut_off(pair.cutoff) : pair.law,
+                               options);
     std::vector<double> y(x.size(), 0.0);
     const auto add = [&](const PairBlock& block) {
       const std::size_t size = D * block.nodes.size();

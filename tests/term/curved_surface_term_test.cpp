@@ -277,5 +277,38 @@ TEST(CurvedSurfaceTermTest, RowSumsBoundTheTangent) {
   }
 }
 
+/// A body that jumps over a sphere has passed through it, with every law and element; one that ends above the centre or
+/// beside the sphere, or moves away, has not.
+TEST(CurvedSurfaceTermTest, AJumpThroughASphereIsAPassage) {
+  for (const auto& own : {law(), make_gap_law("Penalty"), make_gap_law("Morse")})
+    for (const auto& [dimension, element] : bodies) {
+      const auto model = test::box_with_contact(dimension, element);  // its bottom is at 0.3
+      const LocalMesh& mesh = model->mesh();
+      const auto d = static_cast<std::size_t>(dimension);
+      std::vector<double> center(d, 0.0);
+      center.back() = -1;
+      const auto ball = make_obstacle("Sphere", d, {{"Radius", 0.5}, {"Center", center}});
+      const auto surface = terms(*model, ball, true, own);
+      const std::vector<double> rest = test::at_rest(*model);
+      const auto gap_on_the_way = [&](double along, double aside) {
+        std::vector<double> u = rest;
+        for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node) {
+          if (mesh.is_derivative(node)) continue;
+          u[d * node] = aside;
+          u[d * node + d - 1] = along;
+        }
+        double gap = 1;
+        for (const auto& term : surface) gap = std::min(gap, term->passage(rest.data(), u.data()).gap);
+        return model->space().minimum(gap);
+      };
+      EXPECT_LT(gap_on_the_way(-3, 0), -0.15) << dimension;
+      EXPECT_GE(gap_on_the_way(-3, 0), -0.5 - 1e-12) << dimension;
+      EXPECT_LT(gap_on_the_way(-3, 0.1), 0) << dimension;
+      EXPECT_FALSE(gap_on_the_way(-0.9, 0) < 0) << dimension;
+      EXPECT_FALSE(gap_on_the_way(3, 0) < 0) << dimension;
+      EXPECT_FALSE(gap_on_the_way(0, 30) < 0) << dimension;
+    }
+}
+
 }  // namespace
 }  // namespace ixos

@@ -58,6 +58,22 @@ TEST(SelfSightTest, TheBackOfABodyIsNotSeen) {
   for (const std::vector<int>& seen : sight.seen()) EXPECT_TRUE(seen.empty());
 }
 
+/// Arms that have gone through each other overlap if they saw each other before; otherwise nobody knows.
+TEST(SelfSightTest, ArmsThatOverlapGoOnSeeingEachOther) {
+  const Hairpin hairpin(10, true);
+  SelfSight<2> sight(hairpin.patches, hairpin.x, 4, 1.5);
+  sight.look(hairpin.x, 0);
+  const std::vector<std::vector<int>> before = sight.seen();
+  std::vector<Vec<2>> crossed = hairpin.x;
+  for (Vec<2>& x : crossed)
+    if (x[1] > 0.5) x[1] = -0.2;
+  sight.look(crossed, 0, &before);
+  for (std::size_t p = 0; p < 6; ++p) EXPECT_EQ(sight.seen(p), before[p]) << p;
+  EXPECT_FALSE(sight.seen(0).empty());
+  sight.look(crossed, 0);
+  for (std::size_t p = 0; p < 6; ++p) EXPECT_TRUE(sight.seen(p).empty()) << p;
+}
+
 TEST(SelfSightTest, WhatIsSeenComesBack) {
   const Hairpin hairpin(10, true);
   SelfSight<2> sight(hairpin.patches, hairpin.x, 4, 1.5);
