@@ -13,7 +13,7 @@ namespace ixos {
 namespace {
 
 constexpr std::array<char, 16> magic{'I', 'x', 'o', 's', ' ', 'c', 'h', 'e', 'c', 'k', 'p', 'o', 'i', 'n', 't', '\n'};
-constexpr std::uint64_t format = 5;
+constexpr std::uint64_t format = 6;
 
 /// The first bytes of the file; the rest of the user block is zero.
 struct Seal {

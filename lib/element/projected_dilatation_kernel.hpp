@@ -333,8 +333,7 @@ struct ProjectedDilatationKernel : ElasticKernel<Element, Material> {
 /// The kernel of the formulation MeanDilatation: a linear field of the volume change in quadratic cells, a mean in
 /// others.
 template <class Element, class Material>
-using DilatationKernel =
-    std::conditional_t<is_quadratic_element<Element>, ProjectedDilatationKernel<Element, Material>,
-                       MeanDilatationKernel<Element, Material>>;
+using DilatationKernel = std::conditional_t<is_quadratic_element<Element>, ProjectedDilatationKernel<Element, Material>,
+                                            MeanDilatationKernel<Element, Material>>;
 
 }  // namespace ixos

@@ -48,8 +48,7 @@ HistoryEntry expression_history() {
            "Expression of the first derivative of Value. A motion needs it; Ixos verifies it by quadrature.")
       .add("Acceleration", &Parameters::acceleration,
            "Expression of the first derivative of Velocity. A motion needs it; Ixos verifies it by quadrature, unless "
-           "the "
-           "scheme is Static.")
+           "the scheme is Static.")
       .add("Time Unit", &Parameters::time_unit, "Unit of t in the expressions [T0].", greater_than(0))
       .add("Value Unit", &Parameters::value_unit,
            "Unit of the value that the expressions give [L0 for a motion, - for a load, rad for an angle]; that of "

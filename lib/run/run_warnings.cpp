@@ -99,8 +99,7 @@ Message jump_to_another_equilibrium(const Facts& facts) {
   if (facts.has_inertia || !(share > limit)) return "";
   return fmt::format(
       "between t = {:.6g} and {:.6g} T0 the body jumped to another equilibrium and released {:.3g} E0 L0^D, {:.0f} % "
-      "of "
-      "the largest energy (limit {:.0f} %): the states on both sides are equilibria, the way between them is none; "
+      "of the largest energy (limit {:.0f} %): the states on both sides are equilibria, the way between them is none; "
       "a dynamic scheme shows it",
       facts.jump.from, facts.jump.to, facts.jump.released, 100 * share, 100 * limit);
 }
@@ -124,9 +123,9 @@ Message front_against_step(const Facts& facts) {
   const FrontSteps& front = facts.front;
   if (front.fast < rows || static_cast<double>(front.fast) <= share * static_cast<double>(front.moving)) return "";
   return fmt::format(
-      "the front of the contact moved {:.3g} L0 in a step on average, farther than the cohesive zone, {:.3g} L0, in {} "
-      "of "
-      "{} rows in which it moved (limit {:.0f} %): its forces are not resolved in time; use steps {:.0f} times shorter",
+      "the front of the contact moved {:.3g} L0 in a step on average, farther than the cohesive zone, {:.3g} L0, in "
+      "{} of {} rows in which it moved (limit {:.0f} %): its forces are not resolved in time; use steps {:.0f} times "
+      "shorter",
       front.way, front.zone, front.fast, front.moving, 100 * share, std::ceil(3 * front.way / front.zone));
 }
 
@@ -136,8 +135,8 @@ Message unresolved_relaxation(const Facts& facts) {
   return fmt::format(
       "the time step's error in the stress of the Maxwell branches was {:.2g} % of the stress while they acted (limit "
       "{:.0f} %); it is of first order in the step with the History Update \"Backward Euler\", of second order with "
-      "\"Second "
-      "Order\": use steps {:.0f} times shorter for 1 %, which are below a third of the relaxation times that matter",
+      "\"Second Order\": use steps {:.0f} times shorter for 1 %, which are below a third of the relaxation times that "
+      "matter",
       100 * facts.relaxation_error, 100 * limit, shortening(facts.relaxation_error));
 }
 

@@ -136,9 +136,8 @@ Message relaxation_against_step(const Facts& facts) {
     if (facts.longest_step <= limit * time) continue;
     return fmt::format(
         "Materials/{}: steps of up to {:.3g} T0 are longer than a third of the shortest relaxation time, {:.3g} T0: "
-        "with "
-        "the History Update \"Second Order\" they may dissipate less than 0; use a {} of at most {:.2g}, or \"Backward "
-        "Euler\"",
+        "with the History Update \"Second Order\" they may dissipate less than 0; use a {} of at most {:.2g}, or "
+        "\"Backward Euler\"",
         facts.numbers.bodies[i].name, facts.longest_step, time, facts.adaptive ? "Maximum Time Step" : "Time Step",
         limit * time);
   }
@@ -262,18 +261,14 @@ Message cells_that_lock(const Facts& facts) {
     if (own.is_volumetric && cells.body > volumetric_limit)
       return fmt::format(
           "Materials/{}: Poisson's ratio is {:.4g} (limit {}) and the cells are \"Standard\", which lock: one of them "
-          "is "
-          "{:.3g} times as stiff in bending as the material, {} layers of them may be {:.3g} times as stiff (limit "
-          "{}), "
-          "and more where the strains are local; use the Element Formulation \"Mean Dilatation\" or \"Enhanced\"",
+          "is {:.3g} times as stiff in bending as the material, {} layers of them may be {:.3g} times as stiff (limit "
+          "{}), and more where the strains are local; use the Element Formulation \"Mean Dilatation\" or \"Enhanced\"",
           name, own.poissons_ratio, nearly_incompressible, cells.cell, cells.layers, cells.body, volumetric_limit);
     if (!own.is_volumetric && !has_single_layer && cells.body > bending_limit)
       return fmt::format(
           "Materials/{}: the body is slender, and {} layer(s) of linear cells, {:.2g} times as long as thick, are "
-          "{:.3g} "
-          "times as stiff in bending as the material (limit {}): one cell locks by {:.3g}, n layers by a share of "
-          "1/n^2 of "
-          "the excess; use more layers, shorter cells, \"Enhanced\" elements, or Cell Order 2",
+          "{:.3g} times as stiff in bending as the material (limit {}): one cell locks by {:.3g}, n layers by a share "
+          "of 1/n^2 of the excess; use more layers, shorter cells, \"Enhanced\" elements, or Cell Order 2",
           name, cells.layers, cells.aspect, cells.body, bending_limit, cells.cell);
   }
   return "";

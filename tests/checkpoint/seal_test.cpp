@@ -86,7 +86,7 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   std::string later = sealed_;
   later[16] = 6;
   write(later);
-  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 6, and this version reads format 5");
+  EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 7, and this version reads format 6");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
   EXPECT_THROW(seal("/nowhere/checkpoint.h5", {}), FileError);
 }

@@ -61,14 +61,13 @@ struct Ring : test::ElementNodes<Section> {
 
 template <class R>
 class RevolvedKernelsTest : public testing::Test {};
-using Rings =
-    testing::Types<Ring<Quad4, NeoHooke, ElasticKernel>, Ring<Quad4, LinearElastic, ElasticKernel>,
-                   Ring<Quad4C3, NeoHooke, ElasticKernel>, Ring<Quad4CH, NeoHooke, ElasticKernel>,
-                   Ring<Quad9, NeoHooke, ElasticKernel>, Ring<Quad9, NeoHooke, DilatationKernel>,
-                   Ring<Quad9, LinearElastic, DilatationKernel>, Ring<Quad9C4, NeoHooke, DilatationKernel>,
-                   Ring<Quad4, NeoHooke, DilatationKernel>, Ring<Quad4, LinearElastic, DilatationKernel>,
-                   Ring<Quad4C2, NeoHooke, DilatationKernel>, Ring<Quad4, NeoHooke, EnhancedKernel>,
-                   Ring<Quad4, LinearElastic, EnhancedKernel>>;
+using Rings = testing::Types<Ring<Quad4, NeoHooke, ElasticKernel>, Ring<Quad4, LinearElastic, ElasticKernel>,
+                             Ring<Quad4C3, NeoHooke, ElasticKernel>, Ring<Quad4CH, NeoHooke, ElasticKernel>,
+                             Ring<Quad9, NeoHooke, ElasticKernel>, Ring<Quad9, NeoHooke, DilatationKernel>,
+                             Ring<Quad9, LinearElastic, DilatationKernel>, Ring<Quad9C4, NeoHooke, DilatationKernel>,
+                             Ring<Quad4, NeoHooke, DilatationKernel>, Ring<Quad4, LinearElastic, DilatationKernel>,
+                             Ring<Quad4C2, NeoHooke, DilatationKernel>, Ring<Quad4, NeoHooke, EnhancedKernel>,
+                             Ring<Quad4, LinearElastic, EnhancedKernel>>;
 TYPED_TEST_SUITE(RevolvedKernelsTest, Rings);
 
 TYPED_TEST(RevolvedKernelsTest, WeightsSumToTheVolumeOfTheRing) {

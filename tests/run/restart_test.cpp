@@ -380,7 +380,7 @@ TEST_F(RestartTest, AnEquilibriumStaysAtRestInEveryScheme) {
 TEST_F(RestartTest, AHeldMotionIsNoJumpForARunThatResumes) {
   run_scene(bent("Static", 0.1, 1), "equilibrium");
   std::string scene = bent("Newmark", 0.001, 1.01);
-  // The scene of a person who goes on from the equilibrium: its motion is held where the static one ended.
+  // A user resumes from the equilibrium with a motion that is held where the static one ended.
   const std::string ramp =
       list("Lift", word("Type", "Ramp") + list("Ramp", number("Value", 0.5) + number("Length", 1)));
   scene.replace(scene.find(ramp), ramp.size(),
