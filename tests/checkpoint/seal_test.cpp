@@ -84,7 +84,7 @@ TEST_F(SealTest, OtherFilesAreNamedForWhatTheyAre) {
   write("");
   EXPECT_EQ(seal_problem(path_), "is not a checkpoint of Ixos");
   std::string later = sealed_;
-  later[16] = 6;
+  later[16] = 7;
   write(later);
   EXPECT_EQ(seal_problem(path_), "is a checkpoint of format 7, and this version reads format 6");
   EXPECT_NE(seal_problem("/nowhere/checkpoint.h5").find("cannot be opened"), std::string::npos);
