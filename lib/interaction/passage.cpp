@@ -35,6 +35,7 @@ WayThrough way_through(const Obstacle& obstacle, const Point& x0, const Point& x
   WayThrough way;
   way.start = gap_at(obstacle, x0);
   way.end = gap_at(obstacle, x1);
+  way.length = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
   const double first = share_until(obstacle, x0, d, way.start);
   if (!(first < 1)) return way;
   const double last = 1 - share_until(obstacle, x1, back, way.end);

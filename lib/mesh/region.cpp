@@ -63,7 +63,7 @@ double place_tolerance(const Mesh& mesh) {
         for_each_edge(mesh, {number, cell, side}, [&](int a, int b) {
           const Point edge = difference(&mesh.coordinates[static_cast<std::size_t>(a) * d],
                                         &mesh.coordinates[static_cast<std::size_t>(b) * d], d);
-          shortest = std::min(shortest, dot(edge, edge));
+          if (const double square = dot(edge, edge); square > 0) shortest = std::min(shortest, square);  // collapsed
         });
     ++number;
   }

@@ -36,16 +36,23 @@ std::vector<Item> chosen(const std::vector<Item>& candidates, const Inside& insi
                          const char* what) {
   std::vector<Item> result;
   std::size_t near = 0;
-  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+  const double infinity = std::numeric_limits<double>::infinity();
+  double nearest = infinity, farthest = 0, next = infinity;
   for (const Item& item : candidates) {
     const double excess = inside.excess(item);
-    if (excess <= inside.tolerance()) result.push_back(item);
-    if (!inside.is_doubtful(excess)) continue;
-    ++near;
-    nearest = std::min(nearest, excess);
-    farthest = std::max(farthest, excess);
+    if (excess <= inside.tolerance()) {
+      result.push_back(item);
+    } else if (inside.is_doubtful(excess)) {
+      ++near;
+      nearest = std::min(nearest, excess);
+      farthest = std::max(farthest, excess);
+    } else {
+      next = std::min(next, excess);
+    }
   }
-  if (near == 0) return result;
+  // Rounding leaves a gap behind it. On a smooth curve that touches the region the distances grow as squares.
+  constexpr double gap = 5;
+  if (near == 0 || next < gap * farthest) return result;
   throw InputError(fmt::format(
       "the set \"{}\" takes {} {}(s) and leaves out {} that are {:.3g} to {:.3g} L0 outside of its region, within ten "
       "times the tolerance, {:.3g} L0 (a thousandth of the mesh's shortest edge): its coordinates may have too few "

@@ -6,7 +6,8 @@ namespace ixos {
 
 void JumpWatch::row(double time, double balance, double external_work) {
   const double released = balance_ - balance;
-  if (released > largest_.released && released > 0.5 * std::abs(external_work - work_))
+  const bool falls = balance + external_work < balance_ + work_;
+  if (falls && released > largest_.released && released > 0.5 * std::abs(external_work - work_))
     largest_ = {released, time_, time};
   time_ = time;
   balance_ = balance;
@@ -20,7 +21,7 @@ void JumpWatch::transfer(Record& record) {
   record.number("known", known);
   double balance = known ? balance_ : 0;
   record.number("balance", balance);
-  balance_ = known ? balance : none;
+  balance_ = known && (!record.loading() || record.same_scene()) ? balance : none;  // others have other energies
   record.number("work", work_);
   record.number("released", largest_.released);
   record.number("from", largest_.from);

@@ -13,8 +13,9 @@ struct Jump {
 };
 
 /// Finds the largest jump. Between two equilibria of one path the balance (energy less external work plus dissipation)
-/// moves by the error of the trapezoid rule alone, a small part of the work. A jump lowers the balance by the energy
-/// that a dynamic run turns into motion: at least half of the work of the interval.
+/// moves by the error of the trapezoid rule alone. A jump lowers the balance by the energy that a dynamic run turns
+/// into motion: at least half of the work of the interval. Stored and dissipated energy fall together, too, which they
+/// do not where a contact begins within the interval.
 class JumpWatch {
  public:
   /// Takes part in a row: balance and external work so far [E0 L0^D]; NaN without energies.

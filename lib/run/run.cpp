@@ -17,6 +17,7 @@
 #include "run/summary.hpp"
 #include "scene/steep_laws.hpp"
 #include "scene/supports.hpp"
+#include "scene/warnings.hpp"
 #include "time/step_judge.hpp"
 
 namespace ixos {
@@ -62,6 +63,7 @@ class Run {
   void begin_files();
   void go_on();
   void resume_files();
+  void warn_of_jump();
   bool interlude();
   void step();
   void end();
@@ -137,7 +139,19 @@ void Run::go_on() {
     begin_files();
   tell(fmt::format("Resumes from {}: t = {:.6g} T0, step {}.", restart.path(), integrator_.time(), result_.steps));
   for (const std::string& note : restart.notes()) tell(note);
+  warn_of_jump();
   stop(stop_.reason(simulation_.model(), integrator_.state()));
+}
+
+/// Warns if supports set in at the restart with a velocity that the body does not have.
+void Run::warn_of_jump() {
+  if (simulation_.model().mass() == nullptr) return;
+  std::string jump =
+      velocity_jump(simulation_.characteristic_numbers(), integrator_.resumed_jump(), integrator_.time());
+  if (jump.empty()) return;
+  jump += ", or set Velocity After Static to Rate if the checkpoint is one of Static";
+  warn(jump);
+  result_.warnings.push_back({"jump at the restart", jump});
 }
 
 /// Verifies the existing files, then continues them. Changes nothing if one does not match the checkpoint.

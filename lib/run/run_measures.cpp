@@ -58,7 +58,9 @@ void RunMeasures::step(long steps, double dt) {
 void RunMeasures::row(const History& history) {
   const Integrator& integrator = simulation_.integrator();
   contact_.row(integrator.time(), history.contact_measure(), history.forces());
-  if (is_static(integrator.table())) jumps_.row(integrator.time(), history.balance(), integrator.external_work());
+  // The first state is no equilibrium: constant loads and motions act at once.
+  if (is_static(integrator.table()) && steps_ > 0)
+    jumps_.row(integrator.time(), history.balance(), integrator.external_work());
   front_.row(steps_, history.contact_measure());
   for (const FrictionReport& report : history.friction_reports()) {
     friction_work_ += report.work;
@@ -85,6 +87,9 @@ RunFacts RunMeasures::finish(const History& history) {
   facts.friction_lag = friction_work_ > 0 ? friction_lag_ / friction_work_ : 0;
   facts.front = front_.front();
   facts.relaxation_error = relaxation_.share();
+  facts.relaxation_order = 2;
+  for (const Material& material : simulation_.materials())
+    if (!material.branches.empty() && material.history_update != HistoryUpdate::SecondOrder) facts.relaxation_order = 1;
   return facts;
 }
 

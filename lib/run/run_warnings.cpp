@@ -16,7 +16,8 @@ using Message = std::string;  ///< empty: nothing to warn of
 /// Returns the value in as many digits, at least those, as tell it from the limit that it passed.
 std::string beyond(double value, double limit, int digits = 3) {
   while (digits < 17 && fmt::format("{:.{}g}", value, digits) == fmt::format("{:.{}g}", limit, digits)) ++digits;
-  return fmt::format("{:.{}g}", value, digits);
+  const bool whole = std::abs(value) >= std::pow(10.0, digits) && std::abs(value) < 1e9;  // no power of ten
+  return whole ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
 }
 
 Message energy_error(const Facts& facts) {
@@ -104,17 +105,17 @@ Message jump_to_another_equilibrium(const Facts& facts) {
       facts.jump.from, facts.jump.to, facts.jump.released, 100 * share, 100 * limit);
 }
 
-/// Returns how many times shorter steps have to be for an error of first order to be 1 %.
-double shortening(double error) { return std::ceil(error / 0.01); }
+/// Returns how many times shorter steps have to be for an error of that order to be 1 %.
+double shortening(double error, int order = 1) { return std::ceil(std::pow(error / 0.01, 1.0 / order) - 1e-9); }
 
 Message lagged_friction(const Facts& facts) {
   constexpr double limit = 0.02;
   if (!(facts.friction_lag > limit)) return "";
   return fmt::format(
-      "the threshold of friction, which is that at the start of each step, changed by {:.2g} % in a step on average "
+      "the threshold of friction, which is that at the start of each step, changed by {} % in a step on average "
       "(limit {:.0f} %): friction is off by about as much, an error of first order in the step; use steps {:.0f} times "
       "shorter for 1 %, or the Threshold \"Current\"",
-      100 * facts.friction_lag, 100 * limit, shortening(facts.friction_lag));
+      beyond(100 * facts.friction_lag, 100 * limit, 2), 100 * limit, shortening(facts.friction_lag));
 }
 
 Message front_against_step(const Facts& facts) {
@@ -123,8 +124,10 @@ Message front_against_step(const Facts& facts) {
   const FrontSteps& front = facts.front;
   if (front.fast < rows || static_cast<double>(front.fast) <= share * static_cast<double>(front.moving)) return "";
   return fmt::format(
-      "the front of the contact moved {:.3g} L0 in a step on average, farther than the cohesive zone, {:.3g} L0, in "
-      "{} of {} rows in which it moved (limit {:.0f} %): its forces are not resolved in time; use steps {:.0f} times "
+      "the fronts of the contact moved {:.3g} L0 together in a step on average, farther than the cohesive zone, {:.3g} "
+      "L0, in "
+      "{} of {} rows in which they moved (limit {:.0f} %): their forces are not resolved in time; use steps {:.0f} "
+      "times "
       "shorter",
       front.way, front.zone, front.fast, front.moving, 100 * share, std::ceil(3 * front.way / front.zone));
 }
@@ -133,11 +136,11 @@ Message unresolved_relaxation(const Facts& facts) {
   constexpr double limit = 0.1;
   if (!(facts.relaxation_error > limit)) return "";
   return fmt::format(
-      "the time step's error in the stress of the Maxwell branches was {:.2g} % of the stress while they acted (limit "
-      "{:.0f} %); it is of first order in the step with the History Update \"Backward Euler\", of second order with "
-      "\"Second Order\": use steps {:.0f} times shorter for 1 %, which are below a third of the relaxation times that "
-      "matter",
-      100 * facts.relaxation_error, 100 * limit, shortening(facts.relaxation_error));
+      "the time step's error in the stress of the Maxwell branches was {} % of the stress while they acted (limit "
+      "{:.0f} %), an error of {} order in the step: use steps {:.0f} times shorter for 1 %, which are below a third of "
+      "the relaxation times that matter",
+      beyond(100 * facts.relaxation_error, 100 * limit, 2), 100 * limit,
+      facts.relaxation_order == 1 ? "first" : "second", shortening(facts.relaxation_error, facts.relaxation_order));
 }
 
 constexpr WarningKind<RunFacts> kinds[] = {

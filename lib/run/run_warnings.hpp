@@ -28,6 +28,7 @@ struct RunFacts {
   double friction_lag = 0;  ///< mean change of the threshold in a step over the threshold, by the work of friction
   FrontSteps front{};
   double relaxation_error = 0;  ///< see RelaxationWatch::share()
+  int relaxation_order = 1;     ///< of that error in the step: the least of the bodies with branches
 };
 
 /// Returns what may be wrong with the run: the list in run_warnings.cpp, at most one warning of each kind.

@@ -11,15 +11,6 @@ namespace {
 
 using Note = std::string;  ///< empty: nothing to note
 
-Note bond_that_never_forms(const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&,
-                           const SceneFacts&) {
-  if (!surface.never_bonds) return "";
-  return fmt::format(
-      "the surface begins at a gap of {:.3g} L0, beyond the range of its law, {:.3g} L0. A bond that begins out of "
-      "range never forms, and the surface only repels; set Bond on Touch, or let the surface begin at the obstacle",
-      surface.least_gap, own.range);
-}
-
 /// Concerns a block or a pillar: a film that is peeled off hardly narrows. An oblique pull draws a warning.
 Note straight_pull_without_friction(const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers& body,
                                     const SceneFacts&) {
@@ -72,8 +63,7 @@ Note missing_symmetry(const SurfaceNumbers&, const SurfaceFacts& own, const Body
 
 std::vector<std::string> scene_notes(const SceneFacts& facts) {
   std::vector<std::string> notes;
-  for (const auto& note :
-       {bond_that_never_forms, straight_pull_without_friction, start_far_from_equilibrium, missing_symmetry})
+  for (const auto& note : {straight_pull_without_friction, start_far_from_equilibrium, missing_symmetry})
     for (std::size_t i = 0; i < facts.surfaces.size(); ++i) {
       const SurfaceNumbers& numbers = facts.numbers.surfaces[i];
       const Note text = note(numbers, facts.surfaces[i], facts.numbers.bodies[numbers.body], facts);

@@ -8,6 +8,7 @@
 #include "mesh/layers.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
+#include "mesh/set_size.hpp"
 #include "mesh/side_grid.hpp"
 #include "scene/symmetry_planes.hpp"
 
@@ -37,6 +38,16 @@ std::optional<double> rest_gap(const GapLaw& law) {
   return rests(law.equilibrium_gap()) ? std::optional<double>(law.equilibrium_gap()) : std::nullopt;
 }
 
+/// Returns whether a moved obstacle begins where it is at rest.
+bool begins_in_place(const SceneInteraction& interaction, const Histories& histories, const StepControlOptions& control,
+                     int dimension) {
+  for (const std::string& name : interaction.motion.histories())
+    if (histories.is_given(name)) return false;
+  const RigidMotion motion = rigid_motion(interaction.node.sublist("Motion"), interaction.motion, histories, dimension);
+  const RigidPose pose = motion.pose(control.initial_time);
+  return pose.translation == std::array<double, 3>{} && pose.angle == 0;
+}
+
 /// See SurfaceFacts::column.
 double column(const Mesh& mesh, const std::vector<int>& parts, const SurfaceNumbers& surface,
               const SurfaceFacts& facts) {
@@ -44,8 +55,9 @@ double column(const Mesh& mesh, const std::vector<int>& parts, const SurfaceNumb
   if (surface.work == 0 || facts.has_friction || facts.drive.pulls.empty() || !is_flat ||
       !std::all_of(parts.begin(), parts.end(), [&](int part) { return part == surface.part; }))
     return 0;
-  const auto sides = static_cast<double>(mesh.side_sets[surface.side_set].sides.size());
-  return mesh_quality(mesh).volume / (sides * std::pow(surface.face_length, mesh.dimension - 1) * surface.thickness);
+  double foot = 0;
+  for (const Side& side : mesh.side_sets[surface.side_set].sides) foot += side_measure(mesh, side);
+  return mesh_quality(mesh).volume / (foot * surface.thickness);
 }
 
 bool follows_traction(const Friction& friction) {
@@ -138,6 +150,9 @@ SceneFacts scene_facts(const SceneNode& scene, CharacteristicNumbers numbers, co
     own.repulsion = std::max(0.0, static_cast<double>(interaction.law->traction(Pack(surface.least_gap))[0]));
     own.open_cut = open_cut(scene, mesh, mesh.side_sets[surface.side_set], parts, surface.normal);
     own.moved = !interaction.motion.histories().empty();
+    own.never_bonds = surface.never_bonds ||
+                      (own.moved && !interaction.law->bonds_later() && surface.least_gap >= interaction.law->range() &&
+                       begins_in_place(interaction, histories, control, mesh.dimension));
     own.drive = driving.of_part(surface.part, surface.normal);
     own.attraction = attraction(interaction, std::max(surface.least_gap - own.drive.approach, own.peak_gap));
     const Material& material = materials[numbers.bodies[surface.body].material];

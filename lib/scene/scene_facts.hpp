@@ -29,6 +29,7 @@ struct SurfaceFacts {
   std::optional<double> rest_gap{};
   double repulsion = 0;       ///< at the least gap; 0 in attraction [E0]
   double attraction = 0;      ///< at the least gap less the approach; 0 beyond the range [E0]
+  bool never_bonds = false;   ///< its bonds form at the start only, and it begins beyond their range
   bool moved = false;         ///< the obstacle is moved: its place at the start tells little
   bool opposed = true;        ///< this law or another one on the side set repels
   bool has_friction = false;  ///< some interaction of the side set has friction

@@ -169,47 +169,30 @@ Message unknown_material(const Facts& facts) {
   });
 }
 
-/// The bodies' largest size [L0] and wave speed [L0/T0].
-struct Extent {
-  double size = 0, speed = 0;
-};
-Extent extent_of(const Facts& facts) {
-  Extent extent;
-  for (const BodyNumbers& body : facts.numbers.bodies) {
-    extent.size = std::max(extent.size, body.size);
-    extent.speed = std::max(extent.speed, body.wave_speed);
-  }
-  return extent;
-}
-
-/// Returns a warning of a jump of velocity that is not small beside the wave speed.
-Message velocity_jump(double jump, double time, const Extent& extent) {
-  constexpr double fast = 0.02;
-  if (jump <= fast * extent.speed) return "";
-  return fmt::format(
-      "the velocity of the motion jumps by {:.3g} L0/T0 at t = {:.6g} T0, {:.2g} of the wave speed (limit {}); let "
-      "it rise over some time, for example by a Rate Ramp",
-      jump, time, jump / extent.speed, fast);
+double largest_size(const CharacteristicNumbers& numbers) {
+  double size = 0;
+  for (const BodyNumbers& body : numbers.bodies) size = std::max(size, body.size);
+  return size;
 }
 
 Message motion_that_begins_with_a_jump(const Facts& facts) {
   if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
-  const Extent extent = extent_of(facts);
+  const double size = largest_size(facts.numbers);
   return first_motion(facts, [&](const Motion& motion) {
-    if (std::abs(motion.start) > 1e-6 * extent.size)
+    if (std::abs(motion.start) > 1e-6 * size)
       return fmt::format("the motion begins with a jump to {:.3g} L0; let it begin at 0", motion.start);
-    return velocity_jump(motion.start_jump, facts.initial_time, extent);
+    return velocity_jump(facts.numbers, motion.start_jump, facts.initial_time);
   });
 }
 
 Message motion_that_jumps(const Facts& facts) {
   if (facts.numbers.bodies.empty() || !facts.has_inertia) return "";
-  const Extent extent = extent_of(facts);
+  const double size = largest_size(facts.numbers);
   return first_motion(facts, [&](const Motion& motion) {
-    Message jump = velocity_jump(motion.velocity_jump, motion.jump_time, extent);
+    Message jump = velocity_jump(facts.numbers, motion.velocity_jump, motion.jump_time);
     if (!jump.empty()) return jump;
     // Explicit schemes divide the step.
-    if (facts.step > 0 && motion.range > 1e-6 * extent.size && motion.in_one_step > 0.9 * motion.range &&
+    if (facts.step > 0 && motion.range > 1e-6 * size && motion.in_one_step > 0.9 * motion.range &&
         facts.step < facts.duration / 1.5)
       return fmt::format(
           "{:.2g} of the whole motion of {:.3g} L0 happens in one step of {:.3g} T0 (limit 0.9); use a longer ramp or "
@@ -274,6 +257,16 @@ Message cells_that_lock(const Facts& facts) {
   return "";
 }
 
+Message bond_that_never_forms(const Facts& facts) {
+  return first_surface(facts, [](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
+    if (!own.never_bonds) return Message();
+    return fmt::format(
+        "the surface begins at a gap of {:.3g} L0, beyond the range of its law, {:.3g} L0: a bond that begins out of "
+        "range never forms, and the surface only repels; set Bond on Touch, or let the surface begin at the obstacle",
+        surface.least_gap, own.range);
+  });
+}
+
 Message oblique_pull_without_friction(const Facts& facts) {
   constexpr double limit = 0.1;
   return first_surface(facts, [&](const SurfaceNumbers& surface, const SurfaceFacts& own, const BodyNumbers&) {
@@ -330,6 +323,7 @@ constexpr WarningKind<SceneFacts> kinds[] = {
     {"jump", motion_that_jumps},
     {"no attraction", gap_without_attraction},
     {"no repulsion", attraction_without_repulsion},
+    {"bond", bond_that_never_forms},
     {"bending", no_way_to_bend},
     {"locking", cells_that_lock},
     {"friction of one law", friction_of_one_law},
@@ -339,6 +333,17 @@ constexpr WarningKind<SceneFacts> kinds[] = {
 }  // namespace
 
 std::vector<Warning> scene_warnings(const SceneFacts& facts) { return warnings_of(facts, kinds); }
+
+std::string velocity_jump(const CharacteristicNumbers& numbers, double jump, double time) {
+  constexpr double fast = 0.02;
+  double speed = 0;
+  for (const BodyNumbers& body : numbers.bodies) speed = std::max(speed, body.wave_speed);
+  if (jump <= fast * speed) return "";
+  return fmt::format(
+      "the velocity of the motion jumps by {:.3g} L0/T0 at t = {:.6g} T0, {:.2g} of the wave speed (limit {}); let "
+      "it rise over some time, for example by a Rate Ramp",
+      jump, time, jump / speed, fast);
+}
 
 bool is_about_start(const Warning& warning) { return warning.name == start_jump; }
 

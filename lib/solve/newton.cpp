@@ -143,13 +143,21 @@ struct NewtonSolver::Implementation {
     return result;
   }
 
-  /// Moves x, the solution, by a last solve with its residual, which is not evaluated again.
+  /// Moves x, the solution, by a last solve with its residual, which is not evaluated again. A solve that fails leaves
+  /// x as it is.
   void correct(Vector& x) const {
     const Teuchos::RCP<const KeptState> kept = keeper() == nullptr ? Teuchos::null : keeper()->latest();
     if (kept.is_null()) return;
     const auto& last = dynamic_cast<const NOX::Thyra::Vector&>(solver->getSolutionGroup().getF());
     const Teuchos::RCP<Thyra::VectorBase<double>> step = Thyra::createMember(evaluator->get_x_space());
-    if (kept->correction(*last.getThyraRCPVector(), *step)) x.update(-1.0, *Extract::getTpetraVector(step), 1.0);
+    bool found = false;
+    try {
+      found = kept->correction(*last.getThyraRCPVector(), *step);
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception&) {  // the solution has converged without it
+    }
+    if (found) x.update(-1.0, *Extract::getTpetraVector(step), 1.0);
   }
 
   /// Returns the failure when the linear solver or NOX failed irrecoverably. The next solve starts from a new solver.

@@ -1,3 +1,5 @@
+#include "fem/cell_type.hpp"  // whose names the elements below have, too
+
 #include "element/enhanced_kernel.hpp"
 #include "element/projected_dilatation_kernel.hpp"
 #include "fem/with_element.hpp"

@@ -53,6 +53,7 @@ struct Crossing {
   double time;  ///< as a share of the step
   bool enters;
   Vec<D> normal;  ///< outward unit vector
+  int patch = -1;
 };
 
 template <std::size_t D>
@@ -84,7 +85,7 @@ void add_crossings(const Vec<D>& x0, const Vec<D>& x1, const Facet<D>& f0, const
     }
     const Facet<D> f = facet_at(high);
     const Vec<D> n = normal_of(f);
-    if (length(n) > 0 && holds(f, between(x0, x1, high))) all.push_back({high, enters, (1 / length(n)) * n});
+    if (length(n) > 0 && holds(f, between(x0, x1, high))) all.push_back({high, enters, (1 / length(n)) * n, -1});
   }
 }
 
@@ -127,7 +128,7 @@ class Ways {
         if (!(length(x1 - x0 - other_.drift) > scale / 8)) continue;
         const Crossings<D> crossings = find(p, x0, x1);
         if (crossings.empty()) continue;
-        const double gap = sight_ != nullptr ? own_passage(crossings, length(x1 - x0 - other_.drift))
+        const double gap = sight_ != nullptr ? own_passage(p, crossings, length(x1 - x0 - other_.drift))
                                              : passage(crossings, x0, x1, scale, behind);
         if (!(gap < lowest.gap)) continue;
         lowest.gap = gap;
@@ -144,7 +145,9 @@ class Ways {
     for (const int q : other_.start.near(std::array<Vec<D>, 2>{x0, x1 - other_.drift}, other_.strain)) {
       if (sight_ != nullptr && sight_->is_excluded(p, q)) continue;
       const auto before = facets_of(other_.start.patch(q)), after = facets_of(other_.end.patch(q));
+      const std::size_t found = result.size();
       for (std::size_t f = 0; f < before.size(); ++f) add_crossings<D>(x0, x1, before[f], after[f], result);
+      for (std::size_t k = found; k < result.size(); ++k) result[k].patch = q;
     }
     std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
     return result;
@@ -169,7 +172,7 @@ class Ways {
     if (out == nullptr && start.gap > 0 && behind(end)) return end.gap;
     if (out == nullptr && end.gap > 0) return none;  // beside a free rim
     const double left = out != nullptr ? out->time : 1;
-    WayThrough way{start.gap, end.gap, std::min(start.gap, end.gap)};
+    WayThrough way{start.gap, end.gap, length(x1 - x0 - other_.drift), std::min(start.gap, end.gap)};
     constexpr int samples = 8;
     for (int k = 0; k < samples; ++k) {
       const double time = entered + (left - entered) * (k + 0.5) / samples;
@@ -180,11 +183,16 @@ class Ways {
   }
 
   /// Returns minus half of the way through another part of the same surface, at most the depth, if the point leaves it
-  /// at another side, else infinity. The nearest point of the surface is the point itself: it has no gap.
-  static double own_passage(const Crossings<D>& all, double way) {
+  /// at another side, or if it stays in a part that its patch does not see, which has no force on it; else infinity.
+  /// The nearest point of the surface is the point itself: it has no gap.
+  double own_passage(std::size_t p, const Crossings<D>& all, double way) const {
     const Crossing<D>* const in = first(all, true, 0);
-    const Crossing<D>* const out = in != nullptr ? first(all, false, in->time) : nullptr;
-    if (out == nullptr || !(inner(in->normal, out->normal) < 0)) return none;
+    if (in == nullptr) return none;
+    const Crossing<D>* const out = first(all, false, in->time);
+    const std::vector<int>& seen = sight_->seen(p);
+    if (out == nullptr)
+      return std::binary_search(seen.begin(), seen.end(), in->patch) ? none : -way * (1 - in->time) / 2;
+    if (!(inner(in->normal, out->normal) < 0)) return none;
     return -way * (out->time - in->time) / 2;
   }
 

@@ -39,7 +39,9 @@ void PairPoints<D>::count_below_rim(SurfaceFoot<D>& foot) const {
   bool rim = false;
   for (std::size_t side = 0; side < SurfacePatch<D>::sides; ++side)
     rim = rim || (patch.neighbours[side] < 0 && foot.fixed[side / 2] && foot.xi[side / 2] == (side % 2 == 0 ? 0 : 1));
-  if (!rim || !meet_smoothly(-1 * foot.normal, PlacedPatch<D>::normal(foot.frame))) return;
+  // A point farther outside is beside the body, not below its face.
+  const double below = -inner(foot.normal, PlacedPatch<D>::normal(foot.frame));
+  if (!rim || below < std::cos(10 * M_PI / 180)) return;
   foot.gap = -foot.gap;
   foot.normal = -1 * foot.normal;
 }

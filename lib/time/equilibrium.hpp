@@ -9,7 +9,7 @@ namespace ixos {
 
 /// Returns why a quasi-static step from `start`, the equilibrium at `time`, failed, for the user: the load up to which
 /// equilibria were found, the remedy, and `detail`, what Newton's method says. The load is the sum of the magnitudes
-/// of the nodal forces [E0 L0^(D-1)]. Without dead loads it names only the time. Collective.
-std::string no_equilibrium(const Model& model, const State& start, double time, const std::string& detail);
+/// of the nodal forces [E0 L0^(D-1)]. If only supports move, it names the time. Collective.
+std::string no_equilibrium(const Model& model, const State& start, double time, double dt, const std::string& detail);
 
 }  // namespace ixos

@@ -42,7 +42,6 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
       version_(model.discretization().version()),
       states_(table_.stages.size() + 1),
       unknown_(Teuchos::rcp(new Vector(model.space().owned_map()))) {
-  newton_.corrects = table_.energy_promise > 0;
   check(table_);
   check_compatible(model, table_);
   if (is_static(table_) != (model.mass() == nullptr))
@@ -53,6 +52,8 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
     throw std::invalid_argument("scheme \"" + table_.name +
                                 "\": it needs a lumped mass and the model has a consistent one, or the reverse");
   model.close();
+  // Reactions that do work are those before a correction: it would move the balance as much as it mends.
+  newton_.corrects = table_.energy_promise > 0 && model.space().maximum(model.constraints().driven() ? 1 : 0) == 0;
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
   if (is_explicit(table_)) {
     stable_step_ = std::make_unique<StableStep>(model_, table_.safety);
@@ -217,7 +218,8 @@ StepResult Integrator::advance(double dt) {
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;
     if (!newton.converged) {
-      result.reason = is_static(table_) ? no_equilibrium(model_, states_.front(), time_, newton.reason) : newton.reason;
+      result.reason =
+          is_static(table_) ? no_equilibrium(model_, states_.front(), time_, dt, newton.reason) : newton.reason;
       states_[stage + 1].u = std::move(u);
       return result;
     }

@@ -61,6 +61,9 @@ class Integrator {
   /// Sets whether a state that another scene's quasi-static run left keeps the rate of its last step as velocity when
   /// transfer() loads it. By default it is at rest: the rate is that of the load, and no velocity of an equilibrium.
   void keep_static_rates(bool keep) { keeps_static_rates_ = keep; }
+  /// Returns by how much the velocity of prescribed displacements jumped when transfer() loaded the state of another
+  /// scene [L0/T0]; 0 if there was none.
+  double resumed_jump() const { return resumed_jump_; }
 
   /// Returns the longest step from here that is stable and no longer than `wanted`: `wanted` itself for implicit
   /// schemes. step() does not call it. Collective.
@@ -120,11 +123,13 @@ class Integrator {
   void transfer_derived(Record& record);
   void check_whole(const char* name, const std::vector<double>& field, Extent extent) const;
   void refuse_jump() const;
+  double velocity_jump() const;
 
   Model& model_;
   Table table_;
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   bool keeps_static_rates_ = false;
+  double resumed_jump_ = 0;
   bool needs_acceleration_ = false;  ///< some row of the table uses a_n, or the predictor does
   bool has_external_ = false;        ///< the model has loads or constraints on some rank
   std::vector<std::unique_ptr<StageSolver>> solvers_;

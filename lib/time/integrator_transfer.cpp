@@ -24,8 +24,8 @@ bool Integrator::transfer_kind(Record& record) {
   if (record.in_memory()) return mine;
   if (record.loading() ? !record.has_section("static") : !mine) return false;
   const Record::Section section(record, "static");
-  double length = previous_.dt;
-  record.number("step", length);
+  bool is = true;  // a section needs an entry
+  record.number("quasi-static", is);
   return true;
 }
 
@@ -52,6 +52,7 @@ void Integrator::transfer(Record& record) {
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
   refuse_jump();
   if (from_static && !keeps_static_rates_) std::fill(state.v.begin(), state.v.end(), 0.0);
+  resumed_jump_ = velocity_jump();
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
   begin_at(std::vector<double>(state.u), std::vector<double>(state.v), time_);
   model_.transfer_histories(record);
@@ -74,6 +75,16 @@ void Integrator::refuse_jump() const {
   jump = model_.space().maximum(jump);
   if (jump > 1e-9 * model_.space().maximum(size))
     throw InputError(fmt::format("a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, time_));
+}
+
+/// Returns the largest difference of a prescribed velocity from the present one.
+double Integrator::velocity_jump() const {
+  const State& state = states_.front();
+  std::vector<double> there(state.v);
+  model_.constraints().set(time_, nullptr, there.data(), nullptr);
+  double jump = 0;
+  for (std::size_t i = 0; i < there.size(); ++i) jump = std::max(jump, std::abs(there[i] - state.v[i]));
+  return model_.space().maximum(jump);
 }
 
 void Integrator::transfer_derived(Record& record) {
