@@ -47,7 +47,7 @@ class StageProblem final : public NonlinearProblem {
   void tangent(const Vector& x, Operator& w) override;
   double admissible_step(const Vector& x, const Vector& direction) override;
   /// Returns tolerance x the largest of |inertia|, |elastic|, |interaction|, |load|, but at least the change that
-  /// rounding u_s alone makes.
+  /// rounding u_s alone makes; 0 until the prescribed values are reached.
   double convergence_bound(double relative_tolerance) const override;
   /// Returns the largest of those four norms at the last x that residual() saw.
   double force_scale() const { return scale_; }
