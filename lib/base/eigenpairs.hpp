@@ -49,14 +49,15 @@ Eigenpairs<T, D> eigenpairs(Small<T, D> a) {
   if constexpr (D == 2) {
     rotate(0, 1);
   } else {
-    static_assert(D == 3);
-    constexpr int sweeps = 8;  // convergence is quadratic; 4 or 5 are needed
+    constexpr int sweeps = D == 3 ? 8 : 20;  // convergence is quadratic; 4 or 5 are needed for 3, 6 to 8 for 6 rows
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      rotate(0, 1);
-      rotate(0, 2);
-      rotate(1, 2);
-      const T rest = abs(a[0][1]) + abs(a[0][2]) + abs(a[1][2]);
-      const T size = abs(a[0][0]) + abs(a[1][1]) + abs(a[2][2]);
+      T rest(0.0), size(0.0);
+      for (std::size_t p = 0; p < D; ++p)
+        for (std::size_t q = p + 1; q < D; ++q) rotate(p, q);
+      for (std::size_t p = 0; p < D; ++p) {
+        size += abs(a[p][p]);
+        for (std::size_t q = p + 1; q < D; ++q) rest += abs(a[p][q]);
+      }
       if (everywhere(rest <= 1e-17 * size)) break;
     }
   }

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/vector3.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -22,9 +23,6 @@ struct CellNumber {
 
 Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double length(const Point& a) { return std::hypot(a[0], a[1], a[2]); }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 /// Returns the sides at both ends of a parametric direction, in 2D and 3D.
 std::array<int, 2> ends_of(std::size_t direction) {

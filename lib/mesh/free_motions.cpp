@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/eigenpairs.hpp"
 #include "base/vector3.hpp"
 
 namespace ixos {
@@ -13,44 +14,9 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Six numbers, or a symmetric matrix of them; fewer modes use the first ones.
+/// Six numbers, or a symmetric matrix of them. Fewer modes use the first ones; the other rows are zero.
 using Six = std::array<double, 6>;
-using Matrix = std::array<Six, 6>;
-
-struct Eigenvectors {
-  Six value{};
-  Matrix vector{};  ///< by eigenvalue
-};
-
-/// Returns the eigenpairs of the first n rows and columns by Jacobi's cyclic rotations (Golub and Van Loan 2013,
-/// section 8.5).
-Eigenvectors eigenvectors(Matrix a, std::size_t n) {
-  Eigenvectors result;
-  for (std::size_t i = 0; i < n; ++i) result.vector[i][i] = 1;
-  constexpr int sweeps = 20;  // convergence is quadratic; 6 to 8 are needed
-  for (int sweep = 0; sweep < sweeps; ++sweep)
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = p + 1; q < n; ++q) {
-        if (a[p][q] == 0) continue;
-        const double angle = 0.5 * std::atan2(2 * a[p][q], a[q][q] - a[p][p]), c = std::cos(angle), s = std::sin(angle);
-        for (std::size_t k = 0; k < n; ++k) {
-          const double kp = a[k][p], kq = a[k][q];
-          a[k][p] = c * kp - s * kq;
-          a[k][q] = s * kp + c * kq;
-        }
-        for (std::size_t k = 0; k < n; ++k) {
-          const double pk = a[p][k], qk = a[q][k];
-          a[p][k] = c * pk - s * qk;
-          a[q][k] = s * pk + c * qk;
-          const double vp = result.vector[p][k], vq = result.vector[q][k];
-          result.vector[p][k] = c * vp - s * vq;
-          result.vector[q][k] = s * vp + c * vq;
-        }
-        a[p][q] = a[q][p] = 0;
-      }
-  for (std::size_t i = 0; i < n; ++i) result.value[i] = a[i][i];
-  return result;
-}
+using Matrix = Small<double, 6>;
 
 /// The modes of a space: which translations, and about which axes rotations.
 struct Modes {
@@ -109,7 +75,7 @@ std::vector<Six> free_modes(const std::vector<Restraint>& restraints, const Mode
     for (std::size_t i = 0; i < modes.size(); ++i)
       for (std::size_t j = 0; j < modes.size(); ++j) gram[i][j] += row[i] * row[j];
   }
-  const Eigenvectors pairs = eigenvectors(gram, modes.size());
+  const auto pairs = eigenpairs<double, 6>(gram);
   const double largest = *std::max_element(pairs.value.begin(), pairs.value.end());
   std::vector<Six> result;
   for (std::size_t i = 0; i < modes.size(); ++i)
@@ -166,7 +132,7 @@ FreeMotions free_motions(const std::vector<Point>& places, const std::vector<Res
   for (std::size_t i = 0; i < basis.size(); ++i)
     for (std::size_t j = 0; j < basis.size(); ++j)
       for (std::size_t m = modes.translations.size(); m < modes.size(); ++m) gram[i][j] += basis[i][m] * basis[j][m];
-  const Eigenvectors pairs = eigenvectors(gram, basis.size());
+  const auto pairs = eigenpairs<double, 6>(gram);
   FreeMotions result;
   result.space = space;
   for (std::size_t k = 0; k < basis.size(); ++k) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "fem/jacobian.hpp"
+#include "fem/revolved.hpp"
 #include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 
@@ -29,11 +30,8 @@ double integral(const Mesh& mesh, const std::array<int, Element::nodes>& nodes) 
       const auto product = [&t](std::size_t i, std::size_t j) { return t[i][0] * t[j][1] - t[j][0] * t[i][1]; };
       size = std::hypot(product(1, 2), product(2, 0), product(0, 1));
     }
-    if (mesh.axisymmetric) {
-      double radius = 0;
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        radius += table.value[q][a] * mesh.coordinates[static_cast<std::size_t>(nodes[a]) * S];
-      size *= 2 * std::acos(-1.0) * radius;
+    if constexpr (S == 2) {
+      if (mesh.axisymmetric) size *= circumference(mesh.coordinates, nodes.data(), ones, table.value[q]);
     }
     sum += table.weight[q] * size;
   }

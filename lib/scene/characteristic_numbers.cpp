@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "interaction/catalogue.hpp"
+#include "mesh/selection.hpp"
 #include "scene/mesh_parts.hpp"
 
 namespace ixos {
@@ -171,9 +172,8 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
   for (std::size_t i = 0; i < interactions.size(); ++i) {
     const SceneInteraction& interaction = interactions[i];
     if (interaction.is_pair()) continue;  // no obstacle
-    const auto set = std::find_if(mesh.side_sets.begin(), mesh.side_sets.end(),
-                                  [&](const SideSet& own) { return own.name == interaction.side_set; });
-    if (set == mesh.side_sets.end() || set->sides.empty()) continue;
+    const SideSet* const set = find_set(mesh.side_sets, interaction.side_set);
+    if (set == nullptr || set->sides.empty()) continue;
     const Side& first = set->sides.front();
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(first.block)];
     const auto material =
@@ -182,7 +182,7 @@ CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::
     SurfaceNumbers numbers;
     numbers.name = interaction.node.name();
     numbers.interaction = i;
-    numbers.side_set = static_cast<std::size_t>(set - mesh.side_sets.begin());
+    numbers.side_set = static_cast<std::size_t>(set - mesh.side_sets.data());
     numbers.body = body_of[static_cast<std::size_t>(material - materials.begin())];
     numbers.part = parts[static_cast<std::size_t>(block.nodes[cell_entry(first.cell, nodes_per_cell(block.type))])];
     const BodyNumbers& body = all.bodies[numbers.body];

@@ -83,9 +83,8 @@ double shortest_relaxation(const Material& material) {
 std::vector<bool> held_nodes(const SceneNode& scene, const Mesh& mesh) {
   std::vector<bool> held(static_cast<std::size_t>(mesh.nodes()), false);
   const auto hold = [&](const SceneNode& node) {
-    for (const NodeSet& set : mesh.node_sets)
-      if (set.name == node.text("Node Set"))
-        for (int number : set.nodes) held[static_cast<std::size_t>(number)] = true;
+    if (const NodeSet* const set = find_set(mesh.node_sets, node.text("Node Set")))
+      for (int number : set->nodes) held[static_cast<std::size_t>(number)] = true;
   };
   for (const SceneNode& node : scene.sublist("Boundary Conditions").sublists())
     if (node.text("Type") == "Displacement") hold(node);

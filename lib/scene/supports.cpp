@@ -160,12 +160,7 @@ class Supports {
 
   /// Adds the side's normal at its nodes, or all directions.
   void add_side(const Side& side, bool sticks, std::vector<Restraint>& restraints) const {
-    const SideCorners corners = corners_of(mesh_, side);
-    const auto edge = [&](std::size_t from, std::size_t to) {
-      const Point a = place(corners[from]), b = place(corners[to]);
-      return Point{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    };
-    Point normal = mesh_.dimension == 2 ? cross(edge(0, 1), Point{0, 0, 1}) : cross(edge(0, 2), edge(1, 3));
+    Point normal = outward_normal(mesh_, side);
     const double length = std::sqrt(dot(normal, normal));
     for (double& component : normal) component /= length > 0 ? length : 1;
     for (const int node : nodes_of_side(mesh_, side)) {

@@ -72,12 +72,17 @@ TEST(RunWarningsTest, ErrorsOfTheStepNameTheirSizeAndTheRemedy) {
               [](RunFacts& f) { f.friction_lag = 0.036; });
   expect_only("lagged friction", "use steps 8 times shorter for 1 %", [](RunFacts& f) { f.friction_lag = 0.073; });
   expect_only("front and step",
-              "moved 6 L0 in a step on average, farther than the cohesive zone, 4 L0, in 9 of 10 rows",
+              "moved 6 L0 together in a step on average, farther than the cohesive zone, 4 L0, in 9 of 10 rows",
               [](RunFacts& f) {
                 f.front = {4, 6, 10, 9};
               });
-  expect_only("relaxation error", "was 20 % of the stress while they acted (limit 10 %)",
+  expect_only("relaxation error", "was 20 % of the stress while they acted (limit 10 %), an error of first order",
               [](RunFacts& f) { f.relaxation_error = 0.2; });
+  expect_only("relaxation error", "use steps 20 times shorter for 1 %", [](RunFacts& f) { f.relaxation_error = 0.2; });
+  expect_only("relaxation error", "use steps 5 times shorter for 1 %", [](RunFacts& f) {  // the root of 20 is 4.5
+    f.relaxation_error = 0.2;
+    f.relaxation_order = 2;
+  });
   RunFacts facts = sound();
   facts.friction_lag = 0.019;
   facts.relaxation_error = 0.099;
@@ -145,6 +150,52 @@ TEST_F(RunMeasuresTest, StepsThatDoNotResolveRelaxationAreToldOf) {
   EXPECT_FALSE(warns(0.05, "Backward Euler", 2, one));
   EXPECT_FALSE(warns(0.1, "Second Order", 2, one));
   EXPECT_FALSE(warns(0.05, "Backward Euler", 2, quick)) << "the quick branch has no share of the stress";
+}
+
+/// A block of that height whose top is pulled off the wall, by 2 within the time 1.
+std::string lifted_off(double height, const std::string& shape, double step) {
+  return list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {4, height}) + counts("Divisions", {4, 8}) +
+                                                            numbers("Lower", {0, 0.2547093}))) +
+         list("Materials", list("Rubber", "")) + list("Interactions", list("Wall", word("Side Set", "bottom"))) +
+         list("Histories", list("Up", word("Type", "Ramp") + list("Ramp", number("Value", 2) + number("Length", 1) +
+                                                                              word("Shape", shape)))) +
+         list("Boundary Conditions",
+              list("Lift", word("Node Set", "top") + word("Components", "y") + word("History", "Up")) +
+                  list("Guide", word("Node Set", "left") + word("Components", "x"))) +
+         list("Time Integrator", word("Type", "Static") + steps(step, 1));
+}
+
+// The law's attraction falls with the gap by at most 0.299 E0/L0. A block whose stiffness E/(1 - nu^2)/h an area is
+// less snaps off; a stiffer one lets go steadily.
+TEST_F(RunMeasuresTest, ASnapToAnotherEquilibriumIsToldOf) {
+  const std::string jump = "jump to another equilibrium";
+  for (const double step : {0.05, 0.01}) {
+    const RunResult snaps = run_scene(lifted_off(12, "Linear", step), "lifted");
+    EXPECT_EQ(snaps.status, RunStatus::Completed) << snaps.reason;
+    EXPECT_TRUE(has(snaps, jump)) << step;
+  }
+  for (const double step : {0.02, 0.01}) {
+    const RunResult stays = run_scene(lifted_off(1, "Linear", step), "lifted");
+    EXPECT_EQ(stays.status, RunStatus::Completed) << stays.reason;
+    EXPECT_FALSE(has(stays, jump)) << step;
+  }
+}
+
+TEST_F(RunMeasuresTest, ALoadThatActsAtOnceIsNoJump) {
+  const std::string block =
+      list("Mesh", word("Type", "Box") + list("Box", numbers("Lengths", {4, 1}) + counts("Divisions", {4, 2}))) +
+      list("Materials", list("Rubber", ""));
+  const std::string floor = list("Floor", word("Node Set", "bottom"));
+  for (const double traction : {-0.3, 0.01, 0.3}) {
+    const RunResult loaded = run_scene(
+        block +
+            list("Boundary Conditions", floor + list("Load", word("Type", "Traction") + word("Side Set", "top") +
+                                                                 numbers("Vector", {0, traction}))) +
+            list("Time Integrator", word("Type", "Static") + steps(0.25, 1)),
+        "loaded");
+    EXPECT_EQ(loaded.status, RunStatus::Completed) << loaded.reason;
+    EXPECT_FALSE(has(loaded, "jump to another equilibrium")) << traction;
+  }
 }
 
 /// A pad that is dragged along a wall and rises from a gap of 0.15 to one of 0.35, where its friction fades.
