@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -142,8 +144,8 @@ std::vector<Case> cases() {
   return all;
 }
 
-INSTANTIATE_TEST_SUITE_P(All, DeadLoadTest, testing::ValuesIn(cases()), [](const auto& info) {
-  std::string name = info.param.law + info.param.obstacle + space_name(info.param.space);
+INSTANTIATE_TEST_SUITE_P(All, DeadLoadTest, testing::ValuesIn(cases()), [](const auto& tested) {
+  std::string name = tested.param.law + tested.param.obstacle + space_name(tested.param.space);
   name.erase(std::remove_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }),
              name.end());
   return name;
