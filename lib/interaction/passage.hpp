@@ -19,13 +19,16 @@ struct WayThrough {
 
 /// Returns whether a point has surely passed through the body, so that the law does not notice at the ends what it met
 /// in between. Either it leaves the body at another side, or is pushed out there, and was more than twice as deep as at
-/// one end. Or it was deeper than both ends, and than the surface, by more than `scale` [L0] and an eighth of its way:
-/// a chord of a convex body is deeper than its ends by less, if it is shorter than the body's radius. A short step of a
-/// point passes through nothing.
+/// one end. Or it was deeper than both ends, and than the surface, by more than `scale` [L0]. A point that slides along
+/// the surface, so that both ends are no farther away than that, must be deeper by an eighth of its way, too: a chord
+/// of a convex body is deeper than its ends by less, if it is shorter than the body's radius. A short step of a point
+/// passes through nothing.
 inline bool has_passed(const WayThrough& way, double scale) {
   if (!(way.deepest < 0)) return false;
   const bool at_another_side = way.turn < 0 && std::max(way.start, way.end) > way.deepest / 2;
-  return at_another_side || way.deepest < std::min({0.0, way.start, way.end}) - std::max(scale, way.length / 8);
+  const bool slides = std::max(way.start, way.end) <= scale;
+  const double least = slides ? std::max(scale, way.length / 8) : scale;
+  return at_another_side || way.deepest < std::min({0.0, way.start, way.end}) - least;
 }
 
 /// Returns the way of a point from x0 to x1 through the obstacle, by samples between the places where it enters and

@@ -107,7 +107,7 @@ class PairPoints {
     return foot.patch >= 0 && !(foot.gap >= range_) && !(foot.gap <= -std::max(range_, overlap_.depth));
   }
   /// Makes the gap of a point below a free rim of the primary surface negative if its way to the rim differs from the
-  /// normal by 30 degrees or less: else points near an edge where both bodies end would lose their force as the
+  /// normal by 15 degrees or less: else points near an edge where both bodies end would lose their force as the
   /// surfaces turn a little. Only for laws that act on overlaps, not for a surface that interacts with itself.
   void count_below_rim(SurfaceFoot<D>& foot) const;
   /// The overlaps on which the law acts, with the points at which it does.

@@ -41,7 +41,7 @@ void PairPoints<D>::count_below_rim(SurfaceFoot<D>& foot) const {
     rim = rim || (patch.neighbours[side] < 0 && foot.fixed[side / 2] && foot.xi[side / 2] == (side % 2 == 0 ? 0 : 1));
   // A point farther outside is beside the body, not below its face.
   const double below = -inner(foot.normal, PlacedPatch<D>::normal(foot.frame));
-  if (!rim || below < std::cos(10 * M_PI / 180)) return;
+  if (!rim || below < std::cos(15 * M_PI / 180)) return;
   foot.gap = -foot.gap;
   foot.normal = -1 * foot.normal;
 }

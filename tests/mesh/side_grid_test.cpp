@@ -84,13 +84,13 @@ TEST(SideGridTest, RefusesThreeFacesAtAnEdgeAndOppositeDirections) {
 
 TEST(SideGridTest, CreasesThatEndInsideAreOpen) {
   EXPECT_EQ(Sheet(3, 3, 0.7).grid().open_creases().count, 0);  // from rim to rim
-  // A ridge of the height 0.8 begins in the middle. The edge in front of it has faces with the normals (-0.8, -0.8, 2)
-  // and (0.8, -0.8, 2); it begins on flat ground, where all other edges are below 30 degrees.
+  // A ridge of the height h = 0.57 begins in the middle. The edge in front of it has faces with the normals (-h, -h, 2)
+  // and (h, -h, 2), which meet at more than 30 degrees. It begins on flat ground. The sides rise by less, atan h.
   Sheet roof(4, 4);
-  for (const int j : {3, 4}) roof.x[static_cast<std::size_t>(roof.at(2, j))][2] = 0.8;
+  for (const int j : {3, 4}) roof.x[static_cast<std::size_t>(roof.at(2, j))][2] = 0.57;
   const SideGrid::OpenCreases open = roof.grid().open_creases();
   EXPECT_EQ(open.count, 1);
-  EXPECT_NEAR(open.angle, std::acos(4 / 5.28), 1e-12);
+  EXPECT_NEAR(open.angle, std::acos(4 / (4 + 2 * 0.57 * 0.57)), 1e-12);
 }
 
 /// The faces in the middle of the cube's edges have their middles at 30 degrees from each other, and meet at more.

@@ -104,7 +104,7 @@ class MeshTest(FolderTest):
                 ('block "body": its cells have 3 nodes', {"blocks": {"body": CELLS[:, :3]}}),
                 ('block "body": an array of integers', {"blocks": {"body": CELLS + 0.5}}),
                 ("no blocks", {"blocks": {}, "node_sets": {}, "side_sets": {}}),
-                ('block "body", cell 1: inverted', {"blocks": {"body": CELLS[:, ::-1]}}),
+                ('block "body", cell 1 at (1, 1): inverted', {"blocks": {"body": CELLS[:, ::-1]}}),
                 ('node set "left" has node 9', {"node_sets": {"left": [9]}}),
                 ('node set "left" has node 0 twice', {"node_sets": {"left": [0, 0]}}),
                 ("a node set has an empty name", {"node_sets": {"": [0]}}),

@@ -144,7 +144,7 @@ TEST(SceneMeshTest, AGivenMeshTakesThePlaceOfAnyOther) {
     scene_mesh(complete, square);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("Mesh: block \"body\", cell 1: inverted"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("Mesh: block \"body\", cell 1 at (0.5, 0.5): inverted"), std::string::npos)
         << error.what();
   }
 }
