@@ -54,7 +54,8 @@ TEST(RunWarningsTest, EachHasItsNumberAndItsLimit) {
               [](RunFacts& f) { f.strains.least_jacobian = 0.4; });
   expect_only("strains", "cells were stretched to 2.5 times their volume (limit 2): the mesh",
               [](RunFacts& f) { f.strains.largest_jacobian = 2.5; });
-  expect_only("strains", "|tr(sigma)|/E reached 6 (limit 2)", [](RunFacts& f) { f.strains.largest_invariant = 6; });
+  expect_only("strains", "|tr(sigma)|/E of cells reached 6 (limit 2)",
+              [](RunFacts& f) { f.strains.largest_invariant = 6; });
   expect_only("distorted cells", "scaled Jacobian of -0.3 at t = 3 T0 (limit 0.15; 0.7 before the run)",
               [](RunFacts& f) { f.strains.least_scaled_jacobian = -0.3; });
   expect_only("crossed obstacle", "in 3 step(s) a surface crossed", [](RunFacts& f) { f.crossings = 3; });
@@ -118,12 +119,13 @@ bool has(const RunResult& result, const std::string& name) {
                      [&](const Warning& warning) { return warning.name == name; });
 }
 
-/// A cube or square, sheared within a millionth of T0 and then held; the relaxation time of the first branch is 1.
+/// A cube or square of one cell, sheared within a millionth of T0 and then held; the relaxation time of the first
+/// branch is 1. All nodes are driven, so that Second Order, which Static does not fit, has no vibration.
 std::string sheared(double step, const std::string& update, int dimension, const std::string& branches) {
   const bool plane = dimension == 2;
   const std::string shape =
-      count("Dimension", dimension) + (plane ? numbers("Lengths", {1, 1}) + counts("Divisions", {2, 1})
-                                             : numbers("Lengths", {1, 1, 1}) + counts("Divisions", {2, 1, 1}));
+      count("Dimension", dimension) + (plane ? numbers("Lengths", {1, 1}) + counts("Divisions", {1, 1})
+                                             : numbers("Lengths", {1, 1, 1}) + counts("Divisions", {1, 1, 1}));
   const std::string across = plane ? "y" : "z";
   return list("Mesh", word("Type", "Box") + list("Box", shape)) +
          list("Materials", list("M", number("Young's Modulus", 0.001) + number("Poisson's Ratio", 0) +
@@ -134,7 +136,8 @@ std::string sheared(double step, const std::string& update, int dimension, const
               list("Pull", word("Node Set", "right") + word("Components", across) + word("History", "Pull")) +
                   list("Guide", word("Node Set", "right") + word("Components", plane ? "x" : "xy")) +
                   list("Hold", word("Node Set", "left"))) +
-         list("Time Integrator", word("Type", "Static") + steps(step, 4));
+         list("Time Integrator",
+              word("Type", update == "Second Order" ? "Average Vector Field" : "Static") + steps(step, 4));
 }
 
 TEST_F(RunMeasuresTest, StepsThatDoNotResolveRelaxationAreToldOf) {

@@ -85,7 +85,8 @@ TEST(HistoriesTest, WhatJumpsNotWithinTheRunDrivesAnyMotion) {
 
 TEST(HistoriesTest, ARampMayOutlastTheRun) {
   for (const std::string shape : {"Linear", "Cosine", "Quintic"}) {
-    const Simulation longer(plate("Displacement", ramp(4, 8, shape), "Newmark"), world());
+    const std::string scheme = shape == "Linear" ? "Static" : "Newmark";  // its rate jumps at the start
+    const Simulation longer(plate("Displacement", ramp(4, 8, shape), scheme), world());
     ASSERT_EQ(longer.notes().size(), 1U) << shape;
     EXPECT_EQ(longer.notes()[0],
               "Histories/H: the ramp ends at Start + Length = 12, after the Final Time 10 of the run");

@@ -134,7 +134,7 @@ TEST(MeshPartsTest, WhatDoesNotFitIsRefusedWithItsPart) {
                   "Mesh/Parts/a/Rotation Axis is zero");
   expect_contains(refusal(list("a", block + numbers("Translation", {1, 2, 3}))), "Mesh/Parts/a/Translation");
   expect_contains(refusal(list("a", block + list("Map", word("X", "-x")))),
-                  "Mesh/Parts/a: block \"body\", cell 1: inverted");
+                  "Mesh/Parts/a: block \"body\", cell 1 at (-0.5, 0.5): inverted");
   expect_contains(refusal(list("a", block + list("Disk", ""))), "Mesh/Parts/a");
   expect_contains(refusal(list("a", list("Disk", count("Core Divisions", 3)))), "Mesh/Parts/a/Disk: core divisions 3");
 }

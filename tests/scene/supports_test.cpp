@@ -76,8 +76,9 @@ TEST(SupportsTest, ABodyOfRevolutionNeedsOneSupport) {
 }
 
 TEST(SupportsTest, InSpaceAPlaneOfSymmetryLeavesThreeMotions) {
-  const std::string brick =
-      list("Mesh", word("Type", "Box") + list("Box", count("Dimension", 3) + counts("Divisions", {2, 2, 2})));
+  const std::string brick = list(
+      "Mesh", word("Type", "Box") +
+                  list("Box", count("Dimension", 3) + numbers("Lengths", {1, 1, 1}) + counts("Divisions", {2, 2, 2})));
   const std::string bottom = held("Z", "bottom", "z"), left = held("X", "left", "x"), front = held("Y", "front", "y");
   const auto of_brick = [&](const std::string& conditions) {
     return of(brick + material + list("Boundary Conditions", conditions));

@@ -116,7 +116,7 @@ SCENES = {
     "a branch that relaxes within a step": (
         {**block(), **held("Floor", "bottom", "xy"), **held("Grip", "top", "y", "Way"), "Histories/Way/Type": "Ramp",
          "Histories/Way/Ramp/Value": 0.1, "Histories/Way/Ramp/Length": 0.05, "Histories/Way/Ramp/Shape": "Linear",
-         "Materials/Body/Maxwell Branches/Moduli": [0.4], "Materials/Body/Maxwell Branches/Relaxation Times": [0.05],
+         "Materials/Body/Maxwell Branches/Moduli": [40.0], "Materials/Body/Maxwell Branches/Relaxation Times": [0.05],
          **static()}, "warned", "relaxation"),
     "a motion that begins with a jump": (
         {**block(), **wall(), **held("Grip", "top", "y", "Way"), "Histories/Way/Type": "Constant",
