@@ -27,9 +27,12 @@ EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time
   const Model& model = simulation.model();
   if (allowed_ > 0 || promise == 0 || !model.dissipation_names().empty()) return;
   // Points in time integrate neither the work of a moved obstacle exactly, nor the kinks of a law of every gap, whose
-  // gap ratio bounds nothing, nor the way of a foot over the sides of another body.
+  // gap ratio bounds nothing, nor the place where a law ends, nor the way of a foot over the sides of another body.
   const bool points = simulation.integrator().table().interaction_points > 0;
-  if (points && (model.has_moved_obstacles() || model.has_laws_of_every_gap() || has_pairs(model))) return;
+  const bool ends =
+      std::any_of(simulation.interactions().begin(), simulation.interactions().end(),
+                  [](const SceneInteraction& own) { return own.cutoff > 0 || std::isfinite(own.law->range()); });
+  if (points && (model.has_moved_obstacles() || model.has_laws_of_every_gap() || ends || has_pairs(model))) return;
   by_scheme_ = true;
   // Each step of Newton's method leaves a residual that does work, see step().
   allowed_ = promise + 10 * simulation.newton().tolerance;

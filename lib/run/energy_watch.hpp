@@ -16,7 +16,7 @@ class EnergyWatch {
  public:
   /// Reads the settings of the simulation's WatchOptions. By default the watch is on for schemes with a promise, if
   /// nothing dissipates, and if their points in time (Table::interaction_points) meet neither moved obstacles nor laws
-  /// that are defined at every gap.
+  /// that end or that are defined at every gap.
   explicit EnergyWatch(const Simulation& simulation);
 
   bool on() const { return allowed_ > 0; }

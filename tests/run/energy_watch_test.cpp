@@ -111,6 +111,8 @@ TEST_F(EnergyWatchTest, MovedWallsAndLawsOfEveryGapAreWatchedWithTheExactMeanOnl
   EXPECT_TRUE(is_on(moved, 0));
   EXPECT_TRUE(is_on(moved, 8, number("Tolerance", 1e-3)));
   EXPECT_FALSE(is_on(word("Law", "Penalty"), 8));
+  EXPECT_FALSE(is_on(word("Law", "Log Barrier"), 8)) << "its traction ends";
+  EXPECT_FALSE(is_on(number("Cutoff", 2), 8));
   EXPECT_TRUE(is_on(word("Law", "Penalty"), 0));
 }
 
