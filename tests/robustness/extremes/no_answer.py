@@ -42,10 +42,10 @@ def revolved():
             **load("Traction", [0.0, 2 * STRENGTH], Side_Set="top")}
 
 
-def pair(gap, lower_held=True, layers=1):
-    """Two bodies of 4 by 1, the upper one above the lower one's top at y = 0."""
-    parts = {name: {path[len("Mesh/"):]: value for path, value in box((4, 1), (4, layers), (0, bottom)).items()
-                    if path.startswith("Mesh/")} for name, bottom in (("upper", gap), ("lower", -1.0))}
+def pair(gap, lower_held=True, height=1):
+    """Two bodies of 4 by `height`, the upper one above the lower one's top at y = 0."""
+    parts = {name: {path[len("Mesh/"):]: value for path, value in box((4, height), (4, height), (0, bottom)).items()
+                    if path.startswith("Mesh/")} for name, bottom in (("upper", gap), ("lower", -height))}
     return {**bodies(parts, "upper_bottom", "lower_top"), "Interactions/Pair/Smoothing": "None",
             **(held("Floor", "lower_bottom", "xy") if lower_held else {})}
 

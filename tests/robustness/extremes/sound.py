@@ -34,7 +34,7 @@ def table(kind):
 
 
 def two_bodies(scheme):
-    return {**pair(EQUILIBRIUM, layers=2), "Initial Conditions/U/Blocks": ["upper_body"],
+    return {**pair(EQUILIBRIUM, height=2), "Initial Conditions/U/Blocks": ["upper_body"],
             "Initial Conditions/U/Velocity": [0.0, -0.5], **steps(scheme, *SHORT)}
 
 
