@@ -69,8 +69,9 @@ class AskedQuantity {
   /// Returns the whole column, with the time that decides the value. Throws as value().
   ColumnHistory history(const RunHistory& run) const;
 
-  /// Returns whether nothing that a failed run had still ahead can change the value: its time or its window has passed,
-  /// its first event has happened, or it is a peak of a force that the run reached before the contact was released.
+  /// Returns whether a failed run has the value: its time or its window has passed, its first event has happened, or it
+  /// is a peak of a force that the run reached before the contact was released. That no later contact is stronger is
+  /// then an assumption; a window replaces it.
   bool is_decided(const RunHistory& run) const;
 
   /// Returns whether the number of a chaotic run may be predictable: means and errors of conserved quantities.
