@@ -149,7 +149,7 @@ std::vector<Case> cases() {
       const auto law = law_named(entry.name);
       if (!law->repels()) continue;
       all.push_back({entry.name, "Half-Space", space});
-      if (space != Space::Revolved && !law->has_history()) all.push_back({entry.name, "Pair", space});
+      if (!law->has_history()) all.push_back({entry.name, "Pair", space});
     }
     for (const ObstacleEntry& obstacle : obstacles().entries()) {
       // Cylinders across the axis and walls that vary along one direction only are no bodies of revolution.
