@@ -8,6 +8,7 @@
 
 #include "base/agreement.hpp"
 #include "model/model.hpp"
+#include "term/keeps_sight.hpp"
 
 namespace ixos {
 
@@ -114,8 +115,15 @@ void Model::transfer(Record& record) {
 }
 
 void Model::transfer_histories(Record& record) {
-  for (std::size_t i = 0; i < terms_.size(); ++i)
-    if (terms_[i].term->has_history() && record.has_section(section_of(i))) transfer(i, record);
+  for (std::size_t i = 0; i < terms_.size(); ++i) {
+    if (!record.has_section(section_of(i))) continue;
+    if (terms_[i].term->has_history()) {
+      transfer(i, record);
+    } else if (auto* const keeper = dynamic_cast<KeepsSight*>(terms_[i].term.get())) {
+      const Record::Section section(record, section_of(i));
+      keeper->transfer_sight(record);
+    }
+  }
 }
 
 }  // namespace ixos

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "term/keeps_sight.hpp"
 #include "term/pair_action.hpp"
 #include "term/pair_approach.hpp"
 #include "term/pair_coupling.hpp"
@@ -17,7 +18,7 @@ namespace {
 double at(const Pack& value) { return value[0]; }
 
 template <std::size_t D>
-class PairTerm final : public Interaction {
+class PairTerm final : public Interaction, public KeepsSight {
  public:
   static constexpr std::size_t corners = D == 2 ? 2 : 4;  ///< of a patch
   using Share = typename PairPoints<D>::Share;
@@ -53,6 +54,17 @@ class PairTerm final : public Interaction {
       points_.sight()->set_seen(seen_);
     }
     coupling_.transfer(record);
+  }
+  void transfer_sight(Record& record) override {
+    if (points_.sight() == nullptr) return;
+    std::vector<std::vector<int>> seen = seen_;
+    try {
+      SelfSight<D>::transfer(record, seen);
+    } catch (const InputError&) {  // of another surface, on all ranks alike
+      return;
+    }
+    seen_ = std::move(seen);
+    points_.sight()->set_seen(seen_);
   }
 
   void initialize(const KnownState& start) override {

@@ -377,6 +377,43 @@ TEST_F(RestartTest, AnEquilibriumStaysAtRestInEveryScheme) {
   }
 }
 
+/// Two blocks, one above the other, whose surfaces are one surface that interacts with itself. The upper one is pushed
+/// into the lower one by 0.2 within the time 1, and is then held.
+std::string pushed_in(const std::string& scheme, double step, double final_time) {
+  const std::string block = word("Type", "Box") + list("Box", numbers("Lengths", {2, 1}) + counts("Divisions", {4, 2}));
+  const std::string all = list("all", numbers("Lower", {-100, -100}));
+  return list("Mesh",
+              word("Type", "Parts") +
+                  list("Parts", list("lower", block) + list("upper", block + numbers("Translation", {0, 1.05}))) +
+                  list("Sets", all)) +
+         list("Materials", list("Lower", word("Block", "lower_body")) + list("Upper", word("Block", "upper_body"))) +
+         list("Interactions",
+              list("Self", word("Side Set", "all") + word("Primary Side Set", "all") + word("Smoothing", "None") +
+                               number("Exclusion", 10) + word("Law", "Penalty") +
+                               list("Penalty", number("Stiffness", 1) + number("Gap", 0.1)))) +
+         list("Histories",
+              list("Down", word("Type", "Ramp") + list("Ramp", number("Value", -0.25) + number("Length", 1)))) +
+         list("Boundary Conditions",
+              list("Floor", word("Node Set", "lower_bottom")) +
+                  list("Push", word("Node Set", "upper_top") + word("Components", "y") + word("History", "Down")) +
+                  list("Guide", word("Node Set", "upper_top") + word("Components", "x"))) +
+         list("Output", checkpoints(0, 2)) + list("Time Integrator", word("Type", scheme) + steps(step, final_time));
+}
+
+TEST_F(RestartTest, PartsOfOneSurfaceThatOverlapPushEachOtherAfterARestart) {
+  ASSERT_EQ(run_scene(pushed_in("Static", 0.05, 1), "overlap").status, RunStatus::Completed);
+  const double energy = column(folder("overlap"), "contact_energy").back();
+  ASSERT_GT(energy, 1e-3);
+  ASSERT_LT(column(folder("overlap"), "min_gap").back(), 0);
+  for (const std::string scheme : {"Newmark", "Average Vector Field"}) {
+    ASSERT_EQ(run_scene(pushed_in(scheme, 0.001, 1.02), "dynamic", checkpoint("overlap", 20)).status,
+              RunStatus::Completed);
+    const std::vector<double> energies = column(folder("dynamic"), "contact_energy");
+    EXPECT_NEAR(energies.front(), energy, 1e-12) << scheme;
+    EXPECT_NEAR(energies.back(), energy, 1e-9) << scheme << ": it stays at rest";
+  }
+}
+
 TEST_F(RestartTest, AHeldMotionIsNoJumpForARunThatResumes) {
   run_scene(bent("Static", 0.1, 1), "equilibrium");
   std::string scene = bent("Newmark", 0.001, 1.01);

@@ -87,6 +87,7 @@ elsewhere = {
     "parameters/parameter_text.hpp": ("parameters/validation_test.cpp", "values are read strictly"),
     "run/checkpoints.hpp": ("run/restart_refusal_test.cpp", "which checkpoints are kept"),
     "time/step_judge.hpp": ("run/run_test.cpp", "AdaptiveStepsFollowTheTolerance"),
+    "term/keeps_sight.hpp": ("run/restart_test.cpp", "PartsOfOneSurfaceThatOverlapPushEachOtherAfterARestart"),
     "time/equilibrium.hpp": ("verification/dead_load_test.cpp", "loads without an equilibrium"),
     "run/field_recorder.hpp": ("run/restart_test.cpp", "resumed frames are those of a run without a restart"),
     "scene/history_columns.hpp": ("run/interaction_columns_test.cpp", "columns of interactions, names that make none"),

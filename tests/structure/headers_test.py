@@ -39,6 +39,8 @@ def read_command(build, installed):
                    if installed or LIB in (pathlib.Path(e["directory"]) / e["file"]).resolve().parents]
     if not entries:
         sys.exit(f"{build}/compile_commands.json names no source of lib: configure the build with CMake again")
+    # Those of ixos_solvers see fewer folders.
+    entries = [e for e in entries if "/ixos.dir/" in e["command"]] or entries
     # The shortest command belongs to a source without additional flags.
     entry = min(entries, key=lambda e: len(shlex.split(e["command"])))
     words = shlex.split(entry["command"])
