@@ -38,7 +38,7 @@ std::optional<double> rest_gap(const GapLaw& law) {
   return rests(law.equilibrium_gap()) ? std::optional<double>(law.equilibrium_gap()) : std::nullopt;
 }
 
-/// Returns whether a moved obstacle begins where it is at rest.
+/// Returns whether the motion of an obstacle starts without a displacement; false if a program evaluates it.
 bool begins_in_place(const SceneInteraction& interaction, const Histories& histories, const StepControlOptions& control,
                      int dimension) {
   for (const std::string& name : interaction.motion.histories())

@@ -70,7 +70,7 @@ struct Advice {
   std::vector<Sensitivity> sensitivities;  ///< by quantity; empty if they were not measured
   std::vector<double> exact;               ///< by quantity: its estimated exact value
   std::vector<std::vector<std::string>> reasons;  ///< by direction and quantity: how the errors are known
-  /// The same: whether the runs tell the error, see AdviceErrors::is_examined().
+  /// By direction and quantity: whether the runs tell the error, see AdviceErrors::is_examined().
   std::vector<std::vector<bool>> examined;
   /// The recommended settings; if there are none, those of the smallest error, or without a point if none is known.
   AdviceCandidate best;

@@ -1,5 +1,6 @@
 // How deep points can be in the other body, and points below a free rim of its surface.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 

@@ -1,4 +1,4 @@
-/// What functions of time must satisfy.
+/// Checks that every function of time must pass.
 #pragma once
 #include <gtest/gtest.h>
 
