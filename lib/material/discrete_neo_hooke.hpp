@@ -79,13 +79,28 @@ class DiscreteNeoHooke {
       for (std::size_t i = 0; i < D; ++i)
         for (std::size_t j = 0; j < D; ++j) d[i][j] += quadratic_[i][j] * (1.0 / 12);
     path.determinant0 = 1.0 + j0;
-    path.x = (trace(increment_) + contraction(d, increment_)) / path.determinant0;
-    path.log = log_one_plus(path.x);
-    path.pressure = lame_.lambda / 4 * (2.0 * log_one_plus(j0) + path.log);
-    // 1 - log1p(x)/x, and with it 1 - q, without cancellation.
-    const T rest = minus_log1p_quotient(path.x, path.log);
-    path.q = (1.0 - rest) / path.determinant0;
-    const T one_minus_q = (j0 + rest) / path.determinant0;
+    const T change = trace(increment_) + contraction(d, increment_);
+    // Series in place of divisions and logarithms where all strains are small.
+    using std::abs;
+    T log0, inverse0;
+    if (everywhere(abs(j0) < log_and_inverse_limit)) {
+      log_and_inverse(j0, log0, inverse0);
+    } else {
+      log0 = log_one_plus(j0);
+      inverse0 = 1.0 / path.determinant0;
+    }
+    path.x = change * inverse0;
+    T rest;  // 1 - log1p(x)/x, and with it 1 - q, without cancellation
+    if (everywhere(abs(path.x) < log_and_inverse_limit)) {
+      rest = minus_log1p_series(path.x) * path.x;
+      path.log = path.x - path.x * rest;
+    } else {
+      path.log = log_one_plus(path.x);
+      rest = minus_log1p_quotient(path.x, path.log);
+    }
+    path.pressure = lame_.lambda / 4 * (2.0 * log0 + path.log);
+    path.q = (1.0 - rest) * inverse0;
+    const T one_minus_q = (j0 + rest) * inverse0;
     for (std::size_t i = 0; i < D; ++i)
       for (std::size_t j = 0; j < D; ++j) {
         path.second[i][j] = path.q * (path.pressure - lame_.mu) * d[i][j];

@@ -105,6 +105,7 @@ T scaled_log1p_quotient_slope(const T& x, const T& l) {
   for (int k = 9; k >= 2; --k) sum = sum * x + (k % 2 == 0 ? -1.0 : 1.0) * (k - 1) / k;
   using std::abs;
   const auto small = abs(x) < 0.02;
+  if (everywhere(small)) return (1.0 + x) * sum;
   return select(small, T((1.0 + x) * sum), T((x - (1.0 + x) * l) / select(small, T(1.0), T(x * x))));
 }
 

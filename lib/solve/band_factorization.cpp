@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "solve/band_ldl.hpp"
+#include "solve/band_ldu.hpp"
 #include "solve/first_rank_factorization.hpp"
 #include "solve/selected_entries.hpp"
 
@@ -37,8 +37,13 @@ std::vector<int> band_order(CollectedMatrix& matrix) {
 /// memory.
 constexpr double wide = 500;
 
+/// Below this ratio of pivots KLU, which chooses its pivots, takes the place of a band without symmetry.
+constexpr double least_pivot_ratio = 1e-12;
+
 class Band final : public FirstRankFactorization {
  public:
+  explicit Band(BandLdu::Symmetry symmetry) : symmetric_(symmetry == BandLdu::Symmetry::Symmetric) {}
+
   void analyze(const Teuchos::RCP<const CrsMatrix>& matrix) override {
     matrix_ = std::make_unique<CollectedMatrix>(matrix);
     fit_ = Fit::Narrow;
@@ -51,23 +56,29 @@ class Band final : public FirstRankFactorization {
     }
     fit_ = static_cast<Fit>(matrix_->agreed(static_cast<int>(fit_)));
     if (fit_ == Fit::NoMemory) throw std::bad_alloc();
-    if (fit_ == Fit::Narrow) lower_.share(*matrix_);
+    if (fit_ == Fit::Narrow) read_.share(*matrix_);
   }
   bool suits() const override { return fit_ == Fit::Narrow; }
 
   void factor() override {
-    if (matrix_->root()) ldl_.clear();
-    lower_.copy(ldl_.entries());
-    const bool done = !matrix_->root() || ldl_.factor();
-    if (matrix_->agreed(done ? 0 : 1) != 0)
-      throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
+    substitute_.reset();
+    if (matrix_->root()) ldu_.clear();
+    read_.copy(ldu_.entries());
+    const bool done = !matrix_->root() || (ldu_.factor() && (symmetric_ || ldu_.pivot_ratio() > least_pivot_ratio));
+    if (matrix_->agreed(done ? 0 : 1) == 0) return;
+    if (symmetric_) throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
+    // A new one for each such matrix: its pivots then do not depend on earlier ones, which a restart would not know.
+    substitute_ = make_klu();
+    substitute_->analyze(matrix_->source());
+    substitute_->factor();
   }
 
   CollectedMatrix& collected() override { return *matrix_; }
   const double* solve_collected(const double* b) override {
+    if (substitute_) return substitute_->solve_collected(b);
     std::fill(permuted_.begin(), permuted_.end(), 0.0);
     for (std::size_t i = 0; i < order_.size(); ++i) permuted_[static_cast<std::size_t>(order_[i])] = b[i];
-    ldl_.solve(permuted_.data());
+    ldu_.solve(permuted_.data());
     for (std::size_t i = 0; i < order_.size(); ++i) solution_[i] = permuted_[static_cast<std::size_t>(order_[i])];
     return solution_.data();
   }
@@ -83,40 +94,43 @@ class Band final : public FirstRankFactorization {
     order_ = band_order(*matrix_);
     std::vector<int> last(order_.size(), 0);
     for_each_entry([&](int, int i, int j) {
-      int& end = last[static_cast<std::size_t>(j)];
-      end = std::max(end, i);
+      int& end = last[static_cast<std::size_t>(std::min(i, j))];
+      end = std::max({end, i, j});
     });
-    if (BandLdl::operations(last) > wide * wide * matrix_->size()) return Fit::Wide;
-    ldl_ = BandLdl(last);
-    select_lower_triangle();
+    if (BandLdu::operations(last) > wide * wide * matrix_->size()) return Fit::Wide;
+    ldu_ = BandLdu(last, symmetric_ ? BandLdu::Symmetry::Symmetric : BandLdu::Symmetry::None);
+    select_entries();
     solution_.resize(order_.size());
-    permuted_.resize(ldl_.padded_size());
+    permuted_.resize(ldu_.padded_size());
     return Fit::Narrow;
   }
-  void select_lower_triangle() {
+  void select_entries() {
     std::vector<int> entries;
     std::vector<std::size_t> places;
     for_each_entry([&](int k, int i, int j) {
       entries.push_back(k);
-      places.push_back(ldl_.place(i, j));
+      places.push_back(ldu_.place(i, j));
     });
-    lower_.select(*matrix_, entries, places);
+    read_.select(*matrix_, entries, places);
   }
-  /// Calls f(k, i, j) with the index of each entry of the lower triangle and its place, i >= j, in the new order.
+  /// Calls f(k, i, j) with the index of each entry and its place in the new order: in the lower triangle, i >= j, if
+  /// the matrix is symmetric.
   template <class F>
   void for_each_entry(const F& f) const {
     const int *starts = matrix_->starts(), *columns = matrix_->columns();
     for (int row = 0; row < matrix_->size(); ++row)
       for (int k = starts[row]; k < starts[row + 1]; ++k) {
         const int i = order_[static_cast<std::size_t>(row)], j = order_[static_cast<std::size_t>(columns[k])];
-        if (i >= j) f(k, i, j);
+        if (!symmetric_ || i >= j) f(k, i, j);
       }
   }
 
   std::unique_ptr<CollectedMatrix> matrix_;
   std::vector<int> order_;  ///< place of each row in the band
-  BandLdl ldl_;
-  SelectedEntries lower_;  ///< the lower triangle in that order
+  bool symmetric_;
+  BandLdu ldu_;
+  SelectedEntries read_;                                ///< those that the factors need, in that order
+  std::unique_ptr<FirstRankFactorization> substitute_;  ///< for a matrix whose pivots are too small
   std::vector<double> permuted_, solution_;
   FactorizationMemory memory_;
   Fit fit_ = Fit::Narrow;
@@ -124,6 +138,7 @@ class Band final : public FirstRankFactorization {
 
 }  // namespace
 
-std::unique_ptr<Factorization> make_band() { return std::make_unique<Band>(); }
+std::unique_ptr<Factorization> make_band() { return std::make_unique<Band>(BandLdu::Symmetry::Symmetric); }
+std::unique_ptr<Factorization> make_band_lu() { return std::make_unique<Band>(BandLdu::Symmetry::None); }
 
 }  // namespace ixos

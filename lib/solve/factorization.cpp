@@ -12,9 +12,9 @@ namespace ixos {
 
 std::vector<std::string> factorizations() {
 #ifdef IXOS_CHOLMOD
-  return {"CHOLMOD", "Band", "KLU", "MUMPS", "MUMPS Single"};
+  return {"CHOLMOD", "Band", "Band LU", "KLU", "MUMPS", "MUMPS Single"};
 #else
-  return {"KLU", "Band", "MUMPS", "MUMPS Single"};
+  return {"KLU", "Band", "Band LU", "MUMPS", "MUMPS Single"};
 #endif
 }
 
@@ -25,6 +25,7 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type) {
   if (type == "CHOLMOD") return make_cholmod();
 #endif
   if (type == "Band") return make_band();
+  if (type == "Band LU") return make_band_lu();
   if (type == "KLU") return make_klu();
   return solver_library().mumps(type == "MUMPS Single");
 }
@@ -39,7 +40,7 @@ void KeptFactorization::renew(const Teuchos::RCP<const CrsMatrix>& matrix, const
       return factorization;
     };
     auto factorization = analyzed(type);
-    if (!factorization->suits()) factorization = analyzed(first_rank_factorization());
+    if (!factorization->suits()) factorization = analyzed(type == "Band LU" ? "KLU" : first_rank_factorization());
     matrix_ = matrix;
     factorization_ = std::move(factorization);
   }
@@ -68,9 +69,9 @@ void KeptFactorization::transfer(Record& record) {
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
   valid->set("Solver Type", first_rank_factorization(),
-             "Factorisation. Band and CHOLMOD (symmetric matrices) and KLU (any matrix) work on the first rank, MUMPS "
-             "(symmetric "
-             "matrices) on all ranks. MUMPS Single works in single precision and can only be a preconditioner.",
+             "Factorisation. Band and CHOLMOD (symmetric matrices), Band LU and KLU (any matrix) work on the first "
+             "rank, MUMPS (symmetric matrices) on all ranks. MUMPS Single works in single precision and can only be a "
+             "preconditioner.",
              one_of(factorizations()));
   return valid;
 }

@@ -46,18 +46,22 @@ class Factorization {
 /// solver. In a build with IXOS_CHOLMOD only.
 std::unique_ptr<Factorization> make_cholmod();
 
-/// Makes L D L^T of a band (band_ldl.hpp): symmetric matrices, on the first rank likewise. It orders the rows as
+/// Makes L D L^T of a band (band_ldu.hpp): symmetric matrices, on the first rank likewise. It orders the rows as
 /// Cuthill and McKee (1969) do. A slender body then has a narrow band, for which no other is as fast. It does
 /// not suit wide bands. It reads one entry of each pair of an unsymmetric matrix: as a preconditioner,
 /// not as a solver.
 std::unique_ptr<Factorization> make_band();
 
+/// Makes L D U of a band likewise: any matrix whose sparsity is symmetric. KLU factors those whose pivots get too
+/// small.
+std::unique_ptr<Factorization> make_band_lu();
+
 /// Makes KLU (Davis and Palamadai Natarajan 2010): any matrix, on the first rank likewise. The pivots of one matrix
 /// serve for the next as long as they can.
-std::unique_ptr<Factorization> make_klu();
+std::unique_ptr<FirstRankFactorization> make_klu();
 
-/// Returns the names of the factorisations in this build: "CHOLMOD" (built with IXOS_CHOLMOD only), "Band", "KLU",
-/// "MUMPS", "MUMPS Single".
+/// Returns the names of the factorisations in this build: "CHOLMOD" (built with IXOS_CHOLMOD only), "Band",
+/// "Band LU", "KLU", "MUMPS", "MUMPS Single".
 std::vector<std::string> factorizations();
 
 /// Returns the fastest of them for small symmetric matrices of any shape: CHOLMOD, or KLU in a build without it.
@@ -70,8 +74,8 @@ std::unique_ptr<Factorization> make_factorization(const std::string& type);
 class KeptFactorization {
  public:
   /// Does the numeric phase for the matrix's present values. If the matrix is another object than last time, does the
-  /// symbolic phase first, with a factorisation of that type, or with first_rank_factorization() if that type does not
-  /// suit the matrix. Throws std::runtime_error.
+  /// symbolic phase first, with a factorisation of that type. If that does not suit the matrix, KLU takes the place of
+  /// "Band LU", first_rank_factorization() that of "Band". Throws std::runtime_error.
   void renew(const Teuchos::RCP<const CrsMatrix>& matrix, const std::string& type);
   /// Sets x = A^-1 b for each column.
   void solve(const MultiVector& b, MultiVector& x) const { factorization_->solve(b, x); }

@@ -104,6 +104,6 @@ class Klu final : public FirstRankFactorization {
 
 }  // namespace
 
-std::unique_ptr<Factorization> make_klu() { return std::make_unique<Klu>(); }
+std::unique_ptr<FirstRankFactorization> make_klu() { return std::make_unique<Klu>(); }
 
 }  // namespace ixos

@@ -93,13 +93,15 @@ TEST(LinearSolverCheckTest, SolversOfSymmetricMatricesAreRefusedForUnsymmetricTa
   const struct {
     std::string solver, place, instead;
   } cases[] = {
-      {solver("Direct", "MUMPS"), types + "Direct/Solver Type: \"MUMPS\" needs a symmetric matrix; ", "\"KLU\""},
-      {solver("Direct", "CHOLMOD"), types + "Direct/Solver Type: \"CHOLMOD\" needs a symmetric matrix; ", "\"KLU\""},
+      {solver("Direct", "MUMPS"), types + "Direct/Solver Type: \"MUMPS\" needs a symmetric matrix; ",
+       "\"Band LU\" or \"KLU\""},
+      {solver("Direct", "CHOLMOD"), types + "Direct/Solver Type: \"CHOLMOD\" needs a symmetric matrix; ",
+       "\"Band LU\" or \"KLU\""},
       {solver("Belos", "Block CG"), types + "Belos/Solver Type: \"Block CG\" needs a symmetric matrix; ",
        "\"Pseudo Block GMRES\""},
       {solver("Amesos2", "CHOLMOD"), types + "Amesos2/Solver Type: \"CHOLMOD\" needs a symmetric matrix; ", "\"KLU2\""},
       {list("Linear Solver", list("Linear Solver Types", list("Direct", word("Solver Type", "MUMPS")))),
-       types + "Direct/Solver Type: \"MUMPS\" needs a symmetric matrix; ", "\"KLU\""},
+       types + "Direct/Solver Type: \"MUMPS\" needs a symmetric matrix; ", "\"Band LU\" or \"KLU\""},
       {list("Linear Solver", word("Linear Solver Type", "Belos") + word("Preconditioner Type", "Chebyshev")),
        "Linear Solver/Preconditioner Type: \"Chebyshev\" needs a symmetric matrix; ",
        "\"MueLu\", \"Ifpack2\" or \"Direct\""},
@@ -113,7 +115,8 @@ TEST(LinearSolverCheckTest, SolversOfSymmetricMatricesAreRefusedForUnsymmetricTa
 TEST(LinearSolverCheckTest, SolversOfAnyMatrixAreAccepted) {
   const std::string scene = test::adhesive_block(2, sphere) + exact_mean();
   for (const std::string& choice :
-       {std::string(), solver("Direct", "KLU"), solver("Belos", "Block GMRES"), solver("Amesos2", "KLU2"),
+       {std::string(), solver("Direct", "KLU"), solver("Direct", "Band LU"), solver("Belos", "Block GMRES"),
+        solver("Amesos2", "KLU2"),
         // A solver that is not the chosen one does no harm.
         list("Linear Solver", word("Linear Solver Type", "Belos") +
                                   list("Linear Solver Types", list("Direct", word("Solver Type", "MUMPS"))))})

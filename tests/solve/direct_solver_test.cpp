@@ -88,6 +88,37 @@ TEST(DirectSolverTest, BandLeavesAWideBandToAnother) {
   }
   star->fillComplete();
   EXPECT_LT(relative_residual(*star, "Band"), 1e-12);
+  EXPECT_LT(relative_residual(*star, "Band LU"), 1e-12);
+}
+
+TEST(DirectSolverTest, BandLuSolvesWithoutSymmetryOnAnyNumberOfRanks) {
+  EXPECT_LT(relative_residual(*tridiagonal(200, 2.5, 0.4, world()), "Band LU"), 1e-13);
+  EXPECT_LT(relative_residual(*tridiagonal(6, 2.5, 0.4, world()), "Band LU"), 1e-13);
+  EXPECT_LT(relative_residual(*shuffled_grid(30, 30, 0.1), "Band LU"), 1e-12);
+}
+
+TEST(DirectSolverTest, KluTakesTheMatricesWhosePivotsVanish) {
+  // In any order along the chain, the first pivot is the diagonal of an end. The matrix itself is regular.
+  const auto a = tridiagonal(50, 2.5, 0.4, world());
+  Teuchos::ParameterList list;
+  list.set("Linear Solver Type", "Direct").set("Preconditioner Type", "None");
+  list.sublist("Linear Solver Types").sublist("Direct").set("Solver Type", "Band LU");
+  const LinearSolverFactory factory(list);
+  LinearSystem system(factory, a);
+  Vector b(a->getRowMap()), x(a->getRowMap()), r(a->getRowMap());
+  b.randomize();
+  for (const double end : {0.0, 1e-14, 3.0}) {
+    a->resumeFill();
+    for (const GlobalId row : {0, 49})
+      if (a->getRowMap()->isNodeGlobalElement(row))
+        a->replaceGlobalValues(row, Teuchos::tuple<GlobalId>(row), Teuchos::tuple<double>(end));
+    a->fillComplete();
+    system.refresh();
+    ASSERT_TRUE(system.solve(b, x)) << end;
+    a->apply(x, r);
+    r.update(1.0, b, -1.0);
+    EXPECT_LT(r.norm2(), 1e-13 * b.norm2()) << end;
+  }
 }
 
 TEST(DirectSolverTest, KluSolvesOnAnyNumberOfRanks) {

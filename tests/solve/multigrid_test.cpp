@@ -296,7 +296,10 @@ TEST(LinearSolverDefaultsSerialTest, NarrowBandsAreFactorisedForEachTangent) {
   EXPECT_EQ(choice(2, 50000, 40), "Direct (Band)");
   EXPECT_EQ(choice(2, 50000, 41), cg + "Direct (" + first_rank_factorization() + ")");
   EXPECT_EQ(choice(2, 50000, 40, 1e300, 2), "Direct (Band)") << "two ranks";
-  EXPECT_EQ(choice(2, 50000, 40, 1e300, 1, "a scheme"), "Belos (Pseudo Block GMRES), preconditioner Direct (KLU)");
+  const std::string gmres = "Belos (Pseudo Block GMRES), preconditioner ";
+  EXPECT_EQ(choice(2, 50000, 40, 1e300, 1, "a scheme"), "Direct (Band LU)");
+  EXPECT_EQ(choice(2, 50000, 41, 1e300, 1, "a scheme"), gmres + "Direct (KLU)");
+  EXPECT_EQ(choice(3, 30000, 60, 1e300, 1, "a scheme"), gmres + "Direct (Band LU)");
   EXPECT_EQ(choice(3, 30000, 25), "Direct (Band)");
   EXPECT_EQ(choice(3, 30000, 26), cg + "Direct (Band)");
   EXPECT_EQ(choice(3, 30000, 60), cg + "Direct (Band)");
@@ -336,7 +339,7 @@ TEST(LaggedSolverTest, AKeptFactorizationSolvesItsOwnMatrixInOneIteration) {
 // CG refuses indefinite matrices. The solver then uses the factorisation itself.
 TEST(LaggedSolverTest, AFactorizationSolvesAnIndefiniteMatrix) {
   Simulation s(test::scene(test::block_2d(0) + test::time_integrator("Newmark", 0.1, 1)), world());
-  for (const char* type : {"MUMPS Single", "KLU"}) {
+  for (const char* type : {"MUMPS Single", "KLU", "Band LU"}) {
     Teuchos::ParameterList list;
     list.set("Linear Solver Type", "Belos").set("Preconditioner Type", "Direct");
     list.sublist("Preconditioner Types").sublist("Direct").set("Solver Type", type);

@@ -64,7 +64,7 @@ TEST(DefaultLinearSolverTest, ItIsThatOfAScene) {
                         {2, 24, newmark(0.25, 0.5), 0.1, "", "Direct (Band)"},
                         {2, 42, newmark(0.25, 0.5), 0.1, "", "Belos"},
                         {3, 3, newmark(0.25, 0.5), 0.1, viscous, "Direct"},
-                        {2, 3, energy_momentum(), 0.1, "", "Direct (KLU)"},
+                        {2, 3, energy_momentum(), 0.1, "", "Direct (Band LU)"},
                         {3, 8, newmark(0.25, 0.5), 1e-4, "", "matrix-free"}}) {
     const Simulation scene = block(c.dimension, c.cells, c.table.name, c.step, c.material);
     const Teuchos::ParameterList own = completed_linear_solver({}, stage_size(scene.model(), c.table, c.step));

@@ -115,8 +115,13 @@ TEST(RepeatedStepsTest, LaggedPreconditionersComeBack) {
   expect_repeatable(lagged("MueLu", "Newmark", 1e6));
   SCOPED_TRACE("two stages");
   expect_repeatable(lagged("MueLu", "Bathe Composite", 3));
+  SCOPED_TRACE("Band LU");
+  std::string unsymmetric = lagged("Direct", "Energy-Momentum", 3);
+  expect_repeatable(unsymmetric);
   SCOPED_TRACE("KLU, whose order of pivots is older than its matrix");
-  expect_repeatable(lagged("Direct", "Energy-Momentum", 3));
+  const std::string types = "<ParameterList name=\"Preconditioner Types\">";
+  expect_repeatable(
+      unsymmetric.insert(unsymmetric.find(types) + types.size(), list("Direct", word("Solver Type", "KLU"))));
 }
 
 TEST(RepeatedStepsTest, APreconditionerThatForgetsItsMatricesIsRefused) {
