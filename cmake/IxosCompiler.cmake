@@ -10,16 +10,23 @@ endif()
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -fno-omit-frame-pointer")
 
+# Each version of a compiler warns of other things: those of Debian 12 must find nothing.
+set(_reference OFF)
+if("${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}" MATCHES "^(GNU 12|Clang 14)[.]")
+  set(_reference ON)
+endif()
+option(IXOS_WARNINGS_AS_ERRORS "Treat warnings in our own code as errors" ${_reference})
+
 add_library(ixos_options INTERFACE)
 target_compile_options(ixos_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-psabi)
 if(IXOS_WARNINGS_AS_ERRORS)
   target_compile_options(ixos_options INTERFACE -Werror)
 endif()
-# A target's property IXOS_ARCH goes before the option of that name.
-set(_arch $<TARGET_PROPERTY:IXOS_ARCH>)
+# A target's property IXOS_MARCH goes before the variable of that name.
+set(_march $<TARGET_PROPERTY:IXOS_MARCH>)
 target_compile_options(ixos_options INTERFACE
-  $<$<BOOL:${_arch}>:-march=${_arch}>
-  $<$<AND:$<NOT:$<BOOL:${_arch}>>,$<BOOL:${IXOS_ARCH}>>:-march=${IXOS_ARCH}>)
+  $<$<BOOL:${_march}>:-march=${_march}>
+  $<$<AND:$<NOT:$<BOOL:${_march}>>,$<BOOL:${IXOS_MARCH}>>:-march=${IXOS_MARCH}>)
 if(IXOS_SANITIZE)
   # Null and misaligned accesses fault by themselves, and sizes of objects are ASan's: half the time to compile.
   target_compile_options(ixos_options INTERFACE -fsanitize=${IXOS_SANITIZE} -fno-sanitize-recover=all

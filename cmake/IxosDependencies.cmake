@@ -1,7 +1,5 @@
-# Everything Ixos links against. Trilinos is one interface target, ixos_trilinos.
+# Everything Ixos links against.
 find_package(MPI REQUIRED COMPONENTS C CXX)
-find_package(Trilinos 13.2 REQUIRED COMPONENTS MueLu NOX Stratimikos Thyra ThyraTpetraAdapters Belos Ifpack2 Amesos2
-                                               Tpetra Kokkos Sacado Teuchos)
 find_package(BLAS REQUIRED)
 find_package(LAPACK REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -10,9 +8,13 @@ find_package(nlohmann_json REQUIRED)
 find_package(EXPAT REQUIRED)
 find_library(IXOS_METIS metis REQUIRED)
 find_library(IXOS_MUPARSER muparser REQUIRED)
-find_library(IXOS_EXODUS exoIIv2c REQUIRED)
+find_library(IXOS_EXODUS NAMES exoIIv2c exodus REQUIRED)
 # The netCDF that libexodus itself holds; a second one beside it would take its calls.
-find_library(IXOS_NETCDF NAMES netcdf_mpi libnetcdf_mpi.so.19 REQUIRED)
+execute_process(COMMAND ${CMAKE_OBJDUMP} -p ${IXOS_EXODUS} OUTPUT_VARIABLE _exodus COMMAND_ERROR_IS_FATAL ANY)
+if(NOT _exodus MATCHES "NEEDED +(libnetcdf[^\n]*)")
+  message(FATAL_ERROR "${IXOS_EXODUS} is not linked with a shared netCDF")
+endif()
+find_library(IXOS_NETCDF NAMES ${CMAKE_MATCH_1} REQUIRED)
 find_path(IXOS_EXODUS_INCLUDE exodusII.h REQUIRED)
 find_library(IXOS_XXHASH xxhash REQUIRED)
 # Headers only, in a system directory.
@@ -20,6 +22,8 @@ find_path(IXOS_BOOST_INCLUDE boost/multiprecision/cpp_int.hpp REQUIRED)
 find_path(IXOS_BOOST_GRAPH_INCLUDE boost/graph/cuthill_mckee_ordering.hpp REQUIRED)
 # The one that Exodus is built with: two HDF5 libraries in one program clash.
 set(HDF5_PREFER_PARALLEL ON)
+# Debian's HDF5 2 for MPI has this file, beside that of the serial one.
+find_path(HDF5_DIR hdf5-config.cmake PATHS /usr/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/hdf5_openmpi NO_DEFAULT_PATH)
 find_package(HDF5 REQUIRED COMPONENTS C HL)
 if(NOT HDF5_IS_PARALLEL)
   message(FATAL_ERROR "Ixos needs the parallel HDF5 (libhdf5-openmpi-dev)")
@@ -34,17 +38,4 @@ find_library(IXOS_SMUMPS smumps REQUIRED)
 set(IXOS_MUMPS ${IXOS_DMUMPS} ${IXOS_SMUMPS})
 find_path(IXOS_SUITESPARSE_INCLUDE klu.h PATH_SUFFIXES suitesparse REQUIRED)
 
-add_library(ixos_trilinos INTERFACE)
-# The distribution's imported targets carry no include directories: they are added here, as SYSTEM.
-target_include_directories(ixos_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
-# The targets of these packages drag libraries that nothing here uses (PT-Scotch, Epetra, MUMPS): link the files of the
-# others, not the targets.
-set(_unused trilinos_zoltan trilinos_zoltan2 trilinos_isorropia trilinos_noxepetra trilinos_noxlapack
-            trilinos_locaepetra trilinos_localapack trilinos_ModeLaplace)
-foreach(_library IN LISTS Trilinos_LIBRARIES)
-  if(TARGET ${_library} AND NOT _library IN_LIST _unused)
-    target_link_libraries(ixos_trilinos INTERFACE $<TARGET_FILE:${_library}>)
-  endif()
-endforeach()
-target_link_options(ixos_trilinos INTERFACE LINKER:--as-needed)
-target_link_libraries(ixos_trilinos INTERFACE MPI::MPI_CXX LAPACK::LAPACK BLAS::BLAS)
+include(IxosTrilinos)

@@ -10,20 +10,15 @@ packages="g++ cmake ninja-build ccache lld openmpi-bin libopenmpi-dev trilinos-a
           libopenblas-dev libsuitesparse-dev libmumps-dev libmetis-dev libmuparser-dev libexodusii-dev libhdf5-openmpi-dev libxxhash-dev libexpat1-dev libboost-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
           libbenchmark-dev pybind11-dev python3-dev python3-numpy python3-mpi4py"
 
-missing=()
-for package in $packages ${extra_packages:-} ${IXOS_EXTRA_PACKAGES:-}; do
-  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing+=("$package")
-done
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "Installing: ${missing[*]}"
-  sudo=""
-  [ "$(id -u)" -eq 0 ] || sudo=sudo
-  $sudo apt-get update -qq
-  $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
-fi
+. "$root/drivers/install.sh"
+install_missing $packages ${extra_packages:-} ${IXOS_EXTRA_PACKAGES:-}
 
 # Containers run as root; the two cores are shared.
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OPENBLAS_NUM_THREADS=1
+
+# ccache serves a checkout with what it compiled in another one. The compiler then sees sources by their paths below the
+# build folder, ../../lib/..., and the build folder that objects name for a debugger may be the other checkout's.
+export CCACHE_BASEDIR=$root CCACHE_NOHASHDIR=1 CCACHE_ABSSTDERR=1
 
 (
   cd "$root"

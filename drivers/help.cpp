@@ -1,20 +1,39 @@
 #include "help.hpp"
 
+#include <cstddef>
 #include <memory>
 
 namespace ixos {
 namespace {
 
-class HelpFormatter final : public CLI::Formatter {
- public:
-  HelpFormatter() { label("Positionals", "Arguments"); }
+constexpr std::size_t column = 30;  ///< where descriptions begin
 
-  /// Returns the type of an option's value, and nothing else.
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const bool takes_value = option->nonpositional() && option->get_type_size() != 0;
-    return takes_value ? " " + option->get_type_name() : "";
+std::string entry(const std::string& name, const std::string& description) {
+  const std::string left = "  " + name;
+  const std::string gap =
+      left.size() < column ? std::string(column - left.size(), ' ') : '\n' + std::string(column, ' ');
+  return left + gap + description + '\n';
+}
+
+/// CLI11's own formatters differ from version to version.
+class HelpFormatter final : public CLI::FormatterBase {
+ public:
+  std::string make_help(const CLI::App* app, std::string /*name*/, CLI::AppFormatMode /*mode*/) const override {
+    std::string usage = "Usage: " + app->get_name() + " [OPTIONS]", arguments, options;
+    for (const CLI::Option* option : app->get_options()) {
+      if (option->get_group().empty()) continue;  // hidden
+      if (option->nonpositional()) {
+        const bool takes_value = option->get_type_size() != 0;
+        options += entry(option->get_name(false, true) + (takes_value ? " " + option->get_type_name() : ""),
+                         option->get_description());
+      } else {
+        usage += " [" + option->get_name(true) + "]";
+        arguments += entry(option->get_name(true), option->get_description());
+      }
+    }
+    return app->get_description() + '\n' + usage + "\n\nArguments:\n" + arguments + "\nOptions:\n" + options + '\n' +
+           app->get_footer();
   }
-  std::string make_footer(const CLI::App* app) const override { return app->get_footer(); }
 };
 
 }  // namespace

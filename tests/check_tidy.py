@@ -1,22 +1,27 @@
 #!/usr/bin/python3
 """Runs clang-tidy on the sources of lib/ and drivers/ that changed since their last clean run.
 
-    tests/check_tidy.py BUILD_FOLDER [--all | --commits N]
+    tests/check_tidy.py BUILD_FOLDER [--all] [--commits N | --part K/N] [--minutes N]
 
 A source counts as unchanged if its text, that of each of the project's headers that it includes, its compile command,
 .clang-tidy and the version of clang-tidy are those of a clean run. The hashes of clean runs stand in
 $XDG_CACHE_HOME/ixos-tidy (default ~/.cache/ixos-tidy), so that a fresh clone profits too. --all checks every source.
 --commits takes the sources that changed in the last N commits, and so many others that each changed header is included
-by one of them, if the history goes back so far and .clang-tidy is the same. The build folder must have been built with
-Ninja. The exit status is 1 if clang-tidy found anything.
+by one of them, if the history goes back so far and .clang-tidy is the same. --part takes the K-th of N parts of all
+sources, which a hash of their names makes. --minutes begins no source later, and says how many were left out. The build
+folder must have been built with Ninja. The exit status is 1 if clang-tidy found anything.
 """
 import argparse
 import concurrent.futures
+import hashlib
 import json
+import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "structure"))
@@ -63,7 +68,23 @@ def covering(sources, changed):
     return chosen
 
 
-def tidy(source, build):
+def part_of(source, parts):
+    """Returns the number, from 1 to `parts`, of the part that a source belongs to. Every clone agrees on it."""
+    return int(hashlib.sha256(os.path.relpath(source, ROOT).encode()).hexdigest(), 16) % parts + 1
+
+
+def read_part(text):
+    """Returns the two numbers of K/N."""
+    match = re.fullmatch(r"(\d+)/(\d+)", text)
+    if not match or not 1 <= int(match[1]) <= int(match[2]):
+        raise argparse.ArgumentTypeError(f"{text} is no part; write 1/4 for the first of four")
+    return int(match[1]), int(match[2])
+
+
+def tidy(source, build, end):
+    """Returns whether a source is clean, and what clang-tidy says. The first is None if the time has come to an end."""
+    if time.monotonic() > end:
+        return None, ""
     done = subprocess.run(["clang-tidy", "-p", build, "--quiet", source], capture_output=True, text=True)
     return done.returncode == 0 and "warning:" not in done.stdout, done.stdout
 
@@ -72,8 +93,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build")
     parser.add_argument("--all", action="store_true", help="check unchanged sources too")
-    parser.add_argument("--commits", type=int, metavar="N", help="only what changed in the last N commits")
+    choice = parser.add_mutually_exclusive_group()
+    choice.add_argument("--commits", type=int, metavar="N", help="only what changed in the last N commits")
+    choice.add_argument("--part", type=read_part, default=(1, 1), metavar="K/N", help="only the K-th of N parts")
+    parser.add_argument("--minutes", type=float, default=math.inf, metavar="N", help="begin no source after N minutes")
     options = parser.parse_args()
+    end = time.monotonic() + 60 * options.minutes
     changed = changed_files(options.commits) if options.commits else None
     if changed is not None and os.path.join(ROOT, ".clang-tidy") in changed:
         changed = None
@@ -94,17 +119,22 @@ def main():
         states[source] = key(source, entry["command"], files, version)
         read[source] = files
     chosen = read if changed is None else covering(read, changed)
-    todo = [(source, states[source]) for source in chosen
+    part, parts = options.part
+    todo = [(source, states[source]) for source in chosen if part_of(source, parts) == part
             if options.all or not read[source] or states[source] not in passed]
     print("clang-tidy on %d of the sources of lib and drivers" % len(todo), flush=True)
-    clean = True
+    clean, left_out = True, 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build), todo)):
-            if good:
+        for (source, state), (good, output) in zip(todo, pool.map(lambda t: tidy(t[0], build, end), todo)):
+            if good is None:
+                left_out += 1
+            elif good:
                 passed.add(state)
             else:
                 clean = False
                 print(output, flush=True)
+    if left_out:
+        print("left out for want of time: %d sources" % left_out)
     sys.exit(0 if clean else 1)
 
 

@@ -1,6 +1,7 @@
 // ixos-study: runs a scene with many settings and says what accuracy costs. Exit status: 0 done; 1 a defect of ours;
 // 2 bad input; 3 the reference failed, or there is no advice; 4 input or output failed; 5 interrupted.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "ixos/answers.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <sstream>
 
@@ -27,8 +28,9 @@ void print_schemes() {
 }
 
 void print_version() {
-  console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\nKLU2 from: {}\n", IXOS_VERSION, simd_width(),
-               fmt::format("{}", fmt::join(factorizations(), ", ")), klu2_library());
+  console::say("ixos {}\nSIMD: {} doubles wide\nFactorisations: {}\n", IXOS_VERSION, simd_width(),
+               fmt::format("{}", fmt::join(factorizations(), ", ")));
+  if (const std::string klu2 = klu2_library(); !klu2.empty()) console::say("KLU2 from: {}\n", klu2);
   if (const int threads = blas_threads(); threads > 0) console::say("Threads of OpenBLAS: {}\n", threads);
 }
 

@@ -197,7 +197,7 @@ Teuchos::RCP<CrsMatrix> CoarseSpace::matrix(const std::function<void(double*)>& 
   if (local_rows_) {
     const auto mine = local_rows_->create_local_matrix(space());
     add(mine->getLocalMatrixHost().values.data());
-    const Tpetra::Export<> exporter(space().local_map(), space().owned_map());
+    const Tpetra::Export<LocalId, GlobalId> exporter(space().local_map(), space().owned_map());
     result->resumeFill();
     result->doExport(*mine, exporter, Tpetra::ADD);
     result->fillComplete(space().owned_map(), space().owned_map());

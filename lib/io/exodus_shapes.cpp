@@ -1,6 +1,7 @@
 #include "io/exodus_shapes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <netcdf.h>
 
 #include <algorithm>

@@ -145,6 +145,10 @@ herr_t write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t position, std::size_t size
 hid_t driver() {
   static const hid_t registered = [] {
     H5FD_class_t methods{};
+#ifdef H5FD_CLASS_VERSION  // from HDF5 1.14 on
+    methods.version = H5FD_CLASS_VERSION;
+    methods.value = 511;  // the last value that HDF5 leaves to drivers that no other program uses
+#endif
     methods.name = "ixos_image";
     methods.maxaddr = HADDR_MAX;
     methods.fc_degree = H5F_CLOSE_STRONG;

@@ -1,6 +1,7 @@
 #include "io/history_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Teuchos_Time.hpp>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "scene/grips.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "model/grips.hpp"
 

@@ -1,6 +1,7 @@
 #include "scene/scene_mesh.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>

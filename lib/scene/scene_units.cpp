@@ -1,6 +1,7 @@
 #include "scene/scene_units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Teuchos_Array.hpp>
 #include <vector>

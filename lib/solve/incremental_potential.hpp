@@ -1,6 +1,7 @@
 /// The merit function of NOX's own line searches.
 #pragma once
 #include <NOX_MeritFunction_Generic.H>
+#include <string>
 
 #include "solve/nonlinear_problem.hpp"
 

@@ -4,6 +4,7 @@
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Thyra_VectorStdOps.hpp>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <new>
 #include <stdexcept>
@@ -33,11 +34,7 @@ class NegativeCurvature : public std::runtime_error {
   NegativeCurvature() : std::runtime_error("the matrix of the linear system is not positive definite") {}
 };
 
-/// Belos' CG reports this in the message only.
-bool shows_negative_curvature(const std::exception& error) {
-  return dynamic_cast<const NegativeCurvature*>(&error) != nullptr ||
-         std::string(error.what()).find("non-positive value for p^H*A*p") != std::string::npos;
-}
+[[noreturn]] void throw_not_finite() { throw std::runtime_error("a number of the iteration is not finite"); }
 
 /// Returns the tolerance of a solve whose criteria are the residual's norm relative to that of the right-hand side, or
 /// of the first residual, which is the same from x = 0; else 0.
@@ -54,11 +51,19 @@ int iterations(const Status& status) {
   return status.extraParameters.is_null() ? 0 : status.extraParameters->get<int>("Iteration Count", 0);
 }
 
-/// Returns the largest 2-norm of the columns.
+/// Returns the 2-norms of the columns.
+std::vector<double> norms(const Thyra::MultiVectorBase<double>& vectors) {
+  std::vector<double> result(static_cast<std::size_t>(vectors.domain()->dim()));
+  Thyra::norms_2(vectors, Teuchos::arrayViewFromVector(result));
+  return result;
+}
 double largest_norm(const Thyra::MultiVectorBase<double>& vectors) {
-  std::vector<double> norms(static_cast<std::size_t>(vectors.domain()->dim()));
-  Thyra::norms_2(vectors, Teuchos::arrayViewFromVector(norms));
-  return *std::max_element(norms.begin(), norms.end());
+  const std::vector<double> all = norms(vectors);
+  return *std::max_element(all.begin(), all.end());
+}
+bool is_finite(const Thyra::MultiVectorBase<double>& vectors) {
+  const std::vector<double> all = norms(vectors);
+  return std::all_of(all.begin(), all.end(), [](double norm) { return std::isfinite(norm); });
 }
 
 class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public KeptState {
@@ -161,7 +166,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
-      const bool indefinite = shows_negative_curvature(error);
+      const bool indefinite = shows_negative_curvature(error, b, *x);
       // A new preconditioner would not change the matrix. If the old one is to blame, it is discarded at the second
       // failure.
       if (old && indefinite && !refused_) {
@@ -182,13 +187,22 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     }
   }
 
+  /// Returns whether CG failed because the matrix, or its preconditioner, is not positive definite. Belos' CG throws
+  /// for that reason, on all ranks, and Trilinos 13.2 also where a number is not finite. Its last iterate tells which.
+  bool shows_negative_curvature(const std::exception& error, const Thyra::MultiVectorBase<double>& b,
+                                const Thyra::MultiVectorBase<double>& x) const {
+    if (dynamic_cast<const NegativeCurvature*>(&error) != nullptr) return true;
+    return options_.is_cg && dynamic_cast<const Thyra::CatastrophicSolveFailure*>(&error) != nullptr && is_finite(b) &&
+           is_finite(x);
+  }
+
   /// After CG failed with a preconditioner of this matrix: solves by refinement if the preconditioner is a
   /// factorisation and the matrix is indefinite. Throws std::runtime_error if that is not so, or if it fails too.
   Status refined_or_broken(const std::exception& error, const Thyra::MultiVectorBase<double>& b,
                            const Teuchos::Ptr<Thyra::MultiVectorBase<double>>& x,
                            const Teuchos::Ptr<const Thyra::SolveCriteria<double>>& criteria) const {
     Status status;
-    if (options_.factorizes && shows_negative_curvature(error)) status = refined(b, x, criteria);
+    if (options_.factorizes && shows_negative_curvature(error, b, *x)) status = refined(b, x, criteria);
     if (status.solveStatus != Thyra::SOLVE_STATUS_CONVERGED)
       throw std::runtime_error(std::string("the linear solver broke down: ") + error.what());
     return status;
@@ -231,6 +245,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     statistics_->iterations += iterations(status);
+    // Newer versions of Belos return this where older ones throw.
+    if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED && largest_norm(*x) == 0) throw_not_finite();
     return status;
   }
 
@@ -255,7 +271,7 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
         *Extract::getTpetraMultiVector(Teuchos::rcpFromPtr(x)), tolerance, options_.cg_iterations);
     statistics_->iterations += solve.iterations;
     if (solve.status == CollectedSolve::NegativeCurvature) throw NegativeCurvature();
-    if (solve.status == CollectedSolve::NotFinite) throw std::runtime_error("a number of the iteration is not finite");
+    if (solve.status == CollectedSolve::NotFinite) throw_not_finite();
     Status status;
     status.achievedTol = solve.residual;
     status.solveStatus =

@@ -15,6 +15,7 @@ struct LaggedOptions {
   bool factorizes = false;   ///< the preconditioner is a factorisation, which serves indefinite matrices too
   bool of_matrix = true;     ///< made from a matrix; else from the operator itself, and it keeps its own state
   bool restartable = true;   ///< keep the values of the matrices that the preconditioner came from, for checkpoints
+  bool is_cg = false;        ///< the solver is a kind of CG, for positive definite matrices
   /// The most iterations, if the solver is CG without special settings; else 0. Such a CG becomes collected_cg() if
   /// the preconditioner is a factorisation on the first rank and the matrix is assembled.
   int cg_iterations = 0;
@@ -28,10 +29,10 @@ struct LaggedOptions {
 ///
 /// A solve that fails with an old preconditioner is tried once more with a new one, with `from_scratch` a new object (a
 /// renewed multigrid keeps the prolongators of its first matrix). Throws std::runtime_error if a solve breaks down with
-/// a new one, or if CG meets negative curvature (Belos throws): the matrix is then not positive definite, and the old
-/// preconditioner is kept for the next matrix. If that matrix is not positive definite either, a new factorisation
-/// solves with it by iterative refinement: the state of a body that buckles has such a tangent. The C library's random
-/// numbers seed Tpetra's, and hence the smoothers' estimates of eigenvalues; they restart with each preconditioner.
+/// a new one, or if CG meets negative curvature: the matrix is then not positive definite, and the old preconditioner
+/// is kept for the next matrix. If that matrix is not positive definite either, a new factorisation solves with it by
+/// iterative refinement: the state of a body that buckles has such a tangent. The C library's random numbers seed
+/// Tpetra's, and hence the smoothers' estimates of eigenvalues; they restart with each preconditioner.
 class LaggedSolverFactory final : public Thyra::LinearOpWithSolveFactoryBase<double>, public StateKeeper {
   using Op = Thyra::LinearOpWithSolveBase<double>;
   using Source = Thyra::LinearOpSourceBase<double>;

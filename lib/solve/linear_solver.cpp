@@ -93,6 +93,14 @@ int cg_iterations(const Teuchos::ParameterList& list) {
   return settings.isType<int>("Maximum Iterations") ? settings.get<int>("Maximum Iterations") : 0;
 }
 
+/// Returns whether the list asks for a kind of CG of Belos. Its other solvers have other names: "BiCGStab" is none.
+bool is_cg(const Teuchos::ParameterList& list) {
+  Teuchos::ParameterList copy(list);
+  const Teuchos::ParameterList& belos = copy.sublist("Linear Solver Types").sublist("Belos");
+  const std::string type = belos.isType<std::string>("Solver Type") ? belos.get<std::string>("Solver Type") : "";
+  return type.size() >= 2 && type.compare(type.size() - 2, 2, "CG") == 0;
+}
+
 }  // namespace
 
 struct LinearSolverFactory::Implementation : std::enable_shared_from_this<Implementation> {
@@ -133,6 +141,7 @@ LinearSolverFactory::LinearSolverFactory(const Teuchos::ParameterList& user, con
   self.lagged.factorizes = preconditioner == "Direct";
   self.lagged.of_matrix = !preconditions_without_matrix(preconditioner);
   self.lagged.restartable = restartable;
+  self.lagged.is_cg = is_cg(list);
   self.lagged.cg_iterations = cg_iterations(list);
   // The polynomial is cheap, and meant to need no sums over ranks.
   self.lagged.spares_last = self.lagged.cg_iterations > 0 && preconditioner != "Chebyshev";

@@ -1,8 +1,13 @@
 #include "solve/operator_preconditioner.hpp"
 
 #include <Thyra_DefaultLinearOpSource.hpp>
+#include <Thyra_SpmdVectorSpaceBase.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <cstdlib>
+#if __has_include(<Tpetra_Details_Random.hpp>)
+#include <Tpetra_Details_Random.hpp>
+#define IXOS_TPETRA_HAS_POOL
+#endif
 
 #include "base/phase_timer.hpp"
 
@@ -31,12 +36,23 @@ class OnMultiVectors final : public Thyra::LinearOpBase<double> {
   Teuchos::RCP<const Thyra::LinearOpBase<double>> op_;
 };
 
+/// Restarts the random numbers of Tpetra's vectors. Those of the C library seed them: in Trilinos 13.2 each vector's,
+/// in later versions a pool's, which lives as long as the process.
+void restart_random_numbers([[maybe_unused]] const Thyra::VectorSpaceBase<double>& space) {
+  std::srand(1);
+#ifdef IXOS_TPETRA_HAS_POOL
+  const auto* const shared = dynamic_cast<const Thyra::SpmdVectorSpaceBase<double>*>(&space);
+  Tpetra::Details::Static_Random_XorShift64_Pool<Node::execution_space>::resetPool(
+      shared == nullptr ? 0 : shared->getComm()->getRank());
+#endif
+}
+
 }  // namespace
 
 void initialize_preconditioner(const PreconditionerFactory& factory, bool of_matrix,
                                const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
                                Thyra::PreconditionerBase<double>& preconditioner) {
-  std::srand(1);
+  restart_random_numbers(*source->getOp()->range());
   if (!of_matrix) return factory.initializePrec(source, &preconditioner);
   const Teuchos::RCP<const Operator> matrix = matrix_of(*source);
   factory.initializePrec(Thyra::defaultLinearOpSource(const_linear_op(matrix, source->getOp()->range())),

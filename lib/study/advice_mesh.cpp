@@ -1,6 +1,7 @@
 #include "study/advice_mesh.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Teuchos_Array.hpp>
 #include <algorithm>

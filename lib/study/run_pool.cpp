@@ -9,6 +9,7 @@
 #include <list>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "io/disk_file.hpp"

@@ -1,5 +1,6 @@
 // Meshes from arrays, from files and from the generators of scenes.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

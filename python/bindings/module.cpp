@@ -12,5 +12,6 @@ PYBIND11_MODULE(_core, module) {
   ixos::python::bind_scene(module);
   ixos::python::bind_simulation(module);
   ixos::python::bind_study(module);
-  module.def("klu2_library", &ixos::klu2_library, "Returns the name of the library whose KLU2 this process uses.");
+  module.def("klu2_library", &ixos::klu2_library,
+             "Returns the name of the library whose KLU2 this process uses; empty if Trilinos needs no repair.");
 }

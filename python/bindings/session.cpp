@@ -5,6 +5,7 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 #include <map>
+#include <stdexcept>
 #include <utility>
 
 #include "io/hdf5_file.hpp"

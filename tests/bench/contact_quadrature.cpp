@@ -5,6 +5,7 @@
 
 #include <Tpetra_Core.hpp>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 

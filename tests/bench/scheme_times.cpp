@@ -5,6 +5,7 @@
 
 #include <Tpetra_Core.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <string>

@@ -14,6 +14,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -162,7 +163,7 @@ class Problem {
                                  const ixos::VectorSpace& space, const Vector& b, Vector& x) {
     Vector r(b, Teuchos::Copy), z(b.getMap()), p(b.getMap()), ap(b.getMap());
     const auto precondition = [&] {
-      using Extracted = Tpetra::MultiVector<>;
+      using Extracted = ixos::MultiVector;
       const Teuchos::RCP<const Extracted> known = Teuchos::rcpFromRef(r);
       const Teuchos::RCP<Extracted> found = Teuchos::rcpFromRef(z);
       const auto from = Thyra::createConstMultiVector(known, space);

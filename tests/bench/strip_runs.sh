@@ -1,11 +1,12 @@
 #!/bin/bash
 # The runs behind docs/results.md's strip: every scheme, contact element and time step; the reference; the mesh study.
 # Finished runs are not repeated. About an hour on one core.
-#   tests/bench/strip_runs.sh FOLDER [IXOS]
+#   tests/bench/strip_runs.sh FOLDER [IXOS [ARGUMENTS]]      ARGUMENTS: further ones of ixos, as of --set
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=${1:?"usage: strip_runs.sh FOLDER [IXOS]"}
+folder=${1:?"usage: strip_runs.sh FOLDER [IXOS [ARGUMENTS]]"}
 ixos=${2:-$root/build/release/drivers/ixos}
+arguments=("${@:3}")
 export OPENBLAS_NUM_THREADS=1
 mkdir -p "$folder"
 
@@ -17,7 +18,7 @@ run() {  # name, scheme, element, time step, further settings
   for setting in "$@"; do settings+=(--set "$setting"); done
   "$ixos" "$root/xml/strip.xml" --quiet --output "$folder/$name" --set "Time Integrator/Type=$scheme" \
     --set "Interactions/Wall/Contact Element=$element" --set "Time Integrator/Time Step Control/Time Step=$step" \
-    --set "Output/Fields Time Interval=0" "${settings[@]}" >"$folder/$name.log" 2>&1 || cat "$folder/$name.log"
+    --set "Output/Fields Time Interval=0" "${settings[@]}" "${arguments[@]}" >"$folder/$name.log" 2>&1 || cat "$folder/$name.log"
   echo "$name"
 }
 

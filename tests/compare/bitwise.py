@@ -27,10 +27,9 @@ import tempfile
 
 from forms import forms_to_compare, forms_to_time
 from tables import Comparison
-from driver_process import BENCH_ENVIRONMENT, ROOT, driver_command  # forms.py adds its folder to the path
+from driver_process import BENCH_ENVIRONMENT, ROOT, driver_command, test_environment  # forms.py adds its folder
 
-ENVIRONMENT = dict(BENCH_ENVIRONMENT, OMPI_MCA_rmaps_base_oversubscribe="1",
-                   OMPI_MCA_btl_vader_single_copy_mechanism="none")
+ENVIRONMENT = {**BENCH_ENVIRONMENT, **test_environment()}
 NAMES = ("before", "after")
 PAIRS = 5         # of runs, for a ratio of times
 TIME_LIMIT = 900  # seconds that a run may take

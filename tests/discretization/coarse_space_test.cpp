@@ -7,6 +7,7 @@
 #include <Tpetra_Vector.hpp>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "mesh/cell_order.hpp"
 #include "mesh/enrichment/enrich.hpp"

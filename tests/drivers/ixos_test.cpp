@@ -249,7 +249,9 @@ TEST_F(DriverTest, SchemesAreListedWithWhatTheyConserve) {
 }
 
 TEST_F(DriverTest, TheRepairedSolverIsInForceInTheDriver) {
-  EXPECT_NE(ixos({"--version"}, folder_).output.find("KLU2 from: libixos"), std::string::npos);
+  const std::string version = ixos({"--version"}, folder_).output;
+  if (version.find("KLU2 from: ") == std::string::npos) GTEST_SKIP() << "this version of Trilinos needs no repair";
+  EXPECT_NE(version.find("KLU2 from: libixos"), std::string::npos) << version;
 }
 
 TEST_F(DriverTest, OpenBlasHasOneThreadUnlessTheUserSetsMore) {

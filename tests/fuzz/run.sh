@@ -56,9 +56,9 @@ options_of() {
 
 # Where a report's fault is: the first frame of a library or of ours in each of its stacks (where it happened, and who
 # made the memory that it misused): one of ours where there is one, for a library that overruns what we gave it is our
-# finding. Nothing where there is none.
+# finding. Nothing where there is none. ccache makes our paths relative to the build folder.
 place_in() {
-  awk -v ours="$root/(lib|tests)/|libixos" '
+  awk -v ours="($root|[.][.]/[.][.])/(lib|tests)/|libixos" '
     !/^ *#[0-9]+ / { taken = 0; next }
     taken || /libc\.so|libstdc\+\+|libm\.so|ld-linux|sanitizer|crtstuff|interceptor/ { next }
     $0 ~ ours { print 0, $0; taken = 1; next }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 #include "fem/quadrature.hpp"
@@ -10,6 +11,7 @@
 #include "support/derivative.hpp"
 #include "support/obstacle_geometry.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "io/exodus_mesh.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

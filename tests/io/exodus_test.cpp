@@ -15,6 +15,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -13,6 +13,7 @@
 #include "mesh/cell_sides.hpp"
 #include "mesh/quality.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

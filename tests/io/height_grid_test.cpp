@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

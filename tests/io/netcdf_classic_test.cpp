@@ -4,6 +4,7 @@
 
 #include "support/files.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

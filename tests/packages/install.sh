@@ -1,25 +1,21 @@
 #!/usr/bin/env bash
-# Tests Debian packages in a fresh root: tests/packages/install.sh PACKAGES FOLDER
-# Installs the packages of the folder PACKAGES in FOLDER/system, a copy of FOLDER/bare (made with debootstrap if it does
-# not exist), runs debian/tests there, removes the packages, and looks for files that stayed. Run as root.
+# Tests Debian packages in a fresh root: tests/packages/install.sh PACKAGES FOLDER [RELEASE]
+# Installs the packages of the folder PACKAGES in FOLDER/system, a copy of FOLDER/bare (made if it does not exist, of the
+# release bookworm or RELEASE), runs debian/tests there, removes the packages, and looks for files that stayed. Run as
+# root.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 packages=$(realpath "$1")
 work=$(realpath -m "$2")
-mirror=${IXOS_MIRROR:-http://deb.debian.org/debian}
-[ -d "$work/bare" ] || debootstrap --variant=minbase bookworm "$work/bare" "$mirror"
+"$root/tests/distributions/root.sh" make "${3:-bookworm}" "$work/bare"
 rm -rf "$work/system"
 cp -a "$work/bare" "$work/system"
-mkdir "$work/system/packages"
-cp -r "$packages"/*.deb "$root/debian/tests" "$work/system/packages"
-mount -t proc proc "$work/system/proc"
-mount -t sysfs -o ro sysfs "$work/system/sys"
-trap 'umount "$work/system/proc" "$work/system/sys"' EXIT
+mkdir -p "$work/system/packages/debian" "$work/system/packages/tests/support"
+cp "$packages"/*.deb "$work/system/packages"
+cp -r "$root/debian/tests" "$work/system/packages/debian"
+cp "$root/tests/support/openmpi.env" "$work/system/packages/tests/support"
 
-inside() {
-  chroot "$work/system" env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
-    DEBIAN_FRONTEND=noninteractive "$@"
-}
+inside() { "$root/tests/distributions/root.sh" inside "$work/system" "$@"; }
 install_packages() { # names of packages
   local files
   files=$(printf ' /packages/%s_*.deb' "$@")
@@ -27,7 +23,7 @@ install_packages() { # names of packages
 }
 test_installed() {
   echo "== $1"
-  inside sh -c "mkdir /tmp/$1 && AUTOPKGTEST_TMP=/tmp/$1 /packages/tests/$1"
+  inside sh -c "mkdir /tmp/$1 && AUTOPKGTEST_TMP=/tmp/$1 /packages/debian/tests/$1"
 }
 
 inside apt-get update -qq

@@ -5,6 +5,7 @@
 
 #include "run/restart_fixture.hpp"
 #include "support/comparison.hpp"
+#include "test_folders.hpp"
 
 namespace ixos::test {
 namespace {

@@ -11,6 +11,7 @@
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
 #include "support/temporary_folder.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -2,6 +2,7 @@
 #include "scene/parameters.hpp"
 #include "scene/scene_mesh.hpp"
 #include "support/catalogue_walk.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

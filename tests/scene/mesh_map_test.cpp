@@ -11,6 +11,7 @@
 #include "scene/scene_file.hpp"
 #include "scene/scene_mesh.hpp"
 #include "support/refusal.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

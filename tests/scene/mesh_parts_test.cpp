@@ -13,6 +13,7 @@
 #include "scene/scene_units.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -15,6 +15,7 @@
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 #include "support/temporary_folder.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Teuchos_Array.hpp>
+#include <vector>
 
 #include "base/error.hpp"
 #include "parameters/list_xml.hpp"

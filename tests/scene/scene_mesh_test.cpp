@@ -10,6 +10,7 @@
 #include "parameters/parameter_entries.hpp"
 #include "parameters/validation.hpp"
 #include "scene/parameters.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

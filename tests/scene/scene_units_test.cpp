@@ -13,6 +13,7 @@
 #include "scene/scene_file.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
+#include "test_folders.hpp"
 #include "units/documented_unit.hpp"
 
 namespace ixos {

@@ -25,7 +25,7 @@ constexpr int n = 100;
 Teuchos::RCP<CrsMatrix> tridiagonal(double diagonal) {
   const auto map = Teuchos::rcp(new Map(n, 0, world()));
   const auto matrix = Teuchos::rcp(new CrsMatrix(map, 3));
-  for (std::size_t i = 0; i < map->getNodeNumElements(); ++i) {
+  for (std::size_t i = 0; i < map->getMyGlobalIndices().extent(0); ++i) {
     const GlobalId row = map->getGlobalElement(static_cast<LocalId>(i));
     for (GlobalId column : {row - 1, row, row + 1})
       if (column >= 0 && column < n) {

@@ -6,6 +6,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>

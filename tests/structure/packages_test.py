@@ -14,6 +14,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEBIAN = ROOT / "debian"
+BY_RULES = [("ixos", "usr/lib/*/glibc-hwcaps")]  # debian/rules, on the architectures that have it
 OPTIONAL = {"usr/share/doc/ixos/html", "usr/share/man", "usr/lib/*/glibc-hwcaps",
             "usr/lib/python3/dist-packages/ixos"}  # what a build may leave out
 ONLY_TESTS = {"ccache", "libgtest-dev", "libbenchmark-dev", "python3-mpi4py"}
@@ -36,7 +37,8 @@ def matches(path, pattern):
 
 def install_lines():
     """Returns (package, pattern) for all packages."""
-    return [(file.stem, line) for file in sorted(DEBIAN.glob("*.install")) for line in file.read_text().split()]
+    lines = [(file.stem, line) for file in sorted(DEBIAN.glob("*.install")) for line in file.read_text().split()]
+    return lines + BY_RULES
 
 
 def file_problems(installed):

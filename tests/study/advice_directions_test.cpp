@@ -1,5 +1,6 @@
 // Directions of the scenes of xml/.
 #include "study/advice_directions.hpp"
+#include "test_folders.hpp"
 
 #include <gtest/gtest.h>
 

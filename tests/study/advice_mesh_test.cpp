@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "study/study.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -10,6 +10,7 @@
 #include "scene/scene_file.hpp"
 #include "support/files.hpp"
 #include "support/temporary_folder.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

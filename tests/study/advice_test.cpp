@@ -20,6 +20,7 @@
 #include "support/files.hpp"
 #include "support/plane_block.hpp"
 #include "support/temporary_folder.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

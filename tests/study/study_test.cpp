@@ -11,6 +11,7 @@
 #include "study/history_table.hpp"
 #include "study/study_result.hpp"
 #include "support/files.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

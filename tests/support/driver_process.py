@@ -3,11 +3,19 @@ import os
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 STEPS = "Time Integrator/Time Step Control/"
-# Open MPI for root and without pinned ranks; one thread a rank. Ranks that wait spin: for measurements.
-BENCH_ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-                         OPENBLAS_NUM_THREADS="1", OMPI_MCA_hwloc_base_binding_policy="none")
+
+
+def test_environment():
+    """Returns the variables that all tests set, in CMake and here."""
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "openmpi.env"), encoding="utf-8") as file:
+        return dict(line.rstrip("\n").split("=", 1) for line in file if line[:1].isupper())
+
+
 # Ranks that wait yield, so that more of them than cores do not starve each other.
-ENVIRONMENT = dict(BENCH_ENVIRONMENT, OMPI_MCA_mpi_yield_when_idle="1")
+ENVIRONMENT = {**os.environ, **test_environment(), "OMPI_MCA_mpi_yield_when_idle": "1"}
+# For measurements: ranks that wait spin, and read each other's memory.
+BENCH_ENVIRONMENT = {name: value for name, value in {**os.environ, **test_environment()}.items()
+                     if name not in ("OMPI_MCA_btl_vader_single_copy_mechanism", "OMPI_MCA_smsc")}
 
 
 def driver_command(driver, scene, arguments, settings, ranks):

@@ -6,6 +6,7 @@
 
 #include "parameters/validation.hpp"
 #include "support/catalogue_walk.hpp"
+#include "test_folders.hpp"
 
 namespace ixos::test {
 

@@ -7,6 +7,7 @@
 
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
+#include "test_folders.hpp"
 
 namespace ixos::test {
 namespace {

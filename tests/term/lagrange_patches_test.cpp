@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <stdexcept>
 
 #include "fem/contact_elements.hpp"
 #include "fem/contact_hexahedra.hpp"

@@ -14,6 +14,7 @@
 #include "support/comparison.hpp"
 #include "support/obstacle_geometry.hpp"
 #include "support/scene_text.hpp"
+#include "test_folders.hpp"
 
 namespace ixos {
 namespace {

@@ -32,7 +32,7 @@ def derjaguin(distance, radius, angle):
 def settings(radius, angle):
     """Returns the changes of the scene. A larger radius or another angle needs wider shells."""
     wide = 40 * np.sqrt(radius / 100 / (1 - abs(np.cos(np.radians(angle)))))
-    c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    c, s = float(np.cos(np.radians(angle))), float(np.sin(np.radians(angle)))  # NumPy 2 writes its own otherwise
     changes = {"Mesh/Parts/upper/Map/Z": f"3 + z + x^2/{2 * radius!r}",
                "Mesh/Parts/lower/Map/Z": f"z - ({c!r}*x - {s!r}*y)^2/{2 * radius!r}"}
     for part, height in ("upper", 0.0), ("lower", -1.0):

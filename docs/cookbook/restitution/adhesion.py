@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import numpy as np
+from scipy.integrate import trapezoid
 from scipy.interpolate import PchipInterpolator
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("jkr", ".")]
@@ -59,7 +60,7 @@ def loss(stiffness, width=0.5, step=0.01):
     off, pull = model.branch(0.0, -step, model.in_contact())
     on, push = model.branch(-3.0, step, model.shape + 3)
     between = np.linspace(off[-1], on[-1], 2001)
-    return np.trapz(PchipInterpolator(on, push)(between) - PchipInterpolator(off[::-1], pull[::-1])(between), between)
+    return trapezoid(PchipInterpolator(on, push)(between) - PchipInterpolator(off[::-1], pull[::-1])(between), between)
 
 
 def loss_jkr(stiffness):
@@ -68,4 +69,4 @@ def loss_jkr(stiffness):
     approach = a ** 2 / RADIUS - np.sqrt(2 * np.pi * WORK * a / stiffness)
     force = 4 * stiffness * a ** 3 / (3 * RADIUS) - np.sqrt(8 * np.pi * stiffness * WORK * a ** 3)
     inside = approach <= 0
-    return -np.trapz(force[inside], approach[inside])
+    return -trapezoid(force[inside], approach[inside])

@@ -8,7 +8,7 @@ and modal mass M, with the radial displacement U at the point, ends with the ene
 The modes are those of Lamb (1882): displacements grad phi + curl curl (r psi) with phi = A j_l(h r) P_l and
 psi = B j_l(k r) P_l, h = w/c_p, k = w/c_s, whose stresses vanish on the surface."""
 import numpy as np
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_ivp, trapezoid
 from scipy.optimize import brentq
 from scipy.special import spherical_jn
 
@@ -87,6 +87,6 @@ def loss(radius, modulus, poisson, density, speed, orders=40, largest=40.0):
     shear = (modulus / (2 * (1 + poisson)) / density) ** 0.5
     energy = 0.0
     for w, factor in modes(poisson, orders, largest):
-        spectrum = np.trapz(force * np.exp(1j * w * shear / radius * time), time)
+        spectrum = trapezoid(force * np.exp(1j * w * shear / radius * time), time)
         energy += abs(spectrum) ** 2 * factor / (2 * density * radius ** 3)
     return energy / (0.5 * mass * speed ** 2), duration

@@ -14,6 +14,7 @@ import sys
 
 import numpy as np
 from scipy import sparse
+from scipy.integrate import trapezoid
 from scipy.sparse.linalg import splu
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
@@ -216,7 +217,7 @@ def measures(lift, force, length):
     after = np.flatnonzero(force[late:] < 0.1 * force[late])
     return {"first": (force[first], lift[first]), "trough": (force[between], lift[between]),
             "late": (force[late], lift[late]), "free": lift[late + after[0]] if len(after) else lift[-1],
-            "work": np.trapz(force, lift)}
+            "work": trapezoid(force, lift)}
 
 
 def scaled(shape, scale):

@@ -10,6 +10,7 @@
 #include <ixos/evaluator.hpp>
 #include <ixos/simulation.hpp>
 #include <memory>
+#include <string>
 
 #include "newmark_loop.hpp"
 
@@ -44,10 +45,12 @@ int compare(const ixos::Comm& comm, const char* path) {
   }
   largest = model.space().maximum(largest);
   moved = model.space().maximum(moved);
-  const bool repaired = ixos::klu2_library().rfind("libixos", 0) == 0;
+  const std::string klu2 = ixos::klu2_library();
+  const bool sound = klu2.empty() || klu2.rfind("libixos", 0) == 0;  // empty: this Trilinos needs no repair
   if (comm->getRank() == 0)
-    std::printf("moved %.3g, differs by %.3g; KLU2 from %s\n", moved, largest, ixos::klu2_library().c_str());
-  return largest < 1e-10 && moved > 0.01 && repaired ? 0 : 1;
+    std::printf("moved %.3g, differs by %.3g; KLU2 from %s\n", moved, largest,
+                klu2.empty() ? "Trilinos" : klu2.c_str());
+  return largest < 1e-10 && moved > 0.01 && sound ? 0 : 1;
 }
 
 }  // namespace

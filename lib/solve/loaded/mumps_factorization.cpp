@@ -145,7 +145,7 @@ class Mumps final : public Factorization {
     MPI_Comm_size(comm_, &ranks);
     counts_.resize(static_cast<std::size_t>(ranks));
     starts_.assign(counts_.size(), 0);
-    const int count = static_cast<int>(row_map->getNodeNumElements());
+    const int count = local.numRows();
     MPI_Allgather(&count, 1, MPI_INT, counts_.data(), 1, MPI_INT, comm_);
     for (std::size_t r = 1; r < counts_.size(); ++r) starts_[r] = starts_[r - 1] + counts_[r - 1];
     if (rank_ == 0) all_.resize(matrix_->getGlobalNumRows());

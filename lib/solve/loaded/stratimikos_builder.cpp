@@ -1,9 +1,9 @@
 #include "solve/loaded/stratimikos_builder.hpp"
 
 #include <Stratimikos_DefaultLinearSolverBuilder.hpp>
-#include <Stratimikos_MueLuHelpers.hpp>
 #include <Teuchos_AbstractFactoryStd.hpp>
 #include <Thyra_Ifpack2PreconditionerFactory.hpp>
+#include <Thyra_MueLuPreconditionerFactory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
 #include "solve/chebyshev_preconditioner.hpp"
@@ -22,7 +22,7 @@ class StratimikosBuilder final : public SolverBuilder {
  public:
   explicit StratimikosBuilder(const Teuchos::ParameterList& list) {
     builder_.setLinearSolveStrategyFactory(Teuchos::abstractFactoryStd<SolverFactory, DirectSolverFactory>(), "Direct");
-    Stratimikos::enableMueLu<LocalId, GlobalId, Node>(builder_);
+    add<Thyra::MueLuPreconditionerFactory<double, LocalId, GlobalId, Node>>("MueLu");
     add<Thyra::Ifpack2PreconditionerFactory<CrsMatrix>>("Ifpack2");
     add<DirectPreconditionerFactory>("Direct");
     add<ChebyshevPreconditionerFactory>("Chebyshev");

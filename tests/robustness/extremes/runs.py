@@ -2,7 +2,6 @@
 import hashlib
 import json
 import math
-import os
 import pathlib
 import re
 import shutil
@@ -13,19 +12,15 @@ import time
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "drivers/plot"))
+sys.path[:0] = [str(ROOT / "drivers/plot"), str(ROOT / "tests/support")]
 
-from results import Run  # noqa: E402 (after the path)
+from driver_process import ENVIRONMENT, STEPS  # noqa: E402 (after the path)
+from results import Run  # noqa: E402
 
-STEPS = "Time Integrator/Time Step Control/"
 SCHEMES = ["Newmark", "Generalized-Alpha", "HHT-Alpha", "Bathe Composite", "Gautam-Sauer Composite", "Midpoint",
            "Average Vector Field", "Energy-Momentum", "Central Difference"]
 R0 = 0.4  # 1/Gamma L of the default interaction
 EQUILIBRIUM = 15 ** (-1 / 6) * R0
-
-ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OPENBLAS_NUM_THREADS="1",
-                   OMPI_MCA_hwloc_base_binding_policy="none", OMPI_MCA_mpi_yield_when_idle="1",
-                   OMPI_MCA_rmaps_base_oversubscribe="1")
 
 
 def box(lengths, divisions, lower=None):
@@ -66,7 +61,7 @@ def held(name, node_set, components, history=""):
 
 def ramp(name, rate):
     """The entries of a motion or load that grows from time 0."""
-    path = f"Histories/{name}/"
+    path, rate = f"Histories/{name}/", float(rate)
     return {path + "Type": "Expression", path + "Expression/Value": f"{rate!r}*t", path + "Expression/Velocity": repr(rate),
             path + "Expression/Acceleration": "0"}
 

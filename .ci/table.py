@@ -1,0 +1,52 @@
+"""The slices of continuous integration: each takes at most 40 minutes on two cores, from a finished release build.
+
+.ci/run runs one of them after its main job. Their order is that of their turns: neighbours check different things.
+"""
+from typing import NamedTuple
+
+
+class Slice(NamedTuple):
+    """A name, a sentence, and a command of bash in the root of the checkout. Its exit status is 77 if it cannot run."""
+    name: str
+    what: str
+    command: str
+
+
+# Long tests that are not named here are in the second part.
+LONG_TESTS = r"^(scene\.all_restarts|structure\.headers)$"
+
+SLICES = (
+    Slice("long-1", "long tests: restarts of all scenes, headers alone",
+          f"IXOS_LONG=1 tests/run.sh -L long -R '{LONG_TESTS}'"),
+    Slice("sanitizers-1", "unit tests under AddressSanitizer and UBSan: kernels, terms, models, solvers",
+          "IXOS_PRESET=sanitize targets=unit_tests_1 tests/run.sh -L unit-1"),
+    Slice("packages", "Debian packages: build, lintian, debian/tests in a clean root",
+          "tests/packages/run.sh build/packages"),
+    Slice("tidy-1", "clang-tidy on half of the sources",
+          "tests/check_tidy.py build/release --part 1/2"),
+    Slice("benchmarks", "benchmarks, compiled and run once",
+          "tests/bench/short.py build/release"),
+    Slice("debian-13-units", "Debian 13: build and quick unit tests",
+          "tests/distributions/run.sh trixie --part units"),
+    Slice("fuzzing", "a minute of fuzzing for each reader",
+          "tests/fuzz/run.sh --seconds 60"),
+    Slice("long-2", "long tests: conservation, kills, faults, whole scenes, and all others",
+          f"IXOS_LONG=1 tests/run.sh -L long -E '{LONG_TESTS}'"),
+    Slice("sanitizers-2", "unit tests under AddressSanitizer and UBSan: time, files, runs, studies, programs",
+          "IXOS_PRESET=sanitize targets=unit_tests_2 tests/run.sh -L unit-2"),
+    Slice("reproducible", "Debian packages: two builds, equal to the bit",
+          "tests/packages/run.sh --twice build/packages"),
+    Slice("tidy-2", "clang-tidy on the other half of the sources",
+          "tests/check_tidy.py build/release --part 2/2"),
+    Slice("readme", "README's commands in a clean root of Debian 12",
+          "tests/readme/run.sh build/readme"),
+    Slice("debian-13-others", "Debian 13: build and all other quick tests",
+          "tests/distributions/run.sh trixie --part others"),
+    Slice("debian-13-packages", "Debian 13: packages, debian/tests",
+          "tests/distributions/run.sh trixie --only packages"),
+)
+
+
+def slice_of(commits):
+    """Returns the slice whose turn it is after so many commits."""
+    return SLICES[commits % len(SLICES)]

@@ -1,0 +1,109 @@
+#!/usr/bin/python3
+"""Compiles the benchmarks, and runs each once in a form that ends in seconds, so that none rots unseen.
+
+    tests/bench/short.py BUILD_FOLDER [FILE...]
+
+FILE is a file of tests/bench; default: all. The numbers mean nothing. The exit status is 1 if a run fails.
+structure.ci checks that each file of tests/bench is named here.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIMIT = 600  # seconds of a run
+
+# By file: the command. {build} is the build folder, {ixos} its driver, {folder} one for results.
+SMALL = ("--cells", "300", "--steps", "1")
+RUNS = {
+    "accuracy.py": ("tests/bench/accuracy.py", "oscillator"),
+    "advice_cases.py": ("tests/bench/advice_cases.py", "--seed", "1", "--cases", "1", "--budget", "1", "--grid", "0",
+                        "--reference", "5", "--output", "{folder}", "--drivers", "{build}/drivers"),
+    "block_times.py": ("tests/bench/block_times.py", "{build}", "--divisions", "4", "--steps", "1", "--repeats", "1"),
+    "checkpoint_cost.py": ("tests/bench/checkpoint_cost.py", "--driver", "{ixos}", "--repeats", "1"),
+    "contact_quadrature.cpp": ("{build}/tests/contact_quadrature", "xml/strip.xml", "1"),
+    "error_over_time.py": ("tests/bench/error_over_time.py", "--output", "{folder}/picture.png"),
+    # Its reference takes minutes.
+    "fastest_settings.py": ("/usr/bin/python3", "-c",
+                            "import sys; sys.path.append('tests/bench'); import fastest_settings"),
+    "instruction_sets.py": ("tests/bench/instruction_sets.py", "--native", "{build}", "--portable", "{build}",
+                            "--rounds", "1"),
+    "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
+    "message_counter.cpp": ("tests/bench/scaling.py", "{build}", "--only", "messages", "--ranks", "2", "--block", "4",
+                            *SMALL),
+    "pair_times.py": ("tests/bench/pair_times.py", "--driver", "{ixos}", "--cells", "2,1", "--steps", "1"),
+    "product_times.cpp": ("{build}/tests/product_times", "4", "2"),
+    "python_overhead.py": ("tests/bench/python_overhead.py",),
+    "scaling.py": ("tests/bench/scaling.py", "{build}", "--only", "strong", "weak", "model", "--ranks", "1", "2",
+                   "--block", "4", *SMALL),
+    "scheme_times.cpp": ("{build}/tests/scheme_times", "xml/ball.xml", "0.01", "1"),
+    "spatula_damping.sh": ("tests/bench/spatula_damping.sh", "{folder}", "300", "{ixos}", "--set",
+                           "Time Integrator/Time Step Control/Final Time=1"),
+    "spatula_times.py": ("tests/bench/spatula_times.py", "{build}", "--ranks", "1", *SMALL),
+    "spectral_properties.cpp": ("{build}/tests/spectral_properties",),
+    "static_solve.cpp": ("{build}/tests/static_solve", "4", "x1"),
+    "strip_order.py": ("tests/bench/strip_order.py", "--driver", "{ixos}", "--cells", "20", "40", "80", "--step", "0.5",
+                       "--limit", "0.053"),
+    "strip_runs.sh": ("tests/bench/strip_runs.sh", "{folder}", "{ixos}", "--check"),
+}
+
+# By file: why it has no run.
+WITHOUT_RUN = {
+    "advice_cases.csv": "data of advice_cases.py",
+    "advice_scenes.py": "advice_cases.py imports it",
+    "newton_times.py": "block_times.py imports it",
+    "scaling_model.py": "scaling.py imports it",
+}
+
+
+def run(name, build, folder):
+    """Runs the short form of a file. Returns whether it ended well, without a message of ixos."""
+    words = {"build": build, "ixos": build / "drivers/ixos", "folder": folder}
+    command = [word.format(**words) for word in RUNS[name]]
+    if command[0].endswith(".py"):
+        command.insert(0, "/usr/bin/python3")
+    environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                   "OPENBLAS_NUM_THREADS": "1", "PYTHONPATH": str(build / "python"), "PYTHONDONTWRITEBYTECODE": "1",
+                   "IXOS_DRIVER": str(build / "drivers/ixos")}
+    begin = time.monotonic()
+    try:
+        done = subprocess.run(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, errors="replace", timeout=LIMIT)
+        output = done.stdout
+        if done.returncode != 0:
+            failure = f"exit status {done.returncode}"
+        else:  # scripts of many runs continue when one fails
+            failure = "ixos failed" if re.search("^ixos(-study)?: ", output, re.MULTILINE) else ""
+    except subprocess.TimeoutExpired as late:
+        failure, output = f"it takes more than {LIMIT} s", (late.stdout or b"").decode(errors="replace")
+    print(f"{time.monotonic() - begin:6.1f} s  {name}  {failure}", flush=True)
+    if failure:
+        print(" ".join(command) + "\n" + output[-2000:], flush=True)
+    return not failure
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    build = pathlib.Path(sys.argv[1]).resolve()
+    names = sys.argv[2:] or sorted(RUNS)
+    for name in names:
+        if name not in RUNS:
+            print(f"short.py: {name} has no short form: {WITHOUT_RUN.get(name, 'no such file')}", file=sys.stderr)
+            sys.exit(2)
+    subprocess.run(["cmake", "--build", build, "--target", "benchmarks", "ixos_driver"], check=True)
+    failed = []
+    for name in names:
+        with tempfile.TemporaryDirectory() as folder:
+            if not run(name, build, folder):
+                failed.append(name)
+    print(f"{len(names)} benchmarks ran" + (", of which failed: " + ", ".join(failed) if failed else ""))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
