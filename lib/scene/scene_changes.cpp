@@ -46,14 +46,6 @@ bool defines_problem(const std::string& path) {
          starts_with(path, "Units/");
 }
 
-Teuchos::ParameterList with_defaults(const Teuchos::ParameterList& scene) {
-  try {
-    return complete_scene(scene);
-  } catch (const InputError&) {
-    return scene;
-  }
-}
-
 std::string text(const Teuchos::ParameterEntry* entry) {
   if (entry == nullptr) return absent;
   return entry->isType<std::string>() ? '"' + short_text(*entry) + '"' : short_text(*entry);
@@ -101,6 +93,14 @@ void describe(const Teuchos::ParameterList& list, const std::string& path, std::
 }
 
 }  // namespace
+
+Teuchos::ParameterList with_defaults(const Teuchos::ParameterList& scene) {
+  try {
+    return complete_scene(scene);
+  } catch (const InputError&) {
+    return scene;
+  }
+}
 
 std::string scene_digest(const Teuchos::ParameterList& scene, const std::string& mesh_fingerprint) {
   std::string lines = "mesh " + mesh_fingerprint + '\n';

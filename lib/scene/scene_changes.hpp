@@ -23,6 +23,10 @@ struct SceneChange {
   std::string text() const;
 };
 
+/// Returns the scene with the defaults of the parameters that it lacks, such as those that came after the version that
+/// wrote it. Returns the scene itself if this version refuses it.
+Teuchos::ParameterList with_defaults(const Teuchos::ParameterList& scene);
+
 /// Returns XXH3 (128 bits), as 32 hexadecimal digits, of the parameters of a complete scene that define its problem, as
 /// for changes_of_problem(), and of the fingerprint of its mesh.
 std::string scene_digest(const Teuchos::ParameterList& scene, const std::string& mesh_fingerprint);

@@ -7,6 +7,7 @@
 
 #include "run/restart_fixture.hpp"
 #include "scene/scene_changes.hpp"
+#include "scene/scene_units.hpp"
 
 namespace ixos::test {
 namespace {
@@ -184,6 +185,18 @@ TEST(SceneChangesTest, ChangesAreNamedAndJudged) {
   EXPECT_EQ(changes[5].text(), "Initial Conditions/Velocity: {1}, now {2}");
   EXPECT_EQ(changes[5].bearing, Bearing::State);
   EXPECT_TRUE(scene_changes(before, before).empty());
+}
+
+TEST(SceneChangesTest, ParametersThatAnEarlierVersionLackedHaveTheirDefaults) {
+  const Teuchos::ParameterList now = complete_scene(test::scene(drawn(word("Type", "Newmark") + steps(0.02, 0.2))));
+  Teuchos::ParameterList earlier(now);
+  Teuchos::ParameterList& wall = earlier.sublist("Interactions").sublist("Wall");
+  wall.remove("Step Margin");
+  EXPECT_EQ(scene_changes(earlier, now).size(), 1U);
+  EXPECT_TRUE(scene_changes(with_defaults(earlier), now).empty());
+  // A parameter that is no more stays a change.
+  wall.set("Former", 1.0);
+  EXPECT_FALSE(scene_changes(with_defaults(earlier), now).empty());
 }
 
 }  // namespace

@@ -11,19 +11,17 @@ import subprocess
 import sys
 import tempfile
 
-import numpy as np
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / folder) for folder in ("tests/compare", "tests/support", "drivers/plot")]
 from driver_process import ENVIRONMENT, driver_command  # noqa: E402
 from forms import XML, scene_forms  # noqa: E402
+from histories import differences  # noqa: E402
 from result_files import read_history, read_summary  # noqa: E402
 
 DRIVER = os.environ.get("IXOS_DRIVER", str(ROOT / "build/release/drivers/ixos"))
 FORMS = {"film-peel, friction": "friction_of_Wall", "gecko-drag": "friction_of_Wall",
          "spring-block": "friction_of_Wall", "rate-peel": "viscoelasticity_of_body",
          "restitution, Maxwell branch": "viscoelasticity_of_body", "sphere-hysteresis": "viscoelasticity_of_body"}
-COUNTS = {"newton_iterations", "linear_iterations", "wall_seconds"}
 BOUND = 1e-7  # of the largest value; 2e-11 was seen
 
 
@@ -40,30 +38,6 @@ def histories(scene, settings, folder):
     return tables
 
 
-def quantity(column):
-    """Returns the name of a column without its axis: components have one scale."""
-    return column[:-1] if column[-1] in "xyz" else column
-
-
-def differences(one, two):
-    """Yields messages on what differs."""
-    if list(one) != list(two) or len(one["step"]) != len(two["step"]):
-        yield "the tables differ in columns or rows"
-        return
-    scales = {}
-    for column, values in one.items():
-        largest = np.nanmax(np.abs(values), initial=0.0)
-        scales[quantity(column)] = max(scales.get(quantity(column), 0.0), largest)
-    for column, values in one.items():
-        if column in COUNTS:
-            continue
-        if (np.isnan(values) != np.isnan(two[column])).any():
-            yield f"{column}: other cells are empty"
-        difference = np.nanmax(np.abs(values - two[column]), initial=0.0)
-        if difference > BOUND * scales[quantity(column)]:
-            yield f"{column}: {difference:.3g}, of {scales[quantity(column)]:.3g}"
-
-
 def main():
     part = sys.argv[1] if len(sys.argv) > 1 else ""
     forms = {name: (scene, settings) for name, scene, settings, *_ in scene_forms([])}
@@ -73,7 +47,7 @@ def main():
             continue
         with tempfile.TemporaryDirectory(prefix="ixos-ranks-") as folder:
             one, two = histories(*forms[name], folder)
-        problems = list(differences(one, two))
+        problems = list(differences(one, two, BOUND))
         if not one["dissipated_" + source][-1] > 0:
             problems.append("nothing is dissipated: the form is too short")
         print(f"{name}: {'; '.join(problems) or 'equal'}", flush=True)
