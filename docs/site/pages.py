@@ -16,7 +16,7 @@ CONTENTS = {
     "Cookbook": ["docs/cookbook/"],
     "Examples": ["docs/examples/"],
     "Reference": ["docs/parameters", "docs/study-parameters", "docs/theory"],
-    "Measurements": ["docs/results", "docs/extremes", "docs/robustness"],
+    "Measurements": ["docs/results", "docs/results/", "docs/extremes", "docs/robustness"],
     "Project": ["docs/developer-guide", "CONTRIBUTING", "CHANGELOG", "docs/", "meshes/"],
 }
 LANGUAGES = {".cpp": "c++", ".py": "python"}

@@ -17,7 +17,7 @@ struct Scheme {
   std::string order;
   std::string stability;
   std::string conserves;
-  std::string cost;  ///< relative to Newmark's method (docs/results.md has the measurements)
+  std::string cost;  ///< relative to Newmark's method (docs/results/ball.md has the measurements)
   std::string citation;
   Teuchos::ParameterList parameters;
   std::function<Table(const Teuchos::ParameterList&)> table;

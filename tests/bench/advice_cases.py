@@ -13,8 +13,8 @@ advised settings: three schemes, four elements, and a fourth to eight times the 
 cells along an edge. It tells the cheapest run within the tolerance, and the cheapest of those that are not so by
 coincidence: a run with half the step, and one with twice the cells along an edge, are within the tolerance, too.
 
-Each case is a line of OUTPUT/cases.jsonl: the same command resumes. --report FILE prints the numbers of such a file,
---table FILE CSV also writes it as a table, as advice_cases.csv.
+Each case is a line of OUTPUT/cases.jsonl: the same command resumes. --report FILE prints the numbers of such a file.
+docs/figures/tables/advice.py makes a table of a few cases.
 """
 import argparse
 import csv
@@ -31,8 +31,6 @@ import advice_scenes
 from advice_scenes import BODY, ELEMENT, ROOT, SCHEME, STEP, scaled
 
 STEP_MEANS = ("Average Vector Field", "Energy-Momentum", "Gautam-Sauer Composite")  # reactions of the step's middle
-COLUMNS = ("number", "kind", "quantity", "tolerance", "status", "recommended", "promised", "error", "kept",
-           "reference_change", "seconds", "spent", "runs", "grid", "robust_grid", "problem")
 
 
 class Runs:
@@ -216,16 +214,6 @@ def lines(path):
     return [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
 
 
-def write_table(cases, path):
-    """Writes the cases as a table; draw() gives their settings again."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for case in cases:
-            values = [case.get(column) for column in COLUMNS]
-            table.writerow([f"{value:.4g}" if isinstance(value, float) else value for value in values])
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seed")
@@ -239,12 +227,9 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("advice-cases.results"))
     parser.add_argument("--drivers", type=pathlib.Path, default=ROOT / "build/release/drivers")
     parser.add_argument("--report", type=pathlib.Path)
-    parser.add_argument("--table", type=pathlib.Path, nargs=2, metavar=("LINES", "CSV"))
     options = parser.parse_args()
-    if options.report or options.table:
-        report(lines(options.report or options.table[0]))
-        if options.table:
-            write_table(lines(options.table[0]), options.table[1])
+    if options.report:
+        report(lines(options.report))
         return
     if not options.seed:
         parser.error("--seed is missing")

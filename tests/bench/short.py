@@ -20,7 +20,6 @@ LIMIT = 600  # seconds of a run
 # By file: the command. {build} is the build folder, {ixos} its driver, {folder} one for results.
 SMALL = ("--cells", "300", "--steps", "1")
 RUNS = {
-    "accuracy.py": ("tests/bench/accuracy.py", "oscillator"),
     "advice_cases.py": ("tests/bench/advice_cases.py", "--seed", "1", "--cases", "1", "--budget", "1", "--grid", "0",
                         "--reference", "5", "--output", "{folder}", "--drivers", "{build}/drivers"),
     "block_times.py": ("tests/bench/block_times.py", "{build}", "--divisions", "4", "--steps", "1", "--repeats", "1"),
@@ -30,8 +29,6 @@ RUNS = {
     # Its reference takes minutes.
     "fastest_settings.py": ("/usr/bin/python3", "-c",
                             "import sys; sys.path.append('tests/bench'); import fastest_settings"),
-    "instruction_sets.py": ("tests/bench/instruction_sets.py", "--native", "{build}", "--portable", "{build}",
-                            "--rounds", "1"),
     "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
     "message_counter.cpp": ("tests/bench/scaling.py", "{build}", "--only", "messages", "--ranks", "2", "--block", "4",
                             *SMALL),
@@ -40,7 +37,6 @@ RUNS = {
     "python_overhead.py": ("tests/bench/python_overhead.py",),
     "scaling.py": ("tests/bench/scaling.py", "{build}", "--only", "strong", "weak", "model", "--ranks", "1", "2",
                    "--block", "4", *SMALL),
-    "scheme_times.cpp": ("{build}/tests/scheme_times", "xml/ball.xml", "0.01", "1"),
     "spatula_damping.sh": ("tests/bench/spatula_damping.sh", "{folder}", "300", "{ixos}", "--set",
                            "Time Integrator/Time Step Control/Final Time=1"),
     "spatula_times.py": ("tests/bench/spatula_times.py", "{build}", "--ranks", "1", *SMALL),
@@ -53,7 +49,6 @@ RUNS = {
 
 # By file: why it has no run.
 WITHOUT_RUN = {
-    "advice_cases.csv": "data of advice_cases.py",
     "advice_scenes.py": "advice_cases.py imports it",
     "newton_times.py": "block_times.py imports it",
     "scaling_model.py": "scaling.py imports it",
