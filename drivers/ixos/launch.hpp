@@ -9,10 +9,10 @@ namespace ixos {
 std::string launched_rank();
 
 /// Sets variables of Open MPI and hwloc for the start of a process that no launcher started, and removes them at its
-/// end, so that no child inherits them. Without them, Open MPI starts a server for the process and looks for networks,
-/// which takes as long as a small scene. It also loads the collective operations of several processes, and hwloc looks
-/// for devices; both take a hundredth of a second. Processes without a server would share a folder of temporary files,
-/// and remove it from under each other; one process needs none. Variables that the user set stay.
+/// end, so that no child inherits them. Without them, Open MPI 4 starts a server for the process and looks for
+/// networks, which takes as long as a small scene. It also loads the collective operations of several processes, and
+/// hwloc looks for devices; both take a hundredth of a second. Processes without a server would share a folder of
+/// temporary files, and remove it from under each other; one process needs none. Variables that the user set stay.
 class SingleStart {
  public:
   SingleStart();

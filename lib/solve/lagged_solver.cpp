@@ -52,17 +52,17 @@ int iterations(const Status& status) {
 }
 
 /// Returns the 2-norms of the columns.
-std::vector<double> norms(const Thyra::MultiVectorBase<double>& vectors) {
+std::vector<double> column_norms(const Thyra::MultiVectorBase<double>& vectors) {
   std::vector<double> result(static_cast<std::size_t>(vectors.domain()->dim()));
   Thyra::norms_2(vectors, Teuchos::arrayViewFromVector(result));
   return result;
 }
 double largest_norm(const Thyra::MultiVectorBase<double>& vectors) {
-  const std::vector<double> all = norms(vectors);
+  const std::vector<double> all = column_norms(vectors);
   return *std::max_element(all.begin(), all.end());
 }
 bool is_finite(const Thyra::MultiVectorBase<double>& vectors) {
-  const std::vector<double> all = norms(vectors);
+  const std::vector<double> all = column_norms(vectors);
   return std::all_of(all.begin(), all.end(), [](double norm) { return std::isfinite(norm); });
 }
 

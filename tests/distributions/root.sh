@@ -26,8 +26,9 @@ enter() { # FOLDER COMMAND..., in a namespace of mounts
   shift
   mount -t proc proc "$folder/proc"
   mount -t sysfs -o ro sysfs "$folder/sys"
-  mkdir -p "$folder/dev/shm"
+  mkdir -p "$folder/dev/shm" "$folder/dev/pts"
   mount -t tmpfs -o mode=1777 tmpfs "$folder/dev/shm"
+  mount -t devpts -o gid=5,mode=620,ptmxmode=666 devpts "$folder/dev/pts"
   cp -L /etc/resolv.conf "$folder/etc/resolv.conf"
   if [ -n "${IXOS_BIND:-}" ]; then
     mkdir -p "${IXOS_BIND% *}" "$folder${IXOS_BIND##* }"
