@@ -1,6 +1,7 @@
 """The slices of continuous integration: each takes at most 40 minutes on two cores, from a finished release build.
 
-.ci/run runs one of them after its main job. Their order is that of their turns: neighbours check different things.
+.ci/run runs one of them after its main job. Their order is that of their turns: neighbours check different things. Their
+number is prime, so that none is passed over where changes come by the same number of commits.
 """
 from typing import NamedTuple
 
@@ -12,36 +13,43 @@ class Slice(NamedTuple):
     command: str
 
 
-# Long tests that are not named here are in the second part.
-LONG_TESTS = r"^(scene\.all_restarts|structure\.headers)$"
+# Long tests that are not named here are in the third part.
+RESTARTS = r"^scene\.all_restarts$"
+EXTREMES = r"^(extremes\..*|structure\.headers)$"
 
 SLICES = (
-    Slice("long-1", "long tests: restarts of all scenes, headers alone",
-          f"IXOS_LONG=1 tests/run.sh -L long -R '{LONG_TESTS}'"),
+    Slice("long-1", "long tests: restarts of all scenes",
+          f"IXOS_LONG=1 tests/run.sh -L long -R '{RESTARTS}'"),
     Slice("sanitizers-1", "unit tests under AddressSanitizer and UBSan: kernels, terms, models, solvers",
           "IXOS_PRESET=sanitize targets=unit_tests_1 tests/run.sh -L unit-1"),
     Slice("packages", "Debian packages: build, lintian, debian/tests in a clean root",
           "tests/packages/run.sh build/packages"),
-    Slice("tidy-1", "clang-tidy on half of the sources",
-          "tests/check_tidy.py build/release --part 1/2"),
+    Slice("tidy-1", "clang-tidy on a third of the sources",
+          "tests/check_tidy.py build/release --part 1/3"),
+    Slice("long-2", "long tests: kills, faults, other extremes; headers alone",
+          f"IXOS_LONG=1 tests/run.sh -L long -R '{EXTREMES}'"),
     Slice("benchmarks", "benchmarks, compiled and run once",
           "tests/bench/short.py build/release"),
     Slice("debian-13-units", "Debian 13: build and quick unit tests",
           "tests/distributions/run.sh trixie --part units"),
     Slice("fuzzing", "a minute of fuzzing for each reader",
           "tests/fuzz/run.sh --seconds 60"),
-    Slice("long-2", "long tests: conservation, kills, faults, whole scenes, and all others",
-          f"IXOS_LONG=1 tests/run.sh -L long -E '{LONG_TESTS}'"),
+    Slice("figures", "each measured table of the documents, in a short form",
+          "docs/measure --all --trial"),
     Slice("sanitizers-2", "unit tests under AddressSanitizer and UBSan: time, files, runs, studies, programs",
           "IXOS_PRESET=sanitize targets=unit_tests_2 tests/run.sh -L unit-2"),
     Slice("reproducible", "Debian packages: two builds, equal to the bit",
           "tests/packages/run.sh --twice build/packages"),
-    Slice("tidy-2", "clang-tidy on the other half of the sources",
-          "tests/check_tidy.py build/release --part 2/2"),
+    Slice("tidy-2", "clang-tidy on another third of the sources",
+          "tests/check_tidy.py build/release --part 2/3"),
+    Slice("long-3", "all other long tests",
+          f"IXOS_LONG=1 tests/run.sh -L long -E '{RESTARTS}|{EXTREMES}'"),
     Slice("readme", "README's commands in a clean root of Debian 12",
           "tests/readme/run.sh build/readme"),
     Slice("debian-13-others", "Debian 13: build and all other quick tests",
           "tests/distributions/run.sh trixie --part others"),
+    Slice("tidy-3", "clang-tidy on the last third of the sources",
+          "tests/check_tidy.py build/release --part 3/3"),
     Slice("debian-13-packages", "Debian 13: packages, debian/tests",
           "tests/distributions/run.sh trixie --only packages"),
 )
