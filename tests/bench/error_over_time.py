@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""Draws the error of the force over the time to solution, from the tables "Elements: error over time" and "Elements: the
-spatula" of docs/results.md: one panel for the strip and one for the spatula, one colour for each kind of cell.
+"""Draws the error of the force over the time to solution, from the data of two tables of docs/results/elements.md: one
+panel for the strip and one for the spatula, one colour for each kind of cell.
 
-usage: error_over_time.py [RESULTS] [--output FILE]     (default: docs/results.md, docs/images/elements-time.png)
+usage: error_over_time.py [DATA] [--output FILE]     (default: docs/results/data, docs/images/elements-time.png)
 
 A point is a run of a table. Lines show the least error that a kind of cell reaches within a time.
 """
 import argparse
+import json
 import pathlib
 import sys
 
@@ -18,32 +19,23 @@ from style import plt  # noqa: E402
 
 KINDS = {"linear, Q1C1": "linear, Q1C1", "linear": "linear, enriched sides", "Enhanced": "Enhanced, enriched sides",
          "quadratic": "quadratic"}
-PANELS = {"Elements: error over time": ("strip", "time [s]", "time, s"),
-          "Elements: the spatula": ("spatula", "processor time [s]", "processor time, s")}
+# By table: title, label of the time, and the keys of time and error of each point of a row.
+PANELS = {"elements-strip": ("strip", "time [s]", [(f"{scheme} seconds", f"{scheme} error")
+                                                   for scheme in ("Newmark", "Static")]),
+          "elements-spatula": ("spatula", "processor time [s]", [("seconds", "error")])}
 
 
-def table(text, heading):
-    """Rows of the first table with a column "cells" below a heading, as dictionaries."""
-    lines = iter(text[text.index(f"### {heading}\n"):].splitlines())
-    names = next(line for line in lines if line.startswith("|") and "| cells |" in line)
-    names = [name.strip() for name in names.strip("|").split("|")]
-    next(lines)
-    for line in lines:
-        if not line.startswith("|"):
-            return
-        yield dict(zip(names, (cell.strip() for cell in line.strip("|").split("|"))))
-
-
-def runs(text, heading, cost):
-    """Lists of (time, error) by kind of cell."""
+def runs(file, keys):
+    """Returns lists of (time, error) by kind of cell."""
     result = {}
-    for row in table(text, heading):
+    for row in json.loads(file.read_text(encoding="utf-8"))["rows"]:
         kind = next(name for start, name in KINDS.items() if row["cells"].startswith(start))
-        result.setdefault(kind, set()).add((float(row[cost]), float(row["error of the force"])))
+        result.setdefault(kind, set()).update((row[time], row[error]) for time, error in keys)
     return {kind: sorted(points) for kind, points in result.items()}
 
 
 def draw(axes, points, kinds):
+    """Draws the points of a panel. Adds a line for the legend to `kinds`."""
     for number, kind in enumerate(KINDS.values()):
         if kind not in points:
             continue
@@ -59,15 +51,14 @@ def draw(axes, points, kinds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("results", nargs="?", type=pathlib.Path, default=ROOT / "docs/results.md")
+    parser.add_argument("data", nargs="?", type=pathlib.Path, default=ROOT / "docs/results/data")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "docs/images/elements-time.png")
     arguments = parser.parse_args()
-    text = arguments.results.read_text(encoding="utf-8")
     style.use_style()
     figure, all_axes = plt.subplots(1, len(PANELS), figsize=(7.6, 3.1), constrained_layout=True)
     kinds = {}
-    for axes, (heading, (title, label, cost)) in zip(all_axes, PANELS.items()):
-        draw(axes, runs(text, heading, cost), kinds)
+    for axes, (table, (title, label, keys)) in zip(all_axes, PANELS.items()):
+        draw(axes, runs(arguments.data / f"{table}.json", keys), kinds)
         axes.set(xscale="log", yscale="log", title=title, xlabel=label)
         for axis in (axes.xaxis, axes.yaxis):
             axis.set_major_locator(LogLocator(subs=(1, 2, 5)))

@@ -18,40 +18,25 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIMIT = 600  # seconds of a run
 
 # By file: the command. {build} is the build folder, {ixos} its driver, {folder} one for results.
-SMALL = ("--cells", "300", "--steps", "1")
 RUNS = {
     "advice_cases.py": ("tests/bench/advice_cases.py", "--seed", "1", "--cases", "1", "--budget", "1", "--grid", "0",
                         "--reference", "5", "--output", "{folder}", "--drivers", "{build}/drivers"),
-    "block_times.py": ("tests/bench/block_times.py", "{build}", "--divisions", "4", "--steps", "1", "--repeats", "1"),
-    "checkpoint_cost.py": ("tests/bench/checkpoint_cost.py", "--driver", "{ixos}", "--repeats", "1"),
     "contact_quadrature.cpp": ("{build}/tests/contact_quadrature", "xml/strip.xml", "1"),
     "error_over_time.py": ("tests/bench/error_over_time.py", "--output", "{folder}/picture.png"),
-    # Its reference takes minutes.
-    "fastest_settings.py": ("/usr/bin/python3", "-c",
-                            "import sys; sys.path.append('tests/bench'); import fastest_settings"),
     "kernels_benchmark.cpp": ("{build}/tests/kernels_benchmark", "--benchmark_min_time=0.001"),
-    "message_counter.cpp": ("tests/bench/scaling.py", "{build}", "--only", "messages", "--ranks", "2", "--block", "4",
-                            *SMALL),
-    "pair_times.py": ("tests/bench/pair_times.py", "--driver", "{ixos}", "--cells", "2,1", "--steps", "1"),
     "product_times.cpp": ("{build}/tests/product_times", "4", "2"),
     "python_overhead.py": ("tests/bench/python_overhead.py",),
-    "scaling.py": ("tests/bench/scaling.py", "{build}", "--only", "strong", "weak", "model", "--ranks", "1", "2",
-                   "--block", "4", *SMALL),
     "spatula_damping.sh": ("tests/bench/spatula_damping.sh", "{folder}", "300", "{ixos}", "--set",
                            "Time Integrator/Time Step Control/Final Time=1"),
-    "spatula_times.py": ("tests/bench/spatula_times.py", "{build}", "--ranks", "1", *SMALL),
     "spectral_properties.cpp": ("{build}/tests/spectral_properties",),
     "static_solve.cpp": ("{build}/tests/static_solve", "4", "x1"),
-    "strip_order.py": ("tests/bench/strip_order.py", "--driver", "{ixos}", "--cells", "20", "40", "80", "--step", "0.5",
-                       "--limit", "0.053"),
     "strip_runs.sh": ("tests/bench/strip_runs.sh", "{folder}", "{ixos}", "--check"),
 }
 
 # By file: why it has no run.
 WITHOUT_RUN = {
     "advice_scenes.py": "advice_cases.py imports it",
-    "newton_times.py": "block_times.py imports it",
-    "scaling_model.py": "scaling.py imports it",
+    "message_counter.cpp": "docs/measure ranks-messages loads it",
 }
 
 

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """Full disks, folders that vanish, damaged files: what the driver says, and whether anything goes wrong in silence.
 
-    tests/robustness/damage.py [--driver build/release/drivers/ixos] [--seed 1]
+    tests/robustness/damage.py [--driver build/release/drivers/ixos] [--seed 1] [--every 1]
 
 Prints a table in Markdown. The exit status is 1 where something was not noticed, the driver crashed or hung, or a run that
 was made whole again did not give the results of an undisturbed one. Full disks are small tmpfs file systems: those cases
-need root, and are left out without.
+need root, and are left out without. With --every N it tries each N-th size of a disk, cut and flipped bit.
 """
 import argparse
 import collections
@@ -56,8 +56,12 @@ class Table:
 
 
 class Driver:
-    def __init__(self, path):
-        self.path = path
+    def __init__(self, path, every=1):
+        self.path, self.every = path, every
+
+    def some(self, cases):
+        """Returns each `every`-th case, or the first."""
+        return cases[::self.every]
 
     def start(self, arguments, ranks=1, settings=SETTINGS):
         return subprocess.Popen(driver_command(self.path, BALL, arguments, settings, ranks), env=ENVIRONMENT,
@@ -98,7 +102,7 @@ def full_disks(driver, table, work):
         disk = os.path.join(work, "disk")
         os.makedirs(disk)
         outcomes = []
-        for size in range(16, 480, 24):
+        for size in driver.some(range(16, 480, 24)):
             subprocess.run(["mount", "-t", "tmpfs", "-o", "size=%dk" % size, "tmpfs", disk], check=True)
             try:
                 folder = os.path.join(disk, "results")
@@ -162,8 +166,8 @@ def folders(driver, table, work):
     table.row("folder deleted during the run", outcomes, (4,))
 
 
-def damaged_copies(path, chance):
-    """Name and contents of damaged versions: cut at every 4 KiB (and near the ends), bits flipped."""
+def damaged_copies(driver, path, chance):
+    """Contents of damaged versions: cut at every 4 KiB (and near the ends), bits flipped."""
     with open(path, "rb") as file:
         whole = file.read()
     cuts = sorted({*range(0, len(whole), 4096), 1, 100, 512, len(whole) - 1})
@@ -172,7 +176,7 @@ def damaged_copies(path, chance):
         changed = bytearray(whole)
         changed[place] ^= 1 << chance.randrange(8)
         flips.append(bytes(changed))
-    return [whole[:cut] for cut in cuts], flips
+    return driver.some([whole[:cut] for cut in cuts]), driver.some(flips)
 
 
 def copy_afresh(source, folder):
@@ -196,7 +200,7 @@ def damaged_checkpoints(driver, table, work, chance):
     folder = os.path.join(work, "damaged")
     shutil.copytree(source, folder, symlinks=True)
     for name, copies in zip(("checkpoint cut at every 4 KiB", "checkpoint with a flipped bit"),
-                            damaged_copies(os.path.join(source, last), chance)):
+                            damaged_copies(driver, os.path.join(source, last), chance)):
         outcomes = []
         for contents in copies:
             with open(os.path.join(folder, last), "wb") as file:
@@ -223,7 +227,7 @@ def damaged_results(driver, table, work, chance):
     for name in ("history.csv", "fields.e"):
         length = os.path.getsize(os.path.join(source, name))
         outcomes = []
-        for cut in sorted({*range(0, length, 4096), length - 1}):
+        for cut in driver.some(sorted({*range(0, length, 4096), length - 1})):
             copy_afresh(source, folder)
             os.truncate(os.path.join(folder, name), cut)
             status, output = driver.run(["--output", folder, "--restart", first_checkpoint(folder)])
@@ -243,7 +247,7 @@ def damaged_hdf5_fields(driver, table, work, chance):
         driver.run(["--output", source], ranks=ranks, settings=settings)
         whole = history(source)
         for name, copies in zip(("cut at every 4 KiB", "with a flipped bit"),
-                                damaged_copies(os.path.join(source, "fields.e"), chance)):
+                                damaged_copies(driver, os.path.join(source, "fields.e"), chance)):
             outcomes = []
             for contents in copies:
                 copy_afresh(source, folder)
@@ -263,7 +267,8 @@ def damaged_meshes(driver, table, work, chance):
     shutil.copy(mesh, os.path.join(work, "damaged.e"))
     folder = os.path.join(work, "meshed")
     driver.run(["--output", folder], settings=settings)
-    for name, copies in zip(("Exodus mesh cut at every 4 KiB", "Exodus mesh with a flipped bit"), damaged_copies(mesh, chance)):
+    for name, copies in zip(("Exodus mesh cut at every 4 KiB", "Exodus mesh with a flipped bit"),
+                            damaged_copies(driver, mesh, chance)):
         for what, arguments, expected in (
                 ("checked (no checksum: another valid mesh is taken)", ["--check"], (0, 2)),
                 # The fingerprint tells: 0 means that the same mesh was read.
@@ -281,8 +286,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--driver", default=os.path.join(ROOT, "build/release/drivers/ixos"))
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="try each N-th case only")
     options = parser.parse_args()
-    driver, chance = Driver(options.driver), random.Random(options.seed)
+    if options.every < 1:
+        parser.error("--every needs a number of at least 1")
+    driver, chance = Driver(options.driver, options.every), random.Random(options.seed)
     with tempfile.TemporaryDirectory(prefix="ixos-damage-") as work:
         for ranks in (1, 2):
             status, output = driver.run(["--output", os.path.join(work, "whole-%d" % ranks)], ranks=ranks)

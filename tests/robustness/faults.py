@@ -181,7 +181,7 @@ def main():
     if not scenes:
         sys.exit("no scenario begins with \"%s\"" % options.only)
     bad = []
-    print("| scenario | kind | calls | faults | %s | bad | continued: same | no checkpoint | results refused | bad |" %
+    print("| scenario | kind | calls | faults | %s | bad end | same | no checkpoint | results refused | bad restart |" %
           " | ".join(GOOD))
     print("|" + "---|" * (len(GOOD) + 9))
     for name, scene, settings, ranks, rank, restarted in scenes:

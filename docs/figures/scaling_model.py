@@ -2,13 +2,15 @@
 
 A body of n nodes is cut into p parts. With m = (n/p)^(1/3) nodes along an edge of a part, of a Newton iteration
 
-- elements: residual and tangent of one rank, over p, times (1 + 1/m)^3: a rank works on every cell that touches its nodes;
+- elements: residual and tangent of one rank, over p, times (1 + 1/m)^3: a rank works on every cell that touches its
+  nodes;
 - solve: the linear solve of one rank, over p;
-- factorization: MueLu's setup, over p. A direct factorisation goes up a tree of separators, each a dense front of `width`
-  nodes: the lower levels over p, the upper log2 p levels one after the other, level l on p / 2^l ranks a front, of which a
-  front uses at most FRONT_RANKS. Its triangular solves, a part of the linear solve, go the same way;
-- messages: those counted, times the latency and by the bandwidth. Neighbours grow from those of the counted run to at most
-  26 (of a slender body 2), bytes with the part's surface n/p to the power 2/3 (of a slender body, its section, they stay);
+- factorization: MueLu's setup, over p. A direct factorisation goes up a tree of separators, each a dense front of
+  `width` nodes: the lower levels over p, the upper log2 p levels one after the other, level l on p / 2^l ranks a front,
+  of which a front uses at most FRONT_RANKS. Its triangular solves, a part of the linear solve, go the same way;
+- messages: those counted, times the latency and by the bandwidth. Neighbours grow from those of the counted run to at
+  most 26 (of a slender body 2), bytes with the part's surface n/p to the power 2/3 (of a slender body, its section,
+  they stay);
 - reductions: those counted, times log2 p latencies.
 
 Nothing overlaps, no rank waits for another that has more to do, and iterations are as many as were counted.
@@ -35,8 +37,10 @@ def neighbours(ranks, slender):
 
 
 def times(one, counts, counted_ranks, ranks, slender, width):
-    """Seconds by phase. `one`: of one rank, a Newton iteration, with `nodes`; `counts`: a rank's `messages`, `bytes` and
-    `reductions` a Newton iteration on `counted_ranks`; `width`: nodes of a separator, where the solver is direct."""
+    """Returns the seconds of a Newton iteration by phase.
+
+    one: those of one rank, and `nodes`. counts: a rank's `messages`, `bytes` and `reductions` on `counted_ranks`.
+    width: nodes of a separator, if the solver is direct."""
     m = (one["nodes"] / ranks) ** (1 / 3)
     result = dict.fromkeys(PHASES, 0.0)
     result["elements"] = (one["residual"] + one["tangent"]) / ranks * (1 + 1 / m) ** 3
