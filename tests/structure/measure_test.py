@@ -21,7 +21,7 @@ from figures import runs  # noqa: E402  pylint: disable=wrong-import-position
 from figures.table import Column  # noqa: E402  pylint: disable=wrong-import-position
 
 COPIED = ["docs/measure", "docs/figures/*.py", "docs/figures/tables/__init__.py", "tests/support/driver_process.py",
-          "tests/compare/forms.py", "tests/structure/figures_test.py", "drivers/plot/*.py"]
+          "tests/support/openmpi.env", "tests/compare/forms.py", "tests/structure/figures_test.py", "drivers/plot/*.py"]
 CLOCKS = '''
 from ..runs import interleaved
 from ..table import Column, Table
