@@ -5,6 +5,9 @@ find_package(Trilinos REQUIRED COMPONENTS ${_components})
 if(Trilinos_VERSION VERSION_LESS 13.2)
   message(FATAL_ERROR "Ixos needs Trilinos 13.2 or later; found ${Trilinos_VERSION}")
 endif()
+if(Trilinos_VERSION VERSION_GREATER_EQUAL 17)
+  message(FATAL_ERROR "Ixos is written in C++17, and Trilinos ${Trilinos_VERSION} needs C++20: use Trilinos 13.2 to 16")
+endif()
 if(NOT Trilinos_BUILD_SHARED_LIBS)
   message(FATAL_ERROR "Ixos needs shared libraries of Trilinos: with static ones, libixos and libixos_solvers would each "
                       "have a Kokkos of their own")
@@ -13,6 +16,11 @@ find_file(IXOS_TPETRA_CONFIG TpetraCore_config.h HINTS ${Trilinos_INCLUDE_DIRS} 
 file(STRINGS ${IXOS_TPETRA_CONFIG} _long REGEX "^#define HAVE_TPETRA_INST_INT_LONG_LONG")
 if(NOT _long)
   message(FATAL_ERROR "Ixos needs a Trilinos with global numbers of type long long (Tpetra_INST_INT_LONG_LONG)")
+endif()
+
+file(STRINGS ${IXOS_TPETRA_CONFIG} _device REGEX "^#define HAVE_TPETRA_INST_(CUDA|HIP|SYCL)")
+if(_device)
+  message(FATAL_ERROR "Ixos works on the memory of the processor, and this Trilinos was built for a GPU")
 endif()
 
 add_library(ixos_trilinos INTERFACE)

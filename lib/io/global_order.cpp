@@ -23,7 +23,7 @@ GlobalOrder::GlobalOrder(const Comm& comm, const std::vector<int>& ids, long lon
   std::vector<GlobalId> from_zero(ids.begin(), ids.end());
   for (GlobalId& id : from_zero) --id;
   plan_ = std::make_unique<Plan>(comm, from_zero, largest);
-  const std::size_t share = plan_->shares->getMyGlobalIndices().extent(0);  // 13.2 and 14 name their counts differently
+  const auto share = static_cast<std::size_t>(plan_->shares->getMaxLocalIndex() + 1);
   present_.resize(share);
   std::iota(present_.begin(), present_.end(), std::size_t{0});
   const std::vector<double> flags = ordered({std::vector<double>(ids.size(), 1.0)})[0];

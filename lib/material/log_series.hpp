@@ -26,7 +26,7 @@ T log_one_plus(const T& x) {
   return twice_artanh(x / (2.0 + x));
 }
 
-/// Computes ln(1 + x) and 1/(1 + x) by their series, for |x| up to the limit: the rest is 2e-17.
+/// Computes ln(1 + x) and 1/(1 + x) by their series, for |x| up to the limit: the relative rest is 1e-16.
 constexpr double log_and_inverse_limit = 0.01;
 template <class T>
 [[gnu::always_inline]] inline void log_and_inverse(const T& x, T& log, T& inverse) {

@@ -61,21 +61,24 @@ class Band final : public FirstRankFactorization {
   bool suits() const override { return fit_ == Fit::Narrow; }
 
   void factor() override {
-    substitute_.reset();
+    substitutes_ = false;
     if (matrix_->root()) ldu_.clear();
     read_.copy(ldu_.entries());
     const bool done = !matrix_->root() || (ldu_.factor() && (symmetric_ || ldu_.pivot_ratio() > least_pivot_ratio));
     if (matrix_->agreed(done ? 0 : 1) == 0) return;
     if (symmetric_) throw std::runtime_error("the factorisation \"Band\" meets a pivot that is zero or not finite");
-    // A new one for each such matrix: its pivots then do not depend on earlier ones, which a restart would not know.
-    substitute_ = make_klu();
-    substitute_->analyze(matrix_->source());
-    substitute_->factor();
+    if (!klu_) {
+      klu_ = make_klu();
+      klu_->analyze(matrix_->source());
+    }
+    klu_->remember({});  // new pivots for each such matrix: a restart does not know earlier ones
+    klu_->factor();
+    substitutes_ = true;
   }
 
   CollectedMatrix& collected() override { return *matrix_; }
   const double* solve_collected(const double* b) override {
-    if (substitute_) return substitute_->solve_collected(b);
+    if (substitutes_) return klu_->solve_collected(b);
     std::fill(permuted_.begin(), permuted_.end(), 0.0);
     for (std::size_t i = 0; i < order_.size(); ++i) permuted_[static_cast<std::size_t>(order_[i])] = b[i];
     ldu_.solve(permuted_.data());
@@ -129,8 +132,9 @@ class Band final : public FirstRankFactorization {
   std::vector<int> order_;  ///< place of each row in the band
   bool symmetric_;
   BandLdu ldu_;
-  SelectedEntries read_;                                ///< those that the factors need, in that order
-  std::unique_ptr<FirstRankFactorization> substitute_;  ///< for a matrix whose pivots are too small
+  SelectedEntries read_;                         ///< those that the factors need, in that order
+  std::unique_ptr<FirstRankFactorization> klu_;  ///< for matrices whose pivots are too small
+  bool substitutes_ = false;                     ///< the last matrix was such a one
   std::vector<double> permuted_, solution_;
   FactorizationMemory memory_;
   Fit fit_ = Fit::Narrow;

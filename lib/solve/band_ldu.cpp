@@ -40,6 +40,12 @@ BandLdu::BandLdu(const std::vector<int>& last, Symmetry symmetry) : size_(static
   if (symmetry == Symmetry::None) upper_ = start;
   entries_.resize(factors() * start);
   pivots_.resize(blocks_.size());
+  std::size_t sources = 0;
+  for (std::size_t k = 0, earliest = 0; k < blocks_.size(); ++k) {
+    while (blocks_[earliest].last < blocks_[k].first) ++earliest;
+    sources = std::max(sources, k - earliest);
+  }
+  sources_.resize(sources);
 }
 
 double BandLdu::operations(const std::vector<int>& last) {
@@ -120,7 +126,6 @@ bool BandLdu::factor(const Block& block) {
 void BandLdu::subtract(std::size_t k, std::size_t first, std::size_t f) {
   if (first == k) return;
   const Block& block = blocks_[k];
-  sources_.resize(std::max(sources_.size(), k - first));
   Source* source = sources_.data();
   for (std::size_t s = first; s < k; ++s, ++source) {
     const Block& from = blocks_[s];

@@ -67,7 +67,7 @@ class BandLdu {
   std::size_t upper_ = 0;  ///< where the transpose of U begins; 0 if it is L
   std::vector<double> entries_;
   std::vector<std::array<double, width>> pivots_;
-  std::vector<Source> sources_;  ///< of the block whose factors are computed
+  std::vector<Source> sources_;  ///< room for those of any block
 };
 
 }  // namespace ixos

@@ -69,8 +69,9 @@ void KeptFactorization::transfer(Record& record) {
 Teuchos::RCP<const Teuchos::ParameterList> factorization_parameters() {
   const auto valid = Teuchos::parameterList();
   valid->set("Solver Type", first_rank_factorization(),
-             "Factorisation. Band and CHOLMOD (symmetric matrices), Band LU and KLU (any matrix) work on the first "
-             "rank, MUMPS (symmetric matrices) on all ranks. MUMPS Single works in single precision and can only be a "
+             "Factorisation. Band and CHOLMOD (symmetric matrices), Band LU (symmetric sparsity) and KLU (any matrix) "
+             "work on the first rank, MUMPS (symmetric matrices) on all ranks. MUMPS Single works in single precision "
+             "and can only be a "
              "preconditioner.",
              one_of(factorizations()));
   return valid;

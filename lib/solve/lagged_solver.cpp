@@ -188,7 +188,8 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
   }
 
   /// Returns whether CG failed because the matrix, or its preconditioner, is not positive definite. Belos' CG throws
-  /// for that reason, on all ranks, and Trilinos 13.2 also where a number is not finite. Its last iterate tells which.
+  /// for that reason, on all ranks, and Trilinos 13.2 also where a number is not finite: its last iterate tells which.
+  /// A failure of one of CG's variants for another reason counts too; what follows it is then tried in vain.
   bool shows_negative_curvature(const std::exception& error, const Thyra::MultiVectorBase<double>& b,
                                 const Thyra::MultiVectorBase<double>& x) const {
     if (dynamic_cast<const NegativeCurvature*>(&error) != nullptr) return true;
@@ -245,8 +246,9 @@ class LaggedSolve final : public Thyra::LinearOpWithSolveBase<double>, public Ke
     Thyra::assign(x, 0.0);
     Status status = Thyra::solve<double>(*krylov_, Thyra::NOTRANS, b, x, criteria);
     statistics_->iterations += iterations(status);
-    // Newer versions of Belos return this where older ones throw.
-    if (status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED && largest_norm(*x) == 0) throw_not_finite();
+    // Newer versions of CG return this where older ones throw.
+    if (options_.is_cg && status.solveStatus == Thyra::SOLVE_STATUS_UNCONVERGED && largest_norm(*x) == 0)
+      throw_not_finite();
     return status;
   }
 

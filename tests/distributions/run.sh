@@ -52,6 +52,10 @@ if [ "$(id -u)" -ne 0 ]; then
   echo "Left out: a root of $release needs root."
   exit 77
 fi
+if ! command -v debootstrap apt-get >/dev/null; then
+  echo "Left out: a root of $release needs debootstrap or apt."
+  exit 77
+fi
 work=${work:-$root/build/distributions/$release}
 export IXOS_BIND="${CCACHE_DIR:-$HOME/.cache/ccache}/distributions/$release /ccache"
 
@@ -98,6 +102,7 @@ packages() {
   IXOS_BIND="" "$root/tests/packages/install.sh" "$work/build/packages" "$work" "$release"
 }
 
+[ "$steps" != packages ] || packages=""
 for step in $steps $packages; do
   echo "== minute $((SECONDS / 60)): $release: $step"
   "$step"

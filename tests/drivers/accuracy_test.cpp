@@ -42,7 +42,7 @@ TEST_F(AccuracyDriverTest, APlainRunOfTheEffectiveSceneRepeatsTheLastOne) {
 
 TEST_F(AccuracyDriverTest, TwoRanksFindTheSame) {
   ASSERT_EQ(run({oscillator, "--accuracy", "1%", "--output", "out", "--set", "Mesh/Box/Divisions={4, 2}"}).status, 0);
-  const Outcome two = shell("mpirun -np 2 --oversubscribe " + test::quoted_driver() + " '" + oscillator +
+  const Outcome two = shell("mpirun -np 2 " + test::quoted_driver() + " '" + oscillator +
                                 "' --accuracy 1% --output two --set 'Mesh/Box/Divisions={4, 2}'",
                             folder_);
   ASSERT_EQ(two.status, 0) << two.output;

@@ -44,7 +44,7 @@ TEST_F(FailuresTest, AReaderThatLeavesIsExitStatusFourAndNoSignal) {
 }
 
 TEST_F(FailuresTest, AnAnswerOfOneRankIsTheAnswerOfAll) {
-  const Outcome outcome = shell("mpirun -np 2 --oversubscribe " + quoted_driver() + " --template nonsense", folder_);
+  const Outcome outcome = shell("mpirun -np 2 " + quoted_driver() + " --template nonsense", folder_);
   EXPECT_NE(outcome.output.find("ixos: --template: "), std::string::npos) << outcome.output;
   EXPECT_EQ(outcome.status, 2) << outcome.output;
 }

@@ -210,16 +210,14 @@ TEST_F(DriverTest, RanksWithoutCellsWriteTheirFields) {
       <Parameter name="Final Time" type="double" value="0.01"/><Parameter name="Time Step" type="double" value="0.001"/>
     </ParameterList></ParameterList></ParameterList>)");
   for (int ranks : {2, 4, 6}) {
-    const Outcome outcome = shell(
-        "mpiexec -np " + std::to_string(ranks) + " --oversubscribe " + quoted_driver() + " " + cell + " --output out",
-        folder_);
+    const Outcome outcome =
+        shell("mpiexec -np " + std::to_string(ranks) + " " + quoted_driver() + " " + cell + " --output out", folder_);
     EXPECT_EQ(outcome.status, 0) << ranks << " ranks: " << outcome.output;
     EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e." + std::to_string(ranks) + ".1"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder_ + "/out/fields.e.2.0")) << "left from an earlier run";
-  const Outcome outcome = shell("mpiexec -np 4 --oversubscribe " + quoted_driver() + " " + cell +
-                                    " --output out --set 'Output/Fields Format=HDF5'",
-                                folder_);
+  const Outcome outcome = shell(
+      "mpiexec -np 4 " + quoted_driver() + " " + cell + " --output out --set 'Output/Fields Format=HDF5'", folder_);
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/out/fields.e"));
   EXPECT_FALSE(std::filesystem::exists(folder_ + "/out/fields.e.4.0")) << "left from an earlier run";
@@ -294,7 +292,7 @@ TEST_F(DriverTest, ResultFilesKeepTheirContract) {
 }
 
 TEST_F(DriverTest, TwoRanksEndAlike) {
-  const std::string run = "mpiexec -np 2 --oversubscribe " + quoted_driver() + " " + ball;
+  const std::string run = "mpiexec -np 2 " + quoted_driver() + " " + ball;
   EXPECT_EQ(shell(run + " --set 'Time Integrator/Time Step Control/Final Time=0.01' --output out", folder_).status, 0);
   const Outcome refused = shell(run + " --set Mesh/Disk/Rings=0 --output two", folder_);
   EXPECT_EQ(refused.status, 2) << refused.output;

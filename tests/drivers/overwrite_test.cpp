@@ -13,7 +13,7 @@ namespace {
 class OverwriteTest : public DriverTest {
  protected:
   Outcome run(const std::string& more, int ranks = 1) const {
-    const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " --oversubscribe ";
+    const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " ";
     return shell(
         launcher + quoted_driver() + " " + ball + " --output out --set '" + step_control + "Final Time=0.01' " + more,
         folder_);

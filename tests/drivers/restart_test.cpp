@@ -18,7 +18,7 @@ class RestartDriverTest : public DriverTest {
  protected:
   /// The ball to time 2, on some ranks; `more` are words for the shell.
   std::string command(const std::string& more, int ranks = 1) const {
-    const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " --oversubscribe ";
+    const std::string launcher = ranks == 1 ? "" : "mpiexec -np " + std::to_string(ranks) + " ";
     return launcher + quoted_driver() + " " + ball + " --set '" + control +
            "Final Time=2' --set 'Output/Fields Interval=50' " + more;
   }

@@ -38,9 +38,11 @@ class Refused(Exception):
 
 
 def ixos(*arguments):
+    """Runs ixos, and returns what it prints."""
     run = subprocess.run([DRIVER, *map(str, arguments)], env=ENVIRONMENT, capture_output=True, text=True, check=False)
     if run.returncode != 0:
         raise Refused(f"ixos {' '.join(map(str, arguments[1:]))}: exit status {run.returncode}\n{run.stderr.rstrip()}")
+    return run.stdout + run.stderr
 
 
 def writes_checkpoints(scene):
@@ -63,8 +65,13 @@ def problems(scene, folder):
     ixos(scene, "--quiet", "--output", folder / "whole")
     yield from missing_names(scene, folder / "whole")
     if writes_checkpoints(scene):
-        ixos(scene, "--quiet", "--output", folder / "resumed", "--restart", scene.with_suffix(".h5"))
+        restart = ("--restart", scene.with_suffix(".h5"))
+        if "Changed:" in ixos(scene, "--check", *restart):
+            yield "the checkpoint counts as that of another scene"
+        ixos(scene, "--quiet", "--output", folder / "resumed", *restart)
         whole, resumed = (read_history(folder / name / "history.csv") for name in ("whole", "resumed"))
+        if not 0 < resumed["step"][0] < whole["step"][-1]:
+            yield f"the run resumed at step {resumed['step'][0]:g}"
         yield from differences(whole, resumed, BOUND, rows=slice(-1, None))
 
 
@@ -86,7 +93,7 @@ def main():
     if not scenes:
         sys.exit(f"no scene has \"{part}\" in its name")
     failed = False
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for scene, messages in zip(scenes, pool.map(examine, scenes)):
             print(f"{scene.parent.name}/{scene.stem}: {'; '.join(messages) or 'kept'}", flush=True)
             failed = failed or bool(messages)

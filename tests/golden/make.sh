@@ -18,7 +18,6 @@ if [ "$("$ixos" --version | head -n 1)" != "ixos $version" ]; then
 fi
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
-rm -f -- *.h5
 echo "# Names that later versions keep: columns of history.csv, keys of summary.json. make.sh writes them." \
   >"$work/columns.txt"
 for scene in *.xml; do
@@ -26,13 +25,18 @@ for scene in *.xml; do
   "$ixos" "$scene" --quiet --output "$work/$name"
   /usr/bin/python3 "$tests/result_names.py" "$work/$name" >>"$work/columns.txt"
   mapfile -t checkpoints < <(find "$work/$name" -name 'checkpoint-*.h5' | sort -V)
-  [ ${#checkpoints[@]} -eq 2 ] || continue  # one is that of the end
-  cp "${checkpoints[0]}" "$name.h5"
-  bytes=$(stat -c %s "$name.h5")
+  grep -q '"Checkpoint"' "$scene" || continue
+  if [ ${#checkpoints[@]} -ne 2 ]; then  # one is that of the end
+    echo "make.sh: $scene leaves ${#checkpoints[@]} checkpoints, not 2" >&2
+    exit 1
+  fi
+  cp "${checkpoints[0]}" "$work/$name.h5"
+  bytes=$(stat -c %s "$work/$name.h5")
   echo "$name.h5: $(basename "${checkpoints[0]}" .h5) of a run to $(basename "${checkpoints[1]}" .h5), $bytes bytes"
   if ((bytes > 61440)); then
     echo "make.sh: $name.h5 is larger than 60 KB; give the scene a smaller mesh" >&2
     exit 1
   fi
 done
-mv "$work/columns.txt" columns.txt
+rm -f -- *.h5
+mv "$work"/*.h5 "$work/columns.txt" .

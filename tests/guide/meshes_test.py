@@ -45,7 +45,7 @@ class MeshesTest(unittest.TestCase):
         """Runs a scene beside the mesh; returns its summary and the reactions of the head."""
         path, results = self.folder / (name + ".xml"), self.folder / name
         path.write_text(scene, encoding="utf-8")
-        launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
+        launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks)]
         done = subprocess.run([*launcher, DRIVER, path, "--quiet", "--output", results], capture_output=True, text=True,
                               check=False)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -19,7 +19,7 @@ inside() { "$root/tests/distributions/root.sh" inside "$work/system" "$@"; }
 install_packages() { # names of packages
   local files
   files=$(printf ' /packages/%s_*.deb' "$@")
-  inside sh -c "apt-get install -y -qq --no-install-recommends $files" >>"$work/apt.log" 2>&1
+  inside sh -c "apt-get install -y -qq --no-install-recommends $files" >>"$work/apt.log" 2>&1 || { tail -n 20 "$work/apt.log" >&2; return 1; }
 }
 test_installed() {
   echo "== $1"

@@ -17,7 +17,7 @@ SCENES = pathlib.Path(os.environ.get("IXOS_XML", PLOT.parents[1] / "xml"))
 def simulate(folder, settings, ranks=1, scene="ball.xml"):
     """A run of a scene with other settings."""
     options = [word for setting in settings for word in ("--set", setting)]
-    launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks), "--oversubscribe"]
+    launcher = [] if ranks == 1 else ["mpiexec", "-np", str(ranks)]
     subprocess.run([*launcher, DRIVER, SCENES / scene, "--quiet", "--output", folder, *options], check=True,
                    capture_output=True)
 

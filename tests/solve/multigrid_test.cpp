@@ -298,6 +298,7 @@ TEST(LinearSolverDefaultsSerialTest, NarrowBandsAreFactorisedForEachTangent) {
   EXPECT_EQ(choice(2, 50000, 40, 1e300, 2), "Direct (Band)") << "two ranks";
   const std::string gmres = "Belos (Pseudo Block GMRES), preconditioner ";
   EXPECT_EQ(choice(2, 50000, 40, 1e300, 1, "a scheme"), "Direct (Band LU)");
+  EXPECT_EQ(choice(2, 50000, 40, 1e300, 2, "a scheme"), "Direct (Band LU)") << "two ranks";
   EXPECT_EQ(choice(2, 50000, 41, 1e300, 1, "a scheme"), gmres + "Direct (KLU)");
   EXPECT_EQ(choice(3, 30000, 60, 1e300, 1, "a scheme"), gmres + "Direct (Band LU)");
   EXPECT_EQ(choice(3, 30000, 25), "Direct (Band)");

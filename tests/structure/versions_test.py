@@ -55,6 +55,9 @@ def problems():
     golden = ROOT / "tests/golden" / version
     if not (golden / "columns.txt").is_file():
         yield f"tests/golden/{version} has no columns.txt: see the developer guide, \"A release\""
+    for scene in golden.glob("*.xml"):
+        if "\"Checkpoint\"" in scene.read_text(encoding="utf-8") and not scene.with_suffix(".h5").is_file():
+            yield f"{scene.relative_to(ROOT)} has no checkpoint beside it: see the developer guide, \"A release\""
 
 
 found = list(problems())

@@ -14,12 +14,12 @@ def test_environment():
 # Ranks that wait yield, so that more of them than cores do not starve each other.
 ENVIRONMENT = {**os.environ, **test_environment(), "OMPI_MCA_mpi_yield_when_idle": "1"}
 # For measurements: ranks that wait spin, and read each other's memory.
-BENCH_ENVIRONMENT = {name: value for name, value in {**os.environ, **test_environment()}.items()
-                     if name not in ("OMPI_MCA_btl_vader_single_copy_mechanism", "OMPI_MCA_smsc")}
+BENCH_ENVIRONMENT = {**os.environ, **{name: value for name, value in test_environment().items() if name not in
+                                      ("OMPI_MCA_btl_vader_single_copy_mechanism", "OMPI_MCA_smsc")}}
 
 
 def driver_command(driver, scene, arguments, settings, ranks):
-    command = [] if ranks == 1 else ["mpirun", "-np", str(ranks), "--oversubscribe"]
+    command = [] if ranks == 1 else ["mpirun", "-np", str(ranks)]
     command += [driver, scene, "--quiet"] + arguments
     for setting in settings:
         command += ["--set", setting]

@@ -124,7 +124,7 @@ def measure_products(context):
     """Times products with the tangent of a block in turns within the program, for linear and for quadratic cells."""
     rows = {}
     for edge, ranks, rounds in context.pick(PRODUCTS, ((16, 1, 20),)):
-        launcher = ["mpirun", "-np", ranks, "--oversubscribe"] if ranks > 1 else []
+        launcher = ["mpirun", "-np", ranks] if ranks > 1 else []
         text = context.execute([*launcher, context.program("product_times"), edge, rounds]).output
         linear, _, quadratic = text.partition("Quadratic cells")
         for kind, part in ("Hex8", linear), ("Hex27", quadratic):
