@@ -3,7 +3,8 @@ set(IXOS_ARCH "native" CACHE STRING
     "Instruction set: native (this machine's), baseline (every processor's of its kind), recent (most of today's), or a \
 value of the compiler's -march")
 set(IXOS_FASTER_ARCHS "" CACHE STRING
-    "Further builds of the library, of which the loader takes the best one: all, or a list of levels (x86-64-v3;...)")
+    "Further builds of the library, of which the loader takes the best one: all, recent (one level), or \
+a list of levels (x86-64-v3;...)")
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
   set(_baseline x86-64)
@@ -21,6 +22,6 @@ if(IXOS_ARCH MATCHES "^(baseline|recent)$")
   set(IXOS_MARCH ${_${IXOS_ARCH}})
 endif()
 set(IXOS_FASTER_MARCHS ${IXOS_FASTER_ARCHS})
-if(IXOS_FASTER_ARCHS STREQUAL "all")
-  set(IXOS_FASTER_MARCHS ${_all})
+if(IXOS_FASTER_ARCHS MATCHES "^(recent|all)$")
+  set(IXOS_FASTER_MARCHS ${_${IXOS_FASTER_ARCHS}})
 endif()

@@ -3,11 +3,16 @@ import datetime
 import json
 import math
 import os
+import pathlib
+import re
+import sys
 
 from . import machine
 from .table import ROOT
 
 FOLDER = ROOT / "docs/results/data"
+TRIAL = "a short trial"  # a state of a table
+USED = re.compile(r"(?<![\w/.-])(?:xml|tests|docs)/[\w/.-]+\.(?:xml|py|sh)\b")  # files in command lines
 
 
 def path_of(name):
@@ -67,15 +72,23 @@ def caption(data):
     return f"*{first} {data['date']} at commit {data['commit']}{changes} on {place}, in {duration(data['seconds'])}.*"
 
 
+def code(table, data):
+    """Returns the files and folders on which the numbers of a table depend: those that it states, the module of its
+    function, and the scenes and scripts in the command lines that were run."""
+    module = pathlib.Path(sys.modules[table.measure.__module__].__file__).relative_to(ROOT)
+    used = {file for line in data["programs"] for file in USED.findall(line)}
+    return sorted({*table.code, str(module), *used})
+
+
 def state(table, data):
     """Returns in words why a table should be measured anew, or "" if it need not be."""
     if data is None:
         return "never measured"
     if data["trial"]:
-        return "a short trial"
+        return TRIAL
     if data["columns"] != [column.key for column in table.columns]:
         return "other columns"
-    changed = machine.changed_since(data["commit"], table.code)
+    changed = machine.changed_since(data["commit"], code(table, data))
     if changed is None:
         return "unknown commit"
     return "code changed since" if changed else ""

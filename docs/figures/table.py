@@ -34,9 +34,11 @@ class Table:
     """A table: where it stands, and how it is measured.
 
     page: path of the page below the root. measure: takes a Context (runs.py) and returns the rows, each a dictionary of
-    raw numbers and texts by the keys of the columns. code: files and folders on which the numbers depend. needs: CMake
-    targets that `measure` runs, besides ixos and ixos-study. minutes: estimate on an idle machine of two cores. why:
-    says why the table takes more than five minutes.
+    raw numbers and texts by the keys of the columns. code: files and folders on which the numbers depend, besides the
+    module of `measure` and the scenes and scripts that it runs. needs: CMake targets that `measure` runs, besides ixos
+    and ixos-study. presets: further presets of CMake whose ixos `measure` runs, unless in a trial; they are built, like
+    the targets, before the time is taken. picture: path of a script that draws the data of this table. minutes:
+    estimate on an idle machine of two cores. why: says why the table takes more than five minutes.
     """
     name: str
     page: str
@@ -44,6 +46,8 @@ class Table:
     measure: Callable
     code: tuple
     needs: tuple = ()
+    presets: tuple = ()
+    picture: str = ""
     minutes: float = 1
     why: str = ""
 

@@ -11,13 +11,14 @@ ixos=${3:-$root/build/release/drivers/ixos}
 arguments=("${@:4}")
 export OPENBLAS_NUM_THREADS=1
 mkdir -p "$folder"
+failed=0
 
 run() {  # name, further arguments
   local name=$1
   shift
   grep -qs '"status": "completed"' "$folder/$name/summary.json" && return
   "$ixos" "$root/xml/spatula-vibration.xml" --quiet --output "$folder/$name" --set "Mesh/Spatula/Target Cells=$cells" \
-    "${arguments[@]}" "$@" >"$folder/$name.log" 2>&1 || cat "$folder/$name.log"
+    "${arguments[@]}" "$@" >"$folder/$name.log" 2>&1 || { cat "$folder/$name.log"; failed=1; }
   echo "$name"
 }
 
@@ -31,3 +32,4 @@ for damping in 0 0.004; do
   run "Bathe-$damping" --restart "$folder/bent" --set "Materials/Keratin/Stiffness Damping=$damping" \
     --set "Time Integrator/Type=Bathe Composite"
 done
+exit $failed

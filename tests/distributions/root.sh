@@ -14,7 +14,9 @@ make_root() { # RELEASE FOLDER
   }
   rm -rf "$2.unfinished"
   mkdir -p "$2.unfinished"
-  debootstrap --variant=minbase "$1" "$2.unfinished" "${IXOS_MIRROR:-http://deb.debian.org/debian}" >"$2.log" 2>&1 ||
+  # Its mounts of /proc and /sys are its own, too.
+  unshare --mount --propagation private debootstrap --variant=minbase "$1" "$2.unfinished" \
+    "${IXOS_MIRROR:-http://deb.debian.org/debian}" >"$2.log" 2>&1 ||
     { tail -n 3 "$2.log" >&2; return 1; }
   # A mirror may be a picture of an earlier day, whose lists of unstable count as expired.
   echo 'Acquire::Check-Valid-Until "false";' >"$2.unfinished/etc/apt/apt.conf.d/90snapshot"

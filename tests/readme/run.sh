@@ -2,11 +2,11 @@
 # Runs the commands of README.md in order, in a clean root of Debian 12: tests/readme/run.sh [FOLDER]
 # blocks.py finds the commands, and says which are shortened or left out. FOLDER (default: a temporary one; 5 GB) keeps the
 # bare root for the next time. The commit is used, not the working tree. It takes 40 minutes on two cores, half of that if
-# the host's ccache has the objects. Needs root; without, the exit status is 77.
+# the host's ccache has the objects. Needs root that may mount; without, the exit status is 77.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-if [ "$(id -u)" -ne 0 ]; then
-  echo "tests/readme/run.sh: left out: a clean root needs root"
+if [ "$(id -u)" -ne 0 ] || ! unshare --mount true 2>/dev/null; then
+  echo "tests/readme/run.sh: left out: a clean root needs root that may mount"
   exit 77
 fi
 work=$(realpath -m "${1:-$(mktemp -d)}")

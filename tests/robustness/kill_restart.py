@@ -22,7 +22,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../support"))
 from driver_process import ENVIRONMENT, ROOT, STEPS, driver_command  # noqa: E402
 
-CHOLMOD = ["Linear Solver/Linear Solver Type=Direct", "Linear Solver/Linear Solver Types/Direct/Solver Type=CHOLMOD"]
+DIRECT = ["Linear Solver/Linear Solver Type=Direct", "Linear Solver/Linear Solver Types/Direct/Solver Type="]
 ITERATIVE = ["Linear Solver/Linear Solver Type=Belos", "Linear Solver/Preconditioner Type="]
 
 
@@ -31,15 +31,20 @@ def scenarios():
     def preconditioned(kind):
         return [ITERATIVE[0], ITERATIVE[1] + kind]
 
+    def direct(kind):
+        return [DIRECT[0], DIRECT[1] + kind]
+
     ball = [STEPS + "Final Time=2", "Output/Fields Interval=50"]
     strip = [STEPS + "Time Step=1", STEPS + "Final Time=60", "Output/Fields Time Interval=5"]
+    energy_momentum = ["Time Integrator/Type=Energy-Momentum"]
     every, often, seldom = (["Output/Checkpoint/Interval=%d" % n] for n in (1, 7, 40))
     gap_ratio = [STEPS + "Type=Adaptive", STEPS + "Adaptive/Maximum Gap Ratio=1.5", STEPS + "Adaptive/Choose Time Points=true",
                  "Time Integrator/Type=Average Vector Field", STEPS + "Final Time=10", "Output/Fields Interval=50"]
     for ranks in (1, 2):
         yield "ball, Band", "ball", ball + every, ranks
-        yield "ball, CHOLMOD", "ball", ball + every + CHOLMOD, ranks
-        yield "ball, Energy-Momentum, KLU", "ball", ball + often + ["Time Integrator/Type=Energy-Momentum"], ranks
+        yield "ball, CHOLMOD", "ball", ball + every + direct("CHOLMOD"), ranks
+        yield "ball, Energy-Momentum, Band LU", "ball", ball + often + direct("Band LU") + energy_momentum, ranks
+        yield "ball, Energy-Momentum, KLU", "ball", ball + often + direct("KLU") + energy_momentum, ranks
         yield "ball, Bathe, CG with lagged MueLu", "ball", ball + seldom + preconditioned("MueLu") + \
             ["Time Integrator/Type=Bathe Composite"], ranks
         yield "ball, adaptive by the gap ratio", "ball", gap_ratio + often, ranks

@@ -5,8 +5,8 @@
 
 Each long test is in one slice, each quick unit test in one that runs under sanitizers, each source in one that runs
 clang-tidy. tests/bench/short.py has each file of tests/bench, and tests/readme/blocks.py has no command that the README
-does not have. The record is sound and names slices that exist. Every slice has a program and its turn. The exit status is
-1 if not.
+does not have. The record is sound, and names slices that exist and do not take too long. Every slice has a program and
+its turn. tests/packages/install.sh runs all tests of debian/tests/control. The exit status is 1 if not.
 """
 import collections
 import json
@@ -24,7 +24,7 @@ import blocks  # noqa: E402
 import check_tidy  # noqa: E402
 import record  # noqa: E402
 import short  # noqa: E402
-from table import SLICES, slice_of  # noqa: E402
+from table import LIMIT, SLICES, slice_of  # noqa: E402
 
 BUILD = sys.argv[1]
 
@@ -93,13 +93,26 @@ def check_record():
     for entry in entries:
         if entry.slice not in names:
             yield f".ci/record.csv: {entry.slice} is no slice: delete its lines"
+        if int(entry.minutes) > LIMIT:
+            yield f".ci/record.csv: {entry.slice} took {entry.minutes} minutes, more than {LIMIT}: split it"
 
 
 def check_programs():
     for each in SLICES:
-        for program in re.findall(r"tests/\S+\.(?:sh|py)", each.command):
-            if not os.access(ROOT / program, os.X_OK):
+        for program in re.findall(r"(?<!\S)(?:tests|docs)/\S+", each.command):
+            if not (ROOT / program).is_file() or not os.access(ROOT / program, os.X_OK):
                 yield f".ci/table.py: {each.name}: {program} is no program"
+
+
+def check_packages():
+    """The tests of the packages that install.sh runs by name are all that debian/tests/control lists."""
+    control = (ROOT / "debian/tests/control").read_text(encoding="utf-8")
+    listed = {name for names in re.findall(r"^Tests: (.*)$", control, re.MULTILINE) for name in names.split()}
+    script = (ROOT / "tests/packages/install.sh").read_text(encoding="utf-8")
+    run = set(re.findall(r"^test_installed (\S+)$", script, re.MULTILINE))
+    for name in sorted(listed ^ run):
+        yield f"the package test {name} stands in " + ("debian/tests/control" if name in listed else
+                                                       "tests/packages/install.sh") + " only"
 
 
 def check_turns():
@@ -111,7 +124,7 @@ def check_turns():
 
 def main():
     problems = [*check_tests(), *check_sources(), *check_benchmarks(), *blocks.check(), *check_record(),
-                *check_programs(), *check_turns()]
+                *check_programs(), *check_packages(), *check_turns()]
     if problems:
         sys.exit("\n".join(f"ci_test.py: {problem}" for problem in problems))
     print(f"{len(SLICES)} slices leave nothing out")

@@ -185,6 +185,20 @@ class MeasureTest(unittest.TestCase):
         self.assertEqual(self.tree.measure("--stale")[0], 0)
         self.assertNotIn("to be measured anew", self.tree.check()[1])
 
+    def test_the_module_and_the_scenes_of_a_table_are_code(self):
+        self.tree.write("docs/figures/tables/clocks.py", CLOCKS.replace('"clock", name', '"clock", name, "xml/a.xml"'))
+        self.tree.write("xml/a.xml", "<a/>\n")
+        self.tree.commit()
+        for path, text in (("docs/figures/tables/clocks.py", CLOCKS), ("xml/a.xml", "<b/>\n")):
+            self.measured()
+            self.assertNotIn("to be measured anew", self.tree.check()[1])
+            old = self.tree.read(path)
+            self.tree.write(path, text)
+            self.tree.commit()
+            self.assertIn("to be measured anew: clocks: code changed since", self.tree.check()[1])
+            self.tree.write(path, old)
+            self.tree.commit()
+
     def test_tells_of_changes_without_a_commit(self):
         self.tree.write("lib/a.cpp", "int c;\n")
         self.measured()

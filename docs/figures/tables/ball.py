@@ -4,6 +4,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 
 from .. import increments
+from ..bodies import MECHANICS
 from ..runs import FINAL_TIME, SCHEME, forms, interleaved
 from ..table import ROOT, Column, Table
 
@@ -67,29 +68,33 @@ def measure_increment(context):
     return [dict(row, **{"the paper's": PAPER.get(row["scheme"])}) for row in rows]
 
 
-def measure_phases(context):
-    schemes = [scheme for scheme in SCHEMES[:5] if scheme != "Bathe Composite"]
-    return increments.phase_rows(increments.measure(context, "ball", (1.4, 0.2), schemes, 5))
-
-
-STEPS = ("0.0005", "0.0002", "0.00005")  # of the rows of the study
+STEPS = ("0.0005", "0.0002", "0.00005")  # of the columns of errors
+TIMED = STEPS[1]
 
 
 def measure_errors(context):
+    """Runs the study. Times are processor times of one run each."""
     study = context.study("ball-study")
+    steps = dict(zip(STEPS, context.pick(STEPS, ("0.01", "0.002", "0.002"))))
     rows = {}
     for run in study.runs.values():
         row = rows.setdefault(run["Scheme"], {"scheme": run["Scheme"]})
-        for step in STEPS:
+        for name, step in steps.items():
             if float(run["Time Step"]) == float(step):
-                row["position " + step], row["energy " + step] = (study.error(run, f"error_{what}")
+                row["position " + name], row["energy " + name] = (study.error(run, f"error_{what}")
                                                                   for what in ("position", "energy"))
+                row["seconds " + name] = run["cpu_seconds"]
+        if run is study.best:
+            row["recommended"] = run["Time Step"]
+    for row in rows.values():
+        row["time"] = row["seconds " + TIMED] / rows["Newmark"]["seconds " + TIMED]
     return list(rows.values())
 
 
-ERROR_COLUMNS = [Column("scheme"),
+ERROR_COLUMNS = [Column("scheme"), Column(f"processor time at Δt = {TIMED}, to Newmark's", "{:.2f}", "time"),
                  *(Column(f"position, Δt = {step}", "{:.2g}", f"position {step}") for step in STEPS),
-                 *(Column(f"energy, Δt = {step}", "{:.1g}", f"energy {step}") for step in STEPS)]
+                 *(Column(f"energy, Δt = {step}", "{:.1g}", f"energy {step}") for step in STEPS[1:]),
+                 Column("recommended Δt", key="recommended")]
 # Scheme, control and level of the rows.
 CONTROLLED = [("Newmark", "Gap ratio", "3"), ("Newmark", "Gap ratio", "4"), ("Newmark", "Gap ratio", "5"),
               ("Newmark", "Gap ratio", "7"), ("Newmark", "Local error", "4"), ("Newmark", "Local error", "5"),
@@ -127,14 +132,13 @@ def measure_adaptive(context):
     return sorted(rows, key=lambda row: order[row["scheme"], row["control"]])
 
 
-CODE = (*increments.CODE, "lib/run", "xml/ball.xml")
+CODE = (*MECHANICS, "lib/run", "xml/ball.xml")
 TABLES = [
     Table("ball", "README.md", [column for column in RUN_COLUMNS if column.title != "iterations a step"],
           measure_readme, CODE, minutes=0.5),
     Table("ball-schemes", PAGE, RUN_COLUMNS, measure_schemes, CODE, minutes=1.5),
     Table("ball-increment", PAGE, [*increments.INCREMENT_COLUMNS[:2], Column("the paper's", "{:.2f}"),
                                    *increments.INCREMENT_COLUMNS[2:]], measure_increment, CODE, minutes=0.5),
-    Table("ball-phases", PAGE, increments.PHASE_COLUMNS, measure_phases, CODE, minutes=0.3),
     Table("ball-errors", PAGE, ERROR_COLUMNS, measure_errors, (*CODE, "xml/ball-study.xml"), minutes=1.5),
     Table("ball-adaptive", PAGE, [Column("scheme"), Column("control"),
                                   Column("iterations of fixed steps, to these", "{:.1f}"),

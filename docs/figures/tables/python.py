@@ -16,5 +16,5 @@ def measure(context):
 TABLES = [
     Table("python-calls", "docs/python.md",
           [Column("call"), Column("to such a step", "{:.2f}"), Column("µs", "{:.1f}")], measure,
-          ("python", "lib/time", "tests/bench/python_overhead.py"), ("ixos_python",), minutes=0.3),
+          ("python", "lib/time"), ("ixos_python",), minutes=0.3),
 ]

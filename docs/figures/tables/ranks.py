@@ -1,5 +1,5 @@
-"""Several ranks: how times scale, what ranks send, and a model of many ranks."""
-from .. import bodies, messages, pair_scenes, scaling_model
+"""Several ranks: how times scale, and what ranks send."""
+from .. import bodies, messages, pair_scenes
 from ..bodies import MECHANICS, iterative
 from ..runs import FINAL_TIME, SCHEME, TIME_STEP, interleaved
 from ..table import Column, Table
@@ -71,36 +71,6 @@ def measure_messages(context):
     return rows
 
 
-RANKS = (1, 16, 1024)
-SEPARATOR = 500  # nodes of a section of the full spatula, of FULL nodes in all
-FULL = 134e3
-
-
-def measure_model(context):
-    """Predicts times on many ranks from the times of one rank and the messages of four."""
-    cells, edge = context.pick((28600, 24), (1000, 8))
-    cases = {"spatula, MUMPS": lambda steps: spatula(cells, steps),
-             "block, MueLu": lambda steps: block([edge] * 3, steps, "MueLu")}
-    rows = []
-    for name, body in cases.items():
-        summary = context.run(*body(4))
-        one = bodies.per_iteration(summary) | {"nodes": summary["dofs"] / 3}
-        counts = messages.count(context, body(2), body(4), 4)
-        sent = {"messages": max(counts.messages), "bytes": max(counts.sent),
-                "reductions": counts.reductions + counts.others}
-        slender = name.startswith("spatula")  # and so it is factorised
-        width = SEPARATOR * (one["nodes"] / FULL) ** (2 / 3) if slender else 0
-        first = None
-        for ranks in RANKS:
-            times = {phase: 1e3 * seconds for phase, seconds in
-                     scaling_model.times(one, sent, 4, ranks, slender, width).items()}
-            whole = sum(times.values())
-            first = first or whole
-            rows.append({"body": name, "ranks": ranks, "efficiency": first / whole / ranks, "whole": whole, **times,
-                         "dofs": summary["dofs"]})
-    return rows
-
-
 COUNTED = ("docs/figures/messages.py", "tests/bench/message_counter.cpp")
 DOFS = Column("degrees of freedom", "{:,}", "dofs")
 TABLES = [
@@ -115,9 +85,4 @@ TABLES = [
                    Column("other collective calls", "{:.1f}", "others"),
                    Column("kB in collective calls", "{:.1f}", "collective kB"),
                    Column("CG iterations", "{:.1f}", "CG"), DOFS]),
-    Table(name="ranks-model", page=PAGE, minutes=1, needs=("message_counter",), measure=measure_model,
-          code=(*MECHANICS, *COUNTED, "docs/figures/scaling_model.py"),
-          columns=[Column("body"), Column("ranks", "{:,}"), Column("efficiency", "{:.2f}"),
-                   Column("in all, ms", "{:.2f}", "whole"),
-                   *(Column(phase, "{:.2f}") for phase in scaling_model.PHASES), DOFS]),
 ]

@@ -79,12 +79,12 @@ def measure_speed(context):
 
 
 TABLES = [
-    Table(name="spatula-damping", page=PAGE, code=(*bodies.MECHANICS, "tests/bench/spatula_damping.sh"), minutes=1.5,
+    Table(name="spatula-damping", page=PAGE, code=(*bodies.MECHANICS, "xml/spatula-vibration.xml"), minutes=1.5,
           measure=measure_damping,
           columns=[Column("scheme"), Column("stiffness damping, T0", key="damping"),
                    Column("energy at 250 T0 to that at 0", "{:.3g}", "energy"),
                    Column("largest deflection of P from 200 to 250 T0, nm", "{:.3g}", "deflection")]),
-    Table(name="spatula-peeling", page=PAGE, code=(*bodies.MECHANICS, "lib/mesh/generators"), minutes=2.5,
+    Table(name="spatula-peeling", page=PAGE, code=bodies.MECHANICS, minutes=2.5,
           measure=measure_peeling,
           columns=[Column("scheme"), Column("processor time to Newmark", "{:.2f}", "time"),
                    Column("error of the energy balance over the work", "{:.0e}", "balance"),
@@ -92,7 +92,7 @@ TABLES = [
                    Column("first peak, nN", "{:.2f}", "first"), Column("late peak, nN", "{:.2f}", "late"),
                    Column("free at a lift of, nm", "{:.0f}", "free"),
                    Column("processor time, s", "{:.1f}", "seconds")]),
-    Table(name="spatula-speed", page=PAGE, code=(*bodies.MECHANICS, "lib/mesh/generators"), minutes=3,
+    Table(name="spatula-speed", page=PAGE, code=bodies.MECHANICS, minutes=3,
           measure=measure_speed,
           columns=[Column("solver"), Column("ranks"), Column("time of a step to the first row", "{:.2f}", "time"),
                    *bodies.COLUMNS]),
