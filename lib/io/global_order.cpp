@@ -23,7 +23,7 @@ GlobalOrder::GlobalOrder(const Comm& comm, const std::vector<int>& ids, long lon
   std::vector<GlobalId> from_zero(ids.begin(), ids.end());
   for (GlobalId& id : from_zero) --id;
   plan_ = std::make_unique<Plan>(comm, from_zero, largest);
-  const auto share = static_cast<std::size_t>(plan_->shares->getMaxLocalIndex() + 1);
+  const std::size_t share = static_cast<std::size_t>(plan_->shares->getMaxLocalIndex()) + 1;  // -1 without ids
   present_.resize(share);
   std::iota(present_.begin(), present_.end(), std::size_t{0});
   const std::vector<double> flags = ordered({std::vector<double>(ids.size(), 1.0)})[0];
