@@ -1,4 +1,4 @@
-# What the scripts *_pictures.sh share. Sourced, not run. Each takes: FOLDER [IMAGES [IXOS [ARGUMENTS]]]
+# The scripts *_pictures.sh source this file: their arguments, FOLDER [IMAGES [IXOS [ARGUMENTS]]], and run().
 # Results go to FOLDER, pictures to IMAGES (default: docs/images). ARGUMENTS are further ones of ixos, as of --set.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
