@@ -7,14 +7,14 @@
 
 namespace ixos {
 
-std::string launched_rank() {
+bool is_launched() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK"})
-    if (const char* rank = std::getenv(name); rank != nullptr) return rank;
-  return "";
+    if (std::getenv(name) != nullptr) return true;
+  return false;
 }
 
 SingleStart::SingleStart() {
-  if (!launched_rank().empty()) return;
+  if (is_launched()) return;
   for (const auto& [name, value] : {std::pair{"OMPI_MCA_ess_singleton_isolated", "1"},
                                     {"OMPI_MCA_orte_create_session_dirs", "0"},
                                     {"OMPI_MCA_pml", "ob1"},

@@ -5,8 +5,8 @@
 
 namespace ixos {
 
-/// Returns this process's rank if a launcher of MPI (mpirun, srun) started it, else an empty text.
-std::string launched_rank();
+/// Returns whether a launcher of MPI (mpirun, srun) started this process.
+bool is_launched();
 
 /// Sets variables of Open MPI and hwloc for the start of a process that no launcher started, and removes them at its
 /// end, so that no child inherits them. Without them, Open MPI 4 starts a server for the process and looks for

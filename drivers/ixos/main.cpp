@@ -184,6 +184,9 @@ int answer_or_run(const ixos::CommandLine& line) {
     return heard(comm);
   }
   const Arguments& arguments = line.arguments;
+  // The launcher ends all ranks soon after the first one, which in MPI waits for the one that speaks.
+  if (arguments.verify_restart)
+    return report(2, "--verify-restart starts its runs itself: call it without mpirun, with --ranks N", comm);
   int status = arguments.scene.empty() ? answer(arguments, comm) : guarded_run(arguments, comm);
   Teuchos::broadcast(*comm, 0, &status);  // one rank answers for all
   return status == 0 ? heard(comm) : status;
@@ -222,7 +225,7 @@ int run_program(int argc, char** argv) {
   keep_freed_memory();
   try {
     const ixos::CommandLine line = ixos::parse(argc, argv);
-    if (line.error.empty() && line.help.empty() && line.arguments.verify_restart)
+    if (line.error.empty() && line.help.empty() && line.arguments.verify_restart && !ixos::is_launched())
       return ixos::verify_restart(line.arguments);  // starts processes with MPI: must not have started it itself
     ixos::start_hdf5();
     int none = 1;  // Kokkos would answer --help itself

@@ -72,9 +72,6 @@ int run_check(const Arguments& arguments) {
 
 int verify_restart(const Arguments& arguments) {
   std::signal(SIGPIPE, SIG_IGN);  // lost output is an error of writing
-  if (const std::string rank = launched_rank(); !rank.empty())
-    return rank == "0" ? refuse(2, "--verify-restart starts its runs itself: call it without mpirun, with --ranks N")
-                       : 2;
   if (arguments.scene.empty()) return refuse(2, "a scene is needed: ixos SCENE.xml --verify-restart");
   try {
     const int status = run_check(arguments);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/digest.hpp"
 #include "base/error.hpp"
@@ -28,7 +29,7 @@ Bearing bearing(const std::string& path) {
   // The fingerprint tells whether the mesh is another one.
   for (const char* list : {"Units/", "Mesh/", "Time Integrator/Stop/"})
     if (starts_with(path, list)) return Bearing::None;
-  // It tells of an obstacle's file, too, wherever it lies.
+  // It tells of an obstacle's file, too, whatever its name.
   if (starts_with(path, "Interactions/") && ends_with(path, "/File")) return Bearing::None;
   if (path == control + "Final Time") return Bearing::None;
   // Steps end at time intervals of output.
@@ -49,6 +50,13 @@ bool defines_problem(const std::string& path) {
 std::string text(const Teuchos::ParameterEntry* entry) {
   if (entry == nullptr) return absent;
   return entry->isType<std::string>() ? '"' + short_text(*entry) + '"' : short_text(*entry);
+}
+
+/// Returns the text of a value, of a file its name alone: a scene may move with its files, and the fingerprint tells
+/// what they hold.
+std::string compared_text(const std::string& path, const Teuchos::ParameterEntry* entry) {
+  if (entry == nullptr || !ends_with(path, "/File") || !entry->isType<std::string>()) return text(entry);
+  return std::filesystem::path(short_text(*entry)).filename().string();
 }
 
 /// The differences of the lists at `path`; either may be missing.
@@ -73,8 +81,8 @@ void compare(const Teuchos::ParameterList* before, const Teuchos::ParameterList*
       compare(sublist(before), sublist(now), here, changes);
       continue;
     }
-    const std::string old_text = text(entry(before)), new_text = text(entry(now));
-    if (old_text != new_text) changes.push_back({here, old_text, new_text, bearing(here)});
+    if (compared_text(here, entry(before)) != compared_text(here, entry(now)))
+      changes.push_back({here, text(entry(before)), text(entry(now)), bearing(here)});
   }
 }
 
@@ -88,7 +96,7 @@ void describe(const Teuchos::ParameterList& list, const std::string& path, std::
       describe(list.sublist(name), here, lines);
       continue;
     }
-    if (defines_problem(here)) lines += here + " = " + text(&entry) + '\n';
+    if (defines_problem(here)) lines += here + " = " + compared_text(here, &entry) + '\n';
   }
 }
 

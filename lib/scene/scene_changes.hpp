@@ -36,7 +36,8 @@ std::string scene_digest(const Teuchos::ParameterList& scene, const std::string&
 /// this version refuses it.
 std::vector<SceneChange> changes_of_problem(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 
-/// Returns the differences of two complete scenes, in the order of the second's lists.
+/// Returns the differences of two complete scenes, in the order of the second's lists. Files of one name in two folders
+/// are no difference.
 std::vector<SceneChange> scene_changes(const Teuchos::ParameterList& before, const Teuchos::ParameterList& now);
 
 }  // namespace ixos

@@ -56,6 +56,9 @@ TEST(FieldInformationTest, TheDigestIsOfWhatMoves) {
   EXPECT_NE(digest(scene), digest(scene, "n"));
   EXPECT_NE(digest(scene), digest(list("Materials", list("Rubber", number("Density", 2)))));
   EXPECT_NE(digest(scene), digest(scene + list("Mesh", list("Sets", list("edge", word("Kind", "Nodes"))))));
+  const auto of_file = [&](const char* path) { return digest(scene + list("Mesh", list("Gmsh", word("File", path)))); };
+  EXPECT_EQ(of_file("/here/one.msh"), of_file("/there/one.msh"));
+  EXPECT_NE(of_file("/here/one.msh"), of_file("/here/two.msh"));
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ TEST(ObstacleFilesTest, ChecksumsAreThoseOfTheContents) {
   const auto changes = scene_changes(scene_with("/one.txt"), scene_with("/two.txt"));
   ASSERT_EQ(changes.size(), 1U);
   EXPECT_EQ(changes[0].bearing, Bearing::None);
+  EXPECT_TRUE(scene_changes(scene_with("/here/one.txt"), scene_with("/there/one.txt")).empty());
 }
 
 // Nobody is at the other end of the pipe, and the device has no end: an ordinary reader would wait.
