@@ -1,6 +1,5 @@
 /// How this process was started.
 #pragma once
-#include <string>
 #include <vector>
 
 namespace ixos {

@@ -10,7 +10,6 @@
 #include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
-#include "ixos/launch.hpp"
 #include "scene/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "signals.hpp"

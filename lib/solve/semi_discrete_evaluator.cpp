@@ -1,5 +1,6 @@
 #include "solve/semi_discrete_evaluator.hpp"
 
+#include <Thyra_MultiVectorStdOps.hpp>
 #include <Thyra_VectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 #include <algorithm>
