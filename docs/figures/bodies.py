@@ -3,8 +3,9 @@ from .runs import FINAL_TIME, TIME_STEP
 from .table import Column
 
 # On these folders depends what a run computes, and how fast.
-MECHANICS = ("lib/discretization", "lib/element", "lib/fem", "lib/interaction", "lib/material", "lib/mesh",
-             "lib/model", "lib/solve", "lib/term", "lib/time")
+MECHANICS = ("lib/balance", "lib/discretization", "lib/element", "lib/fem", "lib/geometry", "lib/interaction",
+             "lib/material", "lib/mesh", "lib/model", "lib/rule", "lib/solve", "lib/state", "lib/term",
+             "lib/time")
 PHASES = ("residual", "tangent", "factorization", "linear solve")
 COLUMNS = [Column("Newton iterations a step", "{:.2f}", "Newton"),
            Column("CG iterations a Newton iteration", "{:.1f}", "CG"),

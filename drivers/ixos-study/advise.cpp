@@ -14,8 +14,8 @@
 #include "parameters/scene_node.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
-#include "study/advice_report.hpp"
-#include "study/tolerance.hpp"
+#include "study/advice/advice_report.hpp"
+#include "study/common/tolerance.hpp"
 
 namespace ixos {
 namespace {

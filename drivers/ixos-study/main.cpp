@@ -20,14 +20,14 @@
 #include "help.hpp"
 #include "ixos-study/advise.hpp"
 #include "parameters/assignments.hpp"
-#include "scene/documentation.hpp"
-#include "scene/parameters.hpp"
+#include "scene/explain/documentation.hpp"
+#include "scene/read/parameters.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
-#include "study/child_process.hpp"
-#include "study/study.hpp"
-#include "study/study_result.hpp"
-#include "study/study_runner.hpp"
+#include "study/common/child_process.hpp"
+#include "study/compare/study.hpp"
+#include "study/compare/study_result.hpp"
+#include "study/compare/study_runner.hpp"
 
 namespace {
 

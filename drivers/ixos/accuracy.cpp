@@ -6,10 +6,10 @@
 #include "base/printable.hpp"
 #include "console.hpp"
 #include "ixos/scene_run.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 #include "scene/scene_file.hpp"
-#include "study/accuracy_report.hpp"
-#include "study/named_quantities.hpp"
+#include "study/accuracy/accuracy_report.hpp"
+#include "study/common/named_quantities.hpp"
 
 namespace ixos {
 namespace {

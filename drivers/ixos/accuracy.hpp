@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ixos/arguments.hpp"
-#include "study/accuracy.hpp"
+#include "study/accuracy/accuracy.hpp"
 
 namespace ixos {
 

@@ -9,8 +9,8 @@
 #include "console.hpp"
 #include "ixos/launch.hpp"
 #include "parameters/parameter_entries.hpp"
-#include "solve/factorization.hpp"
-#include "solve/klu2_repair.hpp"
+#include "solve/direct/factorization.hpp"
+#include "solve/direct/klu2_repair.hpp"
 #include "time/catalogue.hpp"
 
 namespace ixos {

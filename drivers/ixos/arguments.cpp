@@ -11,10 +11,10 @@
 #include "completion.hpp"
 #include "help.hpp"
 #include "parameters/assignments.hpp"
-#include "scene/documentation.hpp"
-#include "scene/parameters.hpp"
-#include "scene/placed_message.hpp"
-#include "study/tolerance.hpp"
+#include "scene/explain/documentation.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/placed_message.hpp"
+#include "study/common/tolerance.hpp"
 
 namespace ixos {
 namespace {

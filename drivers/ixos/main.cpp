@@ -30,13 +30,13 @@
 #include "ixos/scene_run.hpp"
 #include "ixos/verify_restart.hpp"
 #include "run/restart.hpp"
-#include "scene/documentation.hpp"
-#include "scene/explanation.hpp"
-#include "scene/parameters.hpp"
+#include "scene/explain/documentation.hpp"
+#include "scene/explain/explanation.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/scene_mesh.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/scene_mesh.hpp"
-#include "scene/scene_units.hpp"
-#include "study/named_quantities.hpp"
+#include "study/common/named_quantities.hpp"
 
 namespace {
 

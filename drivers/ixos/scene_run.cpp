@@ -9,7 +9,7 @@
 #include "progress_line.hpp"
 #include "shell_word.hpp"
 #include "signals.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
 
 namespace ixos {
 namespace {

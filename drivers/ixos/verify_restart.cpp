@@ -10,10 +10,10 @@
 #include "base/memory.hpp"
 #include "base/printable.hpp"
 #include "console.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "signals.hpp"
-#include "study/restart_check.hpp"
+#include "study/restart/restart_check.hpp"
 
 namespace ixos {
 namespace {

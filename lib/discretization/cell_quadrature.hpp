@@ -4,20 +4,23 @@
 #include <vector>
 
 #include "fem/shape_table.hpp"
+#include "fem/with_element.hpp"
 #include "mesh/local_mesh.hpp"
 
 namespace ixos {
 
-/// Returns the Gauss points along each direction. For an enriched element the block gives the number along the contact
-/// side; linear elements take `points` in every direction, quadratic ones one more. 0 stands for the element's own
-/// number.
+/// Returns the rule of a block's cells, with `points` along each direction, see element_rule(); quadratic elements take
+/// one more. 0 stands for the element's own rule. For an enriched element the block gives the number along the contact
+/// side.
 template <class Element>
-std::array<int, Element::dimension> cell_points(const LocalBlock& block, int points) {
-  std::array<int, Element::dimension> counts = Element::default_points;
-  const bool enriched = is_enriched(block.type);
-  for (std::size_t d = 0; enriched && block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
-  if (!enriched && points > 0) counts.fill(is_quadratic(block.type) ? points + 1 : points);
-  return counts;
+QuadratureRule<Element::dimension> cell_rule(const LocalBlock& block, int points) {
+  if constexpr (CellTraits<Element>::contact_side >= 0) {
+    auto counts = Element::default_points;
+    for (std::size_t d = 0; block.points > 0 && d + 1 < counts.size(); ++d) counts[d] = block.points;
+    return product_rule(counts);
+  } else {
+    return points > 0 ? element_rule<Element>(points + CellTraits<Element>::order - 1) : element_rule<Element>();
+  }
 }
 
 /// Returns cells x nodes factors, see node_scale(); empty if all are 1.

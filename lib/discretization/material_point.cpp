@@ -59,8 +59,7 @@ bool find_in_cell(const LocalMesh& mesh, const LocalBlock& block, int cell, cons
     }
     if (change < 1e-13) break;
   }
-  for (double coordinate : xi)
-    if (!(std::abs(coordinate) <= 1 + 1e-9)) return false;
+  if (!is_inside<CellTraits<Element>::shape>(xi, 1e-9)) return false;
   evaluate_tied<Element>(block.tied, xi, value, gradient);
   point.nodes.assign(nodes, nodes + N);
   for (std::size_t a = 0; a < N; ++a) point.weights.push_back(scale[a] * value[a]);

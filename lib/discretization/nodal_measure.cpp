@@ -45,7 +45,7 @@ void add(const LocalMesh& mesh, const int* nodes, const std::array<double, Eleme
 void add_block_measure(const LocalMesh& mesh, const LocalBlock& block, std::vector<double>& measure) {
   with_element(block.type, [&](auto tag) {
     using Element = typename decltype(tag)::type;
-    const ShapeTable<Element> table(Element::default_points, block.tied);
+    const ShapeTable<Element> table(element_rule<Element>(), block.tied);
     for (int cell = 0; cell < block.cells(); ++cell)
       add<Element, Element::dimension>(mesh, &block.nodes[cell_entry(cell, Element::nodes)],
                                        cell_scales<Element>(block, cell), table, measure);
@@ -59,9 +59,10 @@ void add_side_measure(const LocalMesh& mesh, const std::vector<LocalSide>& sides
       using Element = typename decltype(tag)::type;
       static std::map<unsigned, ShapeTable<Element>> tables;  // by tied edges
       const unsigned tied = side_ties(block, side.side);
-      auto points = Element::default_points;
-      if (std::is_same_v<Element, Quad4CH>) points[0] = HermiteFace::default_points[0];  // of the same edges
-      const auto& table = tables.try_emplace(tied, points, tied).first->second;
+      auto rule = element_rule<Element>();
+      if constexpr (std::is_same_v<Element, Quad4CH>)  // as many as the face has along the same edge
+        rule = product_rule(std::array<int, 2>{HermiteFace::default_points[0], Quad4CH::default_points[1]});
+      const auto& table = tables.try_emplace(tied, rule, tied).first->second;
       std::array<double, Element::nodes> scale;
       for (std::size_t a = 0; a < scale.size(); ++a) scale[a] = side_node_scale(block, side.cell, side.side, a);
       add<Element, Element::dimension + 1>(mesh, side.nodes.data(), scale, table, measure);

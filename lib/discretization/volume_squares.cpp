@@ -14,7 +14,7 @@ namespace {
 /// Calls visit(cell, nodes, scale, values, dV) at each point of this rank's own cells of a block of Elements.
 template <class Element, class Visit>
 void visit_points(const LocalMesh& mesh, const LocalBlock& block, const Visit& visit) {
-  const ShapeTable<Element> table(Element::default_points, block.tied);
+  const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     if (block.owned[static_cast<std::size_t>(cell)] == 0) continue;
     const int* nodes = &block.nodes[cell_entry(cell, Element::nodes)];

@@ -11,9 +11,9 @@
 #include "element/cell_means.hpp"
 #include "element/displacement_gradient.hpp"
 #include "element/node_pairs.hpp"
-#include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
-#include "fem/straight_points.hpp"
+#include "rule/rule.hpp"
+#include "rule/straight_points.hpp"
 
 namespace ixos {
 

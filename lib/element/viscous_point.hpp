@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "base/small_matrix.hpp"
-#include "fem/rate_form.hpp"
 #include "material/hooke.hpp"
+#include "rule/rate_form.hpp"
 
 namespace ixos {
 

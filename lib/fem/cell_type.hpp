@@ -9,32 +9,20 @@ namespace ixos {
 /// fem/contact_elements.hpp and fem/contact_hexahedra.hpp): nodes as of Quad4 or Hex8, then the other nodes of that
 /// side. Quad9 and Hex27 are of second order in each direction (see fem/quadratic_elements.hpp); Quad9C4 and Hex27C4
 /// are such cells with a contact side of fourth order (see fem/quadratic_contact_elements.hpp). The corners come first
-/// in every type.
+/// in every type. fem/cells.def is the list, cell_info() has all that is known of a type.
 enum class CellType {
-  Quad4,
-  Hex8,
-  Quad4C2,
-  Quad4C3,
-  Quad4C4,
-  Quad4CH,
-  Hex8C2,
-  Hex8C3,
-  Hex8C4,
-  Hex8CH,
-  Quad9,
-  Hex27,
-  Quad9C4,
-  Hex27C4
+#define IXOS_CELL(Element) Element,
+#include "fem/cells.def"
 };
 
 int nodes_per_cell(CellType type);
 int sides_per_cell(CellType type);
-/// Returns the linear type of the cell's corners: Quad4 or Hex8.
+/// Returns the linear type of the cell's corners, such as Quad4 or Hex8.
 CellType corner_type(CellType type);
-/// Returns the type of the same order without an enriched side: Quad4, Hex8, Quad9 or Hex27. Its nodes are the first
-/// ones of the cell's.
+/// Returns the type of the same order without an enriched side, such as Quad4, Hex8, Quad9 or Hex27. Its nodes are the
+/// first ones of the cell's.
 CellType plain_type(CellType type);
-/// Returns whether the cell is of second order in each direction, but for an enriched side: true for Quad9, Hex27,
+/// Returns whether the cell is of second order, in each direction, but for an enriched side: true for Quad9, Hex27,
 /// Quad9C4 and Hex27C4.
 bool is_quadratic(CellType type);
 /// Returns whether one side of the cell is richer than the others.

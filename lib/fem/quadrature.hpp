@@ -1,5 +1,7 @@
-/// One-dimensional quadrature.
+/// Points and weights of quadrature.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace ixos {
@@ -16,5 +18,45 @@ Quadrature gauss_legendre(int n);
 
 /// Returns that rule mapped to [0, 1].
 Quadrature gauss_legendre_unit(int n);
+
+/// Points of a reference shape of D dimensions, and their weights.
+template <std::size_t D>
+struct QuadratureRule {
+  std::vector<std::array<double, D>> points;
+  std::vector<double> weights;
+  std::array<int, D> along{};  ///< of a product of Gauss rules: the points along each direction; 0: another rule
+
+  std::size_t size() const { return weights.size(); }
+  bool operator==(const QuadratureRule& other) const { return points == other.points && weights == other.weights; }
+};
+
+/// Returns a rule with positive weights on the triangle xi, eta >= 0, xi + eta <= 1, exact for polynomials of degree
+/// 1, 4, 5 for `along` = 1, 2, 3: 1, 6 and 7 points (Dunavant 1985, Int. J. Numer. Methods Eng. 21). Beyond it is the
+/// square of Gauss points with one side drawn together, of degree 2 along - 2.
+/// Throws InputError unless 1 <= along <= 64.
+QuadratureRule<2> triangle_rule(int along);
+
+/// Returns the product of Gauss rules with that many points along each direction, 1 to 64, the first direction fastest.
+template <std::size_t D>
+QuadratureRule<D> product_rule(const std::array<int, D>& along) {
+  std::array<Quadrature, D> rules;
+  std::size_t size = 1;
+  for (std::size_t d = 0; d < D; ++d) {
+    rules[d] = gauss_legendre(along[d]);
+    size *= rules[d].points.size();
+  }
+  QuadratureRule<D> rule{{}, std::vector<double>(size, 1.0), along};
+  rule.points.resize(size);
+  for (std::size_t q = 0; q < size; ++q) {
+    std::size_t rest = q;
+    for (std::size_t d = 0; d < D; ++d) {
+      const std::size_t i = rest % rules[d].points.size();
+      rest /= rules[d].points.size();
+      rule.points[q][d] = rules[d].points[i];
+      rule.weights[q] *= rules[d].weights[i];
+    }
+  }
+  return rule;
+}
 
 }  // namespace ixos

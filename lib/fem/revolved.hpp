@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/small_matrix.hpp"
+#include "fem/cell_traits.hpp"
 
 namespace ixos {
 
@@ -15,6 +16,9 @@ template <class Element>
 struct Revolved : Element {
   static_assert(Element::dimension == 2, "a meridian plane has two dimensions");
 };
+
+template <class Element>
+struct CellTraits<Revolved<Element>> : CellTraits<Element> {};
 
 template <class Element>
 struct IsRevolved : std::false_type {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 #include "fem/quadrature.hpp"
@@ -10,37 +11,55 @@
 
 namespace ixos {
 
-/// Values of an element's shape functions at the points of a tensor product of Gauss rules, the first direction
-/// fastest.
+/// Whether an element type lists its quadrature: it is then no product of lines.
+template <class Element, class = void>
+struct HasRule : std::false_type {};
+template <class Element>
+struct HasRule<Element, std::void_t<decltype(Element::rule(1))>> : std::true_type {};
+
+/// Returns the rule of an element type: `along` points along each direction of a product of lines, the rule of as high
+/// a degree on other shapes, which list theirs in Element::rule(). Without a number it is the element's own.
+template <class Element>
+auto element_rule(int along) {
+  if constexpr (HasRule<Element>::value) {
+    return Element::rule(along);
+  } else {
+    std::array<int, Element::dimension> counts;
+    counts.fill(along);
+    return product_rule(counts);
+  }
+}
+template <class Element>
+auto element_rule() {
+  if constexpr (HasRule<Element>::value)
+    return Element::rule(Element::default_along);
+  else
+    return product_rule(Element::default_points);
+}
+
+/// Returns the rule for products of two shape functions: the element's own, if that is a product of lines.
+template <class Element>
+auto mass_rule() {
+  if constexpr (HasRule<Element>::value)
+    return Element::rule(Element::mass_along);
+  else
+    return element_rule<Element>();
+}
+
+/// Values of an element's shape functions at the points of a rule.
 template <class Element>
 struct ShapeTable {
   static constexpr std::size_t D = Element::dimension;
   static constexpr std::size_t N = Element::nodes;
 
-  /// `counts`: points along each reference direction, 1 to 64. `tied`: edges kept straight, see evaluate_tied().
-  explicit ShapeTable(const std::array<int, D>& counts = Element::default_points, unsigned tied = 0)
-      : two_points(std::all_of(counts.begin(), counts.end(), [](int count) { return count == 2; })) {
-    std::array<Quadrature, D> rules;
-    std::size_t size = 1;
-    for (std::size_t d = 0; d < D; ++d) {
-      rules[d] = gauss_legendre(counts[d]);
-      size *= rules[d].points.size();
-    }
-    weight.assign(size, 1.0);
-    point.resize(size);
-    value.resize(size);
-    gradient.resize(size);
-    for (std::size_t q = 0; q < size; ++q) {
-      std::array<double, D>& xi = point[q];
-      std::size_t rest = q;
-      for (std::size_t d = 0; d < D; ++d) {
-        const std::size_t i = rest % rules[d].points.size();
-        rest /= rules[d].points.size();
-        xi[d] = rules[d].points[i];
-        weight[q] *= rules[d].weights[i];
-      }
-      evaluate_tied<Element>(tied, xi, value[q], gradient[q]);
-    }
+  /// `tied`: edges kept straight, see evaluate_tied().
+  explicit ShapeTable(const QuadratureRule<D>& rule = element_rule<Element>(), unsigned tied = 0)
+      : two_points(std::all_of(rule.along.begin(), rule.along.end(), [](int count) { return count == 2; })),
+        weight(rule.weights),
+        point(rule.points),
+        value(rule.size()),
+        gradient(rule.size()) {
+    for (std::size_t q = 0; q < size(); ++q) evaluate_tied<Element>(tied, point[q], value[q], gradient[q]);
   }
 
   /// Makes the table at the points of another element's.
@@ -56,7 +75,7 @@ struct ShapeTable {
 
   std::size_t size() const { return weight.size(); }
 
-  bool two_points;                                             ///< whether there are two along each direction
+  bool two_points;                                             ///< whether the rule is a product of two along each line
   std::vector<double> weight;                                  ///< quadrature weights
   std::vector<std::array<double, D>> point;                    ///< xi_q
   std::vector<std::array<double, N>> value;                    ///< N_a(xi_q)

@@ -5,9 +5,9 @@
 
 #include "base/pack.hpp"
 #include "base/small_matrix.hpp"
-#include "fem/rule.hpp"
 #include "fem/shape_table.hpp"
 #include "interaction/law_history.hpp"
+#include "rule/rule.hpp"
 
 namespace ixos {
 

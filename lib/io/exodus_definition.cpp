@@ -7,8 +7,11 @@
 #include <cerrno>
 #include <cstring>
 #include <numeric>
+#include <stdexcept>
+#include <string>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "io/disk_file.hpp"
 
 namespace ixos {
@@ -26,9 +29,11 @@ std::string system_word() {
   return "";
 }
 
+/// Throws std::logic_error for enriched cells, which pictures have in pieces.
 const char* topology(CellType type) {
-  if (is_quadratic(type)) return type == CellType::Quad9 ? "QUAD9" : "HEX27";
-  return type == CellType::Quad4 ? "QUAD4" : "HEX8";
+  const CellInfo& info = cell_info(type);
+  if (info.exodus.empty()) throw std::logic_error("Exodus has no such cells: " + std::string(info.name));
+  return info.exodus.data();
 }
 
 void put_blocks(const ExodusHandle& file, const Mesh& mesh) {

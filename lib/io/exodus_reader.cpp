@@ -13,6 +13,7 @@
 
 #include "base/closest_name.hpp"
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "io/disk_file.hpp"
 #include "io/exodus_handle.hpp"
 #include "io/exodus_mesh.hpp"
@@ -170,7 +171,7 @@ class Reader {
                "block \"{}\" has shells ({}) beside hexahedra, and Ixos has no shells: mesh this part with hexahedra, "
                "or leave the block out of the file; surfaces on which something acts are side sets",
                block.name, block.topology);
-      ElementBlock here{block.name, cell_dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}};
+      ElementBlock here{block.name, cube_type(cell_dimension_), {}};
       if (kept && block.cells > 0) here.type = at(path(), [&] { return cell_type_of(block, mesh_.dimension); });
       here.nodes = read_nodes(block);
       block_place_.push_back(kept ? static_cast<int>(mesh_.blocks.size()) : -1);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "io/mesh_file.hpp"
 
 namespace ixos {
@@ -31,10 +32,11 @@ int dimension_of(const ExodusBlock& block, int file_dimension) {
 CellType cell_type_of(const ExodusBlock& block, int file_dimension) {
   const bool solid = begins(block.topology, "HEX") && file_dimension == 3;
   const bool face = begins(block.topology, "QUAD") || is_shell(block);
-  if (face && block.nodes_per_cell == 4) return CellType::Quad4;
-  if (face && block.nodes_per_cell == 9) return CellType::Quad9;
-  if (solid && block.nodes_per_cell == 8) return CellType::Hex8;
-  if (solid && block.nodes_per_cell == 27) return CellType::Hex27;
+  const CellInfo* info = find_cell([&](const CellInfo& candidate) {
+    return candidate.shape == (face ? ReferenceShape::Quadrilateral : ReferenceShape::Hexahedron) &&
+           candidate.nodes == block.nodes_per_cell && !candidate.exodus.empty();
+  });
+  if ((solid || face) && info != nullptr) return info->type;
   const int dimension = dimension_of(block, file_dimension);
   throw InputError(
       fmt::format("block \"{}\" has elements of type {} with {} nodes in {} dimensions; QUAD4, QUAD9, SHELL4 and "

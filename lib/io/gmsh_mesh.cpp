@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "io/mesh_file.hpp"
 #include "io/msh_file.hpp"
 #include "mesh/cell_sides.hpp"
@@ -103,7 +104,7 @@ class Builder {
     for (const MshElements& elements : file_.elements) {
       if (elements.dimension != dimension_) continue;
       const MshType type = msh_type(elements.type);
-      if (elements.type != cell_types[static_cast<std::size_t>(dimension_)])
+      if (elements.type != cell_info(cube_type(dimension_)).gmsh)
         throw InputError(
             fmt::format("has {} with {} nodes; quadrilaterals with 4 nodes (2D) and hexahedra with 8 (3D) "
                         "are allowed; Mesh/Cell Order 2 makes quadratic cells of them. {}",
@@ -124,8 +125,7 @@ class Builder {
     std::map<std::string, std::size_t> places;
     const auto add = [&](const std::string& name, const MshElements& elements) {
       const auto place = places.emplace(name, mesh_.blocks.size()).first->second;
-      if (place == mesh_.blocks.size())
-        mesh_.blocks.push_back({name, dimension_ == 2 ? CellType::Quad4 : CellType::Hex8, {}});
+      if (place == mesh_.blocks.size()) mesh_.blocks.push_back({name, cube_type(dimension_), {}});
       std::vector<int>& nodes = mesh_.blocks[place].nodes;
       nodes.insert(nodes.end(), elements.nodes.begin(), elements.nodes.end());
       std::vector<long long>& tags = mesh_.blocks[place].file_numbers;

@@ -3,42 +3,22 @@
 #include <algorithm>
 #include <array>
 
+#include "fem/cell_info.hpp"
 #include "fem/with_element.hpp"
 #include "io/distinct_names.hpp"
 
 namespace ixos {
 namespace {
 
-/// Returns the number of pieces into which a cell is cut along each direction of its contact side.
-int divisions(CellType type) {
-  switch (type) {
-    case CellType::Quad4C2:
-    case CellType::Hex8C2:
-    case CellType::Quad9C4:
-    case CellType::Hex27C4:
-      return 2;
-    case CellType::Quad4C3:
-    case CellType::Hex8C3:
-      return 3;
-    case CellType::Quad4C4:
-    case CellType::Quad4CH:
-    case CellType::Hex8C4:
-    case CellType::Hex8CH:
-      return 4;
-    default:
-      return 1;
-  }
-}
-
 /// Returns the number of cells into which one is cut.
 int pieces(CellType type) {
-  const int n = divisions(type);
+  const int n = cell_info(type).pieces;
   return corner_type(type) == CellType::Hex8 ? n * n : n;
 }
 
 /// Returns whether piece k of a cell has a part of the cell's side. Pieces are cells of the same sides.
 bool has_part(CellType type, int k, int side) {
-  const int n = divisions(type), i = k % n, j = k / n;
+  const int n = cell_info(type).pieces, i = k % n, j = k / n;
   if (corner_type(type) == CellType::Quad4) return side % 2 == 0 || i == (side == 1 ? n - 1 : 0);
   if (side == contact_side(type) || side > 3) return true;
   return side % 2 == 0 ? j == (side == 2 ? n - 1 : 0) : i == (side == 1 ? n - 1 : 0);
@@ -153,7 +133,7 @@ void OutputMesh::add_cell(const LocalMesh& local, const LocalBlock& block, int c
   // Numbers beyond those of all nodes.
   int id = static_cast<int>(local.global_nodes) + numbers_per_piece(local) * (first_id - 1);
   const bool solid = local.dimension == 3;
-  const auto divided = static_cast<std::size_t>(divisions(block.type));
+  const auto divided = static_cast<std::size_t>(cell_info(block.type).pieces);
   const std::size_t order = is_quadratic(block.type) ? 2 : 1;
   const std::size_t along = order * divided, across = solid ? along : 0, row = along + 1;
   std::vector<std::vector<int>> layers(order + 1);  // from the contact side to the side opposite

@@ -8,12 +8,12 @@
 /// static_equilibrium, NewtonOptions, LinearSolverFactory, default_linear_solver, StepControl,
 /// StepControlOptions, AdaptiveOptions, StepJudgement, judge_step.
 #pragma once
-#include "solve/linear_solver.hpp"
-#include "solve/newton.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/newton/newton.hpp"
+#include "state/state.hpp"
 #include "time/default_linear_solver.hpp"
 #include "time/integrator.hpp"
 #include "time/schemes.hpp"
-#include "time/state.hpp"
 #include "time/step_control.hpp"
 #include "time/step_judge.hpp"
 #include "time/table.hpp"

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "fem/corner_element.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
@@ -145,6 +146,9 @@ MiddleConflict conflict_of_middles(const MeshType& mesh) {
 void raise_order(Mesh& mesh) {
   if (mesh.plain_nodes >= 0)
     throw InputError("the mesh has enriched sides; raise the order of its cells before it is enriched");
+  for (const ElementBlock& block : mesh.blocks)
+    if (corner_type(block.type) != cube_type(mesh.dimension))
+      throw InputError("block \"" + block.name + "\": only quadrilaterals and hexahedra can become quadratic");
   if (std::all_of(mesh.blocks.begin(), mesh.blocks.end(), [](const auto& block) { return is_quadratic(block.type); }))
     return;
   const auto of_sides = sets_of_sides(mesh);
@@ -158,7 +162,7 @@ void raise_order(Mesh& mesh) {
       nodes.insert(nodes.end(), all.begin(), all.end());
     }
     block.nodes = std::move(nodes);
-    block.type = mesh.dimension == 2 ? CellType::Quad9 : CellType::Hex27;
+    block.type = cube_type(mesh.dimension, 2);
   }
   complete_node_sets(mesh, middles.added());
   for (const auto& [node_set, side_set] : of_sides) {

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
+
+#include "fem/cell_info.hpp"
 
 namespace ixos {
 
@@ -14,8 +17,11 @@ std::vector<int> nodes_of_side(const Mesh& mesh, const Side& side) {
 }
 
 int opposite_side(CellType type, int side) {
-  if (corner_type(type) == CellType::Quad4 || side < 4) return (side + 2) % 4;
-  return side == 4 ? 5 : 4;
+  const ReferenceShape shape = cell_info(type).shape;
+  if (shape == ReferenceShape::Quadrilateral || (shape == ReferenceShape::Hexahedron && side < 4))
+    return (side + 2) % 4;
+  if (shape == ReferenceShape::Hexahedron) return side == 4 ? 5 : 4;
+  throw std::logic_error("a side of a triangle has none opposite");
 }
 
 std::array<double, 3> centre_of(const Mesh& mesh, const SideCorners& corners) {

@@ -11,6 +11,7 @@
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/distributed_cells.hpp"
 #include "mesh/given_sets.hpp"
@@ -164,10 +165,7 @@ void add_node_sets(const DistributedMesh& mesh, const NodeDirectory& directory, 
 
 }  // namespace
 
-CellType cell_type(const DistributedMesh& mesh) {
-  if (mesh.order == 2) return mesh.dimension == 2 ? CellType::Quad9 : CellType::Hex27;
-  return mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8;
-}
+CellType cell_type(const DistributedMesh& mesh) { return cube_type(mesh.dimension, mesh.order == 2 ? 2 : 1); }
 
 LocalMesh local_part(const DistributedMesh& mesh, const Comm& comm) {
   together<InputError>(comm, [&] { check_share(mesh); });

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "fem/cell_info.hpp"
+
 namespace ixos {
 namespace {
 
@@ -55,7 +57,7 @@ class Halver {
     }
     return !cells_.empty() && cells_.size() % n_ == 0;
   }
-  CellType type() const { return mesh_.dimension == 2 ? CellType::Quad4 : CellType::Hex8; }
+  CellType type() const { return cube_type(mesh_.dimension); }
 
   void find_cells_of_nodes() {
     first_cell_.assign(index(mesh_.nodes()) + 1, 0);

@@ -121,13 +121,20 @@ Mesh joined_parts(const std::vector<MeshPart>& parts) {
   return all;
 }
 
-Mesh blocks_of_part(const Mesh& joined, const std::string& part, std::vector<int>& old) {
+Mesh part_of_joined(const Mesh& joined, const std::string& part, std::vector<int>& old) {
+  const auto is_own = [&part](const auto& named) { return is_in_part(part, named.name); };
   Mesh own;
   own.dimension = joined.dimension;
   own.axisymmetric = joined.axisymmetric;
   own.coordinates = joined.coordinates;
-  std::copy_if(joined.blocks.begin(), joined.blocks.end(), std::back_inserter(own.blocks),
-               [&part](const ElementBlock& block) { return is_in_part(part, block.name); });
+  own.linear_nodes = joined.linear_nodes;
+  std::copy_if(joined.blocks.begin(), joined.blocks.end(), std::back_inserter(own.blocks), is_own);
+  std::copy_if(joined.side_sets.begin(), joined.side_sets.end(), std::back_inserter(own.side_sets), is_own);
+  std::copy_if(joined.node_sets.begin(), joined.node_sets.end(), std::back_inserter(own.node_sets), is_own);
+  // The blocks of a part are next to each other.
+  const auto first = std::find_if(joined.blocks.begin(), joined.blocks.end(), is_own);
+  for (SideSet& set : own.side_sets)
+    for (Side& side : set.sides) side.block -= static_cast<int>(first - joined.blocks.begin());
   old = drop_unused_nodes(own);
   own.notes.clear();  // the other nodes are those of other parts
   return own;

@@ -27,8 +27,9 @@ bool is_in_part(const std::string& part, const std::string& name);
 /// and "left_upper").
 Mesh joined_parts(const std::vector<MeshPart>& parts);
 
-/// Returns the blocks of one part with their nodes, without sets. Sets `old` to the nodes' numbers in the joined mesh;
-/// their order is that of the part.
-Mesh blocks_of_part(const Mesh& joined, const std::string& part, std::vector<int>& old);
+/// Returns one part of a mesh of joined_parts(): its blocks and sets, under their names in the joined mesh, and their
+/// nodes. Sets `old` to the nodes' numbers there; their order is that of the part. A model of it may have a
+/// communicator of its own.
+Mesh part_of_joined(const Mesh& joined, const std::string& part, std::vector<int>& old);
 
 }  // namespace ixos

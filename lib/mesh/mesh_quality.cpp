@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 #include "base/small_matrix.hpp"
@@ -82,12 +83,41 @@ CellQuality cell_quality(const std::vector<double>& coordinates, const int* node
   return cell;
 }
 
+/// Returns the quality of a linear triangle: the sine of an angle over that of an equilateral one.
+CellQuality triangle_quality(const std::vector<double>& coordinates, const int* nodes, bool revolved) {
+  const auto corner = [&](std::size_t a) {
+    const double* x = &coordinates[2 * static_cast<std::size_t>(nodes[a % 3])];
+    return std::array<double, 2>{x[0], x[1]};
+  };
+  CellQuality cell;
+  std::array<double, 3> lengths;
+  for (std::size_t a = 0; a < 3; ++a) {
+    lengths[a] = std::hypot(corner(a + 1)[0] - corner(a)[0], corner(a + 1)[1] - corner(a)[1]);
+    cell.shortest = std::min(cell.shortest, lengths[a]);
+    cell.longest = std::max(cell.longest, lengths[a]);
+  }
+  const double twice_area = (corner(1)[0] - corner(0)[0]) * (corner(2)[1] - corner(0)[1]) -
+                            (corner(2)[0] - corner(0)[0]) * (corner(1)[1] - corner(0)[1]);
+  for (std::size_t a = 0; a < 3; ++a)
+    cell.scaled_jacobian =
+        std::min(cell.scaled_jacobian, 2 / std::sqrt(3.0) * twice_area / (lengths[a] * lengths[(a + 2) % 3]));
+  cell.volume = twice_area / 2;
+  if (revolved) cell.volume *= circumference((corner(0)[0] + corner(1)[0] + corner(2)[0]) / 3);
+  return cell;
+}
+
 /// Returns the quality of a cell; that of an enriched one is the quality of its plain_type().
 CellQuality cell_quality(CellType type, const std::vector<double>& coordinates, const int* nodes, bool revolved) {
-  if (plain_type(type) == CellType::Quad9) return cell_quality<Quad9, Quad4>(coordinates, nodes, revolved);
-  if (plain_type(type) == CellType::Hex27) return cell_quality<Hex27, Hex8>(coordinates, nodes, revolved);
-  return corner_type(type) == CellType::Hex8 ? cell_quality<Hex8, Hex8>(coordinates, nodes, revolved)
-                                             : cell_quality<Quad4, Quad4>(coordinates, nodes, revolved);
+  return with_element(plain_type(type), [&](auto tag) -> CellQuality {
+    using Element = typename decltype(tag)::type;
+    using Traits = CellTraits<Element>;
+    if constexpr (!std::is_same_v<typename Traits::Plain, Element>)
+      throw std::logic_error("a plain cell is enriched");
+    else if constexpr (Traits::shape == ReferenceShape::Triangle)
+      return triangle_quality(coordinates, nodes, revolved);
+    else
+      return cell_quality<Element, typename Traits::Corners>(coordinates, nodes, revolved);
+  });
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "base/memory.hpp"
+#include "fem/shape_table.hpp"
 #include "fem/with_element.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/selection.hpp"
@@ -17,11 +18,8 @@ namespace ixos {
 namespace {
 
 int points_per_cell(CellType type) {
-  return with_element(type, [](auto tag) {
-    int count = 1;
-    for (int points : decltype(tag)::type::default_points) count *= points;
-    return count;
-  });
+  return with_element(type,
+                      [](auto tag) { return static_cast<int>(element_rule<typename decltype(tag)::type>().size()); });
 }
 
 /// Throws if METIS failed.

@@ -20,7 +20,7 @@ template <class Element, class Block, class Name>
 void check(const std::vector<double>& coordinates, const Block& block, const Name& name) {
   constexpr std::size_t D = Element::dimension;
   constexpr std::size_t N = Element::nodes;
-  const ShapeTable<Element> table(Element::default_points, block.tied);
+  const ShapeTable<Element> table(element_rule<Element>(), block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     const auto scale = cell_scales<Element>(block, cell);
     for (const auto& gradient : table.gradient) {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "base/small_matrix.hpp"
+#include "fem/cell_info.hpp"
 #include "fem/corner_element.hpp"
 #include "fem/jacobian.hpp"
-#include "fem/reference_elements.hpp"
+#include "fem/with_element.hpp"
 #include "mesh/cell_sides.hpp"
 
 namespace ixos {
@@ -27,7 +28,7 @@ struct Mirror {
 
 /// Returns the mirror image of Quad9 or Hex27; that of Quad4 or Hex8 is its beginning. A quadrilateral keeps corner 0
 /// and runs the other way round; bottom and top of a hexahedron change places.
-Mirror mirror_of(int dimension) {
+Mirror mirror_of_cube(int dimension) {
   const std::vector<int> corners =
       dimension == 2 ? std::vector<int>{0, 3, 2, 1} : std::vector<int>{4, 5, 6, 7, 0, 1, 2, 3};
   const auto image = [&](std::vector<int> of) {
@@ -41,7 +42,7 @@ Mirror mirror_of(int dimension) {
     const auto found = std::find(pattern.begin(), pattern.end(), image(own));
     mirror.node.push_back(static_cast<int>(found - pattern.begin()));
   }
-  const CellType linear = dimension == 2 ? CellType::Quad4 : CellType::Hex8;
+  const CellType linear = cube_type(dimension);
   for (int old = 0; old < sides_per_cell(linear); ++old)
     for (int now = 0; now < sides_per_cell(linear); ++now) {
       std::vector<int> own = side_nodes(linear, now);
@@ -49,6 +50,14 @@ Mirror mirror_of(int dimension) {
       if (own == image(side_nodes(linear, old))) mirror.side.push_back(now);
     }
   return mirror;
+}
+
+/// Returns the mirror image of a cell. A triangle keeps corner 0.
+const Mirror& mirror_of(CellType type) {
+  static const Mirror plane = mirror_of_cube(2), solid = mirror_of_cube(3), triangle{{0, 2, 1}, {2, 1, 0}};
+  const CellInfo& info = cell_info(type);
+  if (info.shape == ReferenceShape::Triangle) return triangle;
+  return info.dimension == 2 ? plane : solid;
 }
 
 /// Returns the Jacobian of the linear cell of the corners at its centre: a mirror image has a negative one.
@@ -68,8 +77,9 @@ CellFlags mirrored_cells(const Mesh& mesh) {
     flags.emplace_back(static_cast<std::size_t>(block.cells()));
     for (int cell = 0; cell < block.cells(); ++cell) {
       const int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
-      const double volume = mesh.dimension == 2 ? centre_jacobian<Quad4>(mesh.coordinates, nodes)
-                                                : centre_jacobian<Hex8>(mesh.coordinates, nodes);
+      const double volume = with_element(corner_type(block.type), [&](auto tag) {
+        return centre_jacobian<typename CellTraits<typename decltype(tag)::type>::Corners>(mesh.coordinates, nodes);
+      });
       flags.back()[static_cast<std::size_t>(cell)] = volume < 0;
     }
   }
@@ -112,11 +122,11 @@ void turn_cells(Mesh& mesh) {
   CellFlags turned = mirrored_cells(mesh);
   if (!has_any(turned)) return;
   keep_folded_cells(mesh, turned);
-  const Mirror mirror = mirror_of(mesh.dimension);
   int count = 0;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) {
     ElementBlock& block = mesh.blocks[b];
     const int n = nodes_per_cell(block.type);
+    const Mirror& mirror = mirror_of(block.type);
     for (int cell = 0; cell < block.cells(); ++cell) {
       if (!turned[b][static_cast<std::size_t>(cell)]) continue;
       ++count;
@@ -128,7 +138,8 @@ void turn_cells(Mesh& mesh) {
   for (SideSet& set : mesh.side_sets)
     for (Side& side : set.sides)
       if (turned[static_cast<std::size_t>(side.block)][static_cast<std::size_t>(side.cell)])
-        side.side = mirror.side[static_cast<std::size_t>(side.side)];
+        side.side =
+            mirror_of(mesh.blocks[static_cast<std::size_t>(side.block)].type).side[static_cast<std::size_t>(side.side)];
   if (mesh.dimension == 3 && count > 0)
     mesh.notes.push_back(
         fmt::format("{} of the mesh's {} hexahedra are numbered as mirror images (left-handed); Ixos turned them",

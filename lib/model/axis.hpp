@@ -1,7 +1,7 @@
 /// The axis of bodies of revolution.
 #pragma once
 #include "mesh/local_mesh.hpp"
-#include "model/constraints.hpp"
+#include "term/support/constraints.hpp"
 
 namespace ixos {
 

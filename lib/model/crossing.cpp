@@ -13,13 +13,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Calls visit(name, term) for the interactions that need positive gaps, or for the others.
+/// Calls visit(name, its admissibility) for the interactions that need positive gaps, or for the others.
 template <class Visit>
 void for_each_interaction(const Model& model, bool positive, const Visit& visit) {
-  for (const NamedForceTerm& named : model.force_terms()) {
-    const auto* term = dynamic_cast<const Interaction*>(named.term);
-    if (term != nullptr && term->needs_positive_gaps() == positive) visit(named.name, *term);
-  }
+  for (const NamedInteraction& named : model.interactions())
+    if (named.term->admissibility().needs_positive_gaps() == positive) visit(named.name, named.term->admissibility());
 }
 
 std::string coordinates(const std::array<double, 3>& x, int dimension) {
@@ -45,23 +43,24 @@ std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& 
   return "the place " + coordinates(point.place, mesh.dimension) + " on a side";
 }
 
-std::string crossing(const Model& model, const double* u, const double* from) {
+std::string crossing(const Model& model, const Segment& way) {
+  const Place end = way.end();
   LowestPoint lowest;
   std::string name;
   bool any = false, passes = false;
   for (const bool positive : {true, false})
-    for_each_interaction(model, positive, [&](const std::string& own, const Interaction& term) {
+    for_each_interaction(model, positive, [&](const std::string& own, const Admissibility& term) {
       any = true;
-      if (from != nullptr) {
-        const LowestPoint passed = term.passage(from, u);
+      if (way.from != nullptr) {
+        const LowestPoint passed = term.passage(way);
         if (passed.gap < std::min(lowest.gap, 0.0)) {
           lowest = passed;
           name = own;
           passes = true;
         }
       }
-      if (positive && term.is_clear(u)) return;
-      const LowestPoint point = term.lowest_point(u);
+      if (positive && term.is_clear(end)) return;
+      const LowestPoint point = term.lowest_point(end);
       if (point.gap > (positive ? 0 : -infinity) || !(point.gap < lowest.gap)) return;
       lowest = point;
       name = own;
@@ -75,22 +74,22 @@ std::string crossing(const Model& model, const double* u, const double* from) {
     text = fmt::format(
         "the surface of interaction \"{}\" passes through the obstacle, or through the other body, within one step: "
         "the gap falls to {:.6g} L0 on the way to {}",
-        name, least, in_words(model.mesh(), u, lowest));
+        name, least, in_words(model.mesh(), end.u, lowest));
   else if (lowest.gap == least)
     text = std::isinf(least)
                ? fmt::format("the surface of interaction \"{}\" is beyond the edge of the obstacle, at {}", name,
-                             in_words(model.mesh(), u, lowest))
+                             in_words(model.mesh(), end.u, lowest))
                : fmt::format("the surface of interaction \"{}\" crosses the obstacle: the gap of {} is {:.6g} L0", name,
-                             in_words(model.mesh(), u, lowest), least);
+                             in_words(model.mesh(), end.u, lowest), least);
   return first_problem(model.space().comm(), text);
 }
 
-double least_free_gap(const Model& model, const double* u) {
+double least_free_gap(const Model& model, const Place& at) {
   double least = infinity;
   bool any = false;
-  for_each_interaction(model, false, [&](const std::string&, const Interaction& term) {
+  for_each_interaction(model, false, [&](const std::string&, const Admissibility& term) {
     any = true;
-    least = std::min(least, term.lowest_point(u).gap);
+    least = std::min(least, term.lowest_point(at).gap);
   });
   return any ? model.space().minimum(least) : least;
 }

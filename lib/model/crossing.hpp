@@ -10,15 +10,15 @@ namespace ixos {
 /// and is none that a contact element added, otherwise "the place (1, -0.015) on a side".
 std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point);
 
-/// Returns how far and where a surface is in or below its obstacle at the local displacement u, by
-/// Interaction::lowest_point(); empty if all gaps are positive. Of interactions whose laws are defined at every gap,
-/// only a gap of minus infinity counts, beyond the obstacle's edge. `from`: the displacement at the start of the step
-/// that ends at u, or null. Then a point that passes through its obstacle or another body on the way counts, too, by
-/// Interaction::passage(), whatever the law. Equal on all ranks; collective.
-std::string crossing(const Model& model, const double* u, const double* from = nullptr);
+/// Returns how far and where a surface is in or below its obstacle at the end of the way, by
+/// Admissibility::lowest_point(); empty if all gaps are positive. Of interactions whose laws are defined at every gap,
+/// only a gap of minus infinity counts, beyond the obstacle's edge. If the way has a beginning, a point that passes
+/// through its obstacle or another body on the way counts, too, by Admissibility::passage(), whatever the law. Equal on
+/// all ranks; collective.
+std::string crossing(const Model& model, const Segment& way);
 
 /// Returns the least gap of the interactions whose laws are defined at every gap, likewise; infinity if there are none.
 /// Collective if there are any.
-double least_free_gap(const Model& model, const double* u);
+double least_free_gap(const Model& model, const Place& at);
 
 }  // namespace ixos

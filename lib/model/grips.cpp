@@ -1,4 +1,5 @@
 #include "model/grips.hpp"
+#include "term/support/springs.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "fem/rule.hpp"
 #include "mesh/meridian.hpp"
 #include "model/nodal_moment.hpp"
+#include "rule/rule.hpp"
 
 namespace ixos {
 namespace {
@@ -15,17 +15,17 @@ const auto all = [](const Interaction&) { return true; };
 }  // namespace
 
 template <class Counts>
-std::vector<double> InteractionGroup::force(const double* u, const Counts& counts) const {
+std::vector<double> InteractionGroup::force(const Counts& counts) const {
   std::vector<double> f(static_cast<std::size_t>(space_.local()), 0.0);
   for (const Interaction* term : terms_)
-    if (counts(*term)) term->add_force({nullptr, nullptr, u, time_}, end_rule(), f.data());
+    if (counts(*term)) term->add_force(segment_at(at_), end_rule(), f.data());
   return f;
 }
 
-InteractionReport InteractionGroup::report(const double* u) const {
+InteractionReport InteractionGroup::report() const {
   InteractionReport report;
   report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
-  for (const Interaction* term : terms_) term->report(u, report);
+  for (const Interaction* term : terms_) term->reports().report(at_, report);
   std::vector<double> sums = report.force;
   sums.push_back(report.measure);
   space_.sum(sums.data(), static_cast<int>(sums.size()));
@@ -36,42 +36,42 @@ InteractionReport InteractionGroup::report(const double* u) const {
   return report;
 }
 
-std::vector<double> InteractionGroup::moment(const double* u) const {
+std::vector<double> InteractionGroup::moment() const {
   if (mesh_.axisymmetric) return {};
   const auto d = static_cast<std::size_t>(mesh_.dimension);
-  const std::vector<double> gradient = force(u, all);
+  const std::vector<double> gradient = force(all);
   std::vector<double> sums(3, 0.0);
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
     std::array<double, 3> own{};
     for (std::size_t i = 0; i < d; ++i) own[i] = -gradient[node * d + i];
-    add_nodal_moment(mesh_, node, u, own, {}, sums.data());
+    add_nodal_moment(mesh_, node, at_.u, own, {}, sums.data());
   }
   space_.sum(sums.data(), 3);
   if (d == 2) sums = {sums[2]};
   return sums;
 }
 
-std::vector<double> InteractionGroup::gap(const double* u) const {
+std::vector<double> InteractionGroup::gap() const {
   std::vector<double> gap(static_cast<std::size_t>(mesh_.nodes()), std::numeric_limits<double>::quiet_NaN());
-  for (const Interaction* term : terms_) term->lower_nodal_gap(u, gap.data());
+  for (const Interaction* term : terms_) term->reports().lower_nodal_gap(at_, gap.data());
   return gap;
 }
 
-std::vector<double> InteractionGroup::normal(const double* u) const {
+std::vector<double> InteractionGroup::normal() const {
   std::vector<double> normal(static_cast<std::size_t>(space_.local()), 0.0);
-  for (const Interaction* term : terms_) term->set_nodal_normal(u, normal.data());
+  for (const Interaction* term : terms_) term->reports().set_nodal_normal(at_, normal.data());
   return normal;
 }
 
-std::vector<double> InteractionGroup::traction(const double* u) const { return traction(u, all); }
+std::vector<double> InteractionGroup::traction() const { return traction(all); }
 
-std::vector<double> InteractionGroup::friction(const double* u) const {
-  return traction(u, [](const Interaction& term) { return term.has_friction(); });
+std::vector<double> InteractionGroup::friction() const {
+  return traction([](const Interaction& term) { return term.has_friction(); });
 }
 
 template <class Counts>
-std::vector<double> InteractionGroup::traction(const double* u, const Counts& counts) const {
-  std::vector<double> traction = over_measure(force(u, counts));
+std::vector<double> InteractionGroup::traction(const Counts& counts) const {
+  std::vector<double> traction = over_measure(force(counts));
   if (!mesh_.axisymmetric) return traction;
   // On the axis the nodal force can vanish with the area, and no traction has a direction across the axis.
   const auto d = static_cast<std::size_t>(mesh_.dimension);
@@ -81,8 +81,8 @@ std::vector<double> InteractionGroup::traction(const double* u, const Counts& co
   for (const Interaction* term : terms_) {
     if (!counts(*term)) continue;
     std::vector<double> pressure(static_cast<std::size_t>(mesh_.nodes()), 0.0), normal(traction.size(), 0.0);
-    term->add_nodal_pressure(u, pressure.data());
-    term->set_nodal_normal(u, normal.data());
+    term->reports().add_nodal(SurfaceNumber::Pressure, at_, pressure.data());
+    term->reports().set_nodal_normal(at_, normal.data());
     divide_by_measure(pressure);
     for (std::size_t i = 0; i < traction.size(); ++i)
       if (on_axis[i / d]) traction[i] += pressure[i / d] * normal[i];
@@ -94,70 +94,59 @@ bool InteractionGroup::has_friction() const {
   return std::any_of(terms_.begin(), terms_.end(), [](const Interaction* term) { return term->has_friction(); });
 }
 
-std::vector<double> InteractionGroup::friction_force(const double* u) const {
+std::vector<double> InteractionGroup::friction_force() const {
   InteractionReport report;
   report.force.assign(static_cast<std::size_t>(mesh_.dimension), 0.0);
   for (const Interaction* term : terms_)
-    if (term->has_friction()) term->report(u, report);
+    if (term->has_friction()) term->reports().report(at_, report);
   space_.sum(report.force.data(), static_cast<int>(report.force.size()));
   return report.force;
 }
 
-FrictionReport InteractionGroup::friction_report(const double* u) const {
+FrictionReport InteractionGroup::friction_report() const {
   FrictionReport report;
   for (const Interaction* term : terms_)
-    if (term->has_friction()) term->report_friction(u, report);
+    if (term->has_friction()) term->reports().report_friction(at_, report);
   double sums[] = {report.acting, report.sliding, report.sticking, report.slip, report.work, report.lag};
   space_.sum(sums, 6);
   return {sums[0], sums[1], sums[2], sums[3], sums[4], sums[5]};
 }
 
-std::vector<double> InteractionGroup::friction(FrictionNumber number) const {
+bool InteractionGroup::has(SurfaceNumber number) const {
+  return std::any_of(terms_.begin(), terms_.end(),
+                     [number](const Interaction* term) { return term->reports().has(number); });
+}
+
+std::vector<double> InteractionGroup::mean(SurfaceNumber number) const {
   std::vector<double> means(static_cast<std::size_t>(mesh_.nodes()), 0.0);
-  for (const Interaction* term : terms_) term->add_nodal_friction(number, means.data());
+  for (const Interaction* term : terms_) term->reports().add_nodal(number, at_, means.data());
   divide_by_measure(means);
+  if (number == SurfaceNumber::Damage)
+    for (double& value : means) value = std::clamp(value, 0.0, 1.0);
   return means;
 }
 
 std::vector<double> InteractionGroup::over_measure(std::vector<double> force) const {
   const auto d = static_cast<std::size_t>(mesh_.dimension);
-  const std::vector<double>& area = measure();
+  const std::vector<double> area = measure();
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] = area[i / d] > 0 && !mesh_.is_derivative(i / d) ? -force[i] / area[i / d] : 0.0;
   return force;
 }
 
-std::vector<double> InteractionGroup::pressure(const double* u) const {
-  std::vector<double> pressure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
-  for (const Interaction* term : terms_) term->add_nodal_pressure(u, pressure.data());
-  divide_by_measure(pressure);
-  return pressure;
-}
-
-bool InteractionGroup::has_damage() const {
-  return std::any_of(terms_.begin(), terms_.end(), [](const Interaction* term) { return term->has_damage(); });
-}
-
-std::vector<double> InteractionGroup::damage() const {
-  std::vector<double> damage(static_cast<std::size_t>(mesh_.nodes()), 0.0);
-  for (const Interaction* term : terms_) term->add_nodal_damage(damage.data());
-  divide_by_measure(damage);
-  for (double& value : damage) value = std::clamp(value, 0.0, 1.0);
-  return damage;
-}
+std::vector<double> InteractionGroup::pressure() const { return mean(SurfaceNumber::Pressure); }
 
 void InteractionGroup::divide_by_measure(std::vector<double>& sums) const {
-  const std::vector<double>& area = measure();
+  const std::vector<double> area = measure();
   for (std::size_t node = 0; node < sums.size(); ++node)
     sums[node] = area[node] > 0 && !mesh_.is_derivative(node) ? sums[node] / area[node] : 0.0;
 }
 
-const std::vector<double>& InteractionGroup::measure() const {
-  if (!measure_.empty()) return measure_;
-  measure_.resize(static_cast<std::size_t>(mesh_.nodes()));
+std::vector<double> InteractionGroup::measure() const {
+  std::vector<double> measure(static_cast<std::size_t>(mesh_.nodes()), 0.0);
   CountedSides counted;
-  for (const Interaction* term : terms_) term->add_nodal_measure(counted, measure_.data());
-  return measure_;
+  for (const Interaction* term : terms_) term->reports().add_nodal_measure(counted, measure.data());
+  return measure;
 }
 
 }  // namespace ixos

@@ -36,7 +36,7 @@ void add_strain(double strain, StrainExtent& all) { add({0, strain, strain}, all
 template <class Element>
 void add_block(const LocalMesh& mesh, const LocalBlock& block, const std::vector<double>& u, StrainExtent& all) {
   constexpr std::size_t D = Element::dimension;
-  const ShapeTable<Element> table(cell_points<Element>(block, 0), block.tied);
+  const ShapeTable<Element> table(cell_rule<Element>(block, 0), block.tied);
   for (int cell = 0; cell < block.cells(); ++cell) {
     if (block.owned[static_cast<std::size_t>(cell)] == 0) continue;
     const int* nodes = &block.nodes[cell_entry(cell, Element::nodes)];

@@ -10,9 +10,9 @@
 #include "base/error.hpp"
 #include "interaction/area_factor.hpp"
 #include "model/crossing.hpp"
-#include "model/moved_interaction.hpp"
-#include "term/friction_term.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/friction_term.hpp"
+#include "term/wall/moved_interaction.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -21,7 +21,7 @@ void check(const SurfaceInteraction& interaction, const LocalMesh& mesh) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("the interaction of the surface \"{}\" {}", interaction.side_set, why));
   };
-  if (!interaction.law) refuse("has no law");
+  if (const auto refusal = refusal_of_forces(interaction)) refuse("is not allowed: " + refusal->in_words());
   if (!interaction.obstacle) refuse("has no obstacle");
   if (mesh.axisymmetric && !interaction.obstacle->is_coaxial())
     refuse(
@@ -32,28 +32,21 @@ void check(const SurfaceInteraction& interaction, const LocalMesh& mesh) {
                        interaction.motion->dimension(), mesh.dimension));
   if (mesh.axisymmetric && interaction.motion && (interaction.motion->turns() || interaction.motion->translates(0)))
     refuse("has an obstacle that moves off the axis of an axisymmetric mesh: it may translate along y only");
-  if (interaction.points < 0 || interaction.points > 64)
-    refuse(fmt::format("has {} Gauss points a direction; 0 to 64 are allowed", interaction.points));
-  if (!(interaction.margin > 0 && interaction.margin < 1))
-    refuse(fmt::format("has the step margin {}; it must be greater than 0 and less than 1", interaction.margin));
-  try {
-    check_cutoff(*interaction.law, interaction.cutoff);
-  } catch (const InputError& error) {
-    refuse(std::string("has a cutoff that is not allowed: ") + error.what());
-  }
 }
 
 /// Returns "in or below the wall, least gap -0.5 at node 3 of the mesh at (1, -0.5)" if some gap is not above
 /// `limit`, 0 or minus infinity, otherwise an empty string; `what` is "wall" or "obstacle".
 /// Before a curved obstacle, quadrature points may be below while all points of the grid of lowest_point() are above:
 /// then the text names no place. Equal on all ranks.
-std::string place_below(const Model& model, const Interactions& terms, const std::vector<double>& u, double limit,
-                        const char* what) {
+std::string place_below(const Model& model, const Interactions& terms, const std::vector<double>& u, double time,
+                        double limit, const char* what) {
   InteractionReport report;
   LowestPoint lowest;
   for (const auto& term : terms) {
-    term->report(u.data(), report);
-    if (const LowestPoint point = term->lowest_point(u.data()); point.gap < lowest.gap) lowest = point;
+    const TermHistories histories = lone_histories(*term);
+    const Place rest{u.data(), time, &histories};
+    term->reports().report(rest, report);
+    if (const LowestPoint point = term->admissibility().lowest_point(rest); point.gap < lowest.gap) lowest = point;
   }
   const double grid = model.space().minimum(lowest.gap), points = model.space().minimum(report.least_gap);
   std::string text;
@@ -118,18 +111,6 @@ std::vector<SideKind> kinds_on_all_ranks(const Model& model, const std::vector<L
 
 }  // namespace
 
-void check_cutoff(const GapLaw& law, double cutoff) {
-  const double adhesion_gap = law.adhesion_gap();
-  const bool attracts = !law.repels() || work_of_adhesion(law) > 0;
-  if (cutoff != 0 && !(cutoff > adhesion_gap))
-    throw InputError(fmt::format(
-        "{} cuts off the {}; it must be 0, or greater than {}, {:.6g}", cutoff, attracts ? "attraction" : "repulsion",
-        attracts ? "the gap of largest attraction" : "the gap at which it ends", adhesion_gap));
-  if (cutoff != 0 && law.has_history() && cutoff < law.range())
-    throw InputError(fmt::format("{} cuts off a law with a history, which ends by itself at {:.6g}; it must be 0",
-                                 cutoff, law.range()));
-}
-
 std::shared_ptr<const GapLaw> law_before(const Obstacle& obstacle, const std::shared_ptr<const GapLaw>& law,
                                          double cutoff, int body_dimension) {
   const auto own = cutoff > 0 ? law->cut_off(cutoff) : law;
@@ -166,17 +147,15 @@ void add_interaction(Model& model, const SurfaceInteraction& interaction) {
       terms.push_back(std::move(term));
   }
   if (interaction.motion && interaction.motion->moves())
-    for (auto& term : terms) {
+    for (auto& term : terms)
       term = std::make_unique<MovedInteraction>(std::move(term), *interaction.motion, mesh, mesh.side_sets[set],
                                                 model.pattern());
-      term->set_time(interaction.initial_time);
-    }
   const bool positive = law->domain() == GapDomain::Positive;
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   const char* what = interaction.obstacle->half_space() != nullptr ? "wall" : "obstacle";
   // A law that is defined at every gap still needs an obstacle below it.
   const double limit = positive ? 0 : -std::numeric_limits<double>::infinity();
-  const std::string place = place_below(model, terms, rest, limit, what);
+  const std::string place = place_below(model, terms, rest, interaction.initial_time, limit, what);
   if (!place.empty())
     throw InputError(fmt::format("the surface \"{}\" starts {}; {}: move the body or the {}, or change the mesh there",
                                  interaction.side_set, place,

@@ -9,68 +9,61 @@
 #include "base/agreement.hpp"
 #include "base/error.hpp"
 #include "model/crossing.hpp"
-#include "model/surface_interaction.hpp"
-#include "term/double_integral.hpp"
-#include "term/pair_friction.hpp"
-#include "term/pair_term.hpp"
-#include "term/two_passes.hpp"
+#include "term/pair/double_integral.hpp"
+#include "term/pair/pair_friction.hpp"
+#include "term/pair/pair_term.hpp"
+#include "term/pair/two_passes.hpp"
 
 namespace ixos {
 namespace {
 
 [[noreturn]] void refuse(const SurfacePair& pair, const std::string& why) {
   throw InputError(
-      fmt::format("the interaction of the surfaces \"{}\" and \"{}\" {}", pair.secondary, pair.primary, why));
+      fmt::format("the interaction of the surfaces \"{}\" and \"{}\" {}", pair.side_set, pair.primary, why));
 }
 
-void check_double_integral(const SurfacePair& pair, const LocalMesh& mesh) {
-  const std::string start = "is a double integral, which does not support ";
-  if (powers_of(*pair.law).empty()) refuse(pair, start + "its law; use the law Van der Waals, or Passes One");
-  if (pair.cutoff > 0) refuse(pair, fmt::format("{}the cutoff {}; use 0, or Passes One", start, pair.cutoff));
+std::optional<Refusal> refusal_of_double_integral(const SurfacePair& pair) {
+  const std::string start = "is not supported with Passes \"Double Integral\"";
+  if (powers_of(*pair.law).empty()) return Refusal{"Law", "", start + "; use \"Van der Waals\", or other Passes"};
+  if (pair.cutoff > 0)
+    return Refusal{"Cutoff", fmt::format("{}", pair.cutoff),
+                   start + ", which acts at every distance; use 0, or other Passes"};
   if (pair.friction.type != FrictionType::None)
-    refuse(pair, start + "friction; use the type None, or Passes One or Two");
-  if (mesh.axisymmetric) refuse(pair, start + "axisymmetric meshes; use Passes One or Two");
+    return Refusal{"Friction/Type", "", start + "; use \"None\", or Passes \"One\" or \"Two\""};
+  return std::nullopt;
 }
 
-void check(const SurfacePair& pair) {
-  if (!pair.law) refuse(pair, "has no law");
-  if (pair.law->has_history()) refuse(pair, "has a law with a history, which surfaces of two bodies cannot have yet");
-  const std::string passes = pair.passes == Passes::DoubleIntegral ? "is a double integral" : "has two passes";
-  if (pair.passes != Passes::One && pair.secondary == pair.primary)
-    refuse(pair, passes + ", which a surface with itself does not support; use Passes One");
-  if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
-    refuse(pair, passes + " and a factor, which is that of the secondary surface alone; use Passes One");
-  if (pair.secondary == pair.primary) {
-    const double range = pair.cutoff > 0 ? std::min(pair.cutoff, pair.law->range()) : pair.law->range();
-    if (!(pair.exclusion > 0))
-      refuse(pair,
-             fmt::format("is that of a surface with itself, which needs an exclusion greater than 0, the distance "
-                         "along the surface below which its parts do not interact; take about pi times the "
-                         "cutoff{}",
-                         std::isfinite(range) ? fmt::format(", {:.3g}", M_PI * range) : ""));
-    if (!std::isfinite(range))
-      refuse(pair, "is that of a surface with itself, which needs a cutoff, or a law that ends");
-  } else if (pair.exclusion != 0) {
-    refuse(pair, fmt::format("has the exclusion {}, which is for a surface that interacts with itself; use 0",
-                             pair.exclusion));
+std::optional<Refusal> refusal_of_friction(const SurfacePair& pair) {
+  if (pair.friction.type == FrictionType::None) return std::nullopt;
+  if (pair.is_with_itself())
+    return Refusal{"Friction/Type", "",
+                   "is not there for a surface that interacts with itself yet; use \"None\", or the surface of another "
+                   "body as Primary Side Set"};
+  if (pair.passes == Passes::TwoWithoutReaction)
+    return Refusal{"Friction/Type", "",
+                   "is not there with passes without reaction; use \"None\", or the Passes \"One\" or \"Two\""};
+  if (pair.friction.current)
+    return Refusal{"Friction/Threshold", "", "is not there between two bodies yet; use \"Lagged\""};
+  return std::nullopt;
+}
+
+std::optional<Refusal> refusal_of_exclusion(const SurfacePair& pair) {
+  const std::string exclusion = fmt::format("{}", pair.exclusion);
+  if (!pair.is_with_itself()) {
+    if (pair.exclusion == 0) return std::nullopt;
+    return Refusal{"Exclusion", exclusion, "is for a surface that interacts with itself; use 0"};
   }
-  if (pair.friction.type != FrictionType::None) {
-    if (pair.secondary == pair.primary)
-      refuse(pair, "has friction, which a surface with itself cannot have yet; use the type None");
-    if (pair.passes == Passes::TwoWithoutReaction)
-      refuse(pair, "has friction and passes without reaction; use Passes One or Two");
-    if (pair.friction.current)
-      refuse(pair, "has friction with the current threshold, which two bodies cannot have yet; use the lagged one");
-  }
-  if (pair.points < 0 || pair.points > most_points_on_a_side)
-    refuse(pair, fmt::format("has {} Gauss points on a side; 0 to {} are allowed", pair.points, most_points_on_a_side));
-  if (!(pair.margin > 0 && pair.margin < 1))
-    refuse(pair, fmt::format("has the step margin {}; it must be greater than 0 and less than 1", pair.margin));
-  try {
-    check_cutoff(*pair.law, pair.cutoff);
-  } catch (const InputError& error) {
-    refuse(pair, std::string("has a cutoff that is not allowed: ") + error.what());
-  }
+  const double range = pair.cutoff > 0 ? std::min(pair.cutoff, pair.law->range()) : pair.law->range();
+  if (!(pair.exclusion > 0))
+    return Refusal{"Exclusion", exclusion,
+                   fmt::format("is too short for a surface with itself: it is the distance along the surface below "
+                               "which its parts do not interact, and must be greater than 0; take about pi times the "
+                               "cutoff{}",
+                               std::isfinite(range) ? fmt::format(", {:.3g}", M_PI * range) : "")};
+  if (!std::isfinite(range))
+    return Refusal{"Cutoff", fmt::format("{}", pair.cutoff),
+                   "is none, and a surface with itself needs one, or a law that ends"};
+  return std::nullopt;
 }
 
 /// Returns all sides of the set, on every rank.
@@ -114,11 +107,13 @@ void refuse_common_nodes(const SurfacePair& pair, const LocalMesh& mesh, const s
                                mesh.message_number(static_cast<std::size_t>(node))));
 }
 
-void refuse_overlap(const SurfacePair& pair, const Model& model, const Interaction& term) {
+void refuse_overlap(const SurfacePair& pair, const Model& model, Interaction& term) {
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-  const LowestPoint lowest = term.lowest_point(rest.data());
+  const TermHistories histories = lone_histories(term);
+  const Place at_rest{rest.data(), 0, &histories};
+  const LowestPoint lowest = term.admissibility().lowest_point(at_rest);
   InteractionReport report;
-  term.report(rest.data(), report);
+  term.reports().report(at_rest, report);
   const double points = model.space().minimum(report.least_gap);
   if (lowest.gap <= 0)  // equal on all ranks
     refuse(pair, fmt::format("starts where they overlap or touch, least gap {:.6g} at {}; all gaps must be positive: "
@@ -141,7 +136,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
     const auto surface = [&](const std::string& name) {
       return surface_patches<D>(mesh, all_sides(mesh, comm, name), pair.smoothing, name);
     };
-    surfaces = {surface(pair.secondary), surface(pair.primary)};
+    surfaces = {surface(pair.side_set), surface(pair.primary)};
     if (pair.exclusion == 0) refuse_common_nodes(pair, mesh, surfaces.secondary.nodes, surfaces.primary.nodes);
     problem = bad_factor(pair, mesh, surfaces.secondary.nodes);
   });
@@ -162,7 +157,7 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
     }
     return make_pair_term<D>(mesh, own, model.pattern(), law, options);
   };
-  std::unique_ptr<Interaction> term = pass(surfaces, pair.secondary);
+  std::unique_ptr<Interaction> term = pass(surfaces, pair.side_set);
   if (pair.passes == Passes::DoubleIntegral) {
     const std::size_t nodes = surfaces.secondary.nodes.size() + surfaces.primary.nodes.size();
     if (nodes > most_nodes_of_double_integral)
@@ -182,10 +177,25 @@ void add_pair_of_dimension(Model& model, const SurfacePair& pair) {
 
 }  // namespace
 
+std::optional<Refusal> refusal_of(const SurfacePair& pair) {
+  if (auto refusal = refusal_of_forces(pair)) return refusal;
+  if (pair.law->has_history())
+    return Refusal{"Law", "", "has a history, which surfaces of two bodies cannot have yet; use a law without one"};
+  if (pair.passes == Passes::DoubleIntegral)
+    if (auto refusal = refusal_of_double_integral(pair)) return refusal;
+  if (pair.passes != Passes::One && pair.is_with_itself())
+    return Refusal{"Passes", "", "is not there for a surface with itself; use \"One\""};
+  if (pair.passes != Passes::One && (pair.factor || !pair.nodal_factor.empty()))
+    return Refusal{"Passes", "", "is not there with a factor, which is that of the Side Set alone; use \"One\""};
+  if (auto refusal = refusal_of_friction(pair)) return refusal;
+  return refusal_of_exclusion(pair);
+}
+
 void add_pair(Model& model, const SurfacePair& pair) {
   model.check_open();
-  check(pair);
-  if (pair.passes == Passes::DoubleIntegral) check_double_integral(pair, model.mesh());
+  if (const auto refusal = refusal_of(pair)) refuse(pair, "is not allowed: " + refusal->in_words());
+  if (pair.passes == Passes::DoubleIntegral && model.mesh().axisymmetric)
+    refuse(pair, "is a double integral, which does not support axisymmetric meshes; use Passes One or Two");
   if (model.mesh().dimension == 2)
     add_pair_of_dimension<2>(model, pair);
   else

@@ -1,16 +1,12 @@
 /// The interaction of the surfaces of two bodies.
 #pragma once
-#include <array>
-#include <functional>
-#include <memory>
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "interaction/friction_law.hpp"
-#include "interaction/gap_law.hpp"
+#include "geometry/patch_points.hpp"
+#include "geometry/surface_patches.hpp"
 #include "model/model.hpp"
-#include "term/patch_points.hpp"
-#include "term/surface_patches.hpp"
+#include "model/surface_forces.hpp"
 
 namespace ixos {
 
@@ -30,28 +26,23 @@ inline constexpr std::size_t most_nodes_of_double_integral = 3000;
 /// each place with those of the other places that face it (see SelfSight), the law with half its energy, since each
 /// pair of places counts twice. Where parts of a surface begin or cease to face each other within the law's range, its
 /// energy jumps; what a step loses so is booked as dissipated under the interaction's name.
-struct SurfacePair {
-  std::string secondary;              ///< side set
-  std::string primary;                ///< side set
-  std::shared_ptr<const GapLaw> law;  ///< see make_gap_law()
-  double cutoff = 0;                  ///< gap beyond which nothing acts [L0]; 0: none
-  int points = 0;                     ///< Gauss points per direction on each side of the secondary surface; 0: 5
-  double margin = 0.8;                ///< in (0, 1), see PairOptions
-  std::string name = "interaction";
+struct SurfacePair : SurfaceForces {
+  std::string primary;                          ///< side set; `side_set` is the secondary surface
   Smoothing smoothing = Smoothing::CatmullRom;  ///< of both surfaces
-  /// Factors of the law's energy on the secondary surface, see SurfaceInteraction.
-  std::function<double(const std::array<double, 3>&)> factor{};
-  std::vector<double> nodal_factor{};
   /// If both surfaces are one: the distance along it in the undeformed body below which its parts do not interact, > 0;
   /// about pi times the cutoff [L0]. Otherwise 0.
   double exclusion = 0;
   /// One for a surface that interacts with itself, or with factors. DoubleIntegral has no cutoff, no friction and no
-  /// axisymmetric mesh; its law must be Van der Waals, see powers_of().
+  /// axisymmetric mesh; its law must be Van der Waals, see powers_of(). With two passes each has half of the friction.
   Passes passes = Passes::One;
-  /// Along the primary surface, scaled by the factor like the law; with two passes each has half of it. None for a
-  /// surface that interacts with itself and for passes without reaction; the threshold is that of the step's start.
-  Friction friction{};
+
+  bool is_with_itself() const { return side_set == primary; }
 };
+
+/// Returns the first setting of a pair that is not allowed, whatever the mesh; nothing if all are. Friction is not
+/// there for a surface that interacts with itself and for passes without reaction; its threshold is that of the step's
+/// start.
+std::optional<Refusal> refusal_of(const SurfacePair& pair);
 
 /// Adds the pair to the model. Its matrices couple the nodes of sides that are near each other in the undeformed body;
 /// integrators renew that as the bodies move. A program that steps the model without an Integrator calls

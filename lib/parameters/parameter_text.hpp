@@ -8,7 +8,7 @@ namespace ixos {
 /// Sets `list`'s entry `name` to the value that `text` spells in the type "double", "int", "bool", "string",
 /// "Array(double)", "Array(int)" or "Array(string)". The whole text must be read: "1.5x" is no double, "1e-3" no int.
 /// A number with a unit ("2 MPa"), or a list of such numbers ("{1, 2} nm"), is kept as a string: the dimension of the
-/// parameter is not known here (see scene/scene_units.hpp).
+/// parameter is not known here (see scene/read/scene_units.hpp).
 /// Throws InputError with the text and the type, or with the unit if there is no such unit; for an unknown type it
 /// names the known types. Throws also for strings that are not UTF-8 or hold control characters, for an array's element
 /// that is empty, and for a name that check_name() refuses.

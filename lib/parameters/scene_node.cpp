@@ -34,4 +34,11 @@ void SceneNode::refuse(const std::string& entry, const std::string& why) const {
   throw InputError(place.empty() ? why : place + ": " + why);
 }
 
+void SceneNode::refuse_value(const std::string& entry, const std::string& value, const std::string& why) const {
+  if (const auto slash = entry.find('/'); slash != std::string::npos)
+    sublist(entry.substr(0, slash)).refuse_value(entry.substr(slash + 1), value, why);
+  if (list_->isSublist(entry)) refuse(entry, why);
+  refuse(entry, (value.empty() ? "\"" + text(entry) + "\"" : value) + " " + why);
+}
+
 }  // namespace ixos

@@ -60,6 +60,9 @@ class SceneNode {
 
   /// Throws InputError "path/entry: why"; without an entry "path: why", and at the root "why".
   [[noreturn]] void refuse(const std::string& entry, const std::string& why) const;
+  /// Throws InputError "path/entry: value why" for an entry of the list, or of a sublist ("Friction/Type"). An empty
+  /// value stands for the entry's own, a word; a list has none.
+  [[noreturn]] void refuse_value(const std::string& entry, const std::string& value, const std::string& why) const;
 
  private:
   const List* list_;

@@ -116,7 +116,6 @@ long Checkpoints::begin(bool remove) {
 }
 
 void Checkpoints::resume(long step) {
-  last_step_ = step;
   const Comm& comm = simulation_.model().space().comm();
   std::string earlier;  // one rank looks: others may see the folder differently
   on_first_rank(comm, [&] {
@@ -125,6 +124,7 @@ void Checkpoints::resume(long step) {
   });
   std::istringstream list(from_first_rank(comm, earlier));
   steps_.assign(std::istream_iterator<long>(list), {});
+  last_step_ = std::count(steps_.begin(), steps_.end(), step) > 0 ? step : -1;
   // The results go on from there: those after it are of a history that is no more.
   on_first_rank(simulation_.model().space().comm(), [&] {
     if (fs::exists(checkpoint_path(folder_, step))) link_newest(folder_, step);

@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/traits.hpp"
+
 namespace ixos {
 namespace {
 
 /// Returns whether some interaction is that of two bodies.
 bool has_pairs(const Model& model) {
-  return std::any_of(model.force_terms().begin(), model.force_terms().end(), [](const NamedForceTerm& named) {
-    const auto* own = dynamic_cast<const Interaction*>(named.term);
-    return own != nullptr && !own->follows(Mean::Exact);
-  });
+  return std::any_of(model.interactions().begin(), model.interactions().end(),
+                     [](const NamedInteraction& named) { return !named.term->follows(Mean::Exact); });
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ EnergyWatch::EnergyWatch(const Simulation& simulation) : scheme_(simulation.time
   const bool ends =
       std::any_of(simulation.interactions().begin(), simulation.interactions().end(),
                   [](const SceneInteraction& own) { return own.cutoff > 0 || std::isfinite(own.law->range()); });
-  if (points && (model.has_moved_obstacles() || model.has_laws_of_every_gap() || ends || has_pairs(model))) return;
+  if (points && (has_moved_obstacles(model) || has_laws_of_every_gap(model) || ends || has_pairs(model))) return;
   by_scheme_ = true;
   // Each step of Newton's method leaves a residual that does work, see step().
   allowed_ = promise + 10 * simulation.newton().tolerance;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/output_fields.hpp"
+#include "scene/output/output_fields.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {

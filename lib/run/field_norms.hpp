@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "scene/output_norms.hpp"
+#include "scene/output/output_norms.hpp"
 
 namespace ixos {
 

@@ -63,10 +63,10 @@ void FieldRecorder::record() {
     else
       for (auto& component : field.cell(frame)) cell.push_back(std::move(component));
   }
-  const State& state = integrator.state();
-  const double kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
-  const double elastic = model.elastic_energy(integrator.time(), state.u.data());
-  const double contact = model.energy(Part::Interaction, state.u.data());
+  const StateReport report(model, integrator.state());
+  const double kinetic = report.momenta().kinetic_energy;
+  const double elastic = report.elastic_energy();
+  const double contact = report.energy(Part::Interaction);
   together(comm_, [&] {
     file_->write(integrator.time(), nodal, cell,
                  {kinetic, elastic, contact, integrator.external_work(), integrator.dissipated_energy(),

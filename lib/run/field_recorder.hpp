@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/field_file.hpp"
-#include "scene/output_fields.hpp"
+#include "scene/output/output_fields.hpp"
 #include "scene/simulation.hpp"
 
 namespace ixos {

@@ -1,15 +1,20 @@
 #include "run/history.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "base/agreement.hpp"
+#include "base/error.hpp"
 #include "base/phase_timer.hpp"
 #include "model/grips.hpp"
 #include "model/set_reactions.hpp"
+#include "model/state_report.hpp"
 #include "model/strain_extent.hpp"
+#include "model/traits.hpp"
 #include "scene/history_columns.hpp"
 
 namespace ixos {
@@ -33,8 +38,8 @@ History::History(Simulation& simulation)
   const std::vector<std::string> names = model.interaction_names();
   if (single || (simulation.output().interaction && names.size() == 1)) contacts_ = ContactEvents(names);
   for (const std::string& name : names) {
-    if (single) interactions_.push_back(model.interaction(name));
-    if (model.interaction(name).has_friction()) frictions_.push_back(model.interaction(name));
+    if (single) interactions_.push_back(name);
+    if (has_friction(model, name)) frictions_.push_back(name);
   }
 }
 
@@ -51,6 +56,27 @@ void History::resume(const std::string& path) {
     file_.reset();  // it writes its last rows, which go then
     file_ = std::make_unique<HistoryFile>(path, length_);
   });
+}
+
+void History::go_on_from(History& before) {
+  if (columns_ != before.columns_) {
+    const auto [own, other] =
+        std::mismatch(columns_.begin(), columns_.end(), before.columns_.begin(), before.columns_.end());
+    const auto name = [](const std::vector<std::string>& all, auto at) { return at == all.end() ? "none" : *at; };
+    throw InputError(
+        fmt::format("history.csv cannot go on with the columns of another simulation: column {} is {}, "
+                    "it was {}",
+                    own - columns_.begin() + 1, name(columns_, own), name(before.columns_, other)));
+  }
+  file_ = std::move(before.file_);
+  initial_energy_ = before.initial_energy_;
+  balance_ = before.balance_;
+  max_energy_error_ = before.max_energy_error_;
+  largest_energy_ = before.largest_energy_;
+  contacts_ = before.contacts_;
+  max_forces_ = before.max_forces_;
+  contact_measure_ = before.contact_measure_;
+  forces_ = before.forces_;
 }
 
 std::vector<double> History::reactions() {
@@ -79,11 +105,12 @@ std::vector<double> History::grip_reactions() {
 
 /// Returns force, moment, contact measure and least gap of each interaction that has columns.
 std::vector<double> History::single_interactions() {
-  const double* u = simulation_.integrator().state().u.data();
+  const StateReport state(simulation_.model(), simulation_.integrator().state());
   std::vector<double> row, measures;
-  for (const InteractionGroup& interaction : interactions_) {
-    const InteractionReport report = interaction.report(u);
-    const std::vector<double> moment = interaction.moment(u);
+  for (const std::string& name : interactions_) {
+    const InteractionGroup interaction = state.interaction(name);
+    const InteractionReport report = interaction.report();
+    const std::vector<double> moment = interaction.moment();
     row.insert(row.end(), report.force.begin(), report.force.end());
     row.insert(row.end(), moment.begin(), moment.end());
     row.insert(row.end(), {report.measure, report.least_gap});
@@ -96,12 +123,13 @@ std::vector<double> History::single_interactions() {
 
 /// Returns the friction on the bodies, the slip and the measures of each interaction with friction.
 std::vector<double> History::frictions() {
-  const double* u = simulation_.integrator().state().u.data();
+  const StateReport state(simulation_.model(), simulation_.integrator().state());
   std::vector<double> row;
   friction_reports_.clear();
-  for (const InteractionGroup& own : frictions_) {
-    const std::vector<double> force = own.friction_force(u);
-    const FrictionReport report = own.friction_report(u);
+  for (const std::string& name : frictions_) {
+    const InteractionGroup own = state.interaction(name);
+    const std::vector<double> force = own.friction_force();
+    const FrictionReport report = own.friction_report();
     row.insert(row.end(), force.begin(), force.end());
     row.insert(row.end(), {report.mean_slip(), report.sliding, report.sticking});
     friction_reports_.push_back(report);
@@ -127,13 +155,14 @@ void History::record(const RowCounts& counts) {
   const OutputOptions& output = simulation_.output();
   const auto d = static_cast<std::size_t>(model.mesh().dimension);
   const std::size_t spins = d == 2 ? 1 : 3;
+  const StateReport report(model, state);
   std::vector<double> row{static_cast<double>(counts.step), integrator.time(), counts.time_step};
 
   Momenta momenta{empty, std::vector<double>(d, empty), std::vector<double>(spins, empty)};
-  if (output.energies || output.momenta) momenta = model.momenta(state.u.data(), state.v.data());
+  if (output.energies || output.momenta) momenta = report.momenta();
   if (output.energies) {
-    const double elastic = model.elastic_energy(integrator.time(), state.u.data());
-    const double contact = model.has_interactions() ? model.energy(Part::Interaction, state.u.data()) : 0.0;
+    const double elastic = report.elastic_energy();
+    const double contact = model.has_interactions() ? report.energy(Part::Interaction) : 0.0;
     const double external_work = integrator.external_work();
     const double total = momenta.kinetic_energy + elastic + contact;
     balance_ = total - external_work + integrator.dissipated_energy();
@@ -155,10 +184,10 @@ void History::record(const RowCounts& counts) {
     row.insert(row.end(), d + spins, empty);
   }
   if (output.interaction && model.has_interactions()) {
-    const InteractionReport report = model.interaction_report(state.u.data());
-    row.insert(row.end(), report.force.begin(), report.force.end());
-    row.insert(row.end(), {report.measure, report.least_gap});
-    contact_measure_ = report.measure;
+    const InteractionReport contact = report.interaction_report();
+    row.insert(row.end(), contact.force.begin(), contact.force.end());
+    row.insert(row.end(), {contact.measure, contact.least_gap});
+    contact_measure_ = contact.measure;
   } else {
     row.insert(row.end(), d + 2, empty);
   }

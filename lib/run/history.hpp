@@ -60,6 +60,10 @@ class History {
   void sync();   ///< has the disk keep the rows; throws FileError
   void close();  ///< after the last row; throws FileError
 
+  /// Takes the file and the sums of the history of another simulation, which ends. Throws InputError, on all ranks, if
+  /// its columns are others.
+  void go_on_from(History& before);
+
   /// Writes or reads the sums and the length of the file for checkpoints.
   void transfer(Record& record);
 
@@ -79,9 +83,9 @@ class History {
   double balance_ = std::numeric_limits<double>::quiet_NaN();  ///< of the last row
   double max_energy_error_ = 0;
   double largest_energy_ = 0;
-  std::vector<InteractionGroup> interactions_;  ///< those with columns of their own
+  std::vector<std::string> interactions_;  ///< those with columns of their own
   ContactEvents contacts_{{}};
-  std::vector<InteractionGroup> frictions_;  ///< those with friction
+  std::vector<std::string> frictions_;  ///< those with friction
   std::vector<FrictionReport> friction_reports_;
   FieldNorms norms_;
   std::vector<std::size_t> reaction_sets_;  ///< node set numbers

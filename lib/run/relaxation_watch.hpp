@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/record.hpp"
-#include "model/model.hpp"
+#include "model/branch_reports.hpp"
 
 namespace ixos {
 

@@ -29,9 +29,10 @@ std::string_view between(std::string_view name, std::string_view start, std::str
 }
 
 bool is_result(const std::string& name) {
-  for (const char* fixed : {"effective.xml", "history.csv", "summary.json", "checkpoint.h5"})
+  for (const char* fixed : {"history.csv", "summary.json", "checkpoint.h5"})
     if (name == fixed) return true;
-  return is_frames_file(name) || is_number(between(name, "checkpoint-", ".h5"));
+  const NumberedResult numbered = numbered_result(name);
+  return numbered.frames > 0 || numbered.scene > 0 || is_number(between(name, "checkpoint-", ".h5"));
 }
 
 /// Returns the names in a folder that a run writes or removes, sorted.
@@ -81,11 +82,21 @@ ReplacedResults look(const Simulation& simulation, const std::string& folder, bo
 
 }  // namespace
 
-bool is_frames_file(const std::string& name) {
-  const std::string_view ranks = between(name, "fields.e.", "");
-  const auto dot = ranks.find('.');
-  return name == "fields.e" ||
-         (dot != std::string_view::npos && is_number(ranks.substr(0, dot)) && is_number(ranks.substr(dot + 1)));
+NumberedResult numbered_result(const std::string& name) {
+  const auto dot = name.find('.');
+  if (dot == std::string::npos) return {};
+  const std::string first = name.substr(0, dot), rest = name.substr(dot);
+  const auto number = [&](const char* base) -> long {
+    if (first == base) return 1;
+    const std::string_view text = between(first, std::string(base) + "-", "");
+    return is_number(text) && text.size() < 9 ? std::stol(std::string(text)) : 0;
+  };
+  if (rest == ".xml") return {0, number("effective")};
+  const std::string_view ranks = between(rest, ".e.", "");
+  const auto middle = ranks.find('.');
+  const bool is_frames = rest == ".e" || (middle != std::string_view::npos && is_number(ranks.substr(0, middle)) &&
+                                          is_number(ranks.substr(middle + 1)));
+  return {is_frames ? number("fields") : 0, 0};
 }
 
 ReplacedResults replaced_results(const Simulation& simulation, const std::string& folder, bool overwrite) {

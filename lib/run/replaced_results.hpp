@@ -6,8 +6,13 @@
 
 namespace ixos {
 
-/// Returns whether a name in a results folder is that of a frames file: fields.e, or fields.e.N.r of rank r of N.
-bool is_frames_file(const std::string& name);
+/// Returns to which simulation of a run a name in a results folder belongs, from 1, if it is that of frames or of a
+/// scene: fields.e and effective.xml of the first, fields-2.e and effective-2.xml of the second; fields.e.N.r is of
+/// rank r of N. Otherwise 0.
+struct NumberedResult {
+  long frames = 0, scene = 0;
+};
+NumberedResult numbered_result(const std::string& name);
 
 /// The results in a folder that a run replaces.
 struct ReplacedResults {

@@ -8,7 +8,7 @@
 #include "base/agreement.hpp"
 #include "checkpoint/seal.hpp"
 #include "run/checkpoints.hpp"
-#include "scene/obstacle_files.hpp"
+#include "scene/read/obstacle_files.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
 

@@ -3,7 +3,11 @@
 #include <fmt/format.h>
 
 #include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -15,9 +19,9 @@
 #include "run/run_files.hpp"
 #include "run/run_measures.hpp"
 #include "run/summary.hpp"
-#include "scene/steep_laws.hpp"
-#include "scene/supports.hpp"
-#include "scene/warnings.hpp"
+#include "scene/examine/steep_laws.hpp"
+#include "scene/examine/supports.hpp"
+#include "scene/examine/warnings.hpp"
 #include "time/step_judge.hpp"
 
 namespace ixos {
@@ -41,24 +45,22 @@ class Run {
     if (is_explicit(integrator_.table())) stable_ = [this](double wanted) { return integrator_.stable_step(wanted); };
   }
 
-  RunResult execute() {
+  void start() {
     clock_.reset();
     if (options_.restart.empty())
       begin();
     else
       go_on();
-    try {
-      while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
-        if (interlude()) step();
-      }
-      end();
-    } catch (const FileError& error) {
-      throw FileError(with_position(error.what()));
-    }
-    return result_;
   }
+  /// Continues the run of another simulation: takes its result, its clock and its rows.
+  void take_over(Run& before);
+  /// Takes steps to the end and returns null, or to an exchange and returns the next simulation.
+  std::shared_ptr<Simulation> advance();
+  const RunResult& result() const { return result_; }
 
  private:
+  std::shared_ptr<Simulation> exchanged() const;
+  void add_findings(const std::vector<Warning>& findings);
   void begin();
   void begin_files();
   void go_on();
@@ -107,6 +109,68 @@ class Run {
 
   RunResult result_;
 };
+
+std::shared_ptr<Simulation> Run::advance() {
+  try {
+    while (result_.status == RunStatus::Completed && !control_.done(integrator_.time())) {
+      if (!interlude()) continue;
+      const long before = result_.steps;
+      step();
+      const bool ends = result_.status != RunStatus::Completed || control_.done(integrator_.time());
+      if (ends || result_.steps != before + 1) continue;
+      if (auto next = exchanged()) return next;
+    }
+    end();
+  } catch (const FileError& error) {
+    throw FileError(with_position(error.what()));
+  }
+  return nullptr;
+}
+
+/// Returns the simulation that the caller wants in place of this one, or null.
+std::shared_ptr<Simulation> Run::exchanged() const {
+  if (!options_.exchange) return nullptr;
+  std::shared_ptr<Simulation> next;
+  together(comm_, [&] { next = options_.exchange(simulation_); });
+  int mine[2] = {next ? 1 : 0, next ? 0 : 1};
+  int any[2] = {mine[0], mine[1]};
+  if (comm_->getSize() > 1) Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, mine, any);
+  if (any[0] == 0) return nullptr;
+  if (any[1] != 0) throw std::logic_error("RunOptions::exchange returned a simulation on some ranks only");
+  const double now = integrator_.time(), then = next->integrator().time();
+  if (then != now)
+    throw InputError(
+        fmt::format("the next simulation of the run stands at t = {} T0, but the run at {} T0", then, now));
+  return next;
+}
+
+void Run::take_over(Run& before) {
+  simulation_.resumes();
+  result_ = before.result_;
+  clock_ = before.clock_;
+  add_findings(run_warnings(before.measures_.finish(before.files_.history())));
+  try {
+    files_.go_on_from(before.files_);
+  } catch (const FileError& error) {
+    throw FileError(before.with_position(error.what()));
+  }
+  checkpoints_.resume(result_.steps);
+  resumed_from_ = checkpoints_.newest();  // of another simulation: the watch does not go back there
+  measures_.row(files_.history());
+  stop_.reason(simulation_.model(), integrator_.state());  // the criteria's memory of the beginning
+  tell(fmt::format("The run continues with another simulation from t = {:.6g} T0, step {}.", integrator_.time(),
+                   result_.steps));
+}
+
+/// A later finding of the same name knows more of the run.
+void Run::add_findings(const std::vector<Warning>& findings) {
+  for (const Warning& finding : findings) {
+    std::vector<Warning>& all = result_.findings;
+    all.erase(std::remove_if(all.begin(), all.end(), [&](const Warning& old) { return old.name == finding.name; }),
+              all.end());
+    all.push_back(finding);
+  }
+}
 
 void Run::begin() {
   begin_files();
@@ -294,7 +358,7 @@ void Run::end() {
   result_.contacts = files_.history().contacts().times();
   result_.checkpoint = checkpoints_.newest();
   result_.phase_seconds = clock_.phases();
-  result_.findings = run_warnings(measures_.finish(files_.history()));
+  add_findings(run_warnings(measures_.finish(files_.history())));
   write_summary(simulation_, result_, options_.folder + "/summary.json");
   if (!problem.empty()) throw FileError(problem);
 }
@@ -337,6 +401,17 @@ void Run::transfer(Record& record) {
 
 }  // namespace
 
-RunResult run(Simulation& simulation, const RunOptions& options) { return Run(simulation, options).execute(); }
+RunResult run(Simulation& simulation, const RunOptions& options) {
+  std::shared_ptr<Simulation> exchanged;  // the present one, unless it is the caller's
+  auto present = std::make_unique<Run>(simulation, options);
+  present->start();
+  while (std::shared_ptr<Simulation> next = present->advance()) {
+    auto other = std::make_unique<Run>(*next, options);
+    other->take_over(*present);
+    present = std::move(other);
+    exchanged = std::move(next);
+  }
+  return present->result();
+}
 
 }  // namespace ixos

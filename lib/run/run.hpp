@@ -1,6 +1,7 @@
 /// Running a scene to its end, with results on disk.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,15 @@ struct RunOptions {
   /// observed again; the damaged step itself is not. If it throws on any rank, run() throws on all ranks, with the
   /// message of the first of them (see together() for the type), and writes no last checkpoint. May be empty.
   std::function<std::string(const Progress&)> observe;
+  /// Called on every rank after each accepted step that does not end the run, when its row is recorded. It returns the
+  /// simulation with which the run continues, of another mesh or scheme or with other conditions; null to keep the
+  /// present one. The other one must stand at the time of the present one: Integrator::resume() and moved() bring its
+  /// state there. It runs to its own final time, by its own step control and stop criteria. Its rows follow in
+  /// history.csv, so its columns must be the same. Its frames begin a new file: fields-2.e and so on. effective.xml
+  /// stays, that of the next simulation is effective-2.xml. The run throws InputError if times or columns differ; if
+  /// the function throws, or returns null on some ranks only, it throws on all ranks. A run that repeats this one in
+  /// the same folder needs `overwrite`. May be empty.
+  std::function<std::shared_ptr<Simulation>(Simulation& present)> exchange;
   /// The state of the caller, for example of an observer or of a motion that it sets: the checkpoints of the run hold
   /// it, and a restart reads it. A checkpoint with other states is refused with InputError.
   std::vector<ProgramState> states;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "base/agreement.hpp"
 #include "base/error.hpp"
@@ -20,12 +21,39 @@ bool Recording::due(long step, double before, double now) const {
 RunFiles::RunFiles(Simulation& simulation, const std::string& folder, const std::string& scene_file)
     : simulation_(simulation),
       folder_(folder),
+      scene_file_(scene_file),
       history_(simulation),
       rows_(simulation.output().history_interval, simulation.output().history_time_interval,
             simulation.step_control().initial_time),
       frames_(simulation.output().fields_interval, simulation.output().fields_time_interval,
               simulation.step_control().initial_time) {
-  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation, folder + "/fields.e", scene_file);
+  name_frames();
+}
+
+/// Returns the path of a file of this simulation: that of the first one has no number.
+std::string RunFiles::numbered(const std::string& name, const std::string& extension) const {
+  return folder_ + "/" + name + (exchanges_ == 0 ? "" : "-" + std::to_string(exchanges_ + 1)) + extension;
+}
+
+/// Frames of each simulation of a run need a file: the mesh may be another one.
+void RunFiles::name_frames() {
+  if (frames_.any()) fields_ = std::make_unique<FieldRecorder>(simulation_, numbered("fields", ".e"), scene_file_);
+}
+
+void RunFiles::go_on_from(RunFiles& before) {
+  history_.go_on_from(before.history_);
+  if (before.fields_) {
+    if (!before.framed_) before.fields_->record();
+    before.fields_->sync();
+    before.fields_->close();
+  }
+  counts_ = before.counts_;
+  recorded_ = before.recorded_;
+  exchanges_ = before.exchanges_ + 1;
+  name_frames();
+  on_first_rank(simulation_.model().space().comm(),
+                [&] { write_scene_file(simulation_.parameters(), numbered("effective", ".xml")); });
+  if (fields_) begin_frames();
 }
 
 void RunFiles::open_folder(bool goes_on) {
@@ -35,12 +63,14 @@ void RunFiles::open_folder(bool goes_on) {
     std::filesystem::create_directories(folder_, code);
     if (code) throw FileError("the results folder cannot be used: " + folder_ + ": " + code.message());
     for (const std::string& name : names_in(folder_)) {
-      if (name != "summary.json" && (keep_fields || !is_frames_file(name))) continue;
+      const NumberedResult of = numbered_result(name);
+      const bool is_later = of.frames > exchanges_ + 1 || of.scene > exchanges_ + 1;
+      if (!is_later && name != "summary.json" && (keep_fields || of.frames == 0)) continue;
       const std::filesystem::path path = std::filesystem::path(folder_) / name;
       std::filesystem::remove(path, code);
       if (code) throw FileError(path.string() + ": cannot be replaced: " + code.message());
     }
-    write_scene_file(simulation_.parameters(), folder_ + "/effective.xml");
+    write_scene_file(simulation_.parameters(), numbered("effective", ".xml"));
   });
 }
 
@@ -114,6 +144,12 @@ void RunFiles::transfer(Record& record, long step, double wall_seconds) {
   record.number("newton iterations since the row", counts_.newton_iterations);
   record.number("linear iterations since the row", counts_.linear_iterations);
   record.number("recorded", recorded_);
+  long exchanges = record.loading() ? 0 : exchanges_;
+  if (record.loading() ? record.has_section("exchanges") : exchanges > 0) {
+    const Record::Section section(record, "exchanges");
+    record.number("count", exchanges);
+  }
+  if (std::exchange(exchanges_, exchanges) != exchanges) name_frames();
   record.number("framed", framed_);
   if (fields_ && !record.loading()) field_length_ = fields_->length();
   record.number("frames", field_length_.frames);

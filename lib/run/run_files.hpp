@@ -39,6 +39,10 @@ class RunFiles {
   /// Goes on with them, once verified; what came after the checkpoint is dropped. Frames begin where there were none.
   void resume();
 
+  /// Goes on with the rows of another simulation, which ends, and with frames in a new file, whose first one is the
+  /// present state. Throws InputError, on all ranks, if the columns are others.
+  void go_on_from(RunFiles& before);
+
   /// A step that was attempted, and the clock after it.
   void count(const StepResult& attempt, double wall_seconds);
   /// The present state: that of a step of length dt from the time `before`. It has a row and a frame where they are
@@ -58,13 +62,16 @@ class RunFiles {
   void begin_frames();
   void row();
   std::string history_path() const { return folder_ + "/history.csv"; }
+  std::string numbered(const std::string& name, const std::string& extension) const;
+  void name_frames();
 
   Simulation& simulation_;
-  std::string folder_;
+  std::string folder_, scene_file_;
   History history_;
   std::unique_ptr<FieldRecorder> fields_;
   Recording rows_, frames_;
   RowCounts counts_;
+  long exchanges_ = 0;        ///< of simulations before this one
   bool recorded_ = true;      ///< has the present state a row?
   bool framed_ = true;        ///< and a frame?
   FieldLength field_length_;  ///< in the folder of the checkpoint that was loaded

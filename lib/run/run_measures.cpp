@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/branch_reports.hpp"
 #include "model/crossing.hpp"
+#include "model/traits.hpp"
 
 namespace ixos {
 namespace {
@@ -19,7 +21,7 @@ double finest_face(const Simulation& simulation) {
 /// since the state is an equilibrium without a history, or there is no such surface.
 double shortest_zone(const Simulation& simulation) {
   const Model& model = simulation.model();
-  if (is_static(simulation.integrator().table()) && !model.has_histories()) return 0;
+  if (is_static(simulation.integrator().table()) && !has_histories(model)) return 0;
   double shortest = 0;
   for (const SurfaceNumbers& surface : simulation.characteristic_numbers().surfaces)
     if (surface.work > 0) shortest = shortest == 0 ? surface.cohesive_zone : std::min(shortest, surface.cohesive_zone);
@@ -44,15 +46,16 @@ RunMeasures::RunMeasures(const Simulation& simulation)
 
 void RunMeasures::look_at_cells() {
   const Integrator& integrator = simulation_.integrator();
-  strains_.look(simulation_.model(), integrator.state().u.data(), integrator.time());
+  strains_.look(simulation_.model(), integrator.state().place());
 }
 
 void RunMeasures::step(long steps, double dt) {
   steps_ = steps;
-  if (simulation_.model().has_viscoelasticity()) relaxation_.step(simulation_.model().history_stresses(), dt);
+  const Model& model = simulation_.model();
+  const State& state = simulation_.integrator().state();
+  if (has_viscoelasticity(model)) relaxation_.step(history_stresses(model, state.histories), dt);
   if (steps % interval_ == 0) look_at_cells();
-  if (scale_ > 0)
-    deepest_ = std::min(deepest_, least_free_gap(simulation_.model(), simulation_.integrator().state().u.data()));
+  if (scale_ > 0) deepest_ = std::min(deepest_, least_free_gap(model, state.place()));
 }
 
 void RunMeasures::row(const History& history) {

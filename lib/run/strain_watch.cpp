@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "mesh/quality.hpp"
+#include "model/state_report.hpp"
 
 namespace ixos {
 
-void StrainWatch::look(const Model& model, const double* u, double time) {
+void StrainWatch::look(const Model& model, const Place& at) {
   const LocalMesh& mesh = model.mesh();
   StrainExtremes now;
-  for (const CellFields& fields : model.cell_fields(u)) {
+  // Without the velocity: the invariant of the elastic law alone.
+  for (const CellFields& fields : StateReport(model, Place{at.u, at.time, at.histories}).cell_fields()) {
     for (double value : fields.jacobian) {
       now.least_jacobian = std::min(now.least_jacobian, value);
       now.largest_jacobian = std::max(now.largest_jacobian, value);
@@ -20,7 +22,7 @@ void StrainWatch::look(const Model& model, const double* u, double time) {
       now.largest_invariant = std::max(now.largest_invariant, std::abs(value));
   }
   std::vector<double> places(mesh.coordinates);
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] += u[i];
+  for (std::size_t i = 0; i < places.size(); ++i) places[i] += at.u[i];
   for (const LocalBlock& block : mesh.blocks)
     now.least_scaled_jacobian =
         std::min(now.least_scaled_jacobian, least_scaled_jacobian(block.type, block.nodes, places));
@@ -31,7 +33,7 @@ void StrainWatch::look(const Model& model, const double* u, double time) {
   const double scaled = space.minimum(now.least_scaled_jacobian);
   if (scaled >= extremes_.least_scaled_jacobian) return;
   extremes_.least_scaled_jacobian = scaled;
-  extremes_.time = time;
+  extremes_.time = at.time;
 }
 
 void StrainWatch::transfer(Record& record) {

@@ -17,8 +17,8 @@ struct StrainExtremes {
 /// Looks at the cells now and then. A look costs a few evaluations of the elastic forces.
 class StrainWatch {
  public:
-  /// Looks at the local displacement u at a time. Collective.
-  void look(const Model& model, const double* u, double time);
+  /// Looks at a state. Collective.
+  void look(const Model& model, const Place& at);
   const StrainExtremes& extremes() const { return extremes_; }
 
   /// For checkpoints.

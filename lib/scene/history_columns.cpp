@@ -8,8 +8,9 @@
 #include "base/error.hpp"
 #include "io/history_file.hpp"
 #include "model/grips.hpp"
-#include "scene/output_norms.hpp"
-#include "scene/strain_columns.hpp"
+#include "model/traits.hpp"
+#include "scene/output/output_norms.hpp"
+#include "scene/output/strain_columns.hpp"
 
 namespace ixos {
 namespace {
@@ -91,7 +92,7 @@ HistoryColumns history_columns(const Simulation& simulation) {
       columns.add(path, "min_gap_" + name);
     }
   for (const std::string& name : model.interaction_names())
-    if (model.interaction(name).has_friction()) {
+    if (has_friction(model, name)) {
       const std::string path = "Interactions/" + name;
       columns.add(path, "friction_force_" + name + "_", axes);
       for (const char* stem : {"mean_slip_", "sliding_measure_", "sticking_measure_"}) columns.add(path, stem + name);

@@ -9,8 +9,8 @@
 #include "base/error.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/scene_units.hpp"
 
 namespace ixos {
 namespace {

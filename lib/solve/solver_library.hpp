@@ -5,9 +5,9 @@
 #include <Thyra_PreconditionerFactoryBase.hpp>
 #include <memory>
 
-#include "solve/factorization.hpp"
-
 namespace ixos {
+
+class Factorization;
 
 /// Makes Thyra's factories from a list of linear solvers. The factories refer to the builder, which must outlive them.
 class SolverBuilder {

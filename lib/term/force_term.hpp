@@ -1,9 +1,12 @@
 /// The contract of a term whose force is evaluated by a rule on a segment.
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "fem/rule.hpp"
+#include "rule/rule.hpp"
 #include "term/term.hpp"
 
 namespace ixos {
@@ -12,19 +15,6 @@ class CoarseSpace;
 
 /// The part of a stage's rules that a term follows.
 enum class Part { Elastic, Interaction };
-
-/// Local arrays (owned nodes, then ghosts) at the ends of a stage's segment, and its times. `from` and `velocity` (h
-/// v_from, a length) may be null if the rule does not use them.
-struct Segment {
-  const double* from = nullptr;
-  const double* velocity = nullptr;
-  const double* to = nullptr;
-  double start = 0;   ///< time at `from` [T0]
-  double length = 0;  ///< time from `from` to `to` [T0]; 0 if `to` stands for a state, not for a step
-
-  /// Returns the time of a rule's point [T0].
-  double time(const RulePoint& point) const { return start + point.time * length; }
-};
 
 /// The kind of tangent: the exact derivative of the force, or the one without the interactions' negative stiffness,
 /// which gives a descent direction when the exact tangent is not positive definite.
@@ -101,13 +91,28 @@ class ForceTerm : public Term {
   /// segment.to: at least the row sum of the assembled one. Returns false if segment.to is inadmissible.
   virtual bool add_row_sums(const Segment& segment, double* sums) const = 0;
 
+  /// Returns whether add_time_derivative() has the derivative of the rule's force. Equal on all ranks.
+  virtual bool has_time_derivative(const Rule& /*rule*/) const { return true; }
+  /// Adds the derivative of add_force() by segment.start, all displacements kept: what a moved obstacle adds
+  /// [E0 L0^(D-1)/T0].
+  virtual void add_time_derivative(const Segment& /*segment*/, const Rule& /*rule*/, double* /*f*/) const {}
+  /// Returns the names of the numbers by which add_parameter_derivative() differentiates the force. Equal on all ranks.
+  virtual std::vector<std::string> parameters() const { return {}; }
+  /// Adds the derivative of add_force() by a number of parameters(), all displacements kept. Returns false if some time
+  /// point is inadmissible. Throws std::logic_error if there is no such number.
+  virtual bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                        double* f) const;
+
   /// Returns this rank's share of the potential energy [E0 L0^D].
-  virtual double energy(const double* u) const = 0;
+  virtual double energy(const Place& at) const = 0;
   /// Returns this rank's share of the energy whose gradient the force is over a segment with a length, in the stage
-  /// that began last [E0 L0^D]. It differs from the energy if the term relaxes meanwhile.
-  virtual double potential(const double* u) const { return energy(u); }
+  /// that began last in the place's step [E0 L0^D]. It differs from the energy if the term relaxes meanwhile.
+  virtual double potential(const Place& at) const { return energy(at); }
 };
 
+inline bool ForceTerm::add_parameter_derivative(std::size_t, const Segment&, const Rule&, double*) const {
+  throw std::logic_error("a term has no such parameter");
+}
 inline bool ForceTerm::add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints&, double* f) const {
   return add_force(segment, rule, f);
 }

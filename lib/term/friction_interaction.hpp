@@ -5,7 +5,7 @@
 namespace ixos {
 
 /// Friction beside the term of its law: it limits no step, and gaps and pressures are the other term's.
-class FrictionInteraction : public Interaction {
+class FrictionInteraction : public Interaction, public Admissibility, public SurfaceReport {
  public:
   bool has_friction() const final { return true; }
   bool dissipates() const final { return true; }
@@ -17,13 +17,23 @@ class FrictionInteraction : public Interaction {
     static const Rule mean = exact_rule();
     return rule.is_path_mean() ? mean : rule;
   }
+  bool follows(Mean) const final { return true; }
+
+  const Admissibility& admissibility() const final { return *this; }
+  const SurfaceReport& reports() const final { return *this; }
+  Coupling* coupling() final { return nullptr; }
+  const ObstacleMotion* motion() const final { return nullptr; }
 
   double admissible_step(const Segment&, const Rule&, const double*) const final { return 1; }
-  double gap_ratio(const double*, const double*) const final { return 1; }
-  LowestPoint lowest_point(const double*) const final { return {}; }
-  void add_nodal_pressure(const double*, double*) const final {}
-  void lower_nodal_gap(const double*, double*) const final {}
-  void set_nodal_normal(const double*, double*) const final {}
+  double gap_ratio(const Segment&) const final { return 1; }
+  LowestPoint lowest_point(const Place&) const final { return {}; }
+  bool is_clear(const Place&) const final { return true; }
+  LowestPoint passage(const Segment&) const final { return {}; }
+  bool has(SurfaceNumber number) const final {
+    return number == SurfaceNumber::Slip || number == SurfaceNumber::Dissipated || number == SurfaceNumber::Sliding;
+  }
+  void lower_nodal_gap(const Place&, double*) const final {}
+  void set_nodal_normal(const Place&, double*) const final {}
 };
 
 }  // namespace ixos

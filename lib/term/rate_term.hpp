@@ -5,20 +5,20 @@
 namespace ixos {
 
 /// A term whose force f(u, v) depends on the velocity v: damping, viscosity. begin_stage() freezes all but the stage's
-/// unknown displacement; functions without v are those of the stage that began last. Arrays are local; rows of ghosts
-/// are scratch. None of the functions communicates.
+/// unknown displacement; functions of a place are those of the stage that began last in its step. Arrays are local;
+/// rows of ghosts are scratch. None of the functions communicates.
 class RateTerm : public Term {
  public:
   bool dissipates() const final { return true; }
   /// Returns whether the stage's force is a gradient in u for that form.
   virtual bool is_gradient(RateForm form) const = 0;
-  /// Adds the stage's force at u to f.
-  virtual void add_force(const double* u, double* f) const = 0;
+  /// Adds the stage's force to f.
+  virtual void add_force(const Place& at, double* f) const = 0;
   /// Adds the symmetric part of its derivative, the whole one if it is a gradient, to the matrix values laid out by the
   /// model's Pattern. The rest must be small, so that Newton's method converges without it.
-  virtual void add_tangent(const double* u, double* values) const = 0;
+  virtual void add_tangent(const Place& at, double* values) const = 0;
   /// Returns this rank's share of the energy whose gradient the stage's force is [E0 L0^D]. Called only if it is one.
-  virtual double potential(const double* u) const = 0;
+  virtual double potential(const Place& at) const = 0;
 
   /// Adds factor f(u, v) to f.
   virtual void add_force_at(double factor, const double* u, const double* v, double* f) const = 0;

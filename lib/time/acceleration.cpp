@@ -5,34 +5,35 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/linear_solver_defaults.hpp"
-#include "solve/mass_operator.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "solve/iterative/mass_operator.hpp"
 
 namespace ixos {
 
 Acceleration::Acceleration(const Model& model, std::shared_ptr<const LinearSolverFactory> linear_solver)
-    : model_(model), linear_solver_(std::move(linear_solver)) {}
+    : model_(model), linear_solver_(std::move(linear_solver)), forces_(model) {}
 
-bool Acceleration::balance(double time, const std::vector<double>& u, const std::vector<double>& v) {
-  const auto owned = static_cast<std::size_t>(model_.space().owned());
-  const Segment here{nullptr, nullptr, u.data(), time};
-  force_.resize(u.size());
-  balance_.assign(u.size(), 0.0);
-  model_.loads().add_force(time, 1.0, balance_.data());
-  bool admissible = model_.force(Part::Elastic, here, end_rule(), force_.data());
-  for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
-  if (model_.has_interactions()) {
-    admissible = model_.force(Part::Interaction, here, end_rule(), force_.data()) && admissible;
-    for (std::size_t i = 0; i < owned; ++i) balance_[i] -= force_[i];
+bool Acceleration::balance(const Place& at) {
+  const auto local = static_cast<std::size_t>(model_.space().local());
+  const Rule rule = end_rule();
+  const Segment here = segment_at(at);
+  const BalancePoint point{here, here, &rule, &rule, nullptr, 1, Rates::State, at.v};
+  const bool is_loaded = !model_.loads().empty();
+  if (is_loaded) {
+    load_.assign(local, 0.0);
+    model_.loads().add_force(at.time, -1.0, load_.data());
   }
-  model_.add_rate_force_at(-1.0, u.data(), v.data(), balance_.data());
+  const bool admissible = forces_.evaluate(point);
+  balance_.resize(local);
+  forces_.sum(point, is_loaded ? load_.data() : nullptr, balance_.data());
+  for (double& value : balance_) value = 0.0 - value;
   return model_.space().minimum(admissible ? 1 : 0) > 0;
 }
 
-bool Acceleration::solve(double time, const std::vector<double>& u, const std::vector<double>& v,
-                         std::vector<double>& a) {
-  const bool admissible = balance(time, u, v);
-  a.assign(u.size(), 0.0);
+bool Acceleration::solve(const Place& at, std::vector<double>& a) {
+  const bool admissible = balance(at);
+  const double time = at.time;
+  a.assign(static_cast<std::size_t>(model_.space().local()), 0.0);
   const Mass* mass = model_.mass();
   if (!admissible || mass == nullptr) return admissible;
   if (!mass->is_lumped()) return solve_consistent(time, a);
@@ -90,15 +91,15 @@ void Acceleration::prepare_mass_system() {
   const auto matrix = model_.pattern().create_matrix(model_.space());
   double* values = matrix->getLocalMatrixHost().values.data();
   model_.mass()->add_to(1.0, values);
-  model_.constrain_matrix(1.0, values);
+  if (!model_.constraints().empty()) model_.constrained_entries().constrain(1.0, values);
   mass_system_ = std::make_unique<LinearSystem>(*linear_solver_, matrix);
 }
 
-void Acceleration::record_forces(double time, State& state) const {
+void Acceleration::record_forces(State& state) const {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
   if (!model_.loads().empty()) {
     state.load.assign(state.u.size(), 0.0);
-    model_.loads().add_force(time, 1.0, state.load.data());
+    model_.loads().add_force(state.time, 1.0, state.load.data());
     state.load.resize(owned);
   }
   if (model_.constraints().empty()) return;

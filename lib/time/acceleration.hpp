@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "model/model.hpp"
-#include "solve/linear_solver.hpp"
-#include "time/state.hpp"
+#include "balance/balance.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "state/state.hpp"
 
 namespace ixos {
 
@@ -19,13 +19,13 @@ class Acceleration {
 
   /// Forgets the mass matrix, for a pattern that has changed.
   void renew() { mass_system_.reset(); }
-  /// Evaluates the right-hand side of local arrays u and v. Returns false if u is inadmissible.
-  bool balance(double time, const std::vector<double>& u, const std::vector<double>& v);
-  /// Calls balance() and solves for a, a local array. Returns false if u is inadmissible or the solve with the mass
-  /// matrix fails. Without inertia a is 0.
-  bool solve(double time, const std::vector<double>& u, const std::vector<double>& v, std::vector<double>& a);
+  /// Evaluates the right-hand side at a place with its velocity. Returns false if it is inadmissible.
+  bool balance(const Place& at);
+  /// Calls balance() and solves for a, a local array. Returns false if the place is inadmissible or the solve with the
+  /// mass matrix fails. Without inertia a is 0.
+  bool solve(const Place& at, std::vector<double>& a);
   /// Puts load and reactions, M a less the last balance, into the state of that balance.
-  void record_forces(double time, State& state) const;
+  void record_forces(State& state) const;
 
  private:
   bool solve_consistent(double time, std::vector<double>& a);
@@ -35,9 +35,10 @@ class Acceleration {
   std::shared_ptr<const LinearSolverFactory> linear_solver_;
   std::unique_ptr<LinearSolverFactory> mass_solver_;  ///< of a mass that is applied without a matrix
   std::unique_ptr<LinearSystem> mass_system_;
-  std::vector<double> scale_;    ///< see ScaledMass; empty if the mass is a matrix
-  std::vector<double> balance_;  ///< local, valid for owned entries
-  std::vector<double> force_;    ///< scratch
+  std::vector<double> scale_;  ///< see ScaledMass; empty if the mass is a matrix
+  Balance forces_;
+  std::vector<double> balance_;  ///< less the sum of forces: local, valid for owned entries
+  std::vector<double> load_;     ///< less the load: scratch, local
 };
 
 }  // namespace ixos

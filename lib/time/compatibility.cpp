@@ -62,11 +62,10 @@ std::string why_no_pairs(const Table& table, bool reacts) {
 }
 
 void check_compatible(const Model& model, const Table& table) {
-  for (const NamedForceTerm& named : model.force_terms())
-    if (const auto* own = dynamic_cast<const Interaction*>(named.term))
-      for (const Stage& stage : table.stages)
-        if (!own->follows(stage.interaction.mean))
-          throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table, false)));
+  for (const NamedInteraction& named : model.interactions())
+    for (const Stage& stage : table.stages)
+      if (!named.term->follows(stage.interaction.mean))
+        throw InputError(fmt::format("the interaction \"{}\": {}", named.name, why_no_pairs(table, false)));
   for (const Material& material : model.materials()) {
     const std::string block = " of block \"" + material.block + "\"";
     if (const std::string why = why_no_branches(material, table); !material.branches.empty() && !why.empty())

@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "solve/problem_size.hpp"
+#include "solve/choice/problem_size.hpp"
 #include "time/stage_problem.hpp"
 
 namespace ixos {
@@ -17,7 +17,7 @@ double tangent_stiffness(const Model& model, const Table& table, double dt) {
     damping = std::max(damping, material.stiffness_damping + material.viscosity);
   for (const Stage& stage : table.stages) {
     const double stiffness = stage.elastic.end_weight() * dt * dt + damping * stage.damping.unknown * dt;
-    largest = std::max(largest, stiffness * model.stiffest() / stage.inertia.unknown);
+    largest = std::max(largest, stiffness * model.scales().stiffest / stage.inertia.unknown);
   }
   return largest;
 }

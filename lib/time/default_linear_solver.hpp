@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "model/model.hpp"
-#include "solve/linear_solver.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
 #include "time/table.hpp"
 
 namespace ixos {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/branch_reports.hpp"
+
 namespace ixos {
 
 double displacement_error(const Model& model, const Table& table, const std::vector<State>& states, double dt,
@@ -20,7 +22,8 @@ double displacement_error(const Model& model, const Table& table, const std::vec
     largest = std::max(largest, std::abs(6 * difference));
   }
   return std::max(std::abs(table.error_constant) * dt * dt * dt * model.space().maximum(largest),
-                  model.history_error(start.data(), end.data(), dt));
+                  history_error(model, {states.front().u.data(), nullptr, states.back().u.data(), states.front().time,
+                                        dt, &states.front().histories}));
 }
 
 }  // namespace ixos

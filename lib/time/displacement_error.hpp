@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "time/state.hpp"
+#include "state/state.hpp"
 #include "time/table.hpp"
 
 namespace ixos {

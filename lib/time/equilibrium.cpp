@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "model/traits.hpp"
+
 namespace ixos {
 namespace {
 
@@ -26,18 +28,18 @@ double magnitude(const Model& model, const std::vector<double>& forces) {
 
 }  // namespace
 
-std::string no_equilibrium(const Model& model, const State& start, double time, double dt, const std::string& detail) {
-  const double found = magnitude(model, start.load);
+std::string no_equilibrium(const Model& model, const State& start, double dt, const std::string& detail) {
+  const double time = start.time, found = magnitude(model, start.load);
   // The forces by which springs are driven are loads to the model, but displacements to the user.
   bool grows = false;
-  if (!model.has_springs()) {
+  if (!has_springs(model)) {
     std::vector<double> change(static_cast<std::size_t>(model.space().local()), 0.0);
     model.loads().add_force(time + dt, 1, change.data());
     const double next = magnitude(model, change);
     for (std::size_t i = 0; i < start.load.size(); ++i) change[i] -= start.load[i];
     grows = magnitude(model, change) > 1e-9 * std::max(found, next);
   }
-  const bool driven = model.has_springs() || model.space().maximum(model.constraints().driven() ? 1 : 0) > 0;
+  const bool driven = has_springs(model) || model.space().maximum(model.constraints().driven() ? 1 : 0) > 0;
   if (!grows && (driven || found == 0))
     return fmt::format(
         "no equilibrium found beyond t = {:.6g} T0; use shorter steps (Maximum Cuts), or a dynamic scheme: {}", time,

@@ -3,13 +3,13 @@
 #include <string>
 
 #include "model/model.hpp"
-#include "time/state.hpp"
+#include "state/state.hpp"
 
 namespace ixos {
 
-/// Returns why a quasi-static step from `start`, the equilibrium at `time`, failed, for the user: the load up to which
+/// Returns why a quasi-static step from the equilibrium `start` failed, for the user: the load up to which
 /// equilibria were found, the remedy, and `detail`, what Newton's method says. The load is the sum of the magnitudes
 /// of the nodal forces [E0 L0^(D-1)]. If only supports move, it names the time. Collective.
-std::string no_equilibrium(const Model& model, const State& start, double time, double dt, const std::string& detail);
+std::string no_equilibrium(const Model& model, const State& start, double dt, const std::string& detail);
 
 }  // namespace ixos

@@ -10,7 +10,7 @@ double guess_error(const Model& model, const std::vector<double>& guess, const s
   const auto d = static_cast<std::size_t>(mesh.dimension);
   double largest = 0;  // square
   for (const LocalBlock& block : mesh.blocks) {
-    const auto corners = static_cast<std::size_t>(1) << d;
+    const auto corners = static_cast<std::size_t>(nodes_per_cell(corner_type(block.type)));
     const auto stride = static_cast<std::size_t>(nodes_per_cell(block.type));
     for (std::size_t cell = 0; cell < block.nodes.size(); cell += stride) {
       const auto first = static_cast<std::size_t>(block.nodes[cell]) * d;

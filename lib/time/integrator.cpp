@@ -9,9 +9,11 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "fem/row_on_states.hpp"
 #include "model/crossing.hpp"
 #include "model/edge_change.hpp"
+#include "model/term_sums.hpp"
+#include "model/traits.hpp"
+#include "rule/row_on_states.hpp"
 #include "time/compatibility.hpp"
 #include "time/displacement_error.hpp"
 #include "time/equilibrium.hpp"
@@ -52,6 +54,7 @@ Integrator::Integrator(Model& model, Table table, std::shared_ptr<const LinearSo
     throw std::invalid_argument("scheme \"" + table_.name +
                                 "\": it needs a lumped mass and the model has a consistent one, or the reverse");
   model.close();
+  states_.front().histories = model.create_histories();
   // Reactions that do work are those before a correction: it would move the balance as much as it mends.
   newton_.corrects = table_.energy_promise > 0 && model.space().maximum(model.constraints().driven() ? 1 : 0) == 0;
   has_external_ = model.space().maximum(model.loads().empty() && model.constraints().empty() ? 0 : 1) > 0;
@@ -95,8 +98,19 @@ void Integrator::initialize(std::vector<double> u, std::vector<double> v, double
 
 /// Sets the state, discards what earlier steps left, and begins the terms' histories.
 void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double time) {
-  time_ = time;
-  model_.set_time(time);
+  discard_past();
+  State& start = states_.front();
+  const State given{std::move(u), std::move(v), {}};
+  start = given;  // a copy: the arrays keep their memory, so that views of them stay valid
+  start.time = time;
+  start.histories = model_.create_histories();
+  if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
+  model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
+  model_.initialize(known_states(states_, 1).front(), start.histories);
+}
+
+void Integrator::discard_past() {
+  in_step_ = false;
   time_carry_ = 0;
   dissipated_ = 0;
   external_work_ = 0;
@@ -107,30 +121,60 @@ void Integrator::begin_at(std::vector<double> u, std::vector<double> v, double t
   acceleration_known_ = false;
   dissipated_before_ = 0;
   dissipations_.assign(model_.dissipation_names().size(), 0.0);
+}
+
+void Integrator::resume(const State& state) {
+  const auto local = static_cast<std::size_t>(model_.space().local());
+  if (state.u.size() != local || state.v.size() != local)
+    throw std::logic_error("the state is of another model, or of another part of its mesh");
+  discard_past();
   State& start = states_.front();
-  const State given{std::move(u), std::move(v), {}};
-  start = given;  // a copy: the arrays keep their memory, so that views of them stay valid
+  start = state;  // a copy, see begin_at()
+  follow_slots();
   if (model_.mass() == nullptr) std::fill(start.v.begin(), start.v.end(), 0.0);
-  model_.constraints().set(time, start.u.data(), start.v.data(), nullptr);
-  model_.initialize(known_states(states_, 1).front());
+  model_.constraints().set(start.time, start.u.data(), start.v.data(), nullptr);
+  find_forces();
+}
+
+void Integrator::resume(const State& state, const Works& before) {
+  resume(state);
+  dissipated_ = dissipated_before_ = before.dissipated;
+  external_work_ = before.external;
+}
+
+Place Integrator::place() const {
+  Place here = states_.front().place();
+  if (in_step_) here.step = &memories_;
+  return here;
+}
+
+/// Returns the way of the attempted step.
+Segment Integrator::way() const {
+  const State& start = states_.front();
+  const State& end = states_.back();
+  return {start.u.data(), nullptr, end.u.data(), start.time, end.time - start.time, &start.histories, &memories_};
+}
+
+void Integrator::check_attempt() const {
+  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
 }
 
 /// Solves for the acceleration if a stage or an output needs it. Throws InputError if the state is not admissible.
 void Integrator::find_forces() {
-  const State& start = states_.front();
+  follow_slots();
   if (needs_acceleration_ || table_.closing != Closing::Collocate || has_external_)
     acceleration();
-  else if (!balance_.balance(time_, start.u, start.v))
+  else if (!balance_.balance(place()))
     throw InputError("the state at the start is not admissible: a gap is not positive, or an element is inverted");
-  if (const std::string crossed = crossing(model_, start.u.data()); !crossed.empty())
+  if (const std::string crossed = crossing(model_, segment_at(place())); !crossed.empty())
     throw InputError("the state at the start is not admissible: " + crossed);
-  if (has_external_) balance_.record_forces(time_, states_.front());
+  if (has_external_) balance_.record_forces(states_.front());
 }
 
 /// Solves for the acceleration of the present state, unless it is known. Returns false if that fails.
 bool Integrator::know_acceleration() {
-  State& state = states_.front();
-  if (!acceleration_known_) acceleration_known_ = balance_.solve(time_, state.u, state.v, state.a);
+  follow_slots();
+  if (!acceleration_known_) acceleration_known_ = balance_.solve(place(), states_.front().a);
   return acceleration_known_;
 }
 
@@ -144,17 +188,17 @@ const std::vector<double>& Integrator::acceleration() {
 
 /// Expressions are sampled before a run (check_over). A value that the samples missed ends the step, not the program.
 bool Integrator::driving_is_defined(const Stage& stage, double dt, std::string& reason) const {
-  const double end = time_ + stage.end * dt;
-  bool defined = model_.obstacles_are_finite(end);
+  const double start = time(), end = start + stage.end * dt;
+  bool defined = obstacles_are_finite(model_, end);
   if (has_external_) {
     defined = defined && model_.constraints().are_finite(end) && model_.loads().are_finite(end);
-    for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(time_ + point.time * dt);
+    for (const TimePoint& point : stage.load) defined = defined && model_.loads().are_finite(start + point.time * dt);
     defined = model_.space().minimum(defined ? 1 : 0) > 0;
   }
   if (!defined)
     reason = fmt::format(
         "a prescribed motion, an obstacle's motion or a load is not a finite number between t = {:.10g} and {:.10g} T0",
-        time_, end);
+        start, end);
   return defined;
 }
 
@@ -170,20 +214,21 @@ bool Integrator::take_explicit_step(double dt, std::string& reason) {
     end.u[i] = start.u[i] + (dt * dt * start.a[i] - known_[i]) / row.inertia.unknown;
   evaluate_known(row.velocity, known, dt, known_);
   for (std::size_t i = 0; i < size; ++i) end.v[i] = known_[i] / dt;
-  const double time = time_ + dt;
+  const double time = start.time + dt;
+  end.time = time;
   model_.constraints().set(time, end.u.data(), end.v.data(), nullptr);
-  if (!balance_.solve(time, end.u, end.v, end.a)) {
+  if (!balance_.solve({end.u.data(), time, &start.histories, &memories_, end.v.data()}, end.a)) {
     reason = "in an explicit step a gap closes, an element inverts or a number overflows";
     return false;
   }
   for (std::size_t i = 0; i < size; ++i) end.v[i] = start.v[i] + dt / 2 * (start.a[i] + end.a[i]);
   model_.constraints().set(time, nullptr, end.v.data(), nullptr);
-  if (has_external_) balance_.record_forces(time, end);
+  if (has_external_) balance_.record_forces(end);
   return true;
 }
 
 double Integrator::stable_step(double wanted) {
-  return stable_step_ ? (*stable_step_)(states_.front(), time_, wanted) : wanted;
+  return stable_step_ ? (*stable_step_)(states_.front(), wanted) : wanted;
 }
 
 StepResult Integrator::step(double dt) {
@@ -201,10 +246,21 @@ StepResult Integrator::attempt(double dt) {
   return result;
 }
 
+/// Makes room for what terms keep: at the first step, and after an interaction was added.
+void Integrator::follow_slots() {
+  TermHistories& histories = states_.front().histories;
+  if (histories.size() < model_.slots()) histories.extend(model_.create_histories());
+  if (slots_ == model_.slots()) return;
+  memories_ = model_.create_memories();
+  slots_ = model_.slots();
+}
+
 StepResult Integrator::advance(double dt) {
   StepResult result;
   follow_couplings();
-  model_.begin_step(known_states(states_, 1).front(), time_, dt);
+  follow_slots();
+  model_.begin_step({known_states(states_, 1).front(), dt, &states_.front().histories}, memories_);
+  in_step_ = true;
   if (needs_acceleration_ && !know_acceleration()) {
     result.reason = "the acceleration cannot be solved for";
     return result;
@@ -213,13 +269,12 @@ StepResult Integrator::advance(double dt) {
     if (!driving_is_defined(stage, dt, result.reason)) return result;
   if (is_explicit(table_) && !take_explicit_step(dt, result.reason)) return result;
   for (std::size_t stage = 0; stage < solver_of_.size(); ++stage) {
-    solver(stage).problem.arm(stage, states_, time_, dt);
+    solver(stage).problem.arm(stage, states_, dt, memories_);
     std::vector<double> u = std::move(states_[stage + 1].u);
     const NewtonResult newton = solve_stage(stage, dt, u);
     result.newton_iterations += newton.iterations;
     if (!newton.converged) {
-      result.reason =
-          is_static(table_) ? no_equilibrium(model_, states_.front(), time_, dt, newton.reason) : newton.reason;
+      result.reason = is_static(table_) ? no_equilibrium(model_, states_.front(), dt, newton.reason) : newton.reason;
       states_[stage + 1].u = std::move(u);
       return result;
     }
@@ -227,9 +282,9 @@ StepResult Integrator::advance(double dt) {
   }
   // The forces at quadrature points do not notice a node that has crossed an obstacle, nor a point that has jumped
   // through it.
-  model_.set_time(time_ + dt);
-  const std::string crossed = crossing(model_, states_.back().u.data(), states_.front().u.data());
-  model_.set_time(time_);
+  Segment whole = way();
+  whole.length = dt;
+  const std::string crossed = crossing(model_, whole);
   result.crossed = !crossed.empty();
   if (result.crossed) result.reason = crossed + "; allow Maximum Cuts, or use shorter steps or smaller faces";
   result.converged = !result.crossed;
@@ -239,15 +294,17 @@ StepResult Integrator::advance(double dt) {
 void Integrator::accept() {
   if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to accept");
   const double dt = std::exchange(attempted_dt_, 0.0);
+  State& start = states_.front();
   // Before the terms accept: the force of the step is that of the history at its start.
-  const double moved = model_.has_moved_obstacles() ? work_of_obstacles(model_, table_, states_, time_, dt) : 0;
-  const std::vector<double> dissipated = model_.accept({known_states(states_, states_.size()), &table_.work, dt});
-  for (std::size_t i = 0; i < dissipated.size(); ++i) {
-    dissipated_ += dissipated[i];
-    dissipations_[i] += dissipated[i];
+  const double moved = has_moved_obstacles(model_) ? work_of_obstacles(model_, table_, states_, dt, memories_) : 0;
+  const ModelWork work =
+      model_.accept({known_states(states_, states_.size()), &table_.work, dt, &memories_}, start.histories);
+  for (std::size_t i = 0; i < work.dissipated.size(); ++i) {
+    dissipated_ += work.dissipated[i];
+    dissipations_[i] += work.dissipated[i];
   }
   if (has_external_) external_work_ += work_of_external_forces(model_, table_, states_, dt);
-  if (model_.has_springs()) external_work_ += model_.grip_work();
+  if (has_springs(model_)) external_work_ += work.driven;
   external_work_ += moved;
   look_back(dt);
   if (judged_) {
@@ -255,18 +312,20 @@ void Integrator::accept() {
     previous_.known = true;
   }
   previous_.dt = dt;
-  std::swap(states_.front(), states_.back());
   // Compensated sum (Kahan), so that a million steps end at the right time.
   const double increment = dt - time_carry_;
-  const double next = time_ + increment;
-  time_carry_ = (next - time_) - increment;
-  time_ = next;
-  model_.set_time(time_);
+  const double next = start.time + increment;
+  time_carry_ = (next - start.time) - increment;
+  TermHistories histories = std::move(start.histories);
+  std::swap(states_.front(), states_.back());
+  states_.front().time = next;
+  states_.front().histories = std::move(histories);
+  in_step_ = false;
   acceleration_known_ = table_.closing != Closing::Collocate;
 }
 
 double Integrator::error() {
-  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  check_attempt();
   judged_ = true;
   if (!previous_.known && states_.size() == 2 && !know_acceleration()) return std::numeric_limits<double>::infinity();
   if (table_.closing == Closing::Collocate && states_.size() == 2 && earlier_dt_ > 0)
@@ -276,17 +335,17 @@ double Integrator::error() {
 }
 
 double Integrator::gap_ratio() const {
-  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
-  return model_.gap_ratio(states_.front().u.data(), states_.back().u.data());
+  check_attempt();
+  return TermSums(model_).gap_ratio(way());
 }
 
 double Integrator::edge_change() const {
-  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  check_attempt();
   return ixos::edge_change(model_, states_.front().u.data(), states_.back().u.data());
 }
 
 double Integrator::unbalanced_work() const {
-  if (attempted_dt_ == 0) throw std::logic_error("there is no attempted step to judge");
+  check_attempt();
   const StageProblem& problem = solver(table_.stages.size() - 1).problem;
   return ixos::unbalanced_work(model_, problem.convergence_bound(newton_.tolerance), problem.force_scale(),
                                states_.front().u, states_.back().u);

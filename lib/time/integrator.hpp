@@ -6,12 +6,12 @@
 
 #include "base/record.hpp"
 #include "model/model.hpp"
-#include "solve/linear_solver.hpp"
-#include "solve/newton.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/newton/newton.hpp"
+#include "state/state.hpp"
 #include "time/acceleration.hpp"
 #include "time/stable_step.hpp"
 #include "time/stage_problem.hpp"
-#include "time/state.hpp"
 #include "time/step_error.hpp"
 #include "time/table.hpp"
 
@@ -24,6 +24,12 @@ struct StepResult {
   long linear_iterations = 0;  ///< of iterative linear solvers
   std::string reason;          ///< of a failure, for the user
   bool crossed = false;        ///< the reason is that a surface crossed its obstacle, see crossing()
+};
+
+/// What steps have done so far [E0 L0^D].
+struct Works {
+  double dissipated = 0;  ///< by damping, viscosity, friction and all else
+  double external = 0;    ///< of loads, reactions and moved obstacles
 };
 
 /// An integrator that advances a model in time. The model must outlive it. Collective.
@@ -41,13 +47,21 @@ class Integrator {
   /// Constrained degrees of freedom take their motion's values. Throws InputError if the state is inadmissible.
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
+  /// Continues from a state of this model, which may be that of another integrator: as a run does that resumes from
+  /// displacements, velocities and histories. What earlier steps left for predictors is discarded; works count from 0.
+  /// Throws InputError if the state is inadmissible.
+  void resume(const State& state);
+  /// Does the same where another integrator stops, perhaps one of another mesh or scheme: the works of that one go on
+  /// here, those of single sources count from 0.
+  void resume(const State& state, const Works& before);
+
   /// Takes one step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.
   StepResult step(double dt);
   /// Takes a step in two parts: a caller may judge the result of attempt(), then accept it or attempt another length.
   StepResult attempt(double dt);
   void accept();
-  /// Returns local_error() and Model::gap_ratio() of the attempted step; throws std::logic_error if there is none. From
-  /// the first call of error() on, a velocity is kept.
+  /// Returns local_error() and TermSums::gap_ratio() of the attempted step; throws std::logic_error if there is none.
+  /// From the first call of error() on, a velocity is kept.
   double error();
   double gap_ratio() const;
   /// Returns edge_change() over the attempted step, and a bound of the energy by which the tolerance of Newton's method
@@ -72,7 +86,7 @@ class Integrator {
   const Model& model() const { return model_; }
   const Table& table() const { return table_; }
   const State& state() const { return states_.front(); }
-  double time() const { return time_; }
+  double time() const { return states_.front().time; }
   /// Returns the number of operators and preconditioners that the stages share.
   std::size_t tangents() const { return solvers_.size(); }
   /// Returns a local array of accelerations of the present state; momentum-form schemes solve for it at the first
@@ -81,6 +95,7 @@ class Integrator {
   /// Returns the work of the damping, and of loads and reactions, since initialize() [E0 L0^D].
   double dissipated_energy() const { return dissipated_; }
   double external_work() const { return external_work_; }
+  Works works() const { return {dissipated_, external_work_}; }
   /// Returns the dissipated energy by source, parallel to Model::dissipation_names(), since initialize() or a restart
   /// in another scene.
   const std::vector<double>& dissipations() const { return dissipations_; }
@@ -102,12 +117,18 @@ class Integrator {
   };
 
   void make_solvers();
+  void follow_slots();
   /// Lets the model couple the nodes of bodies that have come near each other, and renews solvers if its matrices have
   /// changed.
   void follow_couplings();
   StageSolver& solver(std::size_t stage) const { return *solvers_[solver_of_[stage]]; }
   StepResult advance(double dt);
   void begin_at(std::vector<double> u, std::vector<double> v, double time);
+  void discard_past();
+  /// Returns the present state, on the way of the step if one is under way.
+  Place place() const;
+  Segment way() const;
+  void check_attempt() const;
   void find_forces();
   bool know_acceleration();
   Predictor usable(Predictor predictor) const;
@@ -140,8 +161,10 @@ class Integrator {
   std::unique_ptr<StableStep> stable_step_;  ///< explicit schemes
 
   std::vector<State> states_;  ///< the present state, then the ends of the stages
+  StepMemories memories_;
+  std::size_t slots_ = 0;      ///< of the memories
+  bool in_step_ = false;       ///< the memories are of the step from the present state
   std::vector<double> known_;  ///< scratch
-  double time_ = 0;
   double time_carry_ = 0;
   double dissipated_ = 0;
   std::vector<double> dissipations_;  ///< by source

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "fem/row_on_states.hpp"
+#include "rule/row_on_states.hpp"
 #include "time/guess_error.hpp"
 #include "time/integrator.hpp"
 
@@ -107,13 +107,13 @@ NewtonResult Integrator::solve_from_nearby(std::size_t stage, double dt, std::ve
   other.stages[stage].elastic = other.stages[stage].nearby[0];
   other.stages[stage].interaction = other.stages[stage].nearby[1];
   StageSolver nearby(*this, other, false);
-  nearby.problem.arm(stage, states_, time_, dt);
+  nearby.problem.arm(stage, states_, dt, memories_);
   predict(Predictor::LastDisplacement, stage, dt, u);
   copy_owned(u, *unknown_);
   NewtonResult result = nearby.newton.solve(*unknown_);
   if (!result.converged) return result;
   const int spent = result.iterations;
-  if (model_.has_rates()) solver(stage).problem.arm(stage, states_, time_, dt);  // terms know the last one armed only
+  solver(stage).problem.arm(stage, states_, dt, memories_);  // memories have the stage that began last
   result = solver(stage).newton.solve(*unknown_);
   result.iterations += spent;
   return result;
@@ -137,6 +137,7 @@ void Integrator::close_stage(std::size_t stage, double dt, std::vector<double>&&
       model_.constraints().set(solver(stage).problem.time(), nullptr, end.v.data(), end.a.data());
   }
   end.u = std::move(u);
+  end.time = solver(stage).problem.time();
   solver(stage).problem.record_forces(end);
 }
 

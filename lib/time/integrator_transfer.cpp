@@ -37,25 +37,26 @@ void Integrator::transfer(Record& record) {
     if (version != model_.discretization().version() && !model_.couples_anew())
       throw std::logic_error("the discretization has changed since the state was saved");
   }
+  follow_slots();
   State& state = states_.front();
   record.field("displacement", state.u, Extent::Local);
   record.field("velocity", state.v, Extent::Local);
-  record.number("time", time_);
+  record.number("time", state.time);
   record.number("time carry", time_carry_);
   record.number("dissipated energy", dissipated_);
   record.number("external work", external_work_);
-  if (!std::isfinite(time_)) throw InputError(fmt::format("the time {} is not finite", time_));
+  if (!std::isfinite(state.time)) throw InputError(fmt::format("the time {} is not finite", state.time));
   check_whole("displacement", state.u, Extent::Local);
   check_whole("velocity", state.v, Extent::Local);
   const bool from_static = transfer_kind(record);
-  model_.set_time(time_);
+  if (record.loading()) in_step_ = false;
   if (!record.loading() || record.same_scene()) return transfer_derived(record);
   refuse_jump();
   if (from_static && !keeps_static_rates_) std::fill(state.v.begin(), state.v.end(), 0.0);
   resumed_jump_ = velocity_jump();
   const double carry = time_carry_, dissipated = dissipated_, external_work = external_work_;
-  begin_at(std::vector<double>(state.u), std::vector<double>(state.v), time_);
-  model_.transfer_histories(record);
+  begin_at(std::vector<double>(state.u), std::vector<double>(state.v), state.time);
+  model_.transfer_to_another_scene(record, state.histories);
   find_forces();
   time_carry_ = carry;
   dissipated_ = dissipated_before_ = dissipated;
@@ -66,7 +67,7 @@ void Integrator::transfer(Record& record) {
 void Integrator::refuse_jump() const {
   const State& state = states_.front();
   std::vector<double> there(state.u);
-  model_.constraints().set(time_, there.data(), nullptr, nullptr);
+  model_.constraints().set(state.time, there.data(), nullptr, nullptr);
   double jump = 0, size = 0;
   for (std::size_t i = 0; i < there.size(); ++i) {
     jump = std::max(jump, std::abs(there[i] - state.u[i]));
@@ -74,14 +75,15 @@ void Integrator::refuse_jump() const {
   }
   jump = model_.space().maximum(jump);
   if (jump > 1e-9 * model_.space().maximum(size))
-    throw InputError(fmt::format("a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, time_));
+    throw InputError(
+        fmt::format("a prescribed displacement would jump by {:.3g} L0 at t = {:.6g} T0", jump, state.time));
 }
 
 /// Returns the largest difference of a prescribed velocity from the present one.
 double Integrator::velocity_jump() const {
   const State& state = states_.front();
   std::vector<double> there(state.v);
-  model_.constraints().set(time_, nullptr, there.data(), nullptr);
+  model_.constraints().set(state.time, nullptr, there.data(), nullptr);
   double jump = 0;
   for (std::size_t i = 0; i < there.size(); ++i) jump = std::max(jump, std::abs(there[i] - state.v[i]));
   return model_.space().maximum(jump);
@@ -95,7 +97,7 @@ void Integrator::transfer_derived(Record& record) {
   record.number("dissipated before", dissipated_before_);
   for (std::size_t i = 0; i < dissipations_.size(); ++i)
     record.number(("dissipated: " + model_.dissipation_names()[i]).c_str(), dissipations_[i]);
-  model_.transfer(record);
+  model_.transfer(record, state.histories);
   if (record.loading()) follow_couplings();  // before the solvers take what they keep of those matrices
   record.field("previous displacement", previous_u_, Extent::Local);
   record.field("earlier displacement", earlier_u_, Extent::Local);

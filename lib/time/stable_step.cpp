@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "model/term_sums.hpp"
 
 namespace ixos {
 namespace {
@@ -21,20 +22,20 @@ StableStep::StableStep(const Model& model, double safety) : model_(model), safet
 }
 
 /// Computes what changes slowly: the elastic row sums, and the largest quotient of rate terms and mass.
-void StableStep::look_at(const std::vector<double>& u) {
+void StableStep::look_at(const Place& at) {
   std::fill(elastic_.begin(), elastic_.end(), 0.0);
-  model_.add_row_sums(Part::Elastic, {nullptr, nullptr, u.data()}, elastic_.data());
-  if (!model_.has_rates()) return;
+  const TermSums terms(model_);
+  terms.add_row_sums(Part::Elastic, segment_at(at), elastic_.data());
+  if (!terms.has_rates()) return;
   std::fill(sums_.begin(), sums_.end(), 0.0);
-  model_.add_rate_row_sums(u.data(), sums_.data());
+  terms.add_rate_row_sums(at.u, sums_.data());
   damping_ = model_.space().maximum(model_.mass()->largest_quotient(sums_.data()));
 }
 
 /// Returns the longest stable step [T0]; 0 if a gap is not positive.
-double StableStep::limit(const std::vector<double>& u, double time) const {
+double StableStep::limit(const Place& at) const {
   sums_ = elastic_;
-  const Segment here{nullptr, nullptr, u.data(), time};
-  if (!model_.add_row_sums(Part::Interaction, here, sums_.data())) return 0;
+  if (!TermSums(model_).add_row_sums(Part::Interaction, segment_at(at), sums_.data())) return 0;
   const double w2 = model_.mass()->largest_quotient(sums_.data());
   return 2 / (std::sqrt(w2 + damping_ * damping_) + damping_);
 }
@@ -48,16 +49,16 @@ void StableStep::transfer(Record& record) {
     throw InputError("\"elastic row sums\" is empty, or its age is negative");
 }
 
-double StableStep::operator()(const State& state, double time, double wanted) {
-  if (age_ == 0) look_at(state.u);
+double StableStep::operator()(const State& state, double wanted) {
+  if (age_ == 0) look_at(state.place());
   age_ = (age_ + 1) % elastic_interval;
-  double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.u, time)));
+  double step = std::min(wanted, safety_ * model_.space().minimum(limit(state.place())));
   if (!model_.has_interactions()) return step;
   // The bound at the end of the step. A shorter step leads less far, so that bound holds for it too.
   for (int halving = 0; halving < 60; ++halving) {
     for (std::size_t i = 0; i < ahead_.size(); ++i)
       ahead_[i] = state.u[i] + step * (state.v[i] + step / 2 * state.a[i]);
-    const double there = safety_ * model_.space().minimum(limit(ahead_, time + step));
+    const double there = safety_ * model_.space().minimum(limit({ahead_.data(), state.time + step, &state.histories}));
     if (there >= step) return step;
     step = std::max(there, step / 2);
   }

@@ -4,7 +4,7 @@
 
 #include "base/record.hpp"
 #include "model/model.hpp"
-#include "time/state.hpp"
+#include "state/state.hpp"
 
 namespace ixos {
 
@@ -18,16 +18,15 @@ class StableStep {
   /// `safety`, at most 1, is the share of the bound that is used.
   StableStep(const Model& model, double safety);
 
-  /// Returns the longest step from this state at `time` that is no longer than `wanted`. Uses the state's
-  /// accelerations.
-  double operator()(const State& state, double time, double wanted);
+  /// Returns the longest step from this state that is no longer than `wanted`. Uses the state's accelerations.
+  double operator()(const State& state, double wanted);
 
   /// Writes or reads the state for checkpoints.
   void transfer(Record& record);
 
  private:
-  void look_at(const std::vector<double>& u);
-  double limit(const std::vector<double>& u, double time) const;
+  void look_at(const Place& at);
+  double limit(const Place& at) const;
 
   const Model& model_;
   double safety_;

@@ -9,7 +9,7 @@ namespace ixos {
 /// Returns whether a value is reached, up to the rounding errors of Newton's steps.
 bool StageProblem::is_reached(std::size_t dof, double value) const {
   const double target = prescribed_[dof];
-  return std::abs(value - target) <= 1e-10 * std::abs(target - (*from_)[dof]) + 1e-15 * std::abs(target);
+  return std::abs(value - target) <= 1e-10 * std::abs(target - start_->u[dof]) + 1e-15 * std::abs(target);
 }
 
 double StageProblem::way_left(const Vector& x) {
@@ -45,15 +45,15 @@ void StageProblem::constrain_residual(double* out) {
   if (moving_) {
     if (nonnull(matrix_free_)) {
       linearize();
-      matrix_free_->multiply_constrained_columns(bracket_.data(), inertia_.data());
+      matrix_free_->multiply_constrained_columns(bracket_.data(), product_.data());
     } else {
       const auto d = static_cast<std::size_t>(model_.mesh().dimension);
       values_.resize(static_cast<std::size_t>(model_.pattern().pairs()) * d * d);
       assemble(values_.data());
-      model_.multiply_constrained_columns(values_.data(), bracket_.data(), inertia_.data());
+      model_.constrained_entries().multiply(values_.data(), bracket_.data(), product_.data());
     }
     tangent_at_ = u_;
-    for (std::size_t i = 0; i < owned; ++i) out[i] -= inertia_[i];
+    for (std::size_t i = 0; i < owned; ++i) out[i] -= product_[i];
   }
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);

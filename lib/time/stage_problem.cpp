@@ -8,12 +8,12 @@
 
 #include "base/dot.hpp"
 #include "base/phase_timer.hpp"
-#include "fem/row_on_states.hpp"
+#include "rule/row_on_states.hpp"
 
 namespace ixos {
 
 bool is_symmetric(const Model& model, const Stage& stage) {
-  return model.is_gradient(Part::Elastic, stage.elastic) && model.is_gradient(Part::Interaction, stage.interaction);
+  return is_gradient(model, Part::Elastic, stage.elastic) && is_gradient(model, Part::Interaction, stage.interaction);
 }
 
 namespace {
@@ -41,21 +41,25 @@ double nodal_extent(const Model& model) {
 }  // namespace
 
 StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
-    : model_(model), table_(table), exact_rates_(has_exact_rates(table)), has_mass_(model.mass() != nullptr) {
+    : model_(model),
+      table_(table),
+      exact_rates_(has_exact_rates(table)),
+      has_mass_(model.mass() != nullptr),
+      balance_(model) {
   const auto local = static_cast<std::size_t>(model.space().local());
-  for (std::vector<double>* array : {&u_, &bracket_, &inertia_, &elastic_, &direction_, &kept_}) array->resize(local);
+  for (std::vector<double>* array : {&u_, &bracket_, &direction_, &kept_}) array->resize(local);
   if (has_mass_) known_inertia_.resize(local);
-  if (model.has_interactions()) interaction_.resize(local);
   if (!model.loads().empty()) load_.resize(local);
-  if (!matrix_free) kept_points_ = model.create_kept();
+  if (!matrix_free) kept_points_ = balance_.sums().create_kept();
   if (!has_mass_) size_ = nodal_extent(model);
   reach_ = std::numeric_limits<double>::infinity();
   if (matrix_free)
     matrix_free_ = Teuchos::rcp(new TangentOperator(model, [this](double* values) {
       assemble(values);
-      model_.constrain_matrix(diagonal_, values);
+      if (!model_.constraints().empty()) model_.constrained_entries().constrain(diagonal_, values);
     }));
   if (model.constraints().empty()) return;
+  product_.resize(local);
   reaction_.resize(static_cast<std::size_t>(model.space().owned()));
   prescribed_.resize(local);
   if (!exact_rates_) return;
@@ -64,19 +68,43 @@ StageProblem::StageProblem(Model& model, const Table& table, bool matrix_free)
 }
 
 Segment StageProblem::segment(const Rule& rule) const {
-  return {rule.uses_start() ? from_->data() : nullptr, rule.uses_velocity() ? path_velocity_.data() : nullptr,
-          u_.data(), step_time_, stage_->end * dt_};
+  return {rule.uses_start() ? start_->u.data() : nullptr,
+          rule.uses_velocity() ? path_velocity_.data() : nullptr,
+          u_.data(),
+          step_time_,
+          stage_->end * dt_,
+          &start_->histories,
+          step_};
 }
 
-void StageProblem::arm(std::size_t stage, const std::vector<State>& known, double time, double dt) {
+/// Returns where the balance of the stage is taken, at u_ and bracket_.
+BalancePoint StageProblem::point() const {
+  const double inverse = 1 / dt_;
+  return {segment(stage_->elastic),
+          segment(stage_->interaction),
+          &stage_->elastic,
+          &stage_->interaction,
+          has_mass_ ? bracket_.data() : nullptr,
+          inverse * inverse,
+          Rates::Stage,
+          nullptr};
+}
+
+TangentWeights StageProblem::weights() const {
+  return {has_mass_ ? stage_->inertia.unknown / (dt_ * dt_) : 0.0, stage_->damping.unknown / dt_, 1, shift()};
+}
+
+void StageProblem::arm(std::size_t stage, const std::vector<State>& known, double dt, StepMemories& step) {
+  const double time = known[0].time;
   stage_ = &table_.stages[stage];
   dt_ = dt;
   step_time_ = time;
   stage_time_ = time + stage_->end * dt;
-  from_ = &known[0].u;
+  start_ = &known[0];
+  step_ = &step;
   kept_of_ = imported_for_ = nullptr;
   tangent_at_.clear();
-  has_potential_ = is_symmetric(model_, *stage_) && model_.rates_are_gradients(stage_->rate_form);
+  has_potential_ = is_symmetric(model_, *stage_) && rates_are_gradients(model_, stage_->rate_form);
   const std::vector<KnownState> states = known_states(known, stage + 1);
   if (has_mass_) evaluate_known(stage_->inertia, states, dt, known_inertia_);
   const bool path_velocity = stage_->elastic.uses_velocity() || stage_->interaction.uses_velocity();
@@ -85,31 +113,30 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
   if (!model_.constraints().empty())
     model_.constraints().set(stage_time_, prescribed_.data(), exact_rates_ ? prescribed_velocity_.data() : nullptr,
                              exact_rates_ ? prescribed_acceleration_.data() : nullptr);
-  begin_stage(states);
+  begin_stage(states, step);
 
   bool admissible = true;
   std::fill(kept_.begin(), kept_.end(), 0.0);
   // If the last residual was at this start, a rule with equal weights at both ends has its kept part there already, to
   // the last bit: the weights are 1/2. Obstacles that have moved and histories that have grown change it.
   const bool have_end =
-      residual_of_ == stage_ && u_ == known[0].u && !model_.has_moved_obstacles() && !model_.has_histories();
-  const auto keep = [&](Part part, const Rule& rule, std::vector<double>& force) {
+      residual_of_ == stage_ && u_ == known[0].u && !has_moved_obstacles(model_) && !has_histories(model_);
+  const auto keep = [&](Part part, const Rule& rule) {
     if (rule.kept_weight == 0) return;
+    const std::vector<double>& force = balance_.force(part);
     if (have_end && rule.points.size() == 1 && rule.points[0].to == 1 && rule.points[0].weight == rule.kept_weight) {
       for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += force[i];
       return;
     }
-    const Segment start{nullptr, nullptr, from_->data(), time};
+    Segment start = segment_at(start_->place());
+    start.step = step_;
     // By the same function as in a step, whose rounding other ones do not repeat.
-    const bool found = kept_points_.empty()
-                           ? model_.force(part, start, end_rule(), force.data())
-                           : model_.force_and_keep(part, start, end_rule(), kept_points_, force.data());
-    admissible = found && admissible;
+    admissible = balance_.evaluate(part, start, end_rule(), kept_points()) && admissible;
     residual_of_ = kept_of_ = imported_for_ = nullptr;
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += rule.kept_weight * force[i];
   };
-  keep(Part::Elastic, stage_->elastic, elastic_);
-  if (model_.has_interactions()) keep(Part::Interaction, stage_->interaction, interaction_);
+  keep(Part::Elastic, stage_->elastic);
+  if (model_.has_interactions()) keep(Part::Interaction, stage_->interaction);
   if (model_.space().minimum(admissible ? 1 : 0) == 0) throw std::logic_error("the start of the step is inadmissible");
   if (!model_.loads().empty()) {
     std::fill(load_.begin(), load_.end(), 0.0);
@@ -122,9 +149,9 @@ void StageProblem::arm(std::size_t stage, const std::vector<State>& known, doubl
 
   const double coefficient = stage_->inertia.unknown / (dt * dt);
   const double rate = stage_->rate_form == RateForm::End ? stage_->velocity.unknown : 1.0;
-  stiffness_ = model_.elastic_scale() * (1 + model_.largest_viscosity() * rate / dt);
+  stiffness_ = model_.scales().elastic * (1 + largest_viscosity(model_) * rate / dt);
   rounding_ = rounding_force(known[0], coefficient);
-  diagonal_ = coefficient * model_.mass_scale() + model_.elastic_scale();
+  diagonal_ = coefficient * model_.scales().mass + model_.scales().elastic;
   if (!has_mass_) reach_ = reach(known[0]);
 }
 
@@ -139,7 +166,7 @@ double StageProblem::reach(const State& start) const {
   return 10 * (size_ + std::sqrt(sums[0]) + model_.space().maximum(farthest) * std::sqrt(sums[1]));
 }
 
-void StageProblem::begin_stage(const std::vector<KnownState>& known) {
+void StageProblem::begin_stage(const std::vector<KnownState>& known, StepMemories& step) const {
   StageStart start;
   start.known = known;
   start.velocity = &stage_->velocity;
@@ -154,17 +181,20 @@ void StageProblem::begin_stage(const std::vector<KnownState>& known) {
     start.driven = &model_.constraints().dofs();
     start.driven_velocity = prescribed_velocity_.data();
   }
-  model_.begin_stage(start);
+  start.histories = &start_->histories;
+  model_.begin_stage(start, step);
 }
 
 double StageProblem::rounding_force(const State& start, double coefficient) {
   const auto owned = static_cast<std::size_t>(model_.space().owned());
-  double squares[4] = {0, 0, dot(start.u, start.u, owned), model_.local_rounding(start.u.data())};
+  const Place at{start.u.data(), start.time, &start.histories, step_};
+  double squares[4] = {0, 0, dot(start.u, start.u, owned), balance_.sums().rounding(at)};
   if (has_mass_) {
-    model_.mass()->multiply(start.u.data(), inertia_.data());
-    squares[0] = dot(inertia_, inertia_, owned);
-    model_.mass()->multiply(start.v.data(), inertia_.data());
-    squares[1] = dot(inertia_, inertia_, owned);
+    product_.resize(start.u.size());
+    model_.mass()->multiply(start.u.data(), product_.data());
+    squares[0] = dot(product_, product_, owned);
+    model_.mass()->multiply(start.v.data(), product_.data());
+    squares[1] = dot(product_, product_, owned);
   }
   model_.space().sum(squares, 4);
   // u_s is rounded, and so is the difference s (u_s - u_0) - s dt v - ... that makes the inertia.
@@ -176,24 +206,20 @@ double StageProblem::rounding_force(const State& start, double coefficient) {
 void StageProblem::clip(const std::vector<double>& base, std::vector<double>& guess) const {
   if (!model_.has_interactions()) return;
   for (std::size_t i = 0; i < guess.size(); ++i) direction_[i] = guess[i] - base[i];
-  const Segment at_base{nullptr, nullptr, base.data(), stage_time_};  // obstacles are where the guess meets them
-  const double step = model_.admissible_step(at_base, end_rule(), direction_.data());
+  // Obstacles are where the guess meets them.
+  const Segment at_base{nullptr, nullptr, base.data(), stage_time_, 0, &start_->histories, step_};
+  const double step = balance_.sums().admissible_step(at_base, end_rule(), direction_.data());
   if (step < 1)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] = base[i] + step * direction_[i];
 }
 
 void StageProblem::inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const {
-  evaluate(stage_->inertia.unknown, u.data(), from_->data(), known_inertia_, bracket);
+  evaluate(stage_->inertia.unknown, u.data(), start_->u.data(), known_inertia_, bracket);
   if (!exact_rates_) return;
   for (int dof : model_.constraints().dofs()) {
     const auto i = static_cast<std::size_t>(dof);
     bracket[i] = dt_ * dt_ * prescribed_acceleration_[i];
   }
-}
-
-bool StageProblem::force(Part part, const Rule& rule, double* f) {
-  if (kept_points_.empty()) return model_.force(part, segment(rule), rule, f);
-  return model_.force_and_keep(part, segment(rule), rule, kept_points_, f);
 }
 
 bool StageProblem::residual(const Vector& x, Vector& f) {
@@ -202,23 +228,25 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   model_.space().import(x, u_.data());
   residual_of_ = stage_;
   kept_of_ = imported_for_ = nullptr;
-  const double inverse = 1 / dt_;
-  if (has_mass_) {
-    inertia_bracket(u_, bracket_);
-    model_.mass()->multiply(bracket_.data(), inertia_.data());
-    for (std::size_t i = 0; i < owned; ++i) inertia_[i] *= inverse * inverse;
-  }
-
-  bool admissible = force(Part::Elastic, stage_->elastic, elastic_.data());
+  if (has_mass_) inertia_bracket(u_, bracket_);
+  const BalancePoint at = point();
+  const bool admissible = balance_.evaluate(at, kept_points());
+  const std::vector<double>& elastic = balance_.force(Part::Elastic);
+  const std::vector<double>& interaction = balance_.force(Part::Interaction);
   // Norms of the three parts, the number of ranks on which some part is inadmissible, the number of values that are not
   // yet reached, the norm of u, and the rounding of interactions.
-  double sums[7] = {
-      has_mass_ ? dot(inertia_, inertia_, owned) : 0.0, dot(elastic_, elastic_, owned), 0, 0, 0, dot(u_, u_, owned), 0};
+  double sums[7] = {has_mass_ ? dot(balance_.inertia(), balance_.inertia(), owned) : 0.0,
+                    dot(elastic, elastic, owned),
+                    0,
+                    0,
+                    0,
+                    dot(u_, u_, owned),
+                    0};
   if (model_.has_interactions()) {
-    admissible = force(Part::Interaction, stage_->interaction, interaction_.data()) && admissible;
-    sums[2] = dot(interaction_, interaction_, owned);
+    sums[2] = dot(interaction, interaction, owned);
     // A stiff law that begins to act within the step has no rounding at the step's start.
-    if (model_.has_laws_of_every_gap()) sums[6] = model_.local_rounding(u_.data());
+    if (has_laws_of_every_gap(model_))
+      sums[6] = balance_.sums().rounding({u_.data(), step_time_, &start_->histories, step_});
   }
   sums[3] = admissible ? 0 : 1;
   for (int dof : model_.constraints().dofs()) {
@@ -234,25 +262,14 @@ bool StageProblem::residual(const Vector& x, Vector& f) {
   // After a long step the rounding errors are larger than at its start.
   const double norm = std::sqrt(sums[5]);
   rounding_here_ = 2 * std::numeric_limits<double>::epsilon() *
-                   ((diagonal_ + stiffness_ - model_.elastic_scale()) * norm + std::sqrt(sums[6]));
+                   ((diagonal_ + stiffness_ - model_.scales().elastic) * norm + std::sqrt(sums[6]));
   // Without an equilibrium a body flies off until the rounding of u passes any load.
   if (norm > reach_) rounding_here_ = 0;
   scale_ = std::max(std::sqrt(std::max({sums[0], sums[1], sums[2]})), load_norm_);
 
   const auto view = f.getLocalViewHost(Tpetra::Access::OverwriteAll);
   double* out = view.data();
-  const bool interacts = model_.has_interactions();
-  for (std::size_t i = 0; i < owned; ++i) {
-    double sum = elastic_[i] + kept_[i];
-    if (has_mass_) sum += inertia_[i];
-    if (interacts) sum += interaction_[i];
-    out[i] = sum;
-  }
-  if (model_.has_rates()) {
-    std::copy_n(out, owned, bracket_.data());  // terms add to local arrays
-    model_.add_rate_force(u_.data(), bracket_.data());
-    std::copy_n(bracket_.data(), owned, out);
-  }
+  balance_.sum(at, kept_.data(), out);
   constrain_residual(out);
   return true;
 }
@@ -268,7 +285,7 @@ double StageProblem::admissible_step(const Vector& x, const Vector& direction) {
   model_.space().import(x, u_.data());
   residual_of_ = kept_of_ = imported_for_ = nullptr;
   model_.space().import(direction, direction_.data());
-  return model_.admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
+  return balance_.sums().admissible_step(segment(stage_->interaction), stage_->interaction, direction_.data());
 }
 
 double StageProblem::convergence_bound(double relative_tolerance) const {

@@ -2,10 +2,12 @@
 #pragma once
 #include <vector>
 
+#include "balance/balance.hpp"
+#include "balance/tangent_operator.hpp"
 #include "model/model.hpp"
-#include "solve/nonlinear_problem.hpp"
-#include "solve/tangent_operator.hpp"
-#include "time/state.hpp"
+#include "model/traits.hpp"
+#include "solve/newton/nonlinear_problem.hpp"
+#include "state/state.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -27,10 +29,10 @@ class StageProblem final : public NonlinearProblem {
   StageProblem(Model& model, const Table& table, bool matrix_free = false);
   StageProblem(Model&, Table&&, bool = false) = delete;
 
-  /// Sets the stage to solve. `known` are the step's start and the ends of the stages before this one; they must stay
-  /// until the solve is over. `time` is the step's start. Throws std::logic_error if the start of the segment is
+  /// Sets the stage to solve. `known` are the step's start and the ends of the stages before this one; they and the
+  /// step's memories must stay until the solve is over. Throws std::logic_error if the start of the segment is
   /// inadmissible.
-  void arm(std::size_t stage, const std::vector<State>& known, double time, double dt);
+  void arm(std::size_t stage, const std::vector<State>& known, double dt, StepMemories& step);
 
   /// Moves `guess` from `base` (an admissible local array) towards `guess` as far as is admissible; both local.
   /// Collective.
@@ -52,7 +54,7 @@ class StageProblem final : public NonlinearProblem {
   /// Returns the largest of those four norms at the last x that residual() saw.
   double force_scale() const { return scale_; }
   bool is_gradient() const override { return has_potential_ && !moving_; }
-  bool has_kinks() const override { return !has_potential_ && !moving_ && model_.has_friction(); }
+  bool has_kinks() const override { return !has_potential_ && !moving_ && has_friction(model_); }
   double way_left(const Vector& x) override;
   void complete_direction(const Vector& x, Vector& direction) override;
   Potential potential(const Vector& x) override;
@@ -61,11 +63,13 @@ class StageProblem final : public NonlinearProblem {
 
  private:
   Segment segment(const Rule& rule) const;
-  void begin_stage(const std::vector<KnownState>& known);
+  BalancePoint point() const;
+  TangentWeights weights() const;
+  void begin_stage(const std::vector<KnownState>& known, StepMemories& step) const;
   void inertia_bracket(const std::vector<double>& u, std::vector<double>& bracket) const;
   /// Sets the tangent's values at u_, constraints apart.
   void assemble(double* values) const;
-  bool force(Part part, const Rule& rule, double* f);
+  KeptForces* kept_points() { return kept_points_.empty() ? nullptr : &kept_points_; }
   bool is_at(const Vector& x) const;
   void linearize();
   Tangent tangent_kind() const;
@@ -74,7 +78,6 @@ class StageProblem final : public NonlinearProblem {
   void constrain_residual(double* out);
   double rounding_force(const State& start, double coefficient);
   double reach(const State& start) const;
-  Potential rule_potential(Part part, const Rule& rule, const std::vector<double>& u) const;
 
   Model& model_;
   const Table& table_;
@@ -85,11 +88,12 @@ class StageProblem final : public NonlinearProblem {
   double dt_ = 0;
   double step_time_ = 0;  ///< the step's start
   double stage_time_ = 0;
-  const std::vector<double>* from_ = nullptr;  ///< u at the step's start
-  std::vector<double> path_velocity_;          ///< h v at the step's start, if a rule uses it
-  std::vector<double> known_inertia_;          ///< inertia row without s (u_s - u_0), local
-  std::vector<double> kept_;                   ///< kept parts of the rules less the mean load, local
-  std::vector<double> load_;                   ///< mean load, local
+  const State* start_ = nullptr;  ///< of the step
+  const StepMemories* step_ = nullptr;
+  std::vector<double> path_velocity_;  ///< h v at the step's start, if a rule uses it
+  std::vector<double> known_inertia_;  ///< inertia row without s (u_s - u_0), local
+  std::vector<double> kept_;           ///< kept parts of the rules less the mean load, local
+  std::vector<double> load_;           ///< mean load, local
   std::vector<double> prescribed_, prescribed_velocity_, prescribed_acceleration_;  ///< local, at constrained dofs
   double rounding_ = 0;       ///< force by which the last digits of u change the balance
   double rounding_here_ = 0;  ///< that force for u at the last residual
@@ -102,12 +106,13 @@ class StageProblem final : public NonlinearProblem {
   bool moving_ = false;  ///< some prescribed value is not reached at the last residual
   int relaxation_ = 0;
 
+  Balance balance_;
   std::vector<double> u_;                ///< local, of the last evaluation of forces or tangents
-  const Stage* residual_of_ = nullptr;   ///< whose elastic_ and interaction_ at u_ residual() left there, if any
+  const Stage* residual_of_ = nullptr;   ///< whose forces at u_ residual() left in the balance, if any
   KeptForces kept_points_;               ///< of residual(); empty if the tangent is applied without a matrix
   const Stage* imported_for_ = nullptr;  ///< the stage of the last residual, if u_ is its x
   const Stage* kept_of_ = nullptr;       ///< whose points at u_ are kept, if any
-  std::vector<double> bracket_, inertia_, elastic_, interaction_, reaction_;
+  std::vector<double> bracket_, product_, reaction_;
   std::vector<double> tangent_at_;  ///< u of a tangent that residual() needed on the way; empty if there is none
   std::vector<double> values_;      ///< the values of that tangent, if it is a matrix
   Teuchos::RCP<TangentOperator> matrix_free_;  ///< null if the tangent is a matrix

@@ -15,42 +15,16 @@ void StageProblem::relax_tangent(int level) {
 }
 
 void StageProblem::assemble(double* values) const {
-  const auto d = static_cast<std::size_t>(model_.mesh().dimension);
-  if (has_mass_)
-    model_.mass()->set(stage_->inertia.unknown / (dt_ * dt_), values);
-  else
-    std::fill_n(values, static_cast<std::size_t>(model_.pattern().pairs()) * d * d, 0.0);
-  model_.add_rate_tangent(u_.data(), values);
-  const auto add = [&](Part part, const Rule& rule, Tangent kind) {
-    if (kept_of_ == stage_)
-      model_.add_kept_tangent(part, segment(rule), rule, kind, kept_points_, values);
-    else
-      model_.add_tangent(part, segment(rule), rule, kind, values);
-  };
-  add(Part::Elastic, stage_->elastic, Tangent::Exact);
-  add(Part::Interaction, stage_->interaction, tangent_kind());
-  if (relaxation_ > 1) model_.add_to_diagonal(shift(), values);
+  balance_.tangent(point(), weights(), tangent_kind(), kept_of_ == stage_ ? &kept_points_ : nullptr, values);
 }
 
 Tangent StageProblem::tangent_kind() const { return relaxation_ == 0 ? Tangent::Exact : Tangent::Convex; }
 
 double StageProblem::shift() const {
-  return relaxation_ > 1 ? model_.elastic_scale() * std::pow(10.0, relaxation_ - 8) : 0;
+  return relaxation_ > 1 ? model_.scales().elastic * std::pow(10.0, relaxation_ - 8) : 0;
 }
 
-void StageProblem::linearize() {
-  TangentPoint point;
-  point.elastic = segment(stage_->elastic);
-  point.interaction = segment(stage_->interaction);
-  point.elastic_rule = &stage_->elastic;
-  point.interaction_rule = &stage_->interaction;
-  point.kind = tangent_kind();
-  point.mass = has_mass_ ? stage_->inertia.unknown / (dt_ * dt_) : 0;
-  point.damping = stage_->damping.unknown / dt_;
-  point.shift = shift();
-  point.constrained_diagonal = diagonal_;
-  matrix_free_->linearize(point);
-}
+void StageProblem::linearize() { matrix_free_->linearize(point(), weights(), tangent_kind(), diagonal_); }
 
 Teuchos::RCP<Operator> StageProblem::create_operator() {
   if (nonnull(matrix_free_)) return matrix_free_;
@@ -85,7 +59,7 @@ void StageProblem::tangent(const Vector& x, Operator& w) {
   } else {
     assemble(values);
   }
-  model_.constrain_matrix(diagonal_, values);
+  if (!model_.constraints().empty()) model_.constrained_entries().constrain(diagonal_, values);
 }
 
 }  // namespace ixos

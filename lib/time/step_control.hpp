@@ -34,7 +34,7 @@ struct StepControlOptions {
 /// The measures of a converged step.
 struct StepJudgement {
   double error = 0;      ///< see local_error()
-  double gap_ratio = 1;  ///< see Model::gap_ratio()
+  double gap_ratio = 1;  ///< see TermSums::gap_ratio()
 };
 
 /// Fixed: steps of nominal length on a fixed grid of times. A failed step is halved; after a step that succeeds the

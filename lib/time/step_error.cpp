@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/branch_reports.hpp"
+
 namespace ixos {
 
 double local_error(const Model& model, const Table& table, const std::vector<State>& states, double dt,
@@ -23,7 +25,8 @@ double local_error(const Model& model, const Table& table, const std::vector<Sta
     if (!model.mesh().is_derivative(i / d) && !model.constraints().holds(static_cast<int>(i)))
       largest = std::max(largest, std::abs(third_derivative(i)));
   return std::max(std::abs(table.error_constant) * dt * dt * dt * model.space().maximum(largest),
-                  model.history_error(start.u.data(), end.u.data(), dt));
+                  history_error(model, {states.front().u.data(), nullptr, states.back().u.data(), states.front().time,
+                                        dt, &states.front().histories}));
 }
 
 }  // namespace ixos

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "time/state.hpp"
+#include "state/state.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -20,7 +20,7 @@ struct PreviousVelocity {
 /// stages). u''' is twice a divided difference of velocities: those of the step before, of the start and of the end. If
 /// the table has two stages, it uses the three velocities of the step itself; in a first step, the start's velocity and
 /// acceleration and the end's velocity. Derivative nodes and prescribed degrees of freedom do not count. If
-/// Model::history_error() is larger, returns that. Collective.
+/// history_error() is larger, returns that. Collective.
 double local_error(const Model& model, const Table& table, const std::vector<State>& states, double dt,
                    const PreviousVelocity& previous);
 

@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "fem/rate_form.hpp"
-#include "fem/row.hpp"
-#include "fem/rule.hpp"
-#include "fem/work_sum.hpp"
-#include "model/loads.hpp"
-#include "model/mass.hpp"
+#include "rule/rate_form.hpp"
+#include "rule/row.hpp"
+#include "rule/rule.hpp"
+#include "rule/work_sum.hpp"
+#include "term/body/mass.hpp"
+#include "term/support/loads.hpp"
 
 namespace ixos {
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/dot.hpp"
+#include "model/term_sums.hpp"
 
 namespace ixos {
 namespace {
@@ -66,17 +67,19 @@ double unbalanced_work(const Model& model, double residual, double force, const 
   return residual * std::sqrt(squares[0]) + 16 * std::numeric_limits<double>::epsilon() * force * std::sqrt(squares[1]);
 }
 
-double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double time,
-                         double dt) {
+double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double dt,
+                         const StepMemories& step) {
+  const TermSums terms(model);
   const State& start = states.front();
+  const TermHistories* const kept = &start.histories;
   if (table.work.form == WorkSum::Form::Increment) {
     const Rule& rule = table.stages.back().interaction;
     Array path_velocity;
     if (rule.uses_velocity()) path_velocity = start.v;
     for (double& value : path_velocity) value *= dt;
-    return model.obstacle_work(
-        {start.u.data(), path_velocity.empty() ? nullptr : path_velocity.data(), states.back().u.data(), time, dt},
-        rule);
+    return terms.obstacle_work({start.u.data(), path_velocity.empty() ? nullptr : path_velocity.data(),
+                                states.back().u.data(), start.time, dt, kept, &step},
+                               rule);
   }
   double sum = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
@@ -84,7 +87,8 @@ double work_of_obstacles(const Model& model, const Table& table, const std::vect
     const double weight = table.work.form == WorkSum::Form::Stages ? table.work.weights[i] : at_end ? 0.5 : 0.0;
     const double when = i == 0 ? 0.0 : table.stages[i - 1].end;
     if (weight != 0)
-      sum += model.obstacle_work({nullptr, nullptr, states[i].u.data(), time, dt}, {{{weight, 0, 0, 1, when}}, 0});
+      sum += terms.obstacle_work({nullptr, nullptr, states[i].u.data(), start.time, dt, kept, &step},
+                                 {{{weight, 0, 0, 1, when}}, 0});
   }
   return sum;
 }

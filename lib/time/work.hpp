@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "time/state.hpp"
+#include "state/state.hpp"
 #include "time/table.hpp"
 
 namespace ixos {
@@ -25,10 +25,10 @@ double work_of_external_forces(const Model& model, const Table& table, const std
 double unbalanced_work(const Model& model, double residual, double force, const std::vector<double>& u0,
                        const std::vector<double>& u1);
 
-/// Returns the work of moved obstacles over that step, which begins at `time` [E0 L0^D]. Increment: along the path of
-/// the interaction's mean force, see Interaction::obstacle_work(); with a mean that is no sum of points the balance
+/// Returns the work of moved obstacles over that step [E0 L0^D]. Increment: along the path of
+/// the interaction's mean force, see ObstacleMotion::work(); with a mean that is no sum of points the balance
 /// closes exactly. EndMean and Stages: the power of the forces in the states that the table's sum weighs. Collective.
-double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double time,
-                         double dt);
+double work_of_obstacles(const Model& model, const Table& table, const std::vector<State>& states, double dt,
+                         const StepMemories& step);
 
 }  // namespace ixos

@@ -13,6 +13,7 @@
 #include "bindings.hpp"
 #include "live_simulation.hpp"
 #include "model/crossing.hpp"
+#include "model/term_sums.hpp"
 
 namespace py = pybind11;
 
@@ -70,15 +71,17 @@ void check_time(double time, const Simulation& simulation) {
 }
 
 /// Throws InputError unless forces are defined at the displacement. Collective.
-void check_admissible(const Model& model, const Values& u) {
+void check_admissible(const Model& model, const Values& u, double time) {
+  const TermHistories histories = model.create_histories();
+  const Segment here = segment_at({u.data(), time, &histories});
+  const TermSums terms(model);
   Values scratch(u.size());
-  const Segment here{nullptr, nullptr, u.data()};
-  bool admissible = model.force(Part::Elastic, here, end_rule(), scratch.data());
+  bool admissible = terms.force(Part::Elastic, here, end_rule(), scratch.data());
   if (model.has_interactions())
-    admissible = model.force(Part::Interaction, here, end_rule(), scratch.data()) && admissible;
+    admissible = terms.force(Part::Interaction, here, end_rule(), scratch.data()) && admissible;
   if (model.space().minimum(admissible ? 1 : 0) == 0)
     throw InputError("u: it is not admissible: a gap is not positive, or an element is inverted");
-  if (const std::string crossed = crossing(model, u.data()); !crossed.empty())
+  if (const std::string crossed = crossing(model, here); !crossed.empty())
     throw InputError("u: it is not admissible: " + crossed);
 }
 
@@ -124,7 +127,7 @@ void set_state(LiveSimulation& live, const py::object& given_u, const py::object
     });
     model.space().update_ghosts(u.data());
     model.space().update_ghosts(v.data());
-    check_admissible(model, u);
+    check_admissible(model, u, time);
     initialize(s.integrator(), std::move(u), std::move(v), time);
   });
 }

@@ -7,21 +7,24 @@
 #include "bindings.hpp"
 #include "live_simulation.hpp"
 #include "model/set_reactions.hpp"
+#include "model/state_report.hpp"
+#include "model/term_sums.hpp"
 
 namespace py = pybind11;
 
 namespace ixos::python {
 namespace {
 
+StateReport report_of(const Simulation& s) { return {s.model(), s.integrator().state()}; }
+
 /// The names are those of history.csv.
 py::dict energies(const LiveSimulation& simulation) {
   double kinetic = 0, elastic = 0, contact = 0;
   compute(simulation, [&](Simulation& s) {
-    const Model& model = s.model();
-    const State& state = s.integrator().state();
-    kinetic = model.momenta(state.u.data(), state.v.data()).kinetic_energy;
-    elastic = model.elastic_energy(s.integrator().time(), state.u.data());
-    if (model.has_interactions()) contact = model.energy(Part::Interaction, state.u.data());
+    const StateReport report = report_of(s);
+    kinetic = report.momenta().kinetic_energy;
+    elastic = report.elastic_energy();
+    if (s.model().has_interactions()) contact = report.energy(Part::Interaction);
   });
   py::dict result;
   result["kinetic_energy"] = kinetic;
@@ -34,15 +37,11 @@ py::dict energies(const LiveSimulation& simulation) {
 }
 
 Momenta momenta(const LiveSimulation& simulation) {
-  return compute(simulation, [](Simulation& s) {
-    const State& state = s.integrator().state();
-    return s.model().momenta(state.u.data(), state.v.data());
-  });
+  return compute(simulation, [](Simulation& s) { return report_of(s).momenta(); });
 }
 
 py::dict contact(const LiveSimulation& simulation) {
-  InteractionReport report =
-      compute(simulation, [](Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); });
+  InteractionReport report = compute(simulation, [](Simulation& s) { return report_of(s).interaction_report(); });
   py::dict result;
   result["contact_force"] = taken(std::move(report.force));
   result["contact_measure"] = report.measure;
@@ -55,10 +54,9 @@ py::dict interaction(const LiveSimulation& simulation, const std::string& name) 
   InteractionReport report;
   std::vector<double> moment;
   compute(simulation, [&](Simulation& s) {
-    const InteractionGroup& group = s.model().interaction(name);
-    const double* u = s.integrator().state().u.data();
-    report = group.report(u);
-    moment = group.moment(u);
+    const InteractionGroup group = report_of(s).interaction(name);
+    report = group.report();
+    moment = group.moment();
   });
   py::dict result;
   result["contact_force"] = taken(std::move(report.force));
@@ -96,8 +94,7 @@ py::dict probe(const LiveSimulation& simulation, const std::string& name) {
 /// Returns nodal values of the model at the present displacement, a row a node if there are several a node.
 template <class Values>
 py::array nodal(const LiveSimulation& simulation, const Values& values) {
-  std::vector<double> result =
-      compute(simulation, [&](Simulation& s) { return (s.model().*values)(s.integrator().state().u.data()); });
+  std::vector<double> result = compute(simulation, [&](Simulation& s) { return (report_of(s).*values)(); });
   const py::ssize_t d = simulation.model().space().dimension();
   const auto nodes = static_cast<py::ssize_t>(simulation.model().mesh().nodes());
   const Shape shape = static_cast<py::ssize_t>(result.size()) == nodes ? Shape{nodes} : Shape{nodes, d};
@@ -109,8 +106,8 @@ py::array forces(const LiveSimulation& simulation, Part part) {
   const DofSpace& space = simulation.model().space();
   std::vector<double> result(static_cast<std::size_t>(space.local()), 0.0);
   compute(simulation, [&](Simulation& s) {
-    const Segment here{nullptr, nullptr, s.integrator().state().u.data()};
-    s.model().force(part, here, end_rule(), result.data());
+    const Segment here = segment_at(s.integrator().state().place());
+    TermSums(s.model()).force(part, here, end_rule(), result.data());
   });
   std::fill(result.begin() + space.owned(), result.end(), 0.0);
   const py::ssize_t nodes = simulation.model().mesh().nodes(), d = space.dimension();
@@ -145,13 +142,13 @@ void bind_measures(SimulationClass& simulation) {
           "interaction_forces", [](const LiveSimulation& s) { return forces(s, Part::Interaction); },
           "Nodal forces f_c of the interactions, likewise. They sum to -contact_force.")
       .def_property_readonly(
-          "gaps", [](const LiveSimulation& s) { return nodal(s, &Model::nodal_gap); },
+          "gaps", [](const LiveSimulation& s) { return nodal(s, &StateReport::nodal_gap); },
           "Gaps to the nearest obstacle by node [L0]; NaN away from interacting surfaces. Valid for owned nodes.")
       .def_property_readonly(
-          "pressure", [](const LiveSimulation& s) { return nodal(s, &Model::contact_pressure); },
+          "pressure", [](const LiveSimulation& s) { return nodal(s, &StateReport::contact_pressure); },
           "Traction of the interactions along the obstacles' normals by node [E0]. Valid for owned nodes.")
       .def_property_readonly(
-          "traction", [](const LiveSimulation& s) { return nodal(s, &Model::interaction_traction); },
+          "traction", [](const LiveSimulation& s) { return nodal(s, &StateReport::interaction_traction); },
           "Traction of the interactions, nodes x dimension [E0]. Valid for owned nodes.");
 }
 

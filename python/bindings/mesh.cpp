@@ -8,13 +8,14 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "fem/cell_info.hpp"
 #include "io/exodus_mesh.hpp"
 #include "mesh/cell_sides.hpp"
 #include "mesh/generators/given.hpp"
 #include "mesh/joined_parts.hpp"
 #include "mesh/quality.hpp"
-#include "scene/scene_mesh.hpp"
-#include "scene/scene_units.hpp"
+#include "scene/read/scene_mesh.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene_list.hpp"
 
 namespace py = pybind11;
@@ -52,14 +53,11 @@ std::vector<int> node_numbers(const Table& table, const Mesh& mesh, const std::s
 void add_block(Mesh& mesh, const std::string& name, const py::object& cells) {
   const std::string place = quoted("block", name);
   const Table table = integers(cells, 2, place);
-  const bool flat = mesh.dimension == 2;
-  for (const CellType type : {flat ? CellType::Quad4 : CellType::Hex8, flat ? CellType::Quad9 : CellType::Hex27})
-    if (table.shape(1) == nodes_per_cell(type)) {
-      mesh.blocks.push_back({name, type, node_numbers(table, mesh, place)});
-      return;
-    }
-  throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
-                               mesh.dimension, flat ? "4 or 9" : "8 or 27"));
+  const CellInfo* info = cube_with(mesh.dimension, static_cast<int>(table.shape(1)));
+  if (info == nullptr)
+    throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place, table.shape(1),
+                                 mesh.dimension, mesh.dimension == 2 ? "4 or 9" : "8 or 27"));
+  mesh.blocks.push_back({name, info->type, node_numbers(table, mesh, place)});
 }
 
 void add_node_set(Mesh& mesh, const std::string& name, const py::object& nodes) {

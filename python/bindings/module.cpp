@@ -1,7 +1,7 @@
 // The module ixos._core: the library in Python. The package ixos adds what is shorter in Python.
 #include "bindings.hpp"
 #include "session.hpp"
-#include "solve/klu2_repair.hpp"
+#include "solve/direct/klu2_repair.hpp"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The library of Ixos.";

@@ -9,10 +9,10 @@
 #include "parameters/parameter_entries.hpp"
 #include "parameters/parameter_text.hpp"
 #include "parameters/validation.hpp"
-#include "scene/documentation.hpp"
-#include "scene/parameters.hpp"
+#include "scene/explain/documentation.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/scene_units.hpp"
 #include "scene_list.hpp"
 
 namespace py = pybind11;

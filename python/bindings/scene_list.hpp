@@ -23,7 +23,7 @@ auto at_scene(const std::string& file, const std::vector<std::string>& other_pla
 }  // namespace ixos::python
 
 #include "base/error.hpp"
-#include "scene/placed_message.hpp"
+#include "scene/read/placed_message.hpp"
 
 template <class Function>
 auto ixos::python::at_scene(const std::string& file, const std::vector<std::string>& other_places,

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "io/hdf5_file.hpp"
-#include "solve/klu2_repair.hpp"
+#include "solve/direct/klu2_repair.hpp"
 
 namespace py = pybind11;
 

@@ -7,7 +7,7 @@
 
 #include "bindings.hpp"
 #include "live_simulation.hpp"
-#include "scene/explanation.hpp"
+#include "scene/explain/explanation.hpp"
 #include "scene_list.hpp"
 
 namespace py = pybind11;

@@ -1,12 +1,12 @@
 // Studies run one scene with many settings, each in a separate process.
-#include "study/study.hpp"
+#include "study/compare/study.hpp"
 
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
 #include "scene_list.hpp"
 #include "shell_word.hpp"
-#include "study/study_runner.hpp"
+#include "study/compare/study_runner.hpp"
 
 namespace py = pybind11;
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "interaction/van_der_waals.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/simulation.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace {
 

@@ -15,8 +15,9 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
-#include "term/maxwell_term.hpp"
-#include "term/surface_terms.hpp"
+#include "model/term_sums.hpp"
+#include "term/body/maxwell_term.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace {
 
@@ -113,7 +114,8 @@ void elastic_force(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), formulation(state));
   const ixos::Rule rule = time_points(state);
   const ixos::Segment step = x.step_of(rule);
-  for (auto _ : state) benchmark::DoNotOptimize(x.model.force(ixos::Part::Elastic, step, rule, x.f.data()));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(ixos::TermSums(x.model).force(ixos::Part::Elastic, step, rule, x.f.data()));
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -122,7 +124,8 @@ void elastic_tangent(benchmark::State& state) {
   const ixos::Rule rule = time_points(state);
   const ixos::Segment step = x.step_of(rule);
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  for (auto _ : state) x.model.add_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, values);
+  for (auto _ : state)
+    ixos::TermSums(x.model).add_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, values);
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -132,10 +135,10 @@ void elastic_kept(benchmark::State& state) {
   const ixos::Rule rule = time_points(state);
   const ixos::Segment step = x.step_of(rule);
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  ixos::KeptForces kept = x.model.create_kept();
+  ixos::KeptForces kept = ixos::TermSums(x.model).create_kept();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(x.model.force_and_keep(ixos::Part::Elastic, step, rule, kept, x.f.data()));
-    x.model.add_kept_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, kept, values);
+    benchmark::DoNotOptimize(ixos::TermSums(x.model).force_and_keep(ixos::Part::Elastic, step, rule, kept, x.f.data()));
+    ixos::TermSums(x.model).add_kept_tangent(ixos::Part::Elastic, step, rule, ixos::Tangent::Exact, kept, values);
   }
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
@@ -155,7 +158,8 @@ struct LawFixture : Fixture {
 void law_force(benchmark::State& state) {
   LawFixture x(state);
   for (auto _ : state)
-    benchmark::DoNotOptimize(x.model.force(ixos::Part::Elastic, x.here(), ixos::end_rule(), x.f.data()));
+    benchmark::DoNotOptimize(
+        ixos::TermSums(x.model).force(ixos::Part::Elastic, x.here(), ixos::end_rule(), x.f.data()));
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -163,7 +167,7 @@ void law_tangent(benchmark::State& state) {
   LawFixture x(state);
   double* values = x.matrix->getLocalMatrixHost().values.data();
   for (auto _ : state)
-    x.model.add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
+    ixos::TermSums(x.model).add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
   state.SetItemsProcessed(state.iterations() * x.mesh.cells());
 }
 
@@ -190,16 +194,21 @@ struct BranchFixture : Fixture {
       : Fixture(static_cast<int>(state.range(0)), divisions(state), ixos::Formulation::Standard, 0,
                 ixos::neo_hooke(ixos::lame_constants(1, 0.3)),
                 std::vector<ixos::MaxwellBranch>(static_cast<std::size_t>(state.range(2)), {0.3, 0.1})),
-        rule(time_points(state)) {
+        rule(time_points(state)),
+        histories(model.create_histories()),
+        memories(model.create_memories()) {
     for (const ixos::NamedForceTerm& named : model.force_terms())
       if (dynamic_cast<const ixos::Viscoelasticity*>(named.term) != nullptr) term = named.term;
     ixos::StageStart start;
     start.length = start.mean_time = 0.05;
-    model.begin_stage(start);
+    start.histories = &histories;
+    model.begin_stage(start, memories);
   }
-  ixos::Segment step() const { return {u.data(), nullptr, u.data(), 0, 0.05}; }
+  ixos::Segment step() const { return {u.data(), nullptr, u.data(), 0, 0.05, &histories, &memories}; }
 
   ixos::Rule rule;
+  ixos::TermHistories histories;
+  ixos::StepMemories memories;
   const ixos::ForceTerm* term = nullptr;
 };
 
@@ -221,7 +230,7 @@ void matrix_product(benchmark::State& state) {
   Fixture x(static_cast<int>(state.range(0)), divisions(state), ixos::Formulation::Standard, 0,
             ixos::neo_hooke(ixos::lame_constants(1, 0.3)), {}, static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  x.model.add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
+  ixos::TermSums(x.model).add_tangent(ixos::Part::Elastic, x.here(), ixos::end_rule(), ixos::Tangent::Exact, values);
   ixos::Vector in(x.matrix->getDomainMap()), out(x.matrix->getRangeMap());
   in.randomize();
   for (auto _ : state) x.matrix->apply(in, out);
@@ -236,8 +245,8 @@ void interaction(benchmark::State& state) {
   const ixos::Rule rule = ixos::gauss_rule(static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(x.model.force(ixos::Part::Interaction, x.here(), rule, x.f.data()));
-    x.model.add_tangent(ixos::Part::Interaction, x.here(), rule, ixos::Tangent::Exact, values);
+    benchmark::DoNotOptimize(ixos::TermSums(x.model).force(ixos::Part::Interaction, x.here(), rule, x.f.data()));
+    ixos::TermSums(x.model).add_tangent(ixos::Part::Interaction, x.here(), rule, ixos::Tangent::Exact, values);
   }
   state.SetItemsProcessed(state.iterations() *
                           static_cast<long>(x.model.mesh().side_sets[x.model.mesh().side_set("bottom")].size()));
@@ -250,10 +259,12 @@ void interaction_kept(benchmark::State& state) {
             static_cast<int>(state.range(2)));
   const ixos::Rule rule = ixos::gauss_rule(static_cast<int>(state.range(1)));
   double* values = x.matrix->getLocalMatrixHost().values.data();
-  ixos::KeptForces kept = x.model.create_kept();
+  ixos::KeptForces kept = ixos::TermSums(x.model).create_kept();
   for (auto _ : state) {
-    benchmark::DoNotOptimize(x.model.force_and_keep(ixos::Part::Interaction, x.here(), rule, kept, x.f.data()));
-    x.model.add_kept_tangent(ixos::Part::Interaction, x.here(), rule, ixos::Tangent::Exact, kept, values);
+    benchmark::DoNotOptimize(
+        ixos::TermSums(x.model).force_and_keep(ixos::Part::Interaction, x.here(), rule, kept, x.f.data()));
+    ixos::TermSums(x.model).add_kept_tangent(ixos::Part::Interaction, x.here(), rule, ixos::Tangent::Exact, kept,
+                                             values);
   }
   state.SetItemsProcessed(state.iterations() *
                           static_cast<long>(x.model.mesh().side_sets[x.model.mesh().side_set("bottom")].size()));

@@ -17,12 +17,12 @@
 #include <functional>
 #include <vector>
 
+#include "balance/tangent_operator.hpp"
 #include "mesh/cell_order.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/partition.hpp"
 #include "model/model.hpp"
-#include "solve/single_products.hpp"
-#include "solve/tangent_operator.hpp"
+#include "solve/iterative/single_products.hpp"
 
 namespace {
 
@@ -50,7 +50,7 @@ class Product {
         u_(static_cast<std::size_t>(model_.space().local())),
         start_(u_.size()),
         tangent_(model_, [this](double* values) {
-          model_.add_tangent(ixos::Part::Elastic, step(), rule_, ixos::Tangent::Exact, values);
+          ixos::TermSums(model_).add_tangent(ixos::Part::Elastic, step(), rule_, ixos::Tangent::Exact, values);
           model_.mass()->add_to(4.0, values);
         }) {
     model_.do_without_matrices();
@@ -58,12 +58,10 @@ class Product {
       u_[i] = 0.01 * std::sin(model_.mesh().coordinates[i]);
       start_[i] = 0.9 * u_[i];
     }
-    ixos::TangentPoint point;
+    ixos::BalancePoint point;
     point.elastic = point.interaction = step();
     point.elastic_rule = point.interaction_rule = &rule_;
-    point.mass = 4.0;
-    point.damping = 2.0;
-    tangent_.linearize(point);
+    tangent_.linearize(point, {4.0, 2.0, 1.0}, ixos::Tangent::Exact, 1.0);
   }
   const ixos::TangentOperator& tangent() const { return tangent_; }
   const ixos::DofSpace& space() const { return model_.space(); }

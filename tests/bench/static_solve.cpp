@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "embedding/semi_discrete_tangent.hpp"
 #include "fem/cell_type.hpp"
 #include "fem/quadratic_elements.hpp"
 #include "fem/reference_elements.hpp"
@@ -28,11 +29,10 @@
 #include "mesh/partition.hpp"
 #include "model/conditions.hpp"
 #include "model/model.hpp"
-#include "solve/linear_solver.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "solve/choice/problem_size.hpp"
 #include "solve/operator_preconditioner.hpp"
-#include "solve/problem_size.hpp"
-#include "solve/semi_discrete_tangent.hpp"
 
 namespace {
 
@@ -123,7 +123,7 @@ class Problem {
     const std::vector<double> rest(static_cast<std::size_t>(model_.space().local()), 0.0);
     const double start = now();
     const auto w = Teuchos::rcp(new ixos::SemiDiscreteOperator(model_));
-    w->linearize({0, 0, 1}, rest, 0);
+    w->linearize({0, 0, 1}, {rest.data()});
     Teuchos::RCP<const ixos::Operator> op = w;
     if (assembled) op = w->matrix();
     const auto space = ixos::vector_space(model_.space().owned_map());

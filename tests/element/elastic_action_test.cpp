@@ -103,7 +103,7 @@ class ElasticActionTest : public testing::Test {
   }
 
   typename C::Material material_{lame_constants(1.0, 0.3)};
-  ShapeTable<Element> table_{points()};
+  ShapeTable<Element> table_{product_rule(points())};
   Nodal x_{}, u_{}, zero_{}, change_{};
   typename Kernel::template Geometry<double> geometry_;
 };

@@ -38,7 +38,7 @@ class LawLimitTest : public testing::Test {
   }
 
   AnyElasticLaw material_{make_elastic_law("Gent", {{"Limit", 4.0}})};
-  typename Kernel::Table table_{{2, 2}};
+  typename Kernel::Table table_{product_rule(std::array<int, 2>{2, 2})};
   Nodal x_{};
   typename Kernel::template Geometry<Pack> geometry_;
 };
@@ -65,7 +65,7 @@ TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
   using Kernel = EnhancedKernel<Quad4, AnyElasticLaw>;
   using Plain = ElasticKernel<Quad4, AnyElasticLaw>;
   const AnyElasticLaw material(make_elastic_law("Gent", {{"Limit", 0.1}, {"Poisson's Ratio", 0.0}}));
-  const typename Kernel::Table table{{2, 2}};
+  const typename Kernel::Table table{product_rule(std::array<int, 2>{2, 2})};
   Kernel::Nodal<Pack> x{}, start{}, end{};
   for (std::size_t a = 0; a < Kernel::N; ++a)
     for (std::size_t d = 0; d < 2; ++d) x[a][d] = corners<2>()[a][d];
@@ -93,7 +93,7 @@ TEST(LawLimitModesTest, AreThoseOfTheStateWithItsModes) {
 TEST(LawLimitGradientTest, ADiscreteGradientBeyondItIsInadmissible) {
   using Kernel = ElasticKernel<Quad4, AnyElasticLaw>;
   const AnyElasticLaw material(make_elastic_law("Gent", {{"Limit", 4.0}}));
-  const typename Kernel::Table table{{2, 2}};
+  const typename Kernel::Table table{product_rule(std::array<int, 2>{2, 2})};
   Kernel::Nodal<Pack> x{}, start{}, end{};
   for (std::size_t a = 0; a < Kernel::N; ++a)
     for (std::size_t d = 0; d < 2; ++d) x[a][d] = corners<2>()[a][d];

@@ -24,20 +24,20 @@ struct Body : test::ElementNodes<Shape> {
     for (int count : {1, 2, 3, 4}) {
       std::array<int, D> counts;
       counts.fill(count);
-      all.emplace_back(counts);
+      all.emplace_back(product_rule(counts));
     }
     for (std::size_t along = 0; along < D; ++along) {
       std::array<int, D> counts;
       counts.fill(1);
       counts[along] = 1 << D;
-      all.emplace_back(counts);
+      all.emplace_back(product_rule(counts));
       counts[along] = 1 << (D - 1);
       counts[(along + 1) % D] = 2;
-      all.emplace_back(counts);
+      all.emplace_back(product_rule(counts));
       counts.fill(3);
       counts[along] = 1;
       counts[(along + 1) % D] = 9;
-      all.emplace_back(counts);
+      all.emplace_back(product_rule(counts));
     }
     return all;
   }

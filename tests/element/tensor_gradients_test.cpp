@@ -137,19 +137,19 @@ TYPED_TEST(TensorGradientsTest, OnlyThreePointsAlongEachDirectionAreServed) {
   std::array<int, Tested::D> counts;
   for (int count : {1, 2, 4, 5}) {
     counts.fill(count);
-    EXPECT_FALSE(Tested::Tensor::serves(ShapeTable<typename Tested::Element>(counts))) << count;
+    EXPECT_FALSE(Tested::Tensor::serves(ShapeTable<typename Tested::Element>(product_rule(counts)))) << count;
   }
   for (std::size_t along = 0; along < Tested::D; ++along) {
     counts.fill(3);
     counts[along] = 9;
     counts[(along + 1) % Tested::D] = 1;
-    EXPECT_FALSE(Tested::Tensor::serves(ShapeTable<typename Tested::Element>(counts))) << along;
+    EXPECT_FALSE(Tested::Tensor::serves(ShapeTable<typename Tested::Element>(product_rule(counts)))) << along;
   }
 }
 
 TEST(TiedQuad9, TakesTheTable) {
   for (unsigned tied = 1; tied < 16; ++tied)
-    EXPECT_FALSE(TensorGradients<Quad9>::serves(ShapeTable<Quad9>(Quad9::default_points, tied))) << tied;
+    EXPECT_FALSE(TensorGradients<Quad9>::serves(ShapeTable<Quad9>(element_rule<Quad9>(), tied))) << tied;
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // --set: an assignment on each line, applied to a small scene.
 #include "base/error.hpp"
 #include "input.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/scene_units.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

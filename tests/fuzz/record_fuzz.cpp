@@ -8,7 +8,7 @@
 #include "input.hpp"
 #include "run/history.hpp"
 #include "run/run_files.hpp"
-#include "scene/stop.hpp"
+#include "scene/read/stop.hpp"
 #include "time/step_control.hpp"
 
 namespace {

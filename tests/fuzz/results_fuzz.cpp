@@ -1,7 +1,7 @@
 // Results that a study compares: history.csv, effective.xml and summary.json, separated by lines of ----.
 #include "base/error.hpp"
 #include "input.hpp"
-#include "study/study_errors.hpp"
+#include "study/compare/study_errors.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

@@ -4,10 +4,10 @@
 #include "mesh/generators/spatula.hpp"
 #include "parameters/parameter_entries.hpp"
 #include "parameters/validation.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_changes.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/scene_units.hpp"
 
 #include <Teuchos_Array.hpp>
 

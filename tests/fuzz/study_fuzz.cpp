@@ -1,7 +1,7 @@
 // Studies: a study file beside a small scene.
 #include "base/error.hpp"
 #include "input.hpp"
-#include "study/study.hpp"
+#include "study/compare/study.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ixos;

@@ -2,13 +2,13 @@
 #include <gtest/gtest.h>
 
 #include "fem/quadrature.hpp"
-#include "fem/rule.hpp"
 #include "histories/catalogue.hpp"
 #include "interaction/catalogue.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/generators/entry.hpp"
 #include "mesh/quality.hpp"
 #include "parameters/validation.hpp"
+#include "rule/rule.hpp"
 #include "time/table.hpp"
 
 namespace ixos {

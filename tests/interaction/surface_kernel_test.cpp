@@ -27,13 +27,7 @@ struct Surface {
     Nodal<T> from, velocity, to;
   };
 
-  explicit Surface(int points) : quadrature(counts(points)) {}
-
-  static std::array<int, D - 1> counts(int points) {
-    std::array<int, D - 1> result;
-    result.fill(points);
-    return result;
-  }
+  explicit Surface(int points) : quadrature(element_rule<Multilinear<static_cast<int>(D) - 1>>(points)) {}
 
   static Nodal<double> constant(double value) {
     Nodal<double> result{};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "mesh/cell_order.hpp"
 #include "mesh/connected_parts.hpp"
@@ -144,11 +145,23 @@ TEST(JoinedPartsTest, APartComesBack) {
   raise_order(one);
   raise_order(two);
   std::vector<int> old;
-  const Mesh joined = joined_parts({{"one", one}, {"two", two}}), back = blocks_of_part(joined, "two", old);
+  const Mesh joined = joined_parts({{"one", one}, {"two", two}}), back = part_of_joined(joined, "two", old);
   EXPECT_EQ(back.coordinates, two.coordinates);
   EXPECT_EQ(back.blocks[0].nodes, two.blocks[0].nodes);
   EXPECT_EQ(places(joined, old), two.coordinates);
   EXPECT_TRUE(back.notes.empty());
+  EXPECT_EQ(back.linear_nodes, two.linear_nodes);
+  ASSERT_EQ(back.side_sets.size(), two.side_sets.size());
+  for (std::size_t k = 0; k < two.side_sets.size(); ++k) {
+    EXPECT_EQ(back.side_sets[k].name, "two_" + two.side_sets[k].name);
+    ASSERT_EQ(back.side_sets[k].sides.size(), two.side_sets[k].sides.size());
+    for (std::size_t s = 0; s < two.side_sets[k].sides.size(); ++s) {
+      const Side &found = back.side_sets[k].sides[s], &expected = two.side_sets[k].sides[s];
+      EXPECT_EQ(std::tie(found.block, found.cell, found.side), std::tie(expected.block, expected.cell, expected.side));
+    }
+  }
+  ASSERT_EQ(back.node_sets.size(), two.node_sets.size());
+  for (std::size_t k = 0; k < two.node_sets.size(); ++k) EXPECT_EQ(back.node_sets[k].nodes, two.node_sets[k].nodes);
 }
 
 }  // namespace

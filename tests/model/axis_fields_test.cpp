@@ -12,6 +12,7 @@
 #include "model/model.hpp"
 #include "model/surface_interaction.hpp"
 #include "support/contact_element.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -46,8 +47,9 @@ const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement:
 /// Returns pressure and traction at the node on the axis from the rank that owns it, on all ranks.
 std::array<double, 3> on_axis(const Model& model) {
   const std::vector<double> u = test::at_rest(model);
-  const InteractionGroup& group = model.interaction("Below");
-  const std::vector<double> pressure = group.pressure(u.data()), traction = group.traction(u.data());
+  const test::ReportAt report(model, u.data());
+  const InteractionGroup group = report.interaction("Below");
+  const std::vector<double> pressure = group.pressure(), traction = group.traction();
   std::array<double, 3> values{};
   const LocalMesh& mesh = model.mesh();
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node)

@@ -12,8 +12,10 @@
 #include "mesh/quality.hpp"
 #include "model/conditions.hpp"
 #include "model/surface_interaction.hpp"
+#include "model/term_sums.hpp"
 #include "support/contact_element.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -60,7 +62,7 @@ TEST(AxisTest, MassAndMomentaAreThoseOfTheWholeBody) {
   const double mass = 0.7 * M_PI * radius * radius * height;
   for (const Inertia inertia : {Inertia::Consistent, Inertia::Lumped}) {
     const auto model = body(cylinder(), inertia);
-    const Momenta momenta = model->momenta(test::at_rest(*model).data(), field(*model, 1, 2).data());
+    const Momenta momenta = test::ReportAt(*model, test::at_rest(*model).data(), field(*model, 1, 2).data()).momenta();
     EXPECT_EQ(momenta.linear[0], 0);
     EXPECT_NEAR(momenta.linear[1], 2 * mass, 1e-12 * mass);
     EXPECT_EQ(momenta.angular[0], 0);
@@ -104,10 +106,10 @@ TEST(AxisTest, AWallActsOnTheWholeDisk) {
     wall.law = gap_law(VanDerWaals(2.5, 25));
     wall.obstacle = flat_wall({});
     add_interaction(*model, wall);
-    const InteractionReport report = model->interaction_report(test::at_rest(*model).data());
+    const InteractionReport report = test::ReportAt(*model, test::at_rest(*model).data()).interaction_report();
     EXPECT_EQ(report.force[0], 0);
     EXPECT_NEAR(report.force[1], M_PI * radius * radius * VanDerWaals(2.5, 25).traction(0.4), 1e-13);
-    EXPECT_NEAR(model->energy(Part::Interaction, test::at_rest(*model).data()),
+    EXPECT_NEAR(test::ReportAt(*model, test::at_rest(*model).data()).energy(Part::Interaction),
                 M_PI * radius * radius * VanDerWaals(2.5, 25).energy(0.4), 1e-13);
   }
 }
@@ -121,7 +123,7 @@ TEST(AxisTest, ASphereOnTheAxisActsOnRings) {
   below.obstacle = make_obstacle("Sphere", 2, {{"Center", {0.0, -ball}}, {"Radius", ball}});
   below.points = 20;
   add_interaction(*model, below);
-  const InteractionReport report = model->interaction_report(test::at_rest(*model).data());
+  const InteractionReport report = test::ReportAt(*model, test::at_rest(*model).data()).interaction_report();
   // The axial force on a disk, by the midpoint rule.
   const int n = 200000;
   double force = 0;
@@ -133,7 +135,7 @@ TEST(AxisTest, ASphereOnTheAxisActsOnRings) {
   // The nodal force is the gradient of the energy.
   std::vector<double> u = field(*model, 0.02, 0.01);
   const std::vector<double> way = field(*model, 1, -0.3);
-  const std::vector<double> f = model->nodal_force(Part::Interaction, u.data());
+  const std::vector<double> f = test::ReportAt(*model, u.data()).nodal_force(Part::Interaction);
   double slope = 0, difference = 0;
   for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(model->mesh().owned_nodes); ++k) slope += f[k] * way[k];
   model->space().sum(&slope, 1);
@@ -141,7 +143,7 @@ TEST(AxisTest, ASphereOnTheAxisActsOnRings) {
   for (const double sign : {1.0, -1.0}) {
     std::vector<double> moved = u;
     for (std::size_t k = 0; k < u.size(); ++k) moved[k] += sign * h * way[k];
-    difference += sign * model->energy(Part::Interaction, moved.data()) / (2 * h);
+    difference += sign * test::ReportAt(*model, moved.data()).energy(Part::Interaction) / (2 * h);
   }
   EXPECT_NEAR(slope, difference, 1e-7 * std::abs(slope));
 }
@@ -170,7 +172,7 @@ TEST(AxisTest, ViscousPowerOfAHomogeneousRate) {
   std::vector<double> v = field(*model, s, 0);
   for (std::size_t k = 1; k < v.size(); k += 2) v[k] = t * model->mesh().coordinates[k];
   std::vector<double> f = test::at_rest(*model);
-  model->add_rate_force_at(1, test::at_rest(*model).data(), v.data(), f.data());
+  TermSums(*model).add_rate_force_at(1, test::at_rest(*model).data(), v.data(), f.data());
   double power = 0;
   for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(model->mesh().owned_nodes); ++k) power += f[k] * v[k];
   model->space().sum(&power, 1);

@@ -4,10 +4,10 @@
 
 #include <stdexcept>
 
+#include "embedding/semi_discrete_evaluator.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/surface_interaction.hpp"
-#include "solve/semi_discrete_evaluator.hpp"
 #include "support/refusal.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"

@@ -20,15 +20,16 @@ class Silent final : public test::SilentInteraction {
   void add_tangent(const Segment&, const Rule&, Tangent, double*) const override {}
   bool needs_positive_gaps() const override { return positive_; }
   /// Something below y = -1 has gone through a thin obstacle; the way is 0.25 deep.
-  LowestPoint passage(const double* from, const double* to) const override {
-    const LowestPoint end = lowest_point(to);
-    if (!(end.gap < -1 && lowest_point(from).gap > 0)) return {};
+  LowestPoint passage(const Segment& way) const override {
+    const LowestPoint end = lowest_point(way.end());
+    if (!(end.gap < -1 && lowest_point(way.begin()).gap > 0)) return {};
     return {-0.25, end.place};
   }
-  LowestPoint lowest_point(const double* u) const override {
+  LowestPoint lowest_point(const Place& at) const override {
     LowestPoint lowest;
     for (std::size_t node = 0; node < static_cast<std::size_t>(mesh_.owned_nodes); ++node) {
-      const double x = mesh_.coordinates[2 * node] + u[2 * node], y = mesh_.coordinates[2 * node + 1] + u[2 * node + 1];
+      const double x = mesh_.coordinates[2 * node] + at.u[2 * node],
+                   y = mesh_.coordinates[2 * node + 1] + at.u[2 * node + 1];
       if (y < lowest.gap) lowest = {y, {x, y, 0}};
     }
     return lowest;
@@ -58,12 +59,12 @@ std::vector<double> velocity(const Model& model, double x, double y) {
 
 TEST(CrossingTest, NamesInteractionNodePlaceAndGap) {
   const auto model = block(true);
-  EXPECT_EQ(crossing(*model, test::at_rest(*model).data()), "");
+  EXPECT_EQ(crossing(*model, {nullptr, nullptr, test::at_rest(*model).data()}), "");
   std::vector<double> u = test::at_rest(*model);
   const LocalMesh& mesh = model->mesh();
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
     if (mesh.original_ids[node] == 2) u[2 * node + 1] = -0.515;
-  EXPECT_EQ(crossing(*model, u.data()),
+  EXPECT_EQ(crossing(*model, {nullptr, nullptr, u.data()}),
             "the surface of interaction \"Wall\" crosses the obstacle: the gap of node 3 of the mesh at (2, -0.015) is "
             "-0.015 L0");
 }
@@ -83,9 +84,9 @@ TEST(CrossingTest, NodesOfContactElementsHaveNoNumberInTheMesh) {
 TEST(CrossingTest, LawsOfAllGapsAreNotRefused) {
   const auto model = block(false);
   const std::vector<double> u = velocity(*model, 0, -0.6);
-  EXPECT_EQ(crossing(*model, u.data()), "");
-  EXPECT_NEAR(least_free_gap(*model, u.data()), -0.1, 1e-15);
-  EXPECT_EQ(least_free_gap(*block(true), u.data()), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(crossing(*model, {nullptr, nullptr, u.data()}), "");
+  EXPECT_NEAR(least_free_gap(*model, {u.data()}), -0.1, 1e-15);
+  EXPECT_EQ(least_free_gap(*block(true), {u.data()}), std::numeric_limits<double>::infinity());
 }
 
 TEST(CrossingTest, BeyondTheEdgeNoLawIsAllowed) {
@@ -93,9 +94,9 @@ TEST(CrossingTest, BeyondTheEdgeNoLawIsAllowed) {
     const auto model = block(positive);
     std::vector<double> u = test::at_rest(*model);
     u[1] = -std::numeric_limits<double>::infinity();
-    EXPECT_NE(
-        crossing(*model, u.data()).find("the surface of interaction \"Wall\" is beyond the edge of the obstacle, at "),
-        std::string::npos);
+    EXPECT_NE(crossing(*model, {nullptr, nullptr, u.data()})
+                  .find("the surface of interaction \"Wall\" is beyond the edge of the obstacle, at "),
+              std::string::npos);
   }
 }
 
@@ -122,10 +123,10 @@ TEST(CrossingTest, TellsOfAPointThatPassesThroughTheObstacle) {
   const auto model = block(false);
   const std::vector<double> rest = test::at_rest(*model), near = velocity(*model, 0, -0.6),
                             beyond = velocity(*model, 0, -2);
-  EXPECT_EQ(crossing(*model, near.data(), rest.data()), "");
-  EXPECT_EQ(crossing(*model, beyond.data()), "") << "no step";
-  EXPECT_EQ(crossing(*model, beyond.data(), near.data()), "") << "the overlap was there before";
-  const std::string found = crossing(*model, beyond.data(), rest.data());
+  EXPECT_EQ(crossing(*model, {rest.data(), nullptr, near.data()}), "");
+  EXPECT_EQ(crossing(*model, {nullptr, nullptr, beyond.data()}), "") << "no step";
+  EXPECT_EQ(crossing(*model, {near.data(), nullptr, beyond.data()}), "") << "the overlap was there before";
+  const std::string found = crossing(*model, {rest.data(), nullptr, beyond.data()});
   test::expect_contains(found,
                         "the surface of interaction \"Wall\" passes through the obstacle, or through the other body, "
                         "within one step: the gap falls to -0.25 L0 on the way to node ");

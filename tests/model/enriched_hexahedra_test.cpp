@@ -15,9 +15,11 @@
 #include "mesh/selection.hpp"
 #include "model/model.hpp"
 #include "support/contact_element.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 #include <Tpetra_Core.hpp>
+#include "model/term_sums.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -115,7 +117,7 @@ TEST(EnrichedHexahedraTest, MassAndMomentaOfAnAffineVelocityAreExact) {
   for (ContactElement element : elements) {
     const auto model = model_of(element, false);
     const std::vector<double> v = affine(model->mesh(), g), u(v.size(), 0.0);
-    const Momenta momenta = model->momenta(u.data(), v.data());
+    const Momenta momenta = test::ReportAt(*model, u.data(), v.data()).momenta();
     const double mass = 1.5 * 24, centre[3] = {2, 1.5, 1};
     double second[3][3];  // means of X_i X_j
     for (int i = 0; i < 3; ++i)
@@ -144,7 +146,7 @@ TEST(EnrichedHexahedraTest, AStateOfConstantStressBalancesUniformTractionsOnAllS
     const LocalMesh& mesh = model->mesh();
     std::vector<double> force(mesh.coordinates.size()), load(force.size(), 0.0);
     const std::vector<double> u = affine(mesh, g);
-    model->force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), force.data());
+    TermSums(*model).force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), force.data());
     const Lame lame = lame_constants(1.0, 0.3);
     const double pressure = (3 * lame.lambda + 2 * lame.mu) * e;
     const std::tuple<const char*, std::size_t, double> sides[] = {{"left", 0, -1}, {"right", 0, 1},   {"front", 1, -1},
@@ -182,11 +184,13 @@ TEST(EnrichedHexahedraTest, GapAndForceOfParallelSidesAreThoseOfTheLaw) {
       const auto model = model_of(element, true);
       add_wall(*model, set, static_cast<std::size_t>(axis), 0.28);
       const std::vector<double> rest(model->mesh().coordinates.size(), 0.0);
-      const InteractionReport report = model->interaction_report(rest.data());
+      const InteractionReport report = test::ReportAt(*model, rest.data()).interaction_report();
       EXPECT_NEAR(report.least_gap, 0.28, 1e-14) << set;
       EXPECT_NEAR(report.measure, area, 0.5) << set;  // its edge x = 2 is not straight
       EXPECT_NEAR(report.force[static_cast<std::size_t>(axis)], report.measure * law.traction(0.28), 1e-12) << set;
-      EXPECT_NEAR(model->energy(Part::Interaction, rest.data()), report.measure * law.energy(0.28), 1e-12) << set;
+      EXPECT_NEAR(test::ReportAt(*model, rest.data()).energy(Part::Interaction), report.measure * law.energy(0.28),
+                  1e-12)
+          << set;
     }
 }
 
@@ -216,20 +220,20 @@ TEST(EnrichedHexahedraTest, ForcesAreGradientsOfEnergiesAndTangentsOfForces) {
     };
     const Rule rule = end_rule();
     compare(
-        "elastic", [&](const auto& x) { return model->energy(Part::Elastic, x.data()); },
+        "elastic", [&](const auto& x) { return test::ReportAt(*model, x.data()).energy(Part::Elastic); },
         [&](const auto& x, auto& f) {
-          return model->force(Part::Elastic, {nullptr, nullptr, x.data()}, rule, f.data());
+          return TermSums(*model).force(Part::Elastic, {nullptr, nullptr, x.data()}, rule, f.data());
         },
         [&](auto& k) {
-          model->add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
+          TermSums(*model).add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
         });
     compare(
-        "interaction", [&](const auto& x) { return model->energy(Part::Interaction, x.data()); },
+        "interaction", [&](const auto& x) { return test::ReportAt(*model, x.data()).energy(Part::Interaction); },
         [&](const auto& x, auto& f) {
-          return model->force(Part::Interaction, {nullptr, nullptr, x.data()}, rule, f.data());
+          return TermSums(*model).force(Part::Interaction, {nullptr, nullptr, x.data()}, rule, f.data());
         },
         [&](auto& k) {
-          model->add_tangent(Part::Interaction, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
+          TermSums(*model).add_tangent(Part::Interaction, {nullptr, nullptr, u.data()}, rule, Tangent::Exact, k.data());
         });
   };
   for (ContactElement element : elements)
@@ -243,7 +247,8 @@ TEST(EnrichedHexahedraTest, EveryNodeResists) {
     const Pattern& pattern = model->pattern();
     std::vector<double> stiffness(9 * static_cast<std::size_t>(pattern.pairs()), 0.0), mass(stiffness);
     const std::vector<double> rest(model->mesh().coordinates.size(), 0.0);
-    model->add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact, stiffness.data());
+    TermSums(*model).add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact,
+                                 stiffness.data());
     model->mass()->add_to(1.0, mass.data());
     for (int row = 0; row < pattern.rows(); ++row)
       for (int i = 0; i < 3; ++i) {

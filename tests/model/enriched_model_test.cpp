@@ -6,9 +6,11 @@
 #include "base/error.hpp"
 #include "discretization/material_point.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "model/term_sums.hpp"
 #include "scene/simulation.hpp"
-#include "solve/rigid_body_modes.hpp"
+#include "solve/iterative/rigid_body_modes.hpp"
 #include "support/bodies.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 #include <Tpetra_MultiVector.hpp>
@@ -39,7 +41,7 @@ TEST(EnrichedModelTest, MassAndMomentaOfAnAffineVelocityAreExact) {
   for (const char* element : elements) {
     Simulation s = block(element);
     const State& state = s.integrator().state();  // v = V + L (X - O), L with a spin of 0.7
-    const Momenta momenta = s.model().momenta(state.u.data(), state.v.data());
+    const Momenta momenta = StateReport(s.model(), state).momenta();
     EXPECT_NEAR(momenta.linear[0], 6 * 0.3, 1e-12) << element;
     EXPECT_NEAR(momenta.linear[1], 6 * -0.2, 1e-12) << element;
     // About the origin: X_c x P and 0.7 times the moment of inertia about the centre.
@@ -52,7 +54,7 @@ TEST(EnrichedModelTest, MassAndMomentaOfAnAffineVelocityAreExact) {
 /// Returns the sum of (X + u) x f over all nodes, f the elastic force at another displacement. Collective.
 double torque(const Model& model, const std::vector<double>& u, const std::vector<double>& elastic_at) {
   std::vector<double> f(u.size());
-  EXPECT_TRUE(model.force(Part::Elastic, {nullptr, nullptr, elastic_at.data()}, end_rule(), f.data()));
+  EXPECT_TRUE(TermSums(model).force(Part::Elastic, {nullptr, nullptr, elastic_at.data()}, end_rule(), f.data()));
   const std::vector<double>& x = model.mesh().coordinates;
   double sum = 0;
   for (std::size_t n = 0; n < static_cast<std::size_t>(model.mesh().owned_nodes); ++n)
@@ -67,9 +69,7 @@ TEST(EnrichedModelTest, LinearMomentumIsKeptAndAngularChangesByTheCrossTorques) 
   const double impulse = 3 * std::abs(VanDerWaals(2.5, 25).traction(49.0)) * 0.4;
   for (const char* element : elements) {
     Simulation s = block(element);
-    const auto momenta = [&s] {
-      return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-    };
+    const auto momenta = [&s] { return test::report_of(s).momenta(); };
     const Momenta start = momenta();
     double change = 0;
     for (int n = 0; n < 20; ++n) {
@@ -89,11 +89,12 @@ TEST(EnrichedModelTest, GapAndForceOfAParallelSideAreThoseOfTheLaw) {
   for (const char* element : elements) {
     Simulation s = block(element, 0.28);
     const std::vector<double> rest(static_cast<std::size_t>(s.model().space().local()), 0.0);
-    const InteractionReport report = s.model().interaction_report(rest.data());
+    const InteractionReport report = test::ReportAt(s.model(), rest.data()).interaction_report();
     EXPECT_NEAR(report.least_gap, 0.28, 1e-14) << element;
     EXPECT_NEAR(report.measure, 3.0, 1e-13) << element;
     EXPECT_NEAR(report.force[1], 3 * law.traction(0.28), 1e-13) << element;
-    EXPECT_NEAR(s.model().energy(Part::Interaction, rest.data()), 3 * law.energy(0.28), 1e-13) << element;
+    EXPECT_NEAR(test::ReportAt(s.model(), rest.data()).energy(Part::Interaction), 3 * law.energy(0.28), 1e-13)
+        << element;
   }
 }
 
@@ -106,7 +107,7 @@ TEST(EnrichedModelTest, RigidBodyModesCarryNoForce) {
       std::vector<double> u(local), f(local);
       s.model().space().import(*modes->getVector(m), u.data());
       for (double& value : u) value *= 1e-6;
-      s.model().force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data());
+      TermSums(s.model()).force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data());
       // A small rotation strains by its square.
       for (std::size_t i = 0; i < static_cast<std::size_t>(s.model().space().owned()); ++i)
         EXPECT_LT(std::abs(f[i]), 2e-11) << element << ", mode " << m;

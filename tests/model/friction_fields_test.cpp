@@ -10,6 +10,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "model/model.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/by_hand.hpp"
 #include "support/contact_element.hpp"
 #include "support/solids.hpp"
 
@@ -24,9 +25,22 @@ const ContactElement contact_elements[] = {ContactElement::Q1C1, ContactElement:
 
 enum class Shape { Plane, Sphere, Ring };
 
+/// A body and its state after steps.
+struct Body {
+  std::unique_ptr<Model> model;
+  std::unique_ptr<test::ByHand<const Model>> steps;
+  std::vector<double> u;
+
+  void step(const std::vector<double>& to) {
+    steps->step(u.data(), to.data(), 0, 1);
+    u = to;
+  }
+  InteractionGroup wall() const { return StateReport(*model, steps->at(u.data())).interaction("Wall"); }
+};
+
 /// A rigid body of 3 by 1 (by 1) L0 over a wall or a sphere, or one of revolution with a radius of 3 L0 over a wall.
-std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shape, double eps, double factor,
-                               double sharpness = 0, bool current = false) {
+Body resting(int dimension, ContactElement element, Shape shape, double eps, double factor, double sharpness = 0,
+             bool current = false) {
   BoxShape own;
   own.dimension = dimension;
   own.lengths = {3, 1, 1};
@@ -59,22 +73,22 @@ std::unique_ptr<Model> resting(int dimension, ContactElement element, Shape shap
   wall.friction.current = current;
   if (factor != 1) wall.factor = [factor](const std::array<double, 3>&) { return factor; };
   add_interaction(*model, wall);
-  model->initialize({test::at_rest(*model).data()});
-  return model;
+  Body body{std::move(model), nullptr, {}};
+  body.steps = std::make_unique<test::ByHand<const Model>>(*body.model);
+  body.u = test::at_rest(*body.model);
+  body.steps->initialize(body.u.data());
+  return body;
 }
 
-/// Takes one step in which each place X moves by factor(X) along x. Returns the end.
+/// Takes one step from rest in which each place X moves by factor(X) along x.
 template <class Function>
-std::vector<double> slide(Model& model, const Function& factor) {
-  const LocalMesh& mesh = model.mesh();
+void slide(Body& body, const Function& factor) {
+  const LocalMesh& mesh = body.model->mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
-  const std::vector<double> from = test::at_rest(model);
-  std::vector<double> to = from;
+  std::vector<double> to = test::at_rest(*body.model);
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.nodes()); ++node)
     if (!mesh.is_derivative(node)) to[node * d] = factor(mesh.coordinates[node * d]);
-  model.begin_step({from.data()}, 0, 1);
-  model.accept({{{from.data()}, {to.data()}}, nullptr, 1});
-  return to;
+  body.step(to);
 }
 
 /// Calls visit(node) at the owned nodes of the surface.
@@ -91,21 +105,21 @@ TEST(FrictionFieldsTest, AUniformSlideAlongAPlaneIsExact) {
     for (const ContactElement element : contact_elements)
       for (const double factor : {1.0, 2.0}) {
         SCOPED_TRACE(testing::Message() << dimension << "D, element " << static_cast<int>(element) << ", " << factor);
-        const auto model = resting(dimension, element, Shape::Plane, stiffness, factor);
+        Body body = resting(dimension, element, Shape::Plane, stiffness, factor);
         const auto d = static_cast<std::size_t>(dimension);
-        const std::vector<double> u = slide(*model, [](double) { return way; });
-        const InteractionGroup& group = model->interaction("Wall");
-        const auto traction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip),
-                   lost = group.friction(FrictionNumber::Dissipated), slides = group.friction(FrictionNumber::Sliding);
+        slide(body, [](double) { return way; });
+        const InteractionGroup group = body.wall();
+        const auto traction = group.friction(), slip = group.mean(SurfaceNumber::Slip),
+                   lost = group.mean(SurfaceNumber::Dissipated), slides = group.mean(SurfaceNumber::Sliding);
         const double slid = way - stress / stiffness;
-        for_each_node(*model, [&](std::size_t node) {
+        for_each_node(*body.model, [&](std::size_t node) {
           for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(traction[node * d + i], i == 0 ? -factor * stress : 0, 1e-14);
           EXPECT_NEAR(slip[node], slid, 1e-13);
           EXPECT_NEAR(lost[node], factor * stress * slid, 1e-14);
           EXPECT_NEAR(slides[node], 1, 1e-13);
         });
-        EXPECT_NEAR(group.friction_force(u.data())[0], -3 * factor * stress, 1e-14);
-        const FrictionReport report = group.friction_report(u.data());
+        EXPECT_NEAR(group.friction_force()[0], -3 * factor * stress, 1e-14);
+        const FrictionReport report = group.friction_report();
         EXPECT_NEAR(report.acting, 3, 1e-13);
         EXPECT_NEAR(report.sliding, 3, 1e-13);
         EXPECT_EQ(report.sticking, 0);
@@ -124,35 +138,34 @@ TEST(FrictionFieldsTest, AStepTellsHowFarItsThresholdLags) {
   for (const int dimension : {2, 3})
     for (const double rise : {-0.02, 0.04, 0.1})
       for (const double factor : {1.0, 2.0}) {
-        const auto model = resting(dimension, ContactElement::Q1C1, Shape::Plane, stiffness, factor, 20);
+        Body body = resting(dimension, ContactElement::Q1C1, Shape::Plane, stiffness, factor, 20);
         const auto d = static_cast<std::size_t>(dimension);
-        const std::vector<double> from = test::at_rest(*model);
+        const std::vector<double> from = test::at_rest(*body.model);
         std::vector<double> to = from;
         for (std::size_t i = 0; i < to.size(); ++i) to[i] = i % d == 0 ? way : i % d + 1 == d ? rise : 0.0;
-        const InteractionGroup& group = model->interaction("Wall");
-        EXPECT_EQ(group.friction_report(from.data()).work, 0);
-        model->begin_step({from.data()}, 0, 1);
-        model->accept({{{from.data()}, {to.data()}}, nullptr, 1});
+        EXPECT_EQ(body.wall().friction_report().work, 0);
+        body.step(to);
+        const InteractionGroup group = body.wall();
         const double begins = law.threshold_at(lowest), ends = law.threshold_at(lowest + rise);
         const double slip = way - begins / stiffness + std::max(begins - ends, 0.0) / stiffness;
-        const FrictionReport report = group.friction_report(to.data());
+        const FrictionReport report = group.friction_report();
         EXPECT_NEAR(report.work, 3 * factor * begins * slip, 1e-13);
         EXPECT_NEAR(report.lag, 3 * factor * (ends - begins) * slip, 1e-13);
       }
 }
 
 TEST(FrictionFieldsTest, AThresholdAtTheEndOfTheStepDoesNotLag) {
-  const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1, 20, true);
-  const std::vector<double> u = slide(*model, [](double) { return way; });
-  EXPECT_GT(model->interaction("Wall").friction_report(u.data()).work, 0);
-  EXPECT_NEAR(model->interaction("Wall").friction_report(u.data()).lag, 0, 1e-15);
+  Body body = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1, 20, true);
+  slide(body, [](double) { return way; });
+  EXPECT_GT(body.wall().friction_report().work, 0);
+  EXPECT_NEAR(body.wall().friction_report().lag, 0, 1e-15);
 }
 
 // The places x < 1.5 stay, those beyond 2 slide, and the slip is linear between.
 TEST(FrictionFieldsTest, APartOfTheSurfaceSlides) {
-  const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1);
-  const std::vector<double> u = slide(*model, [](double x) { return x > 1.75 ? way : 0; });
-  const FrictionReport report = model->interaction("Wall").friction_report(u.data());
+  Body body = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, 1);
+  slide(body, [](double x) { return x > 1.75 ? way : 0; });
+  const FrictionReport report = body.wall().friction_report();
   const double spring = stress / stiffness;  // 0.015 of the way: no point of the cell between sticks
   EXPECT_NEAR(report.sliding, 1.5, 1e-13);
   EXPECT_NEAR(report.sticking, 1.5, 1e-13);
@@ -163,15 +176,12 @@ TEST(FrictionFieldsTest, APartOfTheSurfaceSlides) {
 // The slip stays where it is, but friction does not act on a surface that is lifted, nor where the factor is zero.
 TEST(FrictionFieldsTest, FrictionDoesNotActOnASurfaceThatIsApart) {
   for (const bool lifted : {true, false}) {
-    const auto model = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, lifted ? 1 : 0);
-    std::vector<double> from = slide(*model, [](double) { return way; }), to = from;
+    Body body = resting(2, ContactElement::Q1C1, Shape::Plane, stiffness, lifted ? 1 : 0);
+    slide(body, [](double) { return way; });
+    std::vector<double> to = body.u;
     for (std::size_t k = 1; lifted && k < to.size(); k += 2) to[k] += 2;
-    for (int n = 0; n < 2; ++n) {
-      model->begin_step({from.data()}, 0, 1);
-      model->accept({{{from.data()}, {to.data()}}, nullptr, 1});
-      from = to;
-    }
-    const FrictionReport report = model->interaction("Wall").friction_report(to.data());
+    for (int n = 0; n < 2; ++n) body.step(to);
+    const FrictionReport report = body.wall().friction_report();
     for (const double value : {report.acting, report.sliding, report.sticking, report.mean_slip()})
       EXPECT_EQ(value, 0) << lifted;
   }
@@ -179,14 +189,14 @@ TEST(FrictionFieldsTest, FrictionDoesNotActOnASurfaceThatIsApart) {
 
 // A surface that sticks has a spring's traction, and no slip.
 TEST(FrictionFieldsTest, ASurfaceThatSticksDoesNotSlide) {
-  const auto model = resting(2, ContactElement::Q1C2, Shape::Plane, stiffness, 1);
-  const std::vector<double> u = slide(*model, [](double) { return 0.5 * stress / stiffness; });
-  const InteractionGroup& group = model->interaction("Wall");
-  const auto traction = group.friction(u.data());
-  for_each_node(*model, [&](std::size_t node) { EXPECT_NEAR(traction[2 * node], -0.5 * stress, 1e-15); });
-  for (const FrictionNumber number : {FrictionNumber::Slip, FrictionNumber::Dissipated, FrictionNumber::Sliding})
-    for (double value : group.friction(number)) EXPECT_EQ(value, 0);
-  const FrictionReport report = group.friction_report(u.data());
+  Body body = resting(2, ContactElement::Q1C2, Shape::Plane, stiffness, 1);
+  slide(body, [](double) { return 0.5 * stress / stiffness; });
+  const InteractionGroup group = body.wall();
+  const auto traction = group.friction();
+  for_each_node(*body.model, [&](std::size_t node) { EXPECT_NEAR(traction[2 * node], -0.5 * stress, 1e-15); });
+  for (const SurfaceNumber number : {SurfaceNumber::Slip, SurfaceNumber::Dissipated, SurfaceNumber::Sliding})
+    for (double value : group.mean(number)) EXPECT_EQ(value, 0);
+  const FrictionReport report = group.friction_report();
   EXPECT_NEAR(report.sticking, 3, 1e-13);
   EXPECT_EQ(report.sliding, 0);
   EXPECT_EQ(report.mean_slip(), 0);
@@ -197,13 +207,13 @@ TEST(FrictionFieldsTest, AUniformSlideAlongASphereFollowsItsTangent) {
   for (const int dimension : {2, 3})
     for (const ContactElement element : contact_elements) {
       SCOPED_TRACE(testing::Message() << dimension << "D, element " << static_cast<int>(element));
-      const auto model = resting(dimension, element, Shape::Sphere, stiffness, 1);
-      const LocalMesh& mesh = model->mesh();
+      Body body = resting(dimension, element, Shape::Sphere, stiffness, 1);
+      const LocalMesh& mesh = body.model->mesh();
       const auto d = static_cast<std::size_t>(dimension);
-      const std::vector<double> u = slide(*model, [](double) { return way; });
-      const InteractionGroup& group = model->interaction("Wall");
-      const auto traction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip);
-      for_each_node(*model, [&](std::size_t node) {
+      slide(body, [](double) { return way; });
+      const InteractionGroup group = body.wall();
+      const auto traction = group.friction(), slip = group.mean(SurfaceNumber::Slip);
+      for_each_node(*body.model, [&](std::size_t node) {
         const double x = mesh.coordinates[node * d], height = radius + lowest;
         const double y = d == 3 ? mesh.coordinates[node * d + 1] : 0;
         const double at_start = std::atan(x / std::hypot(y, height)), at_end = std::atan((x + way) / height);
@@ -220,13 +230,13 @@ TEST(FrictionFieldsTest, NothingSlidesOnTheAxis) {
   const double c = 0.1, hard = 1e5;
   for (const ContactElement element : {ContactElement::Q1C1, ContactElement::Q1C2, ContactElement::Q1C4}) {
     SCOPED_TRACE(static_cast<int>(element));
-    const auto model = resting(2, element, Shape::Ring, hard, 1);
-    const LocalMesh& mesh = model->mesh();
-    const std::vector<double> u = slide(*model, [&](double x) { return c * x; });
-    const InteractionGroup& group = model->interaction("Wall");
-    const auto friction = group.friction(u.data()), slip = group.friction(FrictionNumber::Slip),
-               lost = group.friction(FrictionNumber::Dissipated);
-    for_each_node(*model, [&](std::size_t node) {
+    Body body = resting(2, element, Shape::Ring, hard, 1);
+    const LocalMesh& mesh = body.model->mesh();
+    slide(body, [&](double x) { return c * x; });
+    const InteractionGroup group = body.wall();
+    const auto friction = group.friction(), slip = group.mean(SurfaceNumber::Slip),
+               lost = group.mean(SurfaceNumber::Dissipated);
+    for_each_node(*body.model, [&](std::size_t node) {
       EXPECT_NEAR(lost[node], stress * slip[node], 1e-14);
       if (mesh.coordinates[2 * node] > 0) {
         EXPECT_NEAR(friction[2 * node], -stress, 1e-13);
@@ -237,7 +247,7 @@ TEST(FrictionFieldsTest, NothingSlidesOnTheAxis) {
       // A linear side has the weight (1 - s) s: int (1 - s) s^2 over int (1 - s) s is a half of it.
       EXPECT_NEAR(slip[node], element == ContactElement::Q1C1 ? 0.5 * c * 0.5 : 0, 2 * stress / hard);
     });
-    EXPECT_NEAR(group.friction_force(u.data())[0], -stress * M_PI * 9, 1e-13);  // radial, around the ring
+    EXPECT_NEAR(group.friction_force()[0], -stress * M_PI * 9, 1e-13);  // radial, around the ring
   }
 }
 

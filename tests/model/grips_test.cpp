@@ -7,7 +7,9 @@
 
 #include "mesh/generators/shapes.hpp"
 #include "model/conditions.hpp"
+#include "model/traits.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -45,7 +47,7 @@ TEST(GripsTest, NodesOfASetTurnAboutThePoint) {
   }
   ASSERT_EQ(model->grips().size(), 1U);
   EXPECT_TRUE(model->grips()[0].rigid);
-  EXPECT_FALSE(model->has_springs());
+  EXPECT_FALSE(has_springs(*model));
 }
 
 // A unit force in x and 2 in y at each of the 5 nodes of the left side.
@@ -69,7 +71,7 @@ TEST(GripsTest, NodesShareSpringsEqually) {
   options.translation = {constant(0.3), nullptr};
   options.point = {0, 1};
   grip_elastically(*model, "Machine", "left", {2, options}, {{4, 0}, {0, 8}});
-  EXPECT_TRUE(model->has_springs());
+  EXPECT_TRUE(has_springs(*model));
   EXPECT_EQ(model->dissipation_names(), std::vector<std::string>{"dashpots of Machine"});
   std::vector<double> u = test::at_rest(*model), v = u;
   for (std::size_t i = 0; i < u.size(); i += 2) {
@@ -81,7 +83,8 @@ TEST(GripsTest, NodesShareSpringsEqually) {
   EXPECT_NEAR(own.force[1], -8 * 0.5, 1e-14);
   // -sum y F_x: variance of y = 0, 0.5, ..., 2 is 0.5. The arms of F_y are u_x - 0.3, of mean -0.2.
   EXPECT_NEAR(own.moment[0], 4 * 0.1 * 0.5 + 4 * 0.2, 1e-14);
-  const double stored = model->elastic_energy(0, u.data()) - model->energy(Part::Elastic, u.data());
+  const double stored =
+      test::ReportAt(*model, u.data()).elastic_energy() - test::ReportAt(*model, u.data()).energy(Part::Elastic);
   EXPECT_NEAR(stored, 4 * 0.3 * (0.15 - 0.1), 1e-14);  // K w (w/2 - u)
 }
 

@@ -12,6 +12,7 @@
 #include "model/surface_interaction.hpp"
 #include "support/contact_element.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -58,21 +59,22 @@ std::unique_ptr<Model> cornered() {
 TEST(InteractionGroupTest, ForceAndMomentOfARigidBodyBeforeTwoWalls) {
   const auto model = cornered();
   EXPECT_EQ(model->interaction_names(), (std::vector<std::string>{"Floor", "Stop"}));
-  const InteractionGroup &floor = model->interaction("Floor"), &stop = model->interaction("Stop");
   const std::vector<double> u = shifted(*model, {0.05, -0.1});
+  const test::ReportAt report(*model, u.data());
+  const InteractionGroup floor = report.interaction("Floor"), stop = report.interaction("Stop");
   const double up = 3 * law.traction(0.3), right = -2 * law.traction(0.25);
-  const InteractionReport below = floor.report(u.data()), beside = stop.report(u.data());
+  const InteractionReport below = floor.report(), beside = stop.report();
   EXPECT_NEAR(below.force[0], 0, 1e-14);
   EXPECT_NEAR(below.force[1], up, 1e-13);
   EXPECT_NEAR(below.least_gap, 0.3, 1e-15);
   EXPECT_NEAR(beside.force[0], right, 1e-13);
   EXPECT_NEAR(beside.force[1], 0, 1e-14);
   EXPECT_NEAR(beside.least_gap, 0.25, 1e-15);
-  ASSERT_EQ(floor.moment(u.data()).size(), 1U);
-  EXPECT_NEAR(floor.moment(u.data())[0], (1.5 + 0.05) * up, 1e-13);
-  EXPECT_NEAR(stop.moment(u.data())[0], -(0.4 + 1 - 0.1) * right, 1e-13);
+  ASSERT_EQ(floor.moment().size(), 1U);
+  EXPECT_NEAR(floor.moment()[0], (1.5 + 0.05) * up, 1e-13);
+  EXPECT_NEAR(stop.moment()[0], -(0.4 + 1 - 0.1) * right, 1e-13);
   // Together they are the model's report.
-  const InteractionReport all = model->interaction_report(u.data());
+  const InteractionReport all = test::ReportAt(*model, u.data()).interaction_report();
   EXPECT_NEAR(all.force[0], beside.force[0] + below.force[0], 1e-13);
   EXPECT_NEAR(all.force[1], beside.force[1] + below.force[1], 1e-13);
   EXPECT_EQ(all.least_gap, beside.least_gap);
@@ -81,21 +83,19 @@ TEST(InteractionGroupTest, ForceAndMomentOfARigidBodyBeforeTwoWalls) {
 TEST(InteractionGroupTest, ContactMeasuresAreThoseOfTheOwnSurface) {
   const auto model = cornered();
   const std::vector<double> u = shifted(*model, {0.15, -0.2});  // gaps 0.2 and 0.15
-  EXPECT_NEAR(model->interaction("Floor").report(u.data()).measure, 3, 1e-13);
-  EXPECT_NEAR(model->interaction("Stop").report(u.data()).measure, 2, 1e-13);
+  EXPECT_NEAR(test::ReportAt(*model, u.data()).interaction("Floor").report().measure, 3, 1e-13);
+  EXPECT_NEAR(test::ReportAt(*model, u.data()).interaction("Stop").report().measure, 2, 1e-13);
   const std::vector<double> apart = shifted(*model, {-0.5, -0.2});
-  EXPECT_EQ(model->interaction("Stop").report(apart.data()).measure, 0);
-  EXPECT_NEAR(model->interaction_report(apart.data()).measure, 3, 1e-13);
+  EXPECT_EQ(test::ReportAt(*model, apart.data()).interaction("Stop").report().measure, 0);
+  EXPECT_NEAR(test::ReportAt(*model, apart.data()).interaction_report().measure, 3, 1e-13);
 }
 
-// What is kept of an interaction is made anew when another surface joins it.
 TEST(InteractionGroupTest, ASurfaceThatJoinsAnInteractionCounts) {
   const auto model = cornered();
   const std::vector<double> u = at_rest(*model);
-  const std::vector<double> before = model->interaction("Floor").pressure(u.data());
-  EXPECT_EQ(&model->interaction("Floor"), &model->interaction("Floor"));
+  const std::vector<double> before = test::ReportAt(*model, u.data()).interaction("Floor").pressure();
   add_interaction(*model, wall("Floor", "top", {{0, 2.8, 0}, {0, -1, 0}}));
-  const std::vector<double> after = model->interaction("Floor").pressure(u.data());
+  const std::vector<double> after = test::ReportAt(*model, u.data()).interaction("Floor").pressure();
   const LocalMesh& mesh = model->mesh();
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node) {
     const bool top = std::abs(mesh.coordinates[2 * node + 1] - 2.4) < 1e-12;
@@ -109,7 +109,7 @@ TEST(InteractionGroupTest, MomentsInSpaceHaveThreeComponents) {
   add_interaction(*model, wall("Floor", "bottom", {{0, 0, -0.5}, {0, 0, 1}}));
   const std::vector<double> u = shifted(*model, {0.1, 0.2, -0.05});
   const double up = 6 * law.traction(0.25);
-  const std::vector<double> moment = model->interaction("Floor").moment(u.data());
+  const std::vector<double> moment = test::ReportAt(*model, u.data()).interaction("Floor").moment();
   ASSERT_EQ(moment.size(), 3U);
   EXPECT_NEAR(moment[0], (0.4 + 1 + 0.2) * up, 1e-12);  // y F_z
   EXPECT_NEAR(moment[1], -(1.5 + 0.1) * up, 1e-12);
@@ -122,8 +122,8 @@ TEST(InteractionGroupTest, AFactorWeighsForceAndMoment) {
   floor.factor = [](const std::array<double, 3>& x) { return x[0]; };
   add_interaction(*model, floor);
   const std::vector<double> u = at_rest(*model);
-  EXPECT_NEAR(model->interaction("Floor").report(u.data()).force[1], 4.5 * law.traction(0.4), 1e-13);
-  EXPECT_NEAR(model->interaction("Floor").moment(u.data())[0], 9 * law.traction(0.4), 1e-13);
+  EXPECT_NEAR(test::ReportAt(*model, u.data()).interaction("Floor").report().force[1], 4.5 * law.traction(0.4), 1e-13);
+  EXPECT_NEAR(test::ReportAt(*model, u.data()).interaction("Floor").moment()[0], 9 * law.traction(0.4), 1e-13);
 }
 
 std::vector<double> center(int dimension) {
@@ -150,8 +150,9 @@ TEST(InteractionGroupTest, TheMomentAboutASpheresCentreIsZero) {
       const std::vector<double> c = center(dimension);
       const auto model = on_sphere(dimension, element);
       const std::vector<double> u = noise(*model, 0.02);
-      const InteractionGroup& group = model->interaction("Sphere");
-      const std::vector<double> f = group.report(u.data()).force, moment = group.moment(u.data());
+      const test::ReportAt report(*model, u.data());
+      const InteractionGroup group = report.interaction("Sphere");
+      const std::vector<double> f = group.report().force, moment = group.moment();
       if (dimension == 2) {
         EXPECT_NEAR(moment[0], c[0] * f[1] - c[1] * f[0], 1e-12);
       } else {
@@ -170,17 +171,19 @@ TEST(InteractionGroupTest, BodiesOfRevolutionHaveNoMoment) {
   auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
   add_interaction(*model, wall("Floor", "bottom", {}));
   const std::vector<double> u = at_rest(*model);
-  EXPECT_TRUE(model->interaction("Floor").moment(u.data()).empty());
-  EXPECT_NEAR(model->interaction("Floor").report(u.data()).force[1], M_PI * 9 * law.traction(0.4), 1e-12);
+  EXPECT_TRUE(test::ReportAt(*model, u.data()).interaction("Floor").moment().empty());
+  EXPECT_NEAR(test::ReportAt(*model, u.data()).interaction("Floor").report().force[1], M_PI * 9 * law.traction(0.4),
+              1e-12);
 }
 
 TEST(InteractionGroupTest, FieldsAreThoseOfTheOwnSurface) {
   const auto model = cornered();
   const std::vector<double> u = shifted(*model, {0.05, -0.1});
   const LocalMesh& mesh = model->mesh();
-  const InteractionGroup &floor = model->interaction("Floor"), &stop = model->interaction("Stop");
-  const std::vector<double> gap = floor.gap(u.data()), pressure = stop.pressure(u.data());
-  const std::vector<double> normal = stop.normal(u.data()), traction = floor.traction(u.data());
+  const test::ReportAt report(*model, u.data());
+  const InteractionGroup floor = report.interaction("Floor"), stop = report.interaction("Stop");
+  const std::vector<double> gap = floor.gap(), pressure = stop.pressure();
+  const std::vector<double> normal = stop.normal(), traction = floor.traction();
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node) {
     const bool below = mesh.coordinates[2 * node + 1] == 0.4, beside = mesh.coordinates[2 * node] == 3;
     EXPECT_EQ(std::isnan(gap[node]), !below);
@@ -201,8 +204,8 @@ TEST(InteractionGroupTest, NormalsOfASpherePointFromItsCentre) {
     const std::vector<double> c = center(dimension);
     const auto model = on_sphere(dimension, ContactElement::Q1CH);
     const std::vector<double> u = noise(*model, 0.02);
-    const std::vector<double> normal = model->interaction("Sphere").normal(u.data());
-    const std::vector<double> gap = model->interaction("Sphere").gap(u.data());
+    const std::vector<double> normal = test::ReportAt(*model, u.data()).interaction("Sphere").normal();
+    const std::vector<double> gap = test::ReportAt(*model, u.data()).interaction("Sphere").gap();
     const LocalMesh& part = model->mesh();
     const auto d = static_cast<std::size_t>(dimension);
     for (std::size_t node = 0; node < static_cast<std::size_t>(part.owned_nodes); ++node) {
@@ -216,7 +219,7 @@ TEST(InteractionGroupTest, NormalsOfASpherePointFromItsCentre) {
 }
 
 // A sphere that moves by (0.03, 0.02) t and turns by 0.1 t about the origin.
-TEST(InteractionGroupTest, MovedObstaclesAreSeenAtTheTimeOfTheModel) {
+TEST(InteractionGroupTest, MovedObstaclesAreSeenAtTheTimeOfTheState) {
   Mesh mesh = block(2);
   enrich(mesh, "bottom", ContactElement::Q1CH);
   auto model = test::model_of(mesh, test::elastic(linear_elastic, 0.2), Inertia::None);
@@ -233,11 +236,11 @@ TEST(InteractionGroupTest, MovedObstaclesAreSeenAtTheTimeOfTheModel) {
   const double t = 1.5, angle = 0.1 * t;
   const double c[] = {0.03 * t + std::cos(angle) + 2.1 * std::sin(angle),
                       0.02 * t + std::sin(angle) - 2.1 * std::cos(angle)};
-  model->set_time(t);
   const std::vector<double> u = noise(*model, 0.02);
-  const InteractionGroup& group = model->interaction("Sphere");
-  const std::vector<double> f = group.report(u.data()).force, gap = group.gap(u.data()), n = group.normal(u.data());
-  EXPECT_NEAR(group.moment(u.data())[0], c[0] * f[1] - c[1] * f[0], 1e-12);
+  const test::ReportAt report(*model, u.data(), nullptr, t);
+  const InteractionGroup group = report.interaction("Sphere");
+  const std::vector<double> f = group.report().force, gap = group.gap(), n = group.normal();
+  EXPECT_NEAR(group.moment()[0], c[0] * f[1] - c[1] * f[0], 1e-12);
   const LocalMesh& part = model->mesh();
   for (std::size_t node = 0; node < static_cast<std::size_t>(part.owned_nodes); ++node)
     for (std::size_t i = 0; i < 2; ++i) {
@@ -252,12 +255,13 @@ TEST(InteractionGroupTest, ListsOfOneNameAreOneInteraction) {
   for (const char* side_set : {"bottom", "top"}) add_interaction(*model, wall("Both", side_set, {}));
   EXPECT_EQ(model->interaction_names(), std::vector<std::string>{"Both"});
   const std::vector<double> u = at_rest(*model);
-  EXPECT_EQ(model->interaction("Both").report(u.data()).force, model->interaction_report(u.data()).force);
+  EXPECT_EQ(test::ReportAt(*model, u.data()).interaction("Both").report().force,
+            test::ReportAt(*model, u.data()).interaction_report().force);
 }
 
 TEST(InteractionGroupTest, UnknownNamesAreRefused) {
   const auto model = cornered();
-  test::expect_contains(test::refusal([&] { model->interaction("Flor"); }),
+  test::expect_contains(test::refusal([&] { test::ReportAt(*model, at_rest(*model).data()).interaction("Flor"); }),
                         "interaction \"Flor\" does not exist; did you mean \"Floor\"?");
 }
 

@@ -23,15 +23,18 @@ TEST(MaterialSerialTest, ValuesOutOfRangeAreRefused) {
   EXPECT_EQ(message([](Material&) {}), "");
   EXPECT_EQ(message([](Material& m) { m.density = 0; }, false), "");
   EXPECT_EQ(message([](Material& m) { m.density = 0; }),
-            "the material of block \"pad\" has the density 0; it must be greater than 0 and finite");
-  test::expect_contains(message([](Material& m) { m.density = INFINITY; }), "density inf");
-  test::expect_contains(message([](Material& m) { m.law = nullptr; }), "block \"pad\" has no elastic law");
-  test::expect_contains(message([](Material& m) { m.mass_damping = -1; }), "mass damping -1; it must be at least 0");
-  test::expect_contains(message([](Material& m) { m.stiffness_damping = NAN; }), "stiffness damping nan");
-  test::expect_contains(message([](Material& m) { m.viscosity = -2; }), "viscosity -2");
-  test::expect_contains(message([](Material& m) { m.points = 11; }), "11 Gauss points");
+            "the material of block \"pad\" is not allowed: Density 0 must be greater than 0 and finite");
+  test::expect_contains(message([](Material& m) { m.density = INFINITY; }), "Density inf");
+  test::expect_contains(message([](Material& m) { m.law = nullptr; }),
+                        "block \"pad\" is not allowed: Model is missing");
+  test::expect_contains(message([](Material& m) { m.mass_damping = -1; }), "Mass Damping -1 must be at least 0");
+  test::expect_contains(message([](Material& m) { m.stiffness_damping = NAN; }), "Stiffness Damping nan");
+  test::expect_contains(message([](Material& m) { m.viscosity = -2; }), "Viscosity -2");
+  test::expect_contains(message([](Material& m) { m.points = 11; }), "Quadrature Points 11");
   test::expect_contains(message([](Material& m) { m.points = 1, m.formulation = Formulation::Enhanced; }),
-                        "1 Gauss point a direction, which is too few for Enhanced elements");
+                        "Quadrature Points 1 is too few for \"Enhanced\" elements");
+  test::expect_contains(message([](Material& m) { m.viscosity = 1, m.formulation = Formulation::MeanDilatation; }),
+                        "Viscosity 1 is not there for elements other than \"Standard\"");
 }
 
 }  // namespace

@@ -11,9 +11,10 @@
 #include "mesh/generators/shapes.hpp"
 #include "model/model.hpp"
 #include "support/contact_element.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -48,7 +49,7 @@ std::vector<double> stretched(const Model& model, double factor) {
 /// Expects the stress in all cells of a model of one block.
 void expect_stress(const Model& model, const std::vector<double>& u, const std::vector<double>& v,
                    const SymmetricTensor& expected) {
-  const auto stress = model.cell_stress(u.data(), v.data());
+  const auto stress = test::ReportAt(model, u.data(), v.data()).cell_stress();
   ASSERT_EQ(stress.size(), 1U);
   ASSERT_EQ(stress[0].size(), static_cast<std::size_t>(model.mesh().blocks[0].cells()));
   for (const SymmetricTensor& cell : stress[0])
@@ -91,8 +92,9 @@ TEST(ModelFieldsTest, TheTraceOfTheStressIsTheFirstInvariant) {
       material.formulation = formulation;
       const auto model = model_of(block(dimension), material, Inertia::None);
       const std::vector<double> u = noise(*model, 0.03);
-      const auto stress = model->cell_stress(u.data(), u.data());
-      const std::vector<double> invariant = model->cell_fields(u.data())[0].stress_invariant;  // E is 1
+      const auto stress = test::ReportAt(*model, u.data(), u.data()).cell_stress();
+      const std::vector<double> invariant =
+          test::ReportAt(*model, u.data()).cell_fields()[0].stress_invariant;  // E is 1
       for (std::size_t cell = 0; cell < invariant.size(); ++cell) {
         EXPECT_NEAR(stress[0][cell][0] + stress[0][cell][1] + stress[0][cell][2], invariant[cell], 1e-14);
         EXPECT_GT(std::abs(stress[0][cell][3]), 1e-6);
@@ -113,9 +115,10 @@ TEST(ModelFieldsTest, TheFirstInvariantHasTheStressOfViscosityAndBranches) {
           material.branches = {{0.5, 0.1}, {0.2, 3}};
         const auto model = model_of(block(dimension), material, Inertia::Consistent);
         const std::vector<double> u = noise(*model, 0.03), v = stretched(*model, 0.2);
-        const auto stress = model->cell_stress(u.data(), v.data());
-        const std::vector<double> invariant = model->cell_fields(u.data(), v.data())[0].stress_invariant,
-                                  elastic_part = model->cell_fields(u.data())[0].stress_invariant;
+        const auto stress = test::ReportAt(*model, u.data(), v.data()).cell_stress();
+        const std::vector<double> invariant =
+                                      test::ReportAt(*model, u.data(), v.data()).cell_fields()[0].stress_invariant,
+                                  elastic_part = test::ReportAt(*model, u.data()).cell_fields()[0].stress_invariant;
         double most = 0;
         for (std::size_t cell = 0; cell < invariant.size(); ++cell) {
           EXPECT_NEAR(stress[0][cell][0] + stress[0][cell][1] + stress[0][cell][2], invariant[cell], 1e-14);
@@ -175,7 +178,7 @@ TEST(ModelFieldsTest, GapsBeforeAWallAreDistancesAtAllNodesOfTheOutput) {
     const Model& model = *wall.model;
     const auto d = static_cast<std::size_t>(model.mesh().dimension);
     const std::vector<double> u = displacement(model);
-    std::vector<double> gap = model.nodal_gap(u.data()), local = at_rest(model);
+    std::vector<double> gap = test::ReportAt(model, u.data()).nodal_gap(), local = at_rest(model);
     for (std::size_t node = 0; node < gap.size(); ++node) local[node * d] = gap[node];
     model.space().update_ghosts(local.data());
     for (std::size_t node = 0; node < gap.size(); ++node) gap[node] = local[node * d];
@@ -211,8 +214,8 @@ TEST(ModelFieldsTest, PressureTimesAreaIsTheForceOfTheWall) {
     const Model& model = *wall.model;
     const LocalMesh& mesh = model.mesh();
     const auto d = static_cast<std::size_t>(mesh.dimension);
-    const std::vector<double> u = displacement(model), pressure = model.contact_pressure(u.data());
-    const std::vector<double> traction = model.interaction_traction(u.data());
+    const std::vector<double> u = displacement(model), pressure = test::ReportAt(model, u.data()).contact_pressure();
+    const std::vector<double> traction = test::ReportAt(model, u.data()).interaction_traction();
     std::vector<double> area(static_cast<std::size_t>(mesh.nodes()), 0.0);
     add_side_measure(mesh, mesh.side_sets[mesh.side_set(wall.set)], area);
     double force = 0;
@@ -223,7 +226,7 @@ TEST(ModelFieldsTest, PressureTimesAreaIsTheForceOfTheWall) {
       force += pressure[node] * area[node];
     }
     model.space().sum(&force, 1);
-    const InteractionReport report = model.interaction_report(u.data());
+    const InteractionReport report = test::ReportAt(model, u.data()).interaction_report();
     EXPECT_GT(std::abs(force), 1e-6);
     for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(force * wall.plane.normal[i], report.force[i], 1e-13);
   });
@@ -236,12 +239,12 @@ TEST(ModelFieldsTest, TractionsOfSeveralInteractionsAddUp) {
       for (const char* before : {"bottom", "surface"}) {
         Wall wall(dimension, element);
         const Model& model = *wall.model;
-        const std::vector<double> u = displacement(model), alone = model.contact_pressure(u.data());
+        const std::vector<double> u = displacement(model), alone = test::ReportAt(model, u.data()).contact_pressure();
         wall.add(true, wall.plane, before);
         const LocalMesh& mesh = model.mesh();
         const auto d = static_cast<std::size_t>(dimension);
-        const std::vector<double> pressure = model.contact_pressure(u.data());
-        const std::vector<double> traction = model.interaction_traction(u.data());
+        const std::vector<double> pressure = test::ReportAt(model, u.data()).contact_pressure();
+        const std::vector<double> traction = test::ReportAt(model, u.data()).interaction_traction();
         std::vector<double> area(static_cast<std::size_t>(mesh.nodes()), 0.0);
         add_side_measure(mesh, mesh.side_sets[mesh.side_set(before)], area);
         double force = 0;
@@ -255,7 +258,7 @@ TEST(ModelFieldsTest, TractionsOfSeveralInteractionsAddUp) {
           force += pressure[node] * area[node];
         }
         model.space().sum(&force, 1);
-        const InteractionReport report = model.interaction_report(u.data());
+        const InteractionReport report = test::ReportAt(model, u.data()).interaction_report();
         EXPECT_GT(std::abs(force), 1e-6);
         for (std::size_t i = 0; i < d; ++i) EXPECT_NEAR(force * wall.plane.normal[i], report.force[i], 1e-13);
       }
@@ -269,11 +272,12 @@ TEST(ModelFieldsTest, TheGapIsThatOfTheNearestObstacleInAnyOrder) {
         const Wall near(dimension, element, flat);
         HalfSpace far{{0, -9, 0}, {0, 1, 0}};
         if (dimension == 3) far = {{0, 0, -9}, {0, 0, 1}};
-        const std::vector<double> u = displacement(*near.model), gap = near.model->nodal_gap(u.data());
+        const std::vector<double> u = displacement(*near.model),
+                                  gap = test::ReportAt(*near.model, u.data()).nodal_gap();
         for (bool far_first : {false, true}) {
           Wall both(far_first ? far : near.plane, dimension, element, flat);
           both.add(flat, far_first ? near.plane : far, both.set);
-          const std::vector<double> lowest = both.model->nodal_gap(u.data());
+          const std::vector<double> lowest = test::ReportAt(*both.model, u.data()).nodal_gap();
           for (std::size_t node = 0; node < static_cast<std::size_t>(near.model->mesh().owned_nodes); ++node) {
             EXPECT_EQ(std::isnan(lowest[node]), std::isnan(gap[node]));
             if (!std::isnan(gap[node])) {
@@ -289,9 +293,10 @@ TEST(ModelFieldsTest, TheGeneralPathGivesTheSame) {
     for (ContactElement element : elements) {
       const Wall flat(dimension, element), general(dimension, element, false);
       const std::vector<double> u = displacement(*flat.model);
-      const std::vector<double> gap = flat.model->nodal_gap(u.data()), other = general.model->nodal_gap(u.data());
-      const std::vector<double> pressure = flat.model->contact_pressure(u.data());
-      const std::vector<double> other_pressure = general.model->contact_pressure(u.data());
+      const std::vector<double> gap = test::ReportAt(*flat.model, u.data()).nodal_gap(),
+                                other = test::ReportAt(*general.model, u.data()).nodal_gap();
+      const std::vector<double> pressure = test::ReportAt(*flat.model, u.data()).contact_pressure();
+      const std::vector<double> other_pressure = test::ReportAt(*general.model, u.data()).contact_pressure();
       for (std::size_t node = 0; node < static_cast<std::size_t>(flat.model->mesh().owned_nodes); ++node) {
         EXPECT_NEAR(pressure[node], other_pressure[node], 1e-14);
         EXPECT_EQ(std::isnan(gap[node]), std::isnan(other[node]));
@@ -340,7 +345,7 @@ TEST(ModelFieldsTest, HermiteSidesInterpolateTheGapToASphere) {
     for (auto& term :
          make_curved_terms(local, local.side_sets[local.side_set("bottom")], model->pattern(), gap_law(law), ball, {}))
       model->add_interaction(std::move(term));
-    std::vector<double> gap = model->nodal_gap(at_rest(*model).data()), values = at_rest(*model);
+    std::vector<double> gap = test::ReportAt(*model, at_rest(*model).data()).nodal_gap(), values = at_rest(*model);
     for (std::size_t node = 0; node < gap.size(); ++node) values[node * d] = gap[node];
     model->space().update_ghosts(values.data());
     for (std::size_t node = 0; node < gap.size(); ++node) gap[node] = values[node * d];

@@ -6,9 +6,11 @@
 #include <Tpetra_Vector.hpp>
 #include <cmath>
 
+#include "model/term_sums.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "time/schemes.hpp"
 #include "time/stage_problem.hpp"
@@ -33,7 +35,7 @@ TEST(ModelTest, MassAndMomentaOfARigidMotionAreExact) {
     std::vector<double> u(static_cast<std::size_t>(model.space().local()), 0.0);
     std::vector<double> v(u.size());
     for (std::size_t i = 0; i < v.size(); ++i) v[i] = i % d == 0 ? 2.0 : 0.0;
-    const Momenta momenta = model.momenta(u.data(), v.data());
+    const Momenta momenta = test::ReportAt(model, u.data(), v.data()).momenta();
     EXPECT_NEAR(momenta.linear[0], 2 * volume, 1e-12);
     EXPECT_NEAR(momenta.linear[1], 0, 1e-12);
     EXPECT_NEAR(momenta.kinetic_energy, 0.5 * 4 * volume, 1e-12);
@@ -53,7 +55,7 @@ TEST(ModelTest, MomentOfInertiaOfASpinIsExact) {
     v[2 * n + 1] = mesh.coordinates[2 * n] - 1.5;
   }
   // A linear velocity field lies in the space of bilinear shape functions: m (a^2 + b^2)/12.
-  EXPECT_NEAR(model.momenta(u.data(), v.data()).angular[0], 6 * (9 + 4) / 12.0, 1e-12);
+  EXPECT_NEAR(test::ReportAt(model, u.data(), v.data()).momenta().angular[0], 6 * (9 + 4) / 12.0, 1e-12);
 }
 
 /// |R(x + h d) - R(x) - h W d| for each h.
@@ -70,7 +72,9 @@ std::vector<double> tangent_errors(Model& model, const Table& table, const std::
         (*field)[i] = 0.05 * std::sin(1.7 * mesh.coordinates[i] + 0.9 * static_cast<double>(i % d + s)) + 0.02;
     }
   StageProblem problem(model, table);
-  problem.arm(table.stages.size() - 1, states, 0.0, 0.1);
+  states[0].histories = model.create_histories();
+  StepMemories memories = model.create_memories();
+  problem.arm(table.stages.size() - 1, states, 0.1, memories);
 
   const auto map = problem.map();
   Vector x(map), direction(map), f0(map), f1(map), wd(map), moved(map);
@@ -126,7 +130,7 @@ TEST(ModelTest, TwoRanksAssembleTheSameOperatorAsOne) {
       std::vector<double> u(static_cast<std::size_t>(model.space().local()));
       for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.1 * std::sin(1.9 * mesh.coordinates[i]);
       double* values = w->getLocalMatrixHost().values.data();
-      model.add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), Tangent::Exact, values);
+      TermSums(model).add_tangent(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), Tangent::Exact, values);
       model.mass()->add_to(3.0, values);
       Vector x(model.space().owned_map()), y(model.space().owned_map());
       {

@@ -7,6 +7,7 @@
 #include "interaction/obstacle.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 
 namespace ixos {
@@ -41,14 +42,14 @@ TEST(NodalForceTest, IsTheGradientOfTheEnergy) {
   const auto model = plate();
   const std::vector<double> u = field(*model, 0.03), along = field(*model, 1);
   for (const Part part : {Part::Elastic, Part::Interaction}) {
-    const std::vector<double> force = model->nodal_force(part, u.data());
+    const std::vector<double> force = test::ReportAt(*model, u.data()).nodal_force(part);
     double work = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(model->space().owned()); ++i) work += force[i] * along[i];
     model->space().sum(&work, 1);
     const double h = 1e-5;
-    const double slope =
-        (model->energy(part, field(*model, 0.03 + h).data()) - model->energy(part, field(*model, 0.03 - h).data())) /
-        (2 * h);
+    const double slope = (test::ReportAt(*model, field(*model, 0.03 + h).data()).energy(part) -
+                          test::ReportAt(*model, field(*model, 0.03 - h).data()).energy(part)) /
+                         (2 * h);
     EXPECT_GT(std::abs(slope), 1e-3);
     EXPECT_NEAR(work, slope, 1e-7 * std::abs(slope));
   }
@@ -58,7 +59,7 @@ TEST(NodalForceTest, IsNotANumberWhereTheStateIsInadmissible) {
   const auto model = plate();
   std::vector<double> u = test::at_rest(*model);
   for (std::size_t i = 0; i < u.size(); i += 2) u[i] = -2 * model->mesh().coordinates[i];  // inside out
-  for (const double f : model->nodal_force(Part::Elastic, u.data())) EXPECT_TRUE(std::isnan(f));
+  for (const double f : test::ReportAt(*model, u.data()).nodal_force(Part::Elastic)) EXPECT_TRUE(std::isnan(f));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
+#include "support/reports.hpp"
 #include "support/two_bodies.hpp"
 
 namespace ixos {
@@ -12,7 +13,7 @@ namespace {
 
 SurfacePair pair_of(const std::string& secondary, const std::string& primary) {
   SurfacePair pair;
-  pair.secondary = secondary;
+  pair.side_set = secondary;
   pair.primary = primary;
   pair.law = gap_law(VanDerWaals(2.5, 25));
   return pair;
@@ -36,28 +37,28 @@ TEST(SurfacePairTest, RefusesWhatPairsDoNotHave) {
   const Mesh mesh = test::two_blocks(0.3);
   const SurfacePair good = pair_of("upper_bottom", "lower_top");
   expect_refusal(mesh, pair_of("upper_bottum", "lower_top"), "upper_bottom");
-  expect_refusal(mesh, pair_of("upper_bottom", "upper_bottom"), "with itself, which needs an exclusion");
+  expect_refusal(mesh, pair_of("upper_bottom", "upper_bottom"), "Exclusion 0 is too short for a surface with itself");
   SurfacePair self = pair_of("upper_bottom", "upper_bottom");
   self.exclusion = 3;
-  expect_refusal(mesh, self, "with itself, which needs a cutoff");
+  expect_refusal(mesh, self, "Cutoff 0 is none, and a surface with itself needs one");
   self.primary = "lower_top";
-  expect_refusal(mesh, self, "has the exclusion 3");
+  expect_refusal(mesh, self, "Exclusion 3 is for a surface that interacts with itself");
   expect_refusal(mesh, pair_of("upper_bottom", "upper_left"), "common nodes", {"upper_bottom", "upper_left"});
   SurfacePair bad = good;
   bad.law = nullptr;
-  expect_refusal(mesh, bad, "has no law");
+  expect_refusal(mesh, bad, "Law is missing");
   bad = good;
   bad.law = make_gap_law("Bilinear Damage");
-  expect_refusal(mesh, bad, "history");
+  expect_refusal(mesh, bad, "Law has a history");
   bad = good;
   bad.points = 65;
-  expect_refusal(mesh, bad, "65 Gauss points");
+  expect_refusal(mesh, bad, "Surface Points 65");
   bad = good;
   bad.margin = 1;
-  expect_refusal(mesh, bad, "step margin 1");
+  expect_refusal(mesh, bad, "Step Margin 1");
   bad = good;
   bad.cutoff = 0.1;
-  expect_refusal(mesh, bad, "cutoff");
+  expect_refusal(mesh, bad, "Cutoff 0.1");
   bad = good;
   bad.factor = [](const std::array<double, 3>& x) { return 1 - x[0]; };
   expect_refusal(mesh, bad, "has the factor -");
@@ -75,7 +76,7 @@ TEST(SurfacePairTest, TellsWhereBodiesOverlapAndHowDeep) {
   pair.law = make_gap_law("Penalty");
   const auto model = test::model_of_bodies(test::two_blocks(-0.02), faces);
   add_pair(*model, pair);
-  EXPECT_GT(model->energy(Part::Interaction, test::at_rest(*model).data()), 0);
+  EXPECT_GT(test::ReportAt(*model, test::at_rest(*model).data()).energy(Part::Interaction), 0);
 }
 
 TEST(SurfacePairTest, TheNodesOfBothSurfacesAreCoupled) {
@@ -115,9 +116,10 @@ TEST(SurfacePairTest, AFactorScalesTheLaw) {
   add_pair(*plain, pair_of("upper_bottom", "lower_top"));
   add_pair(*scaled, pair);
   const std::vector<double> u = test::at_rest(*plain);
-  const double energy = plain->energy(Part::Interaction, u.data());
-  EXPECT_NEAR(scaled->energy(Part::Interaction, u.data()), energy, 1e-14);  // the mean of x over the side is 1
-  EXPECT_NEAR(scaled->interaction_report(u.data()).measure, 2, 1e-14);
+  const test::ReportAt of_plain(*plain, u.data()), of_scaled(*scaled, u.data());
+  // The mean of x over the side is 1.
+  EXPECT_NEAR(of_scaled.energy(Part::Interaction), of_plain.energy(Part::Interaction), 1e-14);
+  EXPECT_NEAR(of_scaled.interaction_report().measure, 2, 1e-14);
 }
 
 }  // namespace

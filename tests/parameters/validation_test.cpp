@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "support/scene_text.hpp"
 

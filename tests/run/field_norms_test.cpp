@@ -5,7 +5,7 @@
 
 #include "run/restart_fixture.hpp"
 #include "scene/history_columns.hpp"
-#include "study/history_table.hpp"
+#include "study/common/history_table.hpp"
 
 namespace ixos::test {
 namespace {

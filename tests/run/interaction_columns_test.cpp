@@ -7,7 +7,7 @@
 #include "interaction/gap_law.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "run/run.hpp"
-#include "study/history_table.hpp"
+#include "study/common/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"

@@ -5,6 +5,7 @@
 
 #include "interaction/damage_law.hpp"
 #include "run/restart_fixture.hpp"
+#include "support/reports.hpp"
 
 namespace ixos::test {
 namespace {
@@ -68,8 +69,7 @@ TEST_F(RestartTest, DamageGoesOnInAnotherScene) {
   options.folder = folder("other");
   options.restart = folder("whole");
   ASSERT_EQ(run(simulation, options).status, RunStatus::Completed);
-  const std::vector<double>& u = simulation.integrator().state().u;
-  EXPECT_NEAR(simulation.model().interaction_report(u.data()).force[1],
+  EXPECT_NEAR(test::report_of(simulation).interaction_report().force[1],
               2 * bond.at(0.4 * std::sin(1.6)).traction(0.4 * std::sin(2.6))[0], 1e-13);
   EXPECT_NEAR(simulation.integrator().dissipated_energy(),
               2 * bond.dissipated(bond.adhesion_gap(), 0.4 * std::sin(1.6))[0], 1e-13);

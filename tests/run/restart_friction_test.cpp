@@ -5,9 +5,9 @@
 
 #include "interaction/catalogue.hpp"
 #include "run/restart_fixture.hpp"
-#include "study/history_table.hpp"
+#include "study/common/history_table.hpp"
 #include "support/silent_interaction.hpp"
-#include "term/friction_term.hpp"
+#include "term/wall/friction_term.hpp"
 
 namespace ixos::test {
 namespace {
@@ -91,10 +91,15 @@ class StrayFriction final : public test::SilentInteraction {
  public:
   explicit StrayFriction(std::unique_ptr<Interaction> term) : term_(std::move(term)) {}
   void place(const Pattern& pattern) override { term_->place(pattern); }
-  void initialize(const KnownState& start) override { term_->initialize(start); }
-  void begin_step(const KnownState& start, double time, double dt) override { term_->begin_step(start, time, dt); }
-  void begin_stage(const StageStart& start) override { term_->begin_stage(start); }
-  double accept(const AcceptedStep& step) override { return 0 * term_->accept(step); }
+  void initialize(const KnownState& start, TermHistories& histories) const override {
+    term_->initialize(start, histories);
+  }
+  void begin_step(const StepStart& start, StepMemories& step) const override { term_->begin_step(start, step); }
+  void begin_stage(const StageStart& start, StepMemories& step) const override { term_->begin_stage(start, step); }
+  StepWork accept(const AcceptedStep& step, TermHistories& histories) const override {
+    term_->accept(step, histories);
+    return {};
+  }
   bool add_force(const Segment& segment, const Rule& rule, double* f) const override {
     return term_->add_force(segment, rule, f);
   }
@@ -103,6 +108,9 @@ class StrayFriction final : public test::SilentInteraction {
   }
   const Rule& followed(const Rule& rule) const override { return term_->followed(rule); }
   bool needs_positive_gaps() const override { return true; }
+
+ protected:
+  std::vector<Term*> inside() const override { return {term_.get()}; }
 
  private:
   std::unique_ptr<Interaction> term_;

@@ -5,6 +5,7 @@
 
 #include "run/restart_fixture.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "test_folders.hpp"
 
 namespace ixos::test {
@@ -79,8 +80,8 @@ TEST_F(RestartObstaclesTest, RanksAgree) {
       EXPECT_NEAR(total_energy(whole), total_energy(alone), 1e-10);
       EXPECT_NEAR(whole.integrator().external_work(), alone.integrator().external_work(), 1e-10);
       EXPECT_GT(std::abs(alone.integrator().external_work()), 1e-6) << "the obstacle works";
-      EXPECT_NEAR(whole.model().interaction_report(u.data()).least_gap,
-                  alone.model().interaction_report(v.data()).least_gap, 1e-8);
+      EXPECT_NEAR(test::report_of(whole).interaction_report().least_gap,
+                  test::report_of(alone).interaction_report().least_gap, 1e-8);
     }
 }
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "run/restart_fixture.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/scene_changes.hpp"
-#include "scene/scene_units.hpp"
 
 namespace ixos::test {
 namespace {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "run/restart_fixture.hpp"
-#include "study/history_table.hpp"
+#include "study/common/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
 

@@ -10,7 +10,7 @@
 
 #include "interaction/van_der_waals.hpp"
 #include "model/set_reactions.hpp"
-#include "study/history_table.hpp"
+#include "study/common/history_table.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"

@@ -32,8 +32,8 @@ std::vector<double> field(const Model& model, double a, double b, double c) {
 TEST(StrainWatchTest, ExtremesOfUniformStrains) {
   const auto model = block();
   StrainWatch watch;
-  watch.look(*model, field(*model, -0.6, 0, 0).data(), 1);   // J = 0.4
-  watch.look(*model, field(*model, 1.5, 0, 0.2).data(), 2);  // J = 2.5 * 1.2
+  watch.look(*model, {field(*model, -0.6, 0, 0).data(), 1});   // J = 0.4
+  watch.look(*model, {field(*model, 1.5, 0, 0.2).data(), 2});  // J = 2.5 * 1.2
   const StrainExtremes& extremes = watch.extremes();
   EXPECT_NEAR(extremes.least_jacobian, 0.4, 1e-13);
   EXPECT_NEAR(extremes.largest_jacobian, 3, 1e-13);
@@ -44,8 +44,8 @@ TEST(StrainWatchTest, ExtremesOfUniformStrains) {
 TEST(StrainWatchTest, AShearDistortsCells) {
   const auto model = block();
   StrainWatch watch;
-  watch.look(*model, field(*model, 0, 3, 0).data(), 7);
-  watch.look(*model, field(*model, 0, 1, 0).data(), 8);
+  watch.look(*model, {field(*model, 0, 3, 0).data(), 7});
+  watch.look(*model, {field(*model, 0, 1, 0).data(), 8});
   EXPECT_NEAR(watch.extremes().least_scaled_jacobian, 1 / std::sqrt(10.0), 1e-13);  // det 1, edges 1 and sqrt(1 + 9)
   EXPECT_EQ(watch.extremes().time, 7);
   EXPECT_NEAR(watch.extremes().least_jacobian, 1, 1e-13);

@@ -9,6 +9,7 @@
 #include "run/run_measures.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
+#include "support/silent_interaction.hpp"
 
 namespace ixos {
 namespace {
@@ -20,7 +21,7 @@ using test::word;
 using test::world;
 
 /// An interaction that does nothing but count who asks it what.
-class CountingTerm final : public Interaction {
+class CountingTerm final : public test::SilentInteraction {
  public:
   struct Calls {
     long force = 0, tangent = 0, row_sums = 0, energy = 0, report = 0, gap_ratio = 0, nodal_gap = 0, normal = 0,
@@ -30,27 +31,24 @@ class CountingTerm final : public Interaction {
   bool add_force(const Segment&, const Rule&, double*) const override { return ++calls_.force > 0; }
   void add_tangent(const Segment&, const Rule&, Tangent, double*) const override { ++calls_.tangent; }
   bool add_row_sums(const Segment&, double*) const override { return ++calls_.row_sums > 0; }
-  double energy(const double*) const override {
+  double energy(const Place&) const override {
     ++calls_.energy;
     return 0;
   }
-  double gap_ratio(const double*, const double*) const override {
+  double gap_ratio(const Segment&) const override {
     ++calls_.gap_ratio;
     return 1;
   }
-  void report(const double*, InteractionReport&) const override { ++calls_.report; }
+  void report(const Place&, InteractionReport&) const override { ++calls_.report; }
   bool needs_positive_gaps() const override { return true; }
-  double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double mean_potential(const Segment&) const override { return 0; }
-  double rounding(const double*) const override { return 0; }
-  LowestPoint lowest_point(const double*) const override {
+  LowestPoint lowest_point(const Place&) const override {
     ++calls_.lowest_point;
     return {};
   }
-  void add_nodal_measure(CountedSides&, double*) const override {}
-  void add_nodal_pressure(const double*, double*) const override { ++calls_.pressure; }
-  void lower_nodal_gap(const double*, double*) const override { ++calls_.nodal_gap; }
-  void set_nodal_normal(const double*, double*) const override { ++calls_.normal; }
+  bool has(SurfaceNumber number) const override { return number == SurfaceNumber::Pressure; }
+  void add_nodal(SurfaceNumber, const Place&, double*) const override { ++calls_.pressure; }
+  void lower_nodal_gap(const Place&, double*) const override { ++calls_.nodal_gap; }
+  void set_nodal_normal(const Place&, double*) const override { ++calls_.normal; }
 
  private:
   Calls& calls_;

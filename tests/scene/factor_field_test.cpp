@@ -10,6 +10,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -69,11 +70,11 @@ TEST(FactorFieldTest, TheFieldScalesTheForceOverTheSurface) {
     const Simulation plane(scene(from_file(order), field + word("Contact Element", element)), test::world());
     const Model& model = plane.model();
     const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
-    const double alone = model.interaction_report(rest.data()).force[1];
+    const double alone = test::ReportAt(model, rest.data()).interaction_report().force[1];
     EXPECT_NEAR(alone, 4.5 * plane.interactions()[0].law->traction(0.4)[0], 1e-12) << element;
     const Simulation both(scene(from_file(order), field + word("Factor", "2*x") + word("Contact Element", element)),
                           test::world());
-    const double product = both.model().interaction_report(rest.data()).force[1];
+    const double product = test::ReportAt(both.model(), rest.data()).interaction_report().force[1];
     // int x dx = 4.5, int 2 x^2 dx = 18 over 0 to 3.
     EXPECT_NEAR(product, 4 * alone, 1e-12 * std::abs(product)) << element;
 
@@ -85,8 +86,8 @@ TEST(FactorFieldTest, TheFieldScalesTheForceOverTheSurface) {
                                                        numbers("Point", {0, 0, 0})),
                            test::world());
     const std::vector<double> still(static_cast<std::size_t>(solid.model().space().local()), 0.0);
-    const double scaled = solid.model().interaction_report(still.data()).force[2];
-    const double whole = plain.model().interaction_report(still.data()).force[2];
+    const double scaled = test::ReportAt(solid.model(), still.data()).interaction_report().force[2];
+    const double whole = test::ReportAt(plain.model(), still.data()).interaction_report().force[2];
     // int 1 + x y dA = 6 + 9/2 2 = 15 over 3 by 2.
     EXPECT_NEAR(scaled, 15.0 / 6 * whole, 1e-12 * std::abs(whole)) << element;
   }
@@ -113,7 +114,7 @@ TEST(FactorFieldTest, SeveralInteractionsMayShareAField) {
       test::world());
   const std::vector<double> rest(static_cast<std::size_t>(twice.model().space().local()), 0.0);
   // int x dx = 4.5 over 0 to 3, once and twice.
-  EXPECT_NEAR(twice.model().interaction_report(rest.data()).force[1],
+  EXPECT_NEAR(test::ReportAt(twice.model(), rest.data()).interaction_report().force[1],
               3 * 4.5 * twice.interactions()[0].law->traction(0.4)[0], 1e-12);
 }
 

@@ -1,6 +1,6 @@
-#include "scene/mesh_parts.hpp"
-#include "scene/parameters.hpp"
-#include "scene/scene_mesh.hpp"
+#include "scene/read/mesh_parts.hpp"
+#include "scene/read/parameters.hpp"
+#include "scene/read/scene_mesh.hpp"
 #include "support/catalogue_walk.hpp"
 #include "test_folders.hpp"
 

@@ -7,11 +7,12 @@
 #include "mesh/generators/shapes.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/selection.hpp"
-#include "scene/explanation.hpp"
-#include "scene/scene_mesh.hpp"
-#include "scene/scene_units.hpp"
+#include "scene/explain/explanation.hpp"
+#include "scene/read/scene_mesh.hpp"
+#include "scene/read/scene_units.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -51,7 +52,7 @@ TEST(QuadraticSceneTest, TheSidesOfQuadraticCellsAreContactElements) {
     EXPECT_EQ(s.model().mesh().global_cells, 8);
     expect_contains(explain(s), "Q2C2 contact elements");
     const std::vector<double> rest(static_cast<std::size_t>(s.model().space().local()), 0.0);
-    EXPECT_NEAR(s.model().interaction_report(rest.data()).measure, 4, 1e-13);
+    EXPECT_NEAR(test::ReportAt(s.model(), rest.data()).interaction_report().measure, 4, 1e-13);
   }
   const Simulation rich(scene(box_of(2), word("Contact Element", "Q2C4") + count("Bulk Points", 6)), test::world());
   EXPECT_EQ(rich.interactions()[0].element, ContactElement::Q2C4);

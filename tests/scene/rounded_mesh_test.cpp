@@ -7,6 +7,7 @@
 #include "mesh/placement.hpp"
 #include "scene/simulation.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -52,7 +53,7 @@ Teuchos::ParameterList scene(double angle) {
 
 double force(const Simulation& simulation) {
   const std::vector<double> u(simulation.integrator().state().u.size(), 0.0);
-  const std::vector<double> sum = simulation.model().interaction_report(u.data()).force;
+  const std::vector<double> sum = test::ReportAt(simulation.model(), u.data()).interaction_report().force;
   return std::hypot(sum[0], sum[1]);
 }
 

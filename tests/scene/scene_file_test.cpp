@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "parameters/list_xml.hpp"
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 
 namespace ixos {
 namespace {

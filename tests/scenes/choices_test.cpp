@@ -5,6 +5,7 @@
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -44,7 +45,7 @@ TEST(ChoicesTest, ConservingSchemesHoldTheEnergyAtTheObstacle) {
         const double before = test::total_energy(s);
         run(s);
         EXPECT_NEAR(test::total_energy(s), before, 1e-11);
-        const double gap = s.model().interaction_report(s.integrator().state().u.data()).least_gap;
+        const double gap = test::report_of(s).interaction_report().least_gap;
         EXPECT_LT(gap, 0.3) << "it has not met the obstacle";
       }
 }

@@ -8,6 +8,7 @@
 
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -97,11 +98,11 @@ struct Sums {
 
 void add_sums(const Simulation& s, Sums& sums) {
   const State& state = s.integrator().state();
-  const Momenta own = s.model().momenta(state.u.data(), state.v.data());
+  const Momenta own = StateReport(s.model(), state).momenta();
   sums.kinetic += own.kinetic_energy;
   std::transform(own.linear.begin(), own.linear.end(), sums.linear.begin(), sums.linear.begin(), std::plus<>());
   std::transform(own.angular.begin(), own.angular.end(), sums.angular.begin(), sums.angular.begin(), std::plus<>());
-  sums.interaction += s.model().energy(Part::Interaction, state.u.data());
+  sums.interaction += StateReport(s.model(), state).energy(Part::Interaction);
 }
 
 /// Expects that all bodies move as each does alone, on one rank, to a tolerance over the largest displacement.

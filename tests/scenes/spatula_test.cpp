@@ -8,8 +8,9 @@
 #include "fem/quadrature.hpp"
 #include "mesh/generators/spatula.hpp"
 #include "scene/simulation.hpp"
-#include "solve/factorization.hpp"
+#include "solve/direct/factorization.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -50,11 +51,9 @@ std::array<double, 3> reaction(const Simulation& s) {
   return sum;
 }
 
-InteractionReport contact(const Simulation& s) { return s.model().interaction_report(s.integrator().state().u.data()); }
+InteractionReport contact(const Simulation& s) { return test::report_of(s).interaction_report(); }
 
-Momenta momenta(const Simulation& s) {
-  return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-}
+Momenta momenta(const Simulation& s) { return test::report_of(s).momenta(); }
 
 /// Of the polygons that the pad's sides are: twice the area of a plane one is the cross product of its diagonals.
 double pad_area(const Mesh& mesh) {
@@ -89,7 +88,7 @@ TEST(SpatulaSceneTest, StartsWithItsWholePadAtTheEquilibriumGap) {
     for (double force : start.force) EXPECT_NEAR(force, 0, 1e-9);  // against 2624 of repulsion alone
     // int psi dA = -W A, the work of adhesion W = 15^(1/3) pi/(8 25 2.5).
     const double adhesion = std::cbrt(15.0) * M_PI / (8 * 25 * 2.5);
-    EXPECT_NEAR(s.model().energy(Part::Interaction, s.integrator().state().u.data()), -adhesion * area, 1e-9 * area);
+    EXPECT_NEAR(test::report_of(s).energy(Part::Interaction), -adhesion * area, 1e-9 * area);
     const double error = 1 - area / outline;
     EXPECT_GT(error, 0) << "an inscribed polygon";
     EXPECT_LT(error, 0.3 * before) << cells;
@@ -136,12 +135,12 @@ TEST(SpatulaLongTest, EverySchemePeelsWithoutACutAndBalancesItsForces) {
       std::vector<double> wall(3, 0.0), inertia = momenta(s).linear;
       if (at_end) {
         wall = contact(s).force;
-        inertia = s.model().momenta(state.u.data(), state.a.data()).linear;
+        inertia = test::ReportAt(s.model(), state.u.data(), state.a.data()).momenta().linear;
       } else {
         for (std::size_t q = 0; q < means.points.size(); ++q) {
           std::vector<double> u(u0);
           for (std::size_t i = 0; i < u.size(); ++i) u[i] += means.points[q] * (state.u[i] - u0[i]);
-          const auto force = s.model().interaction_report(u.data()).force;
+          const auto force = test::ReportAt(s.model(), u.data()).interaction_report().force;
           for (std::size_t i = 0; i < 3; ++i) wall[i] += means.weights[q] * force[i];
         }
         for (std::size_t i = 0; i < 3; ++i) inertia[i] -= before.linear[i];

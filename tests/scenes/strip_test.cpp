@@ -6,10 +6,11 @@
 #include <cmath>
 
 #include "interaction/van_der_waals.hpp"
-#include "scene/probes.hpp"
+#include "scene/read/probes.hpp"
 #include "scene/simulation.hpp"
 #include "support/beam_on_wall.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -45,7 +46,7 @@ void peel_off(const std::string& scheme, const std::string& element, const std::
     ASSERT_TRUE(result.converged) << "t = " << s.integrator().time() << ": " << result.reason;
   }
   ASSERT_GE(lift(s), 9.8);
-  EXPECT_EQ(s.model().interaction_report(s.integrator().state().u.data()).measure, 0);
+  EXPECT_EQ(test::report_of(s).interaction_report().measure, 0);
 }
 
 TEST(StripSerialTest, SchemesPeelItOffAtALargeStepWithoutACut) {
@@ -71,7 +72,7 @@ TEST(StripSerialTest, QuasiStaticPullOffForceIsThatOfATimoshenkoBeam) {
   }
   EXPECT_NEAR(peak, expected, 0.15 * expected);
   // On the body act the pull and the wall, and nothing else.
-  const double wall = s.model().interaction_report(s.integrator().state().u.data()).force[1];
+  const double wall = test::report_of(s).interaction_report().force[1];
   EXPECT_NEAR(pull_off_force(s), -wall, 1e-9);
 }
 

@@ -1,5 +1,5 @@
 // Chebyshev's polynomial as a preconditioner, on a matrix whose spectrum is known.
-#include "solve/chebyshev_preconditioner.hpp"
+#include "solve/iterative/chebyshev_preconditioner.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,12 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/term_sums.hpp"
 #include "scene/simulation.hpp"
-#include "solve/factorization.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "solve/direct/factorization.hpp"
+#include "solve/iterative/rigid_body_modes.hpp"
 #include "solve/kept_state.hpp"
-#include "solve/linear_solver.hpp"
-#include "solve/linear_solver_defaults.hpp"
-#include "solve/rigid_body_modes.hpp"
 #include "solve/thyra.hpp"
 #include "support/bodies.hpp"
 #include "support/scene_text.hpp"
@@ -29,7 +30,7 @@ Teuchos::RCP<CrsMatrix> tangent(const Model& model, double mass) {
   const auto w = model.pattern().create_matrix(model.space());
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   double* values = w->getLocalMatrixHost().values.data();
-  model.add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact, values);
+  TermSums(model).add_tangent(Part::Elastic, {nullptr, nullptr, rest.data()}, end_rule(), Tangent::Exact, values);
   model.mass()->add_to(mass, values);
   return w;
 }

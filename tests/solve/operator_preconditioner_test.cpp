@@ -6,7 +6,7 @@
 #include <Thyra_MultiVectorStdOps.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
-#include "solve/factorization.hpp"
+#include "solve/direct/factorization.hpp"
 #include "solve/semi_discrete_bodies.hpp"
 
 namespace ixos {
@@ -42,10 +42,10 @@ TEST(OperatorPreconditionerTest, AFactorizationFollowsTheMatrixWhenItIsComputedA
   const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
   const auto matrix = model.pattern().create_matrix(model.space());
   const auto w = linear_op(matrix, vector_space(model.space().owned_map()));
-  set_semi_discrete_tangent(model, {2, 0, 1}, rest, rest, 0, *matrix);
+  set_semi_discrete_tangent(model, {2, 0, 1}, {rest.data(), 0, nullptr, nullptr, rest.data()}, *matrix);
   preconditioner->compute(w);
   EXPECT_LT(distance_from_inverse(*preconditioner->getUnspecifiedPrecOp(), *w), 1e-11);
-  set_semi_discrete_tangent(model, {40, 0, 1}, rest, rest, 0, *matrix);
+  set_semi_discrete_tangent(model, {40, 0, 1}, {rest.data(), 0, nullptr, nullptr, rest.data()}, *matrix);
   EXPECT_GT(distance_from_inverse(*preconditioner->getUnspecifiedPrecOp(), *w), 0.1);
   preconditioner->compute(w);
   EXPECT_LT(distance_from_inverse(*preconditioner->getUnspecifiedPrecOp(), *w), 1e-11);

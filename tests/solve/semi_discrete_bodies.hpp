@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "embedding/semi_discrete_evaluator.hpp"
 #include "scene/simulation.hpp"
-#include "solve/problem_size.hpp"
-#include "solve/semi_discrete_evaluator.hpp"
+#include "solve/choice/problem_size.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos::test {

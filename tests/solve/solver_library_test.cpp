@@ -4,6 +4,7 @@
 
 #include <Tpetra_Vector.hpp>
 
+#include "solve/direct/factorization.hpp"
 #include "support/scene_text.hpp"
 #include "support/tridiagonal.hpp"
 

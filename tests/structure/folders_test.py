@@ -3,11 +3,14 @@
 
     tests/structure/folders_test.py
 
-The third column of the table names the folders whose headers a folder includes. A header in backquotes, such as
+The third column of the table names the folders whose headers a folder includes. Each folder of lib has a row; a folder
+inside it has one of its own, or belongs to the row of the folder around it. A header in backquotes, such as
 `checkpoint/record.hpp`, may be included by every folder, without the rest of its folder. The test also checks which
-folders include headers of certain libraries. The exit status is 1 if anything differs.
+folders include headers of certain libraries, and that no folder includes headers of a higher floor of the guide's
+picture. The exit status is 1 if anything differs.
 """
 import graphlib
+import pathlib
 import re
 import sys
 
@@ -25,15 +28,21 @@ RESERVED = (("solve/loaded", "Stratimikos, MueLu, Thyra's Ifpack2 or MUMPS", r"(
 TRILINOS = re.compile(r"(Teuchos|Tpetra|Thyra|Kokkos)_")
 
 
+ROOMS = set()  # the folders with a row
+
+
 def folder_of(file):
-    """Returns the top-level folder of a file of lib."""
-    return file.split("/")[0]
+    """Returns the innermost folder with a row that a file of lib is in, or its top-level folder; of a row its own."""
+    if file in ROOMS:
+        return file
+    return next((str(folder) for folder in pathlib.PurePosixPath(file).parents if str(folder) in ROOMS),
+                file.split("/")[0])
 
 
 def is_kernel(file):
     """Returns whether a file must do without Trilinos. The entries of the materials' catalogue read parameter lists."""
     entry = file.startswith(("material/laws/", "material/catalogue."))
-    return folder_of(file) in ("element", "fem", "material") and not entry
+    return folder_of(file) in ("element", "fem", "material", "rule") and not entry
 
 
 class Row:
@@ -67,10 +76,10 @@ def check_rows(rows, folders):
     for folder in sorted(folders - set(rows)):
         yield f"{GUIDE}: the table has no row for lib/{folder}: add one"
     for folder, row in rows.items():
-        if folder not in folders:
+        if not (LIB / folder).is_dir():
             yield f"{row.place}: lib/{folder} does not exist: delete the row or correct the name"
-        for name in sorted(row.folders - folders):
-            yield f"{row.place}: \"{name}\" is no folder of lib: delete or correct it"
+        for name in sorted(row.folders - set(rows)):
+            yield f"{row.place}: \"{name}\" has no row: delete or correct it"
         for name in sorted(header for header in row.headers if not is_header_of_lib(header)):
             yield f"{row.place}: lib/{name} does not exist: delete or correct it"
 
@@ -127,6 +136,25 @@ def check_cycles(rows, includes):
         yield f"{GUIDE}: folders include each other: {path}: move what one of them needs into a folder below it"
 
 
+def check_floors(rows):
+    """Yields a message for each folder that is on no floor of the guide's picture, and for each include of a higher one.
+
+    A line of the picture is a floor: names of folders, two spaces, words. The highest comes first.
+    """
+    picture = re.search(r"```text\n(.*?)```", (ROOT / GUIDE).read_text(encoding="utf-8"), re.DOTALL)
+    floors = {}
+    for height, line in enumerate(reversed(picture[1].splitlines()), 1):
+        for name in re.split(r" {2,}", line)[0].split(", "):
+            floors[name] = height
+    floor_of = {folder: floors.get(folder.split("/")[0], 0) for folder in rows if folder != "ixos"}
+    for folder, floor in floor_of.items():
+        if not floor:
+            yield f"{GUIDE}: the picture of the floors has no lib/{folder}: add it"
+        for other in sorted(rows[folder].folders):
+            if floor_of.get(other, 0) > floor > 0:
+                yield f"{GUIDE}: lib/{folder} includes headers of {other}, which is on a higher floor of the picture"
+
+
 def check_libraries(files):
     """Yields a message for each include of a library's header outside the folder that this library belongs to."""
     for file, line, included, _ in files:
@@ -159,15 +187,16 @@ def check_kernels(files):
 
 
 def main():
-    folders = {path.name for path in LIB.iterdir() if path.is_dir()}
     rows = read_table()
+    ROOMS.update(rows)
     if not rows:
         sys.exit(f"{GUIDE}: no row of the table \"Layout of the code\" begins with | `lib/NAME` |: restore the table")
+    folders = {folder_of(file) for file in list_files(".hpp", ".cpp", ".def")}
     files = [(file, *include) for file in list_files(".hpp", ".cpp") for include in read_includes(file)]
     own = [include for include in files if include[3] or is_header_of_lib(include[2])]
     problems = [*check_rows(rows, folders), *check_includes(rows, own), *check_use(rows, own),
                 *check_cycles(rows, [include for include in own if is_header_of_lib(include[2])]),
-                *check_libraries(files), *check_kernels(files)]
+                *check_floors(rows), *check_libraries(files), *check_kernels(files)]
     if problems:
         sys.exit("\n".join(problems))
     arrows = {(folder_of(file), folder_of(included)) for file, _, included, _ in own}

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "study/advice_point.hpp"
+#include "study/advice/advice_point.hpp"
 
 namespace ixos::test {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/reports.hpp"
+
 namespace ixos::test {
 
 std::vector<double> gathered(const Model& model, const std::vector<double>& local) {
@@ -17,10 +19,8 @@ std::vector<double> gathered(const Model& model, const std::vector<double>& loca
 }
 
 double total_energy(const Simulation& simulation) {
-  const Model& model = simulation.model();
-  const State& state = simulation.integrator().state();
-  return model.momenta(state.u.data(), state.v.data()).kinetic_energy + model.energy(Part::Elastic, state.u.data()) +
-         model.energy(Part::Interaction, state.u.data());
+  const StateReport report = report_of(simulation);
+  return report.momenta().kinetic_energy + report.energy(Part::Elastic) + report.energy(Part::Interaction);
 }
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {

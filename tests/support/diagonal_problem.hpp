@@ -6,7 +6,7 @@
 #include <Tpetra_Vector.hpp>
 #include <cmath>
 
-#include "solve/nonlinear_problem.hpp"
+#include "solve/newton/nonlinear_problem.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos::test {

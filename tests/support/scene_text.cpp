@@ -5,7 +5,7 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 
-#include "scene/parameters.hpp"
+#include "scene/read/parameters.hpp"
 #include "scene/scene_file.hpp"
 #include "test_folders.hpp"
 

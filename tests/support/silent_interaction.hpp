@@ -5,21 +5,34 @@
 namespace ixos::test {
 
 /// Answers all questions but those of force and tangent as if nothing acted: no energy, no gaps, every step admissible.
-class SilentInteraction : public Interaction {
+class SilentInteraction : public Interaction, public Admissibility, public SurfaceReport {
  public:
   bool add_row_sums(const Segment&, double*) const override { return true; }
-  double energy(const double*) const override { return 0; }
-  double gap_ratio(const double*, const double*) const override { return 1; }
-  void report(const double*, InteractionReport&) const override {}
+  double energy(const Place&) const override { return 0; }
+  const Rule& followed(const Rule& rule) const override { return rule; }
+  bool follows(Mean) const override { return true; }
+  bool has_friction() const override { return false; }
+  double mean_potential(const Segment&) const override { return 0; }
+  double rounding(const Place&) const override { return 0; }
+  const Admissibility& admissibility() const override { return *this; }
+  const SurfaceReport& reports() const override { return *this; }
+  Coupling* coupling() override { return nullptr; }
+  const ObstacleMotion* motion() const override { return nullptr; }
+
   bool needs_positive_gaps() const override { return false; }
   double admissible_step(const Segment&, const Rule&, const double*) const override { return 1; }
-  double mean_potential(const Segment&) const override { return 0; }
-  double rounding(const double*) const override { return 0; }
-  LowestPoint lowest_point(const double*) const override { return {}; }
+  double gap_ratio(const Segment&) const override { return 1; }
+  LowestPoint lowest_point(const Place&) const override { return {}; }
+  bool is_clear(const Place&) const override { return false; }
+  LowestPoint passage(const Segment&) const override { return {}; }
+
+  void report(const Place&, InteractionReport&) const override {}
+  void report_friction(const Place&, FrictionReport&) const override {}
+  bool has(SurfaceNumber) const override { return false; }
+  void add_nodal(SurfaceNumber, const Place&, double*) const override {}
   void add_nodal_measure(CountedSides&, double*) const override {}
-  void add_nodal_pressure(const double*, double*) const override {}
-  void lower_nodal_gap(const double*, double*) const override {}
-  void set_nodal_normal(const double*, double*) const override {}
+  void lower_nodal_gap(const Place&, double*) const override {}
+  void set_nodal_normal(const Place&, double*) const override {}
 };
 
 }  // namespace ixos::test

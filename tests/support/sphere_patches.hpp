@@ -1,9 +1,9 @@
 /// Spheres and cubes of patches, without a model.
 #pragma once
+#include "geometry/surface_patches.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "mesh/local_mesh.hpp"
 #include "mesh/partition.hpp"
-#include "term/surface_patches.hpp"
 
 namespace ixos::test {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/moved_interaction.hpp"
 #include "term/friction_fixture.hpp"
+#include "term/wall/moved_interaction.hpp"
 
 namespace ixos {
 namespace {
@@ -23,16 +23,16 @@ TEST(FrictionBoundsTest, KeptTangentsAreTangents) {
       const std::vector<double> force = s.force(segment, rule);
       std::vector<double> f(force.size(), 0.0);
       std::vector<std::unique_ptr<KeptPoints>> kept;
-      for (const auto& term : s.terms) {
-        kept.push_back(term->create_kept());
-        EXPECT_TRUE(term->add_force_and_keep(segment, rule, *kept.back(), f.data()));
-      }
+      s.for_each([&](const Interaction& term, const auto& steps) {
+        kept.push_back(term.create_kept());
+        EXPECT_TRUE(term.add_force_and_keep(steps.in(segment), rule, *kept.back(), f.data()));
+      });
       for (std::size_t k = 0; k < f.size(); ++k) ASSERT_NEAR(f[k], force[k], 1e-16);
       for (const Tangent kind : {Tangent::Exact, Tangent::Convex}) {
         const std::vector<double> values = s.tangent(segment, rule, kind);
         std::vector<double> own(values.size(), 0.0);
         for (std::size_t i = 0; i < s.terms.size(); ++i)
-          s.terms[i]->add_kept_tangent(segment, rule, kind, *kept[i], own.data());
+          s.terms[i]->add_kept_tangent(s.steps[i]->in(segment), rule, kind, *kept[i], own.data());
         for (std::size_t k = 0; k < own.size(); ++k) ASSERT_NEAR(own[k], values[k], 1e-14);
       }
     }
@@ -67,7 +67,9 @@ TEST(FrictionBoundsTest, TheForceOfTheMeanIsTheSlopeOfItsPotential) {
       for (const double sign : {-1.0, 1.0}) {
         std::vector<double> u = to;
         for (std::size_t k = 0; k < u.size(); ++k) u[k] += sign * h * direction[k];
-        for (const auto& term : s.terms) change += sign * term->mean_potential({from.data(), nullptr, u.data()});
+        s.for_each([&](const Interaction& term, const auto& steps) {
+          change += sign * term.mean_potential(steps.segment(from.data(), nullptr, u.data()));
+        });
       }
       s.model->space().sum(&change, 1);
       const auto f = s.force({from.data(), nullptr, to.data()}, exact_rule());
@@ -83,7 +85,9 @@ TEST(FrictionBoundsTest, RowSumsBoundTheTangentAndEndWithContact) {
     const std::vector<double> from = s.slide(), to = s.at(2.999);
     const Segment segment{nullptr, nullptr, to.data()};
     std::vector<double> bound(from.size(), 0.0);
-    for (const auto& term : s.terms) EXPECT_TRUE(term->add_row_sums(segment, bound.data()));
+    s.for_each([&](const Interaction& term, const auto& steps) {
+      EXPECT_TRUE(term.add_row_sums(steps.in(segment), bound.data()));
+    });
     double largest = 0;
     s.model->pattern().for_each_row(s.tangent(segment, end_rule()).data(), [&](int row, const auto& entries) {
       double sum = 0;
@@ -98,13 +102,15 @@ TEST(FrictionBoundsTest, RowSumsBoundTheTangentAndEndWithContact) {
     for (std::size_t k = d - 1; k < off.size(); k += d)
       if (!s.model->mesh().is_derivative(k / d)) off[k] += 1;
     std::fill(bound.begin(), bound.end(), 0.0);
-    for (const auto& term : s.terms) term->add_row_sums({nullptr, nullptr, off.data()}, bound.data());
+    s.for_each([&](const Interaction& term, const auto& steps) {
+      term.add_row_sums(steps.segment(nullptr, nullptr, off.data()), bound.data());
+    });
     EXPECT_EQ(*std::max_element(bound.begin(), bound.end()), 0);
     s.begin(to);
     s.accept(to, off);
     s.begin(off);
     double rounding = 0;
-    for (const auto& term : s.terms) rounding += term->rounding(off.data());
+    s.for_each([&](const Interaction& term, const auto& steps) { rounding += term.rounding(steps.at(off.data())); });
     EXPECT_EQ(rounding, 0);
     for (const double value : s.tangent({nullptr, nullptr, off.data()}, end_rule())) ASSERT_EQ(value, 0);
   });
@@ -121,7 +127,7 @@ TEST(FrictionBoundsTest, RoundingIsThatOfTheStiffnessThatActs) {
     for (std::size_t k = 0; k < u.size(); k += 2) u[k] = q;
     s.begin(rest);
     double sum = 0;
-    for (const auto& term : s.terms) sum += term->rounding(u.data());
+    s.for_each([&](const Interaction& term, const auto& steps) { sum += term.rounding(steps.at(u.data())); });
     s.model->space().sum(&sum, 1);
     return std::sqrt(sum) / q;
   };
@@ -145,8 +151,8 @@ TEST(FrictionBoundsTest, AFactorScalesForceAndWorkButNoSlip) {
     for (std::size_t k = 0; k < f.size(); ++k) ASSERT_NEAR(g[k], 0.25 * f[k], 1e-17);
     EXPECT_NEAR(quarter.accept(from, to), 0.25 * whole.accept(from, to), 1e-16);
     std::vector<double> slip(static_cast<std::size_t>(whole.model->mesh().nodes()), 0.0), other = slip;
-    whole.terms[0]->add_nodal_friction(FrictionNumber::Slip, slip.data());
-    quarter.terms[0]->add_nodal_friction(FrictionNumber::Slip, other.data());
+    whole.terms[0]->reports().add_nodal(SurfaceNumber::Slip, whole.steps[0]->at(to.data()), slip.data());
+    quarter.terms[0]->reports().add_nodal(SurfaceNumber::Slip, quarter.steps[0]->at(to.data()), other.data());
     for (std::size_t node = 0; node < slip.size(); ++node) EXPECT_EQ(slip[node], other[node]);
   }
 }
@@ -168,6 +174,7 @@ TEST(FrictionBoundsTest, TangentsBeforeMovedObstaclesAreDifferences) {
     for (auto& term : s.terms)
       term = std::make_unique<MovedInteraction>(std::move(term), motion, mesh, mesh.side_sets[mesh.side_set("bottom")],
                                                 s.model->pattern());
+    s.begin_anew();
     const std::vector<double> from = s.at(3), way = test::smooth_field(*s.model, 0.5);
     s.begin(from);
     for (const Rule& rule : {end_rule(), exact_rule()}) {
@@ -199,6 +206,7 @@ TEST(FrictionBoundsTest, NodalSlipIsAMeanOnTheAxis) {
     mesh.axisymmetric = true;
     s.terms = make_friction_terms(mesh, mesh.side_sets[mesh.side_set("bottom")], s.model->pattern(),
                                   FrictionLaw(own, gap_law(VanDerWaals(2.5, 25))), test::obstacle(Shape::Flat, 2), {});
+    s.begin_anew();
     std::vector<double> from = test::at_rest(*s.model), to = from;
     for (std::size_t k = 0; k < to.size(); k += 2)
       if (!mesh.is_derivative(k / 2)) to[k] = 0.4;
@@ -206,10 +214,10 @@ TEST(FrictionBoundsTest, NodalSlipIsAMeanOnTheAxis) {
     s.accept(from, to);
     std::vector<double> slip(static_cast<std::size_t>(mesh.nodes()), 0.0), measure = slip;
     CountedSides counted;
-    for (const auto& term : s.terms) {
-      term->add_nodal_friction(FrictionNumber::Slip, slip.data());
-      term->add_nodal_measure(counted, measure.data());
-    }
+    s.for_each([&](const Interaction& term, const auto& steps) {
+      term.reports().add_nodal(SurfaceNumber::Slip, steps.at(to.data()), slip.data());
+      term.reports().add_nodal_measure(counted, measure.data());
+    });
     int nodes = 0;
     for (std::size_t node = 0; node < slip.size(); ++node)
       if (measure[node] > 0 && ++nodes > 0) {

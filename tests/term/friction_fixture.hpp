@@ -10,9 +10,10 @@
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "parameters/validation.hpp"
+#include "support/by_hand.hpp"
 #include "support/solids.hpp"
 #include "support/tangents.hpp"
-#include "term/friction_term.hpp"
+#include "term/wall/friction_term.hpp"
 
 namespace ixos::test {
 
@@ -73,7 +74,13 @@ class Sliding {
     const FrictionLaw law(friction, gap_law(VanDerWaals(2.5, 25)));
     terms = make_friction_terms(mesh, mesh.side_sets[mesh.side_set("bottom")], model->pattern(), law,
                                 obstacle(shape, dimension), options);
-    for (auto& term : terms) term->initialize({at_rest(*model).data()});
+    begin_anew();
+  }
+  /// Begins the lives of the terms.
+  void begin_anew() {
+    steps.clear();
+    for (auto& term : terms) steps.push_back(std::make_unique<ByHand<Interaction>>(*term));
+    for (auto& own : steps) own->initialize(at_rest(*model).data());
   }
 
   /// Returns the displacement after n steps: the body goes round and breathes a little.
@@ -103,23 +110,25 @@ class Sliding {
     return from;
   }
   void begin(const std::vector<double>& u) {
-    for (auto& term : terms) term->begin_step({u.data()}, 0, 0.5);
+    for (auto& own : steps) own->begin_step(u.data(), 0, 0.5);
   }
   /// Returns what the step dissipated, on all ranks.
   double accept(const std::vector<double>& from, const std::vector<double>& to) {
     double lost = 0;
-    for (auto& term : terms) lost += term->accept({{{from.data()}, {to.data()}}, nullptr, 0.5});
+    for (auto& own : steps) lost += own->accept({{{from.data()}, {to.data()}}, nullptr, 0.5}).dissipated;
     model->space().sum(&lost, 1);
     return lost;
   }
   std::vector<double> force(const Segment& segment, const Rule& rule) const {
     std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
-    for (const auto& term : terms) EXPECT_TRUE(term->add_force(segment, rule, f.data()));
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      EXPECT_TRUE(terms[i]->add_force(steps[i]->in(segment), rule, f.data()));
     return f;
   }
   std::vector<double> tangent(const Segment& segment, const Rule& rule, Tangent kind = Tangent::Exact) const {
     std::vector<double> values = no_values(*model);
-    for (const auto& term : terms) term->add_tangent(segment, rule, kind, values.data());
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      terms[i]->add_tangent(steps[i]->in(segment), rule, kind, values.data());
     return values;
   }
   std::vector<double> product(const Segment& segment, const Rule& rule, const std::vector<double>& x,
@@ -128,9 +137,14 @@ class Sliding {
   }
   double energy(const std::vector<double>& u) const {
     double sum = 0;
-    for (const auto& term : terms) sum += term->energy(u.data());
+    for (std::size_t i = 0; i < terms.size(); ++i) sum += terms[i]->energy(steps[i]->at(u.data()));
     model->space().sum(&sum, 1);
     return sum;
+  }
+  /// Calls visit(term, its steps) for all terms.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (std::size_t i = 0; i < terms.size(); ++i) visit(*terms[i], *steps[i]);
   }
   double dot(const std::vector<double>& f, const std::vector<double>& a, const std::vector<double>& b) const {
     double sum = 0;
@@ -141,6 +155,7 @@ class Sliding {
 
   std::unique_ptr<Model> model;
   Interactions terms;
+  std::vector<std::unique_ptr<ByHand<Interaction>>> steps;  ///< of the terms
 };
 
 template <class Visit>

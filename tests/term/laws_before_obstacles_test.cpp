@@ -8,10 +8,11 @@
 
 #include "interaction/catalogue.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "support/by_hand.hpp"
 #include "support/derivative.hpp"
 #include "support/obstacle_geometry.hpp"
 #include "support/solids.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -44,6 +45,7 @@ class LawsBeforeObstaclesSerialTest : public testing::TestWithParam<std::tuple<s
     const LocalMesh& mesh = model_->mesh();
     terms_ = make_surface_terms(mesh, mesh.side_sets[mesh.side_set("bottom")], model_->pattern(),
                                 laws().make(SceneNode(law, "")), obstacle, {});
+    for (auto& term : terms_) steps_.push_back(std::make_unique<test::ByHand<Interaction>>(*term));
     // The middle of the bottom moves to a point at that gap.
     PackPoint x = {0.3, 2.4, dimension == 3 ? 1.9 : 0.0};
     for (int round = 0; round < 50; ++round) {
@@ -73,21 +75,27 @@ class LawsBeforeObstaclesSerialTest : public testing::TestWithParam<std::tuple<s
     return result;
   }
 
+  /// Returns the way of a term from the start to a displacement.
+  Segment segment(std::size_t term, const Vector& to) const {
+    return steps_[term]->segment(from_.data(), nullptr, to.data());
+  }
   double energy(const Vector& u) const {
     double result = 0;
-    for (const auto& term : terms_) result += term->energy(u.data());
+    for (std::size_t k = 0; k < terms_.size(); ++k) result += terms_[k]->energy(steps_[k]->at(u.data()));
     return result;
   }
   Vector force(const Vector& to, const Rule& rule) const {
     Vector f(to.size(), 0.0);
-    for (const auto& term : terms_) EXPECT_TRUE(term->add_force({from_.data(), nullptr, to.data()}, rule, f.data()));
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+      EXPECT_TRUE(terms_[k]->add_force(segment(k, to), rule, f.data()));
+    }
     return f;
   }
   Vector product(const Rule& rule, const Vector& x) const {
     const auto d = static_cast<std::size_t>(model_->mesh().dimension);
     Vector values(static_cast<std::size_t>(model_->pattern().pairs()) * d * d, 0.0), y(x.size(), 0.0);
-    for (const auto& term : terms_)
-      term->add_tangent({from_.data(), nullptr, to_.data()}, rule, Tangent::Exact, values.data());
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+      terms_[k]->add_tangent(segment(k, to_), rule, Tangent::Exact, values.data());
     model_->pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
       entries([&](int column, double value) {
         y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
@@ -98,6 +106,7 @@ class LawsBeforeObstaclesSerialTest : public testing::TestWithParam<std::tuple<s
 
   std::unique_ptr<Model> model_;
   Interactions terms_;
+  std::vector<std::unique_ptr<test::ByHand<Interaction>>> steps_;  ///< of the terms
   Vector from_, to_, way_;
 };
 
@@ -134,7 +143,7 @@ TEST_P(LawsBeforeObstaclesSerialTest, ThePotentialOfTheExactMeanHasItsForce) {
   const auto potential = [&](double s) {
     const Vector u = sum(to_, way_, s);
     double result = 0;
-    for (const auto& term : terms_) result += term->mean_potential({from_.data(), nullptr, u.data()});
+    for (std::size_t k = 0; k < terms_.size(); ++k) result += terms_[k]->mean_potential(segment(k, u));
     return result;
   };
   EXPECT_NEAR(test::derivative(potential, 1e-3), dot(f, way_), 1e-7 * std::sqrt(dot(f, f)));

@@ -8,7 +8,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "support/contact_element.hpp"
 #include "support/solids.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -39,7 +39,7 @@ Interactions terms_of(const Model& model, bool curved) {
 LowestPoint lowest(const Model& model, const std::vector<double>& u, bool curved) {
   LowestPoint point;
   for (const auto& term : terms_of(model, curved))
-    if (const LowestPoint own = term->lowest_point(u.data()); own.gap < point.gap) point = own;
+    if (const LowestPoint own = term->admissibility().lowest_point({u.data()}); own.gap < point.gap) point = own;
   const double gap = model.space().minimum(point.gap);
   if (point.gap > gap) point.place = {};
   point.gap = gap;
@@ -69,7 +69,7 @@ TEST(LowestPointTest, ANodeBelowTheWallIsSeenWhereQuadraturePointsAreAboveIt) {
         return std::hypot(x[0] - 2, dimension == 3 ? x[1] - 1 : 0.0) < 0.1 ? -0.315 : 0.7;
       });
       InteractionReport report;
-      for (const auto& term : terms_of(*model, curved)) term->report(u.data(), report);
+      for (const auto& term : terms_of(*model, curved)) term->reports().report({u.data()}, report);
       EXPECT_GT(report.least_gap, 0);
       const LowestPoint point = lowest(*model, u, curved);
       EXPECT_NEAR(point.gap, -0.015, 1e-15);

@@ -48,11 +48,11 @@ long taken(const test::PairOfBodies& bodies, const Rule& rule) {
     for (std::size_t k = 0; k < to.size(); ++k) to[k] += 0.02 * way[k];
     const Segment segment{from.data(), nullptr, to.data()};
     before = allocations;
-    bodies.term->add_force(segment, rule, f.data());
-    bodies.term->add_tangent(segment, rule, Tangent::Exact, values.data());
-    bodies.term->admissible_step(segment, rule, way.data());
-    bodies.term->energy(to.data());
-    bodies.term->gap_ratio(from.data(), to.data());
+    bodies.term->add_force(bodies.steps->in(segment), rule, f.data());
+    bodies.term->add_tangent(bodies.steps->in(segment), rule, Tangent::Exact, values.data());
+    bodies.term->admissibility().admissible_step(segment, rule, way.data());
+    bodies.term->energy(bodies.steps->at(to.data()));
+    bodies.term->admissibility().gap_ratio({from.data(), nullptr, to.data()});
   }
   return allocations - before;
 }
@@ -77,32 +77,31 @@ TEST(PairMemoryTest, ANewtonIterationTakesNone) {
 
 /// Returns how often a step takes memory after three others, in which the bodies move too little for a new search.
 long taken_by_a_step(Model& model) {
-  std::vector<Interaction*> terms;
-  for (const NamedForceTerm& named : model.force_terms())
-    if (const auto* term = dynamic_cast<const Interaction*>(named.term); term != nullptr)
-      terms.push_back(const_cast<Interaction*>(term));
+  test::ByHand<const Model> steps(model);
   const std::vector<double> way = test::smooth_field(model, 1e-5);
   // No foot is on an edge, which the least motion could make it leave.
   std::vector<double> from = test::smooth_field(model, 0.02), to = from, f(from.size(), 0.0),
                       values = test::no_values(model);
   const Rule rule = end_rule();
-  for (Interaction* term : terms) term->initialize({from.data()});
+  steps.initialize(from.data());
   long before = 0;
   for (int step = 0; step < 4; ++step) {
     for (std::size_t k = 0; k < to.size(); ++k) to[k] += way[k];
-    AcceptedStep accepted;
-    accepted.dt = 1;
-    accepted.states = {{to.data()}};
-    const Segment segment{from.data(), nullptr, to.data()};
+    AcceptedStep accepted{{{from.data()}, {to.data()}}, nullptr, 1, &steps.memories};
+    const StepStart start{{from.data()}, 1, &steps.histories};
+    steps.in_step = true;
+    const Segment segment = steps.segment(from.data(), nullptr, to.data());
     before = allocations;
-    for (Interaction* term : terms) {
-      term->begin_step({from.data()}, 0, 1);
-      term->update_stencils(from.data());
-      term->add_force(segment, rule, f.data());
-      term->add_tangent(segment, rule, Tangent::Exact, values.data());
-      if (!term->has_friction() && !term->is_clear(to.data())) term->lowest_point(to.data());
-      term->energy(to.data());
-      term->accept(accepted);
+    for (const NamedInteraction& named : model.interactions()) {
+      Interaction& term = *named.term;
+      term.begin_step(start, steps.memories);
+      if (term.coupling() != nullptr) term.coupling()->update_stencils(from.data());
+      term.add_force(segment, rule, f.data());
+      term.add_tangent(segment, rule, Tangent::Exact, values.data());
+      if (!term.has_friction() && !term.admissibility().is_clear(segment.end()))
+        term.admissibility().lowest_point(segment.end());
+      term.energy(segment.end());
+      term.accept(accepted, steps.histories);
     }
     if (step < 3) from = to;
   }

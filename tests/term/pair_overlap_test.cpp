@@ -10,8 +10,8 @@
 #include "support/comparison.hpp"
 #include "support/obstacle_geometry.hpp"
 #include "support/pair_checks.hpp"
-#include "term/pair_points.hpp"
-#include "term/surface_terms.hpp"
+#include "term/pair/pair_points.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -50,7 +50,7 @@ Mesh equal_blocks(double depth) {
 /// The sum of the report over all ranks; the least gap of all.
 InteractionReport report(const test::PairOfBodies& bodies, const std::vector<double>& u) {
   InteractionReport own;
-  bodies.term->report(u.data(), own);
+  bodies.term->reports().report({u.data()}, own);
   bodies.model->space().sum(own.force.data(), static_cast<int>(own.force.size()));
   bodies.model->space().sum(&own.measure, 1);
   own.least_gap = bodies.model->space().minimum(own.least_gap);
@@ -73,7 +73,9 @@ TEST(PairOverlapTest, APenaltyPushesAtEveryOverlap) {
         EXPECT_NEAR(found.least_gap, -depth, 1e-13);
         EXPECT_NEAR(found.measure, 2, 1e-13);
         EXPECT_NEAR(bodies.energy(rest), 2 * stiffness / 2 * (range + depth) * (range + depth), 1e-13);
-        EXPECT_NEAR(bodies.model->space().minimum(bodies.term->lowest_point(rest.data()).gap), -depth, 1e-13);
+        EXPECT_NEAR(
+            bodies.model->space().minimum(bodies.term->admissibility().lowest_point(bodies.steps->at(rest.data())).gap),
+            -depth, 1e-13);
       }
 }
 
@@ -130,7 +132,7 @@ TEST(PairOverlapTest, EachLawActsAsBeforeAWall) {
         double energy = 0;
         for (const auto& term : flat) {
           EXPECT_TRUE(term->add_force({nullptr, nullptr, rest.data()}, end_rule(), g.data()));
-          energy += term->energy(rest.data());
+          energy += term->energy({rest.data()});
         }
         bodies.model->space().sum(&energy, 1);
         EXPECT_NEAR(bodies.energy(rest), energy, 1e-12 * (1 + std::abs(energy)));

@@ -9,7 +9,7 @@
 #include "base/vector3.hpp"
 #include "fem/cell_type.hpp"
 #include "support/comparison.hpp"
-#include "term/pair_friction.hpp"
+#include "term/pair/pair_friction.hpp"
 #include "term/rubbing.hpp"
 
 namespace ixos {
@@ -44,10 +44,10 @@ std::vector<double> turned(const Model& model, const std::vector<double>& u, dou
 double change_by_turning(const Rubbing& bodies, int steps) {
   const Model& model = *bodies.model;
   const std::vector<double> start = bodies.slid(0.002, 0.001);  // less than the elastic slip, 0.006
-  bodies.term->initialize({start.data()});
+  bodies.steps->initialize(start.data());
   bodies.step(test::at_rest(model), start);
   const Vec<3> before = bodies.force_on_second(start);
-  const double stored = bodies.total(bodies.term->energy(start.data()));
+  const double stored = bodies.total(bodies.term->energy(bodies.steps->at(start.data())));
   EXPECT_GT(stored, 1e-6);
   std::vector<double> now = start;
   double lost = 0;
@@ -58,7 +58,7 @@ double change_by_turning(const Rubbing& bodies, int steps) {
   }
   const Vec<3> difference = bodies.force_on_second(now) - turned(before, M_PI / 2, bodies.between.size());
   return std::max({std::abs(bodies.total(lost)) / stored,
-                   std::abs(bodies.total(bodies.term->energy(now.data())) - stored) / stored,
+                   std::abs(bodies.total(bodies.term->energy(bodies.steps->at(now.data()))) - stored) / stored,
                    length(difference) / length(before)});
 }
 
@@ -145,7 +145,7 @@ std::vector<double> life(const Mesh& mesh, Smoothing smoothing, const std::vecto
     Vec<3> force = bodies.force_on_second(now);
     if (mirrored) force[0] = -force[0];
     results.insert(results.end(), force.begin(), force.end());
-    results.push_back(bodies.total(bodies.term->energy(now.data())));
+    results.push_back(bodies.total(bodies.term->energy(bodies.steps->at(now.data()))));
   }
   return results;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/by_hand.hpp"
 #include "support/tangents.hpp"
 #include "support/two_bodies.hpp"
 #include "term/friction_fixture.hpp"
@@ -20,13 +21,14 @@ namespace ixos::test {
 struct Rubbing {
   std::unique_ptr<Model> model;
   Interaction* term;
-  std::vector<double> between;  ///< twice a point between the bodies, seen from the origin
+  std::unique_ptr<ByHand<Interaction>> steps;  ///< of the term
+  std::vector<double> between;                 ///< twice a point between the bodies, seen from the origin
 
   Rubbing(const Mesh& mesh, const std::string& secondary, const std::string& primary, std::vector<double> center,
           FrictionType type, Smoothing smoothing = Smoothing::CatmullRom, Passes passes = Passes::One)
       : model(model_of_bodies(mesh, {secondary, primary})), between(std::move(center)) {
     SurfacePair pair;
-    pair.secondary = secondary;
+    pair.side_set = secondary;
     pair.primary = primary;
     pair.law = gap_law(VanDerWaals(2.5, 25));
     pair.smoothing = smoothing;
@@ -36,21 +38,18 @@ struct Rubbing {
     std::vector<int> all(static_cast<std::size_t>(model->mesh().nodes()));
     std::iota(all.begin(), all.end(), 0);
     model->couple({all});  // the pair's own coupling leaves out what is far
-    term = const_cast<Interaction*>(dynamic_cast<const Interaction*>(model->force_terms().back().term));
-    term->initialize({at_rest(*model).data()});
+    term = model->interactions().back().term;
+    steps = std::make_unique<ByHand<Interaction>>(*term, *model);
+    steps->initialize(at_rest(*model).data());
   }
   std::vector<double> force(const Segment& segment, const Rule& rule) const {
     std::vector<double> f(static_cast<std::size_t>(model->space().local()), 0.0);
-    EXPECT_TRUE(term->add_force(segment, rule, f.data()));
+    EXPECT_TRUE(term->add_force(steps->in(segment), rule, f.data()));
     return f;
   }
   /// Moves to u in a step of length 1.
   double step(const std::vector<double>& from, const std::vector<double>& to) const {
-    term->begin_step({from.data()}, 0, 1);
-    AcceptedStep accepted;
-    accepted.dt = 1;
-    accepted.states = {{to.data()}};
-    return term->accept(accepted);
+    return steps->step(from.data(), to.data(), 0, 1).dissipated;
   }
   double total(double value) const {
     model->space().sum(&value, 1);

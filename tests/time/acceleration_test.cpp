@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "mesh/generators/shapes.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 
@@ -66,6 +66,15 @@ std::vector<double> inertia_of(const Model& model, const std::vector<double>& a)
   return result;
 }
 
+/// A state of a model at a time.
+State state_of(std::vector<double> u, std::vector<double> v, double time = 0) {
+  State state;
+  state.u = std::move(u);
+  state.v = std::move(v);
+  state.time = time;
+  return state;
+}
+
 // Mass-proportional damping and weight give all nodes the acceleration of a rigid body.
 TEST(AccelerationTest, ABodyFallsAgainstItsDamping) {
   const double gravity[] = {0.1, -0.5}, speed[] = {2, 3}, alpha = 0.4;
@@ -79,7 +88,8 @@ TEST(AccelerationTest, ABodyFallsAgainstItsDamping) {
     // The history is 1 at that time.
     model->loads().add(inertia_of(*model, pull), expression("4*t", "", ""));
     std::vector<double> a;
-    EXPECT_TRUE(Acceleration(*model, linear_solver(way.matrix_free)).solve(0.25, at_rest(*model), v, a));
+    const State state = state_of(at_rest(*model), v, 0.25);
+    EXPECT_TRUE(Acceleration(*model, linear_solver(way.matrix_free)).solve(state.place(), a));
     ASSERT_EQ(a.size(), v.size());
     for (std::size_t i = 0; i < a.size(); ++i)
       EXPECT_NEAR(a[i], gravity[i % 2] - alpha * speed[i % 2], 10 * way.accuracy) << i;
@@ -102,12 +112,12 @@ TEST(AccelerationTest, PrescribedAccelerationsAndTheRestMakeOneField) {
     for (int dof : model->constraints().dofs()) force[static_cast<std::size_t>(dof)] += push;
     model->loads().add(force, constant(1));
     Acceleration acceleration(*model, linear_solver(way.matrix_free));
-    State state{at_rest(*model), at_rest(*model), {}, {}, {}};
+    State state = state_of(at_rest(*model), at_rest(*model), time);
     for (int repeat = 0; repeat < 2; ++repeat) {  // the second time with the matrix that is there
-      ASSERT_TRUE(acceleration.solve(time, state.u, state.v, state.a));
+      ASSERT_TRUE(acceleration.solve(state.place(), state.a));
       for (std::size_t i = 0; i < field.size(); ++i) EXPECT_NEAR(state.a[i], field[i], 10 * way.accuracy) << i;
     }
-    acceleration.record_forces(time, state);
+    acceleration.record_forces(state);
     const auto owned = static_cast<std::size_t>(model->space().owned());
     ASSERT_EQ(state.load.size(), owned);
     ASSERT_EQ(state.reaction.size(), model->constraints().empty() ? 0 : owned);
@@ -134,7 +144,8 @@ TEST(AccelerationTest, AnOscillatorIsPulledBack) {
     for (int node : mesh.node_sets[mesh.node_set("top")]) model->constraints().add(2 * node, 1, nullptr);
     std::vector<double> u = at_rest(*model), a;
     for (std::size_t i = 1; i < u.size(); i += 2) u[i] = raised * mesh.coordinates[i];
-    EXPECT_TRUE(Acceleration(*model, linear_solver(way.matrix_free)).solve(0, u, at_rest(*model), a));
+    const State state = state_of(u, at_rest(*model));
+    EXPECT_TRUE(Acceleration(*model, linear_solver(way.matrix_free)).solve(state.place(), a));
     const double top = (way.inertia == Inertia::Lumped ? -2 : -3) * raised;
     for (std::size_t i = 0; i < a.size(); ++i)
       EXPECT_NEAR(a[i], i % 2 == 1 && mesh.coordinates[i] == 1 ? top : 0, raised * 10 * way.accuracy) << i;
@@ -149,17 +160,19 @@ TEST(AccelerationTest, AnInvertedCellIsInadmissibleOnAllRanks) {
   for (std::size_t i = 0; i < u.size(); i += 2)
     if (x[i] == 3 && x[i + 1] == 2) u[i] = u[i + 1] = -2;
   Acceleration acceleration(*model, linear_solver(false));
-  EXPECT_FALSE(acceleration.balance(0, u, at_rest(*model)));
-  EXPECT_FALSE(acceleration.solve(0, u, at_rest(*model), a));
-  EXPECT_TRUE(acceleration.balance(0, at_rest(*model), at_rest(*model)));
-  EXPECT_TRUE(acceleration.solve(0, at_rest(*model), at_rest(*model), a));
+  const State inverted = state_of(u, at_rest(*model)), rest = state_of(at_rest(*model), at_rest(*model));
+  EXPECT_FALSE(acceleration.balance(inverted.place()));
+  EXPECT_FALSE(acceleration.solve(inverted.place(), a));
+  EXPECT_TRUE(acceleration.balance(rest.place()));
+  EXPECT_TRUE(acceleration.solve(rest.place(), a));
 }
 
 TEST(AccelerationTest, WithoutInertiaThereIsNone) {
   const auto model = block(material(), Inertia::None);
   model->loads().add(wave(*model), constant(1));
   std::vector<double> a(7, 5.0);
-  EXPECT_TRUE(Acceleration(*model, linear_solver(false)).solve(0, at_rest(*model), at_rest(*model), a));
+  const State rest = state_of(at_rest(*model), at_rest(*model));
+  EXPECT_TRUE(Acceleration(*model, linear_solver(false)).solve(rest.place(), a));
   EXPECT_EQ(a, at_rest(*model));
 }
 

@@ -8,9 +8,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/term_sums.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -37,8 +39,8 @@ double highest_frequency(const Simulation& s, const std::vector<double>& u) {
   const auto matrix = model.pattern().create_matrix(model.space());
   double* values = matrix->getLocalMatrixHost().values.data();
   const Segment here{nullptr, nullptr, u.data()};
-  model.add_tangent(Part::Elastic, here, end_rule(), Tangent::Exact, values);
-  model.add_tangent(Part::Interaction, here, end_rule(), Tangent::Exact, values);
+  TermSums(model).add_tangent(Part::Elastic, here, end_rule(), Tangent::Exact, values);
+  TermSums(model).add_tangent(Part::Interaction, here, end_rule(), Tangent::Exact, values);
   const auto size = static_cast<std::size_t>(n);
   std::vector<double> dense(size * size), unit(size), column(size), real(size), imaginary(size), work(8 * size);
   Vector x(model.space().owned_map()), y(model.space().owned_map());
@@ -63,7 +65,7 @@ TEST(StableStepSerialTest, BoundsTheHighestFrequency) {
   for (double gap : {3.0, 0.3, 0.22}) {
     Simulation s(test::scene(near_wall(gap) + test::time_integrator("Central Difference", 0.01, 1)), self());
     const State& state = s.integrator().state();
-    const double bound = StableStep(s.model(), 1.0)(state, 0, 1e9);
+    const double bound = StableStep(s.model(), 1.0)(state, 1e9);
     std::vector<double> there = state.u;
     for (std::size_t i = 0; i < there.size(); ++i) there[i] += bound * (state.v[i] + bound / 2 * state.a[i]);
     const double exact = 2 / std::max(highest_frequency(s, state.u), highest_frequency(s, there));
@@ -78,13 +80,13 @@ TEST(StableStepSerialTest, LooksWhereTheStepLeads) {
   Simulation s(test::scene(near_wall(0.35) + test::time_integrator("Central Difference", 0.01, 1)), self());
   State state = s.integrator().state();
   for (std::size_t i = 1; i < state.v.size(); i += 2) state.v[i] = -3;
-  const double bound = StableStep(s.model(), 0.9)(state, 0, 1e9);
+  const double bound = StableStep(s.model(), 0.9)(state, 1e9);
   for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] += bound * (state.v[i] + bound / 2 * state.a[i]);
-  EXPECT_GT(s.model().interaction_report(state.u.data()).least_gap, 0.1);
+  EXPECT_GT(StateReport(s.model(), state).interaction_report().least_gap, 0.1);
   std::vector<double> sums(state.u.size(), 0.0);
   const Segment end{nullptr, nullptr, state.u.data()};
-  s.model().add_row_sums(Part::Elastic, end, sums.data());
-  ASSERT_TRUE(s.model().add_row_sums(Part::Interaction, end, sums.data()));
+  TermSums(s.model()).add_row_sums(Part::Elastic, end, sums.data());
+  ASSERT_TRUE(TermSums(s.model()).add_row_sums(Part::Interaction, end, sums.data()));
   EXPECT_LT(bound, 2 / std::sqrt(s.model().mass()->largest_quotient(sums.data())));
 }
 

@@ -7,6 +7,7 @@
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -42,7 +43,7 @@ TEST(AxisymmetricBall, EnergyIsKeptByTheSchemesThatKeepIt) {
     EXPECT_NEAR(test::total_energy(s), start, 1e-11 * std::abs(start)) << more.back();
     // The body started at rest: the impulse of the wall is the axial momentum.
     const State& state = s.integrator().state();
-    const Momenta momenta = s.model().momenta(state.u.data(), state.v.data());
+    const Momenta momenta = StateReport(s.model(), state).momenta();
     EXPECT_LT(momenta.linear[1], -1e-6) << more.back();
     EXPECT_EQ(momenta.linear[0], 0);
     EXPECT_EQ(momenta.angular[0], 0);

@@ -11,6 +11,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "model/conditions.hpp"
 #include "support/contact_element.hpp"
+#include "support/reports.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
 
@@ -124,7 +125,7 @@ std::array<double, 2> errors_of_a_hollow_sphere(Formulation formulation, int ord
                   const double r = std::hypot(x, y), stretch = a + b / (r * r * r);
                   return std::array{stretch * x, stretch * y};
                 }),
-          std::abs(model->energy(Part::Elastic, u.data()) / energy - 1)};
+          std::abs(test::ReportAt(*model, u.data()).energy(Part::Elastic) / energy - 1)};
 }
 
 TEST(AxisymmetryVerification, HollowSphereBlownUp) {
@@ -191,9 +192,9 @@ TEST(AxisymmetryVerification, BarWithFreeSidesIsStretched) {
                 1e-9)
           << static_cast<int>(element) << ", " << static_cast<int>(formulation);
       const double volume = M_PI * radius * radius * height;
-      EXPECT_NEAR(model->energy(Part::Elastic, u.data()), volume * density, 1e-9 * volume * density);
+      EXPECT_NEAR(test::ReportAt(*model, u.data()).energy(Part::Elastic), volume * density, 1e-9 * volume * density);
       // The whole force at the top is area times first Piola-Kirchhoff stress.
-      const std::vector<double> f = model->nodal_force(Part::Elastic, u.data());
+      const std::vector<double> f = test::ReportAt(*model, u.data()).nodal_force(Part::Elastic);
       const LocalMesh& local = model->mesh();
       double force = 0;
       for (const int node : local.node_sets[local.node_set("top")])

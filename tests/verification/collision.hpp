@@ -8,6 +8,7 @@
 
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/two_bodies.hpp"
 #include "time/integrator.hpp"
 
@@ -49,13 +50,8 @@ class Collision {
     simulation_.integrator().initialize(u, v, 0);
   }
   Simulation& simulation() { return simulation_; }
-  Momenta momenta() {
-    return simulation_.model().momenta(simulation_.integrator().state().u.data(),
-                                       simulation_.integrator().state().v.data());
-  }
-  double least_gap() {
-    return simulation_.model().interaction_report(simulation_.integrator().state().u.data()).least_gap;
-  }
+  Momenta momenta() { return test::report_of(simulation_).momenta(); }
+  double least_gap() { return test::report_of(simulation_).interaction_report().least_gap; }
   static constexpr double speed = 15;
   static constexpr double work_of_adhesion = 0.01549567;  ///< of the law [E0 L0]
 

@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "fem/quadrature.hpp"
+#include "model/term_sums.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -18,9 +20,7 @@ using test::block_3d;
 using test::time_integrator;
 using test::world;
 
-Momenta momenta(Simulation& s) {
-  return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-}
+Momenta momenta(Simulation& s) { return test::report_of(s).momenta(); }
 
 /// Sum over owned nodes of (X + u) x f in the plane, over all ranks.
 double torque(const Model& model, const std::vector<double>& u, const std::vector<double>& f) {
@@ -34,7 +34,7 @@ double torque(const Model& model, const std::vector<double>& u, const std::vecto
 
 std::vector<double> force_at(const Model& model, const std::vector<double>& u) {
   std::vector<double> f(u.size());
-  EXPECT_TRUE(model.force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
+  EXPECT_TRUE(TermSums(model).force(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule(), f.data()));
   return f;
 }
 

@@ -9,6 +9,7 @@
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -55,7 +56,7 @@ double height(double t) { return 0.05 * t * (1 - std::cos(t)); }
 
 /// Expects the damage on the bottom, y = 0, and none elsewhere.
 void expect_damage(const Simulation& s, double damage, const std::string& where) {
-  const std::vector<double> values = s.model().interaction("Bond").damage();
+  const std::vector<double> values = test::report_of(s).interaction("Bond").mean(SurfaceNumber::Damage);
   const LocalMesh& mesh = s.model().mesh();
   const auto d = static_cast<std::size_t>(mesh.dimension);
   for (std::size_t node = 0; node < static_cast<std::size_t>(mesh.owned_nodes); ++node) {
@@ -64,12 +65,8 @@ void expect_damage(const Simulation& s, double damage, const std::string& where)
   }
 }
 
-double contact_energy(const Simulation& s) {
-  return s.model().energy(Part::Interaction, s.integrator().state().u.data());
-}
-double traction(const Simulation& s) {
-  return s.model().interaction_report(s.integrator().state().u.data()).force.back() / 2;
-}
+double contact_energy(const Simulation& s) { return test::report_of(s).energy(Part::Interaction); }
+double traction(const Simulation& s) { return test::report_of(s).interaction_report().force.back() / 2; }
 
 // Pulled to 0.33, brought back, pulled to 0.95 beyond the range, and brought back.
 TEST(DamageTest, ARigidBlockUnloadsAlongTheSecantInEveryScheme) {

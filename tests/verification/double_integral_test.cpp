@@ -6,10 +6,11 @@
 #include "interaction/catalogue.hpp"
 #include "interaction/van_der_waals.hpp"
 #include "mesh/cell_order.hpp"
-#include "scene/explanation.hpp"
+#include "scene/explain/explanation.hpp"
 #include "support/pair_of_bodies.hpp"
 #include "support/refusal.hpp"
-#include "term/dense_pairs.hpp"
+#include "support/reports.hpp"
+#include "term/pair/dense_pairs.hpp"
 #include "verification/collision.hpp"
 
 namespace ixos {
@@ -50,7 +51,7 @@ double pull_off_of_cylinders(double radius, int core, int points, Passes passes 
     std::vector<double> u = test::at_rest(*bodies.model);
     for (std::size_t k = 0; k < u.size(); k += 2)
       if (bodies.model->mesh().coordinates[k + 1] > radius + gap / 2) u[k + 1] = at - gap;
-    return bodies.model->interaction_report(u.data()).force[1];
+    return test::ReportAt(*bodies.model, u.data()).interaction_report().force[1];
   });
 }
 
@@ -188,9 +189,8 @@ TEST(DoubleIntegralVerificationTest, WhatItCannotServeIsRefusedWithPlaceAndReaso
   expect_refusal(number("Cutoff", 2), "/Cutoff", "use 0");
   expect_refusal(list("Friction", word("Type", "Extended Amontons") + number("Coefficient", 0.5)), "/Friction/Type",
                  "use \"None\"");
-  expect_refusal(word("Factor", "1 + 0*x"), "", "a double integral and a factor");
-  expect_refusal(number("Exclusion", 3), "", "is a double integral, which a surface with itself", "Newmark",
-                 "a_surface");
+  expect_refusal(word("Factor", "1 + 0*x"), "/Passes", "\"Double Integral\" is not there with a factor");
+  expect_refusal(number("Exclusion", 3), "/Passes", "is not there for a surface with itself", "Newmark", "a_surface");
   expect_refusal("", "/Passes", "Passes Two", "Energy-Momentum");
   Teuchos::ParameterList scene =
       test::scene_of("a_body", "b_body", "a_surface", "b_surface", test::time_integrator("Newmark", 0.001, 1), dense);
@@ -216,7 +216,7 @@ TEST(DoubleIntegralVerificationTest, MeshesThatItCannotServeAreRefused) {
   const auto refused = [](const Mesh& mesh, const std::string& law = "Van der Waals", double cutoff = 0) {
     const auto model = test::model_of_bodies(mesh, {"upper_bottom", "lower_top"});
     SurfacePair pair;
-    pair.secondary = "upper_bottom";
+    pair.side_set = "upper_bottom";
     pair.primary = "lower_top";
     pair.law = make_gap_law(law);
     pair.passes = Passes::DoubleIntegral;
@@ -229,8 +229,9 @@ TEST(DoubleIntegralVerificationTest, MeshesThatItCannotServeAreRefused) {
   around.axisymmetric = true;
   for (std::size_t k = 0; k < around.coordinates.size(); k += 2) around.coordinates[k] += 0.5;
   EXPECT_NE(refused(around).find("axisymmetric"), std::string::npos);
-  EXPECT_NE(refused(test::two_blocks(0.3), "Morse").find("does not support its law"), std::string::npos);
-  EXPECT_NE(refused(test::two_blocks(0.3), "Van der Waals", 2).find("the cutoff 2; use 0"), std::string::npos);
+  EXPECT_NE(refused(test::two_blocks(0.3), "Morse").find("Law is not supported with Passes \"Double Integral\""),
+            std::string::npos);
+  EXPECT_NE(refused(test::two_blocks(0.3), "Van der Waals", 2).find("Cutoff 2 is not supported"), std::string::npos);
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/traits.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "verification/taken_back.hpp"
 
@@ -50,15 +52,12 @@ double place(const Simulation& s) { return s.model().space().minimum(s.integrato
 
 double balance(const Simulation& s) {
   const State& state = s.integrator().state();
-  return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy +
-         s.model().elastic_energy(s.integrator().time(), state.u.data()) +
-         s.model().energy(Part::Interaction, state.u.data()) - s.integrator().external_work() +
+  return StateReport(s.model(), state).momenta().kinetic_energy + test::report_of(s).elastic_energy() +
+         StateReport(s.model(), state).energy(Part::Interaction) - s.integrator().external_work() +
          s.integrator().dissipated_energy();
 }
 
-double friction_force(const Simulation& s) {
-  return s.model().interaction("Wall").friction_force(s.integrator().state().u.data())[0];
-}
+double friction_force(const Simulation& s) { return test::report_of(s).interaction("Wall").friction_force()[0]; }
 
 // The spring of the surface, with eps = 50, adds tau/(2 eps) to the way m v^2/(2 tau), and then takes back a part of
 // it.
@@ -205,7 +204,7 @@ TEST(FrictionTest, AThresholdOfZeroDoesNotResist) {
     Simulation s(test::scene(tumbling(friction) + test::time_integrator("Average Vector Field", 0.1, 20)),
                  test::world());
     for (int n = 0; n < 20; ++n) EXPECT_TRUE(s.integrator().step(0.1).converged);
-    EXPECT_EQ(s.model().interaction("Wall").has_friction(), !friction.empty());
+    EXPECT_EQ(has_friction(s.model(), "Wall"), !friction.empty());
     EXPECT_EQ(s.model().dissipation_names().empty(), friction.empty());
     return s.integrator().state().u;
   };
@@ -254,9 +253,7 @@ Simulation dragged(const std::string& friction, bool body_moves) {
 
 /// Returns the measure on which friction acts.
 double expect_equal_reports(const Simulation& a, const Simulation& b) {
-  const auto report = [](const Simulation& s) {
-    return s.model().interaction("Wall").friction_report(s.integrator().state().u.data());
-  };
+  const auto report = [](const Simulation& s) { return test::report_of(s).interaction("Wall").friction_report(); };
   const FrictionReport one = report(a), other = report(b);
   EXPECT_NEAR(one.mean_slip(), other.mean_slip(), 1e-7);
   EXPECT_NEAR(one.acting, other.acting, 1e-7);
@@ -280,9 +277,9 @@ TEST(FrictionTest, ABodyPastAWallAndAWallPastABodyRubAlike) {
     EXPECT_GT(std::abs(friction_force(body)), 1e-3);
     EXPECT_GT(body.integrator().dissipated_energy(), 1e-3);
     EXPECT_NEAR(body.integrator().dissipated_energy(), wall.integrator().dissipated_energy(), 1e-8);
-    for (const FrictionNumber number : {FrictionNumber::Slip, FrictionNumber::Dissipated})
-      EXPECT_LT(test::distance(body.model().interaction("Wall").friction(number),
-                               wall.model().interaction("Wall").friction(number)),
+    for (const SurfaceNumber number : {SurfaceNumber::Slip, SurfaceNumber::Dissipated})
+      EXPECT_LT(test::distance(test::report_of(body).interaction("Wall").mean(number),
+                               test::report_of(wall).interaction("Wall").mean(number)),
                 1e-7);
     EXPECT_GT(expect_equal_reports(body, wall), 0);
   }
@@ -306,13 +303,13 @@ TEST(FrictionTest, AWallThatTurnsWithTheBodyDoesNotRub) {
     for (int n = 0; n < 20; ++n) ASSERT_TRUE(s.integrator().step(0.1).converged) << n;
     EXPECT_LT(std::abs(friction_force(s)), 1e-12);
     EXPECT_LT(s.integrator().dissipated_energy(), 1e-25);
-    for (double slip : s.model().interaction("Wall").friction(FrictionNumber::Slip)) EXPECT_LT(slip, 1e-12);
+    for (double slip : test::report_of(s).interaction("Wall").mean(SurfaceNumber::Slip)) EXPECT_LT(slip, 1e-12);
   }
 }
 
 /// Returns a number of friction by node of the whole mesh.
-std::vector<double> on_nodes(const Simulation& s, FrictionNumber number) {
-  const std::vector<double> means = s.model().interaction("Wall").friction(number);
+std::vector<double> on_nodes(const Simulation& s, SurfaceNumber number) {
+  const std::vector<double> means = test::report_of(s).interaction("Wall").mean(number);
   std::vector<double> local(static_cast<std::size_t>(s.model().space().local()), 0.0);
   for (std::size_t node = 0; node < means.size(); ++node) local[2 * node] = means[node];
   return test::gathered(s.model(), local);
@@ -340,7 +337,7 @@ TEST(FrictionTest, RanksAgree) {
       EXPECT_LT(test::distance(test::gathered(whole.model(), whole.integrator().state().u),
                                test::gathered(alone.model(), alone.integrator().state().u)),
                 1e-7);
-      for (const FrictionNumber number : {FrictionNumber::Slip, FrictionNumber::Dissipated})
+      for (const SurfaceNumber number : {SurfaceNumber::Slip, SurfaceNumber::Dissipated})
         EXPECT_LT(test::distance(on_nodes(whole, number), on_nodes(alone, number)), 1e-7);
     }
 }

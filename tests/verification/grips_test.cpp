@@ -5,10 +5,11 @@
 
 #include "model/grips.hpp"
 #include "run/history.hpp"
-#include "scene/explanation.hpp"
+#include "scene/explain/explanation.hpp"
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -44,8 +45,7 @@ GripReaction reaction(const Simulation& s) {
 
 double total_energy(const Simulation& s) {
   const State& state = s.integrator().state();
-  return s.model().momenta(state.u.data(), state.v.data()).kinetic_energy +
-         s.model().elastic_energy(s.integrator().time(), state.u.data());
+  return StateReport(s.model(), state).momenta().kinetic_energy + test::report_of(s).elastic_energy();
 }
 
 double balance(const Simulation& s) {
@@ -72,8 +72,8 @@ TEST(GripsTest, ABodyThatTurnsRigidlyHasNoStrain) {
   take_steps(s, dt, 245);
   const State& state = s.integrator().state();
   const double rate = 2.45;
-  EXPECT_NEAR(s.model().energy(Part::Elastic, state.u.data()), 0, 1e-14);
-  EXPECT_NEAR(s.model().momenta(state.u.data(), state.v.data()).kinetic_energy, 6.5 * rate * rate / 2, 1e-11);
+  EXPECT_NEAR(StateReport(s.model(), state).energy(Part::Elastic), 0, 1e-14);
+  EXPECT_NEAR(StateReport(s.model(), state).momenta().kinetic_energy, 6.5 * rate * rate / 2, 1e-11);
   const GripReaction own = reaction(s);
   EXPECT_NEAR(own.moment.at(0), 6.5, 1e-10);
   EXPECT_NEAR(own.force.at(0), 0, 1e-10);
@@ -120,7 +120,7 @@ TEST(GripsTest, DashpotsBrakeABodyExponentially) {
   take_steps(s, dt, 500);
   const State& state = s.integrator().state();
   const double share = std::exp(-0.5);
-  EXPECT_NEAR(s.model().momenta(state.u.data(), state.v.data()).linear.at(0), 6 * v0 * share, 6 * v0 * 1e-3);
+  EXPECT_NEAR(StateReport(s.model(), state).momenta().linear.at(0), 6 * v0 * share, 6 * v0 * 1e-3);
   ASSERT_EQ(s.model().dissipation_names(), std::vector<std::string>{"dashpots of Brake"});
   EXPECT_NEAR(s.integrator().dissipations().at(0), 3 * v0 * v0 * (1 - share * share), 3 * v0 * v0 * 2e-3);
   EXPECT_EQ(s.integrator().external_work(), 0);
@@ -270,8 +270,8 @@ TEST(GripsTest, EnrichedSidesTurnRigidly) {
     EXPECT_NEAR(moment, 6.5, 1e-6) << element;
     take_steps(s, 0.02, 50);
     const State& state = s.integrator().state();
-    EXPECT_NEAR(s.model().energy(Part::Elastic, state.u.data()), 0, 1e-13) << element;
-    EXPECT_NEAR(s.model().momenta(state.u.data(), state.v.data()).kinetic_energy, 3.25, 1e-6) << element;
+    EXPECT_NEAR(StateReport(s.model(), state).energy(Part::Elastic), 0, 1e-13) << element;
+    EXPECT_NEAR(StateReport(s.model(), state).momenta().kinetic_energy, 3.25, 1e-6) << element;
     EXPECT_NEAR(reaction(s).moment.at(0), 6.5, 1e-6) << element;
   }
 }

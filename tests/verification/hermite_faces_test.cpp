@@ -12,8 +12,9 @@
 #include "scene/simulation.hpp"
 #include "support/bodies.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 
 namespace ixos {
 namespace {
@@ -26,9 +27,7 @@ using test::numbers;
 using test::word;
 using test::world;
 
-Momenta momenta(const Simulation& s) {
-  return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-}
+Momenta momenta(const Simulation& s) { return test::report_of(s).momenta(); }
 
 /// A strip whose contact ends inside its bottom, held at its left end and drawn up at its right one; in 3D of depth
 /// 1.5, its y held.
@@ -60,9 +59,7 @@ TEST(HermiteFacesTest, InPlaneStrainTheyAreTheQuadrilateralsOfTwoDimensions) {
   for (int step = 0; step < 20; ++step) {
     ASSERT_TRUE(solid.integrator().step(0.05).converged);
     ASSERT_TRUE(flat.integrator().step(0.05).converged);
-    const auto report = [](const Simulation& s) {
-      return s.model().interaction_report(s.integrator().state().u.data());
-    };
+    const auto report = [](const Simulation& s) { return test::report_of(s).interaction_report(); };
     const InteractionReport three = report(solid), two = report(flat);
     EXPECT_NEAR(three.least_gap, two.least_gap, 1e-9);
     EXPECT_NEAR(three.force[2], 1.5 * two.force[1], 1e-9);
@@ -98,7 +95,7 @@ TEST(HermiteFacesTest, RanksAgree) {
 double pull(const std::string& element, int faces) {
   Simulation s(test::scene(drawn(element, faces, test::time_integrator("Static", 1, 1))), world());
   EXPECT_TRUE(s.integrator().step(1).converged) << element;
-  return s.model().interaction_report(s.integrator().state().u.data()).force[2];
+  return test::report_of(s).interaction_report().force[2];
 }
 
 TEST(HermiteFacesTest, OfABodyInEquilibriumTheyNeedFewerFacesThanBilinearOnes) {
@@ -175,7 +172,7 @@ double pull(ContactElement element, int n, const Sphere& sphere) {
       u[node(5 + 3 * c) + 2] = slope[0] * second[0] + slope[1] * second[1];
       u[node(6 + 3 * c) + 2] = sphere.mixed(x[0], x[1]) * (first[0] + first[1]) * (second[0] + second[1]);
     }
-  return model.interaction_report(u.data()).force[2];
+  return test::ReportAt(model, u.data()).interaction_report().force[2];
 }
 
 TEST(HermiteFacesTest, ThePullOnASphereIsOfFourthOrder) {

@@ -5,6 +5,7 @@
 
 #include "support/bodies.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "verification/collision.hpp"
 #include "verification/taken_back.hpp"
 
@@ -89,7 +90,7 @@ TEST(PairFrictionTest, FreeBlocksComeToRestOnEachOther) {
     }
     EXPECT_NEAR(farthest, reduced * speed * speed / (2 * 2 * stress) + stress / (2 * stiffness), exact ? 1e-5 : 4e-4);
     EXPECT_NEAR(s.integrator().dissipated_energy(), reduced * speed * speed / 2, 0.01 * reduced * speed * speed / 2);
-    const Momenta momenta = s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
+    const Momenta momenta = test::report_of(s).momenta();
     EXPECT_NEAR(momenta.linear[0], 20 * speed, 1e-11);
   }
 }
@@ -116,9 +117,7 @@ TEST(PairFrictionTest, ABodyThatDoesNotMoveIsTheWall) {
     Simulation body = simulate(pair(friction)),
                wall = simulate(list("Interactions", list("Pair", word("Side Set", "high_bottom") +
                                                                      numbers("Point", {0, -equilibrium}) + friction)));
-    const auto force = [](const Simulation& s) {
-      return s.model().interaction("Pair").friction_force(s.integrator().state().u.data())[0];
-    };
+    const auto force = [](const Simulation& s) { return test::report_of(s).interaction("Pair").friction_force()[0]; };
     double largest = 0;
     for (int n = 0; n < 100; ++n) {
       for (Simulation* s : {&body, &wall}) {
@@ -187,9 +186,7 @@ TEST(PairFrictionTest, BoxesThatRubAndTurnInSpaceKeepEnergyAndMomenta) {
                motion("Low", "low_body", {0, 0, 0}) + motion("High", "high_body", {0.1, 0.05, 0})) +
           test::time_integrator("Energy-Momentum", 0.05, 3)),
       test::world());
-  const auto momenta = [&] {
-    return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-  };
+  const auto momenta = [&] { return test::report_of(s).momenta(); };
   const Momenta before = momenta();
   const double first = balance(s);
   for (int step = 0; step < 40; ++step) {

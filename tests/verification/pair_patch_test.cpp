@@ -5,6 +5,7 @@
 
 #include "interaction/van_der_waals.hpp"
 #include "support/pair_of_bodies.hpp"
+#include "support/reports.hpp"
 #include "verification/collision.hpp"
 
 namespace ixos {
@@ -58,7 +59,7 @@ TEST(PairPatchTest, UnmatchedMeshesTransferAConstantPressure) {
     const LocalMesh& mesh = simulation.model().mesh();
     const std::vector<double>& u = simulation.integrator().state().u;
     // Both blocks are shortened alike, by e per length; the gap takes the rest.
-    const InteractionReport report = simulation.model().interaction_report(u.data());
+    const InteractionReport report = test::ReportAt(simulation.model(), u.data()).interaction_report();
     const double pressure = report.force[1] / 2;
     double largest = 0, shortening[2] = {0, 0}, count[2] = {0, 0};
     const auto owned = 2 * static_cast<std::size_t>(mesh.owned_nodes);

@@ -11,6 +11,7 @@
 #include "mesh/generators/shapes.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
 #include "time/schemes.hpp"
@@ -68,7 +69,7 @@ double squared_error(const LocalMesh& mesh, const LocalBlock& block, const std::
   constexpr std::size_t D = Element::dimension;
   std::array<int, D> points;
   points.fill(5);
-  const ShapeTable<Element> table(points);
+  const ShapeTable<Element> table(product_rule(points));
   double sum = 0;
   for (int cell = 0; cell < block.cells(); ++cell) {
     if (block.owned[static_cast<std::size_t>(cell)] == 0) continue;
@@ -190,10 +191,10 @@ void expect_energy_of_a_bounce(const std::string& kind, const std::string& eleme
   for (int step = 0; step < 60; ++step) {
     ASSERT_TRUE(s.integrator().step(0.05).converged) << kind << ' ' << step;
     error = std::max(error, std::abs(test::total_energy(s) - energy));
-    const Momenta momenta = s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
+    const Momenta momenta = test::report_of(s).momenta();
     const std::size_t up = kind == "cube" ? 2 : 1;
     before = std::min(before, momenta.linear[up]);
-    stored = std::max(stored, s.model().energy(Part::Elastic, s.integrator().state().u.data()));
+    stored = std::max(stored, test::report_of(s).energy(Part::Elastic));
   }
   EXPECT_LT(error, 1e-9) << kind << ' ' << formulation;
   EXPECT_GT(stored, 1e-3) << kind << ": the body was not deformed";

@@ -7,6 +7,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -41,12 +42,12 @@ TEST(RigidLimitTest, ForceOnAParallelFaceIsTheTractionTimesItsSize) {
       up.back() = 1;
       Simulation s(test::scene(stiff_block(gap, up, 2, 1, dimension) + test::time_integrator("Newmark", 1, 1)),
                    world());
-      const InteractionReport report = s.model().interaction_report(s.integrator().state().u.data());
+      const InteractionReport report = test::report_of(s).interaction_report();
       EXPECT_NEAR(report.force.back(), law.traction(gap), 1e-13);
       EXPECT_NEAR(report.force.front(), 0, 1e-15);
       EXPECT_NEAR(report.least_gap, gap, 1e-14);
       EXPECT_NEAR(report.measure, gap < law.adhesion_gap() ? 1.0 : 0.0, 1e-14);
-      EXPECT_NEAR(s.model().energy(Part::Interaction, s.integrator().state().u.data()), law.energy(gap), 1e-13);
+      EXPECT_NEAR(test::report_of(s).energy(Part::Interaction), law.energy(gap), 1e-13);
     }
 }
 
@@ -60,7 +61,7 @@ TEST(RigidLimitTest, ForceOnATiltedFaceIsTheDifferenceOfEnergies) {
     Simulation s(test::scene(stiff_block(gap, {std::sin(angle), std::cos(angle)}, points, 1) +
                              test::time_integrator("Newmark", 1, 1)),
                  world());
-    const auto force = s.model().interaction_report(s.integrator().state().u.data()).force;
+    const auto force = test::report_of(s).interaction_report().force;
     const double along = force[0] * std::sin(angle) + force[1] * std::cos(angle);
     const double error = std::abs(along / exact - 1);
     EXPECT_LT(error, 0.2 * before) << points;
@@ -103,8 +104,8 @@ TEST(RigidLimitTest, FallTakesTheTimeOfTheEnergyIntegral) {
   for (const char* scheme : {"Newmark", "Bathe Composite", "Gautam-Sauer Composite", "Average Vector Field"}) {
     Simulation s(test::scene(stiff_block(g0, {0, 1}, 2, 1) + test::time_integrator(scheme, time / 200, 1)), world());
     for (int step = 0; step < 200; ++step) ASSERT_TRUE(s.integrator().step(time / 200).converged) << scheme;
-    EXPECT_NEAR(s.model().interaction_report(s.integrator().state().u.data()).least_gap, g, 2e-4) << scheme;
-    const auto momenta = s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
+    EXPECT_NEAR(test::report_of(s).interaction_report().least_gap, g, 2e-4) << scheme;
+    const auto momenta = test::report_of(s).momenta();
     EXPECT_NEAR(momenta.kinetic_energy, law.energy(g0) - law.energy(g), 1e-3 * (law.energy(g0) - law.energy(g)));
   }
 }

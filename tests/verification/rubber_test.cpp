@@ -9,6 +9,7 @@
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 
 namespace ixos {
@@ -35,9 +36,7 @@ std::string block(int dimension, const std::string& law, const std::string& more
                                           : numbers("Velocity Gradient", {0.1, -1, 0.5, 1, 0, -0.3, -0.5, 0.3, -0.1}));
 }
 
-Momenta momenta(const Simulation& s) {
-  return s.model().momenta(s.integrator().state().u.data(), s.integrator().state().v.data());
-}
+Momenta momenta(const Simulation& s) { return test::report_of(s).momenta(); }
 
 TEST(RubberTest, EnergyMomentumKeepsEnergyAndMomenta) {
   for (const std::string& law : laws)
@@ -48,7 +47,7 @@ TEST(RubberTest, EnergyMomentumKeepsEnergyAndMomenta) {
       double stored = 0;
       for (int step = 0; step < 40; ++step) {
         ASSERT_TRUE(s.integrator().step(0.1).converged) << law;
-        stored = std::max(stored, s.model().energy(Part::Elastic, s.integrator().state().u.data()));
+        stored = std::max(stored, test::report_of(s).energy(Part::Elastic));
       }
       EXPECT_GT(stored, 0.01 * energy) << law;
       EXPECT_NEAR(test::total_energy(s), energy, 1e-11 * energy) << law;

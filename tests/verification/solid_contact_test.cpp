@@ -7,9 +7,10 @@
 
 #include "interaction/van_der_waals.hpp"
 #include "mesh/generators/shapes.hpp"
+#include "support/reports.hpp"
 #include "support/scene_text.hpp"
 #include "support/solids.hpp"
-#include "term/surface_terms.hpp"
+#include "term/wall/surface_terms.hpp"
 #include "time/schemes.hpp"
 
 namespace ixos {
@@ -40,7 +41,7 @@ InteractionReport report_of_wall(const Model& model, const std::string& set, con
                                  int surface_points) {
   InteractionReport report;
   for (const auto& term : wall_terms(model, set, paper_law, wall, surface_points))
-    term->report(at_rest(model).data(), report);
+    term->reports().report({at_rest(model).data()}, report);
   model.space().sum(report.force.data(), 3);
   report.least_gap = model.space().minimum(report.least_gap);
   return report;
@@ -103,7 +104,7 @@ double force_on_block(double nx, double ny, double gap, int surface_points) {
   const auto model = model_of(box(shape), elastic(linear_elastic, 0.2), Inertia::None);
   const std::array<double, 3> normal{nx, ny, std::sqrt(1 - nx * nx - ny * ny)};
   add_wall(*model, "bottom", paper_law, {{0, 0, -gap}, normal}, surface_points);
-  const auto force = model->interaction_report(at_rest(*model).data()).force;
+  const auto force = test::ReportAt(*model, at_rest(*model).data()).interaction_report().force;
   double along = 0;
   for (std::size_t i = 0; i < 3; ++i) along += force[i] * normal[i];
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(force[i], along * normal[i], 1e-14);
@@ -204,7 +205,7 @@ std::vector<double> hertz_ratios(double h, int fine, const std::vector<double>& 
       EXPECT_TRUE(result.converged) << result.reason;
       if (!result.converged) return std::vector<double>(indentations.size(), NAN);
     }
-    const double force = 4 * model->interaction_report(integrator.state().u.data()).force[2];
+    const double force = 4 * StateReport(*model, integrator.state()).interaction_report().force[2];
     ratios.push_back(force / (4.0 / 3 * reduced * std::sqrt(radius) * std::pow(indentation, 1.5)));
   }
   return ratios;

@@ -7,6 +7,7 @@
 
 #include "base/snapshot.hpp"
 #include "scene/simulation.hpp"
+#include "support/reports.hpp"
 #include "time/integrator.hpp"
 
 namespace ixos::test {
@@ -15,7 +16,7 @@ namespace ixos::test {
 /// same steps then repeat their results to the last bit, also after attempts of the length `other` that nobody accepts.
 inline void expect_no_slip_of_steps_taken_back(Simulation& s, const std::string& interaction, double dt, double other) {
   Integrator& integrator = s.integrator();
-  const auto slip = [&] { return s.model().interaction(interaction).friction(FrictionNumber::Slip); };
+  const auto slip = [&] { return test::report_of(s).interaction(interaction).mean(SurfaceNumber::Slip); };
   for (int n = 0; n < 40; ++n) ASSERT_TRUE(integrator.step(dt).converged);
   const double before = integrator.dissipated_energy();
   ASSERT_GT(before, 0);

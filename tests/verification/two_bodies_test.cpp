@@ -9,6 +9,7 @@
 #include "scene/simulation.hpp"
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
+#include "support/reports.hpp"
 #include "support/two_bodies.hpp"
 #include "time/integrator.hpp"
 #include "verification/collision.hpp"
@@ -103,7 +104,7 @@ double pull_off(int core, int rings) {
   const Mesh mesh = test::two_disks(10, {0, 20.2}, core, rings);
   const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
   SurfacePair pair;
-  pair.secondary = "a_surface";
+  pair.side_set = "a_surface";
   pair.primary = "b_surface";
   pair.law = gap_law(VanDerWaals(2.5, 25));
   add_pair(*model, pair);
@@ -112,7 +113,7 @@ double pull_off(int core, int rings) {
   for (double shift = 0; shift < 0.2; shift += 0.0025) {
     for (std::size_t k = 0; k < u.size(); k += 2)
       if (model->mesh().coordinates[k + 1] > 10.1) u[k + 1] = shift;
-    largest = std::max(largest, model->interaction_report(u.data()).force[1]);
+    largest = std::max(largest, test::ReportAt(*model, u.data()).interaction_report().force[1]);
   }
   return largest;
 }
@@ -127,7 +128,7 @@ TEST(TwoBodiesSerialTest, SpheresPullOffNearTheExactForce) {
   const Mesh mesh = test::two_balls(10, {0, 0, 20.2}, 24, 1);
   const auto model = test::model_of_bodies(mesh, {"a_surface", "b_surface"});
   SurfacePair pair;
-  pair.secondary = "a_surface";
+  pair.side_set = "a_surface";
   pair.primary = "b_surface";
   pair.law = gap_law(VanDerWaals(2.5, 25));
   pair.cutoff = 6;  // takes 0.7 % of the work of adhesion and of the force away
@@ -138,7 +139,7 @@ TEST(TwoBodiesSerialTest, SpheresPullOffNearTheExactForce) {
   for (double shift = 0.02; shift < 0.1; shift += 0.01) {
     for (std::size_t k = 0; k < u.size(); k += 3)
       if (model->mesh().coordinates[k + 2] > 10.1) u[k + 2] = shift;
-    largest = std::max(largest, model->interaction_report(u.data()).force[2]);
+    largest = std::max(largest, test::ReportAt(*model, u.data()).interaction_report().force[2]);
   }
   EXPECT_NEAR(largest / 0.457676, 1.095, 0.015);
 }
@@ -163,7 +164,7 @@ TEST(TwoBodiesTest, AHeldBodyWithAFlatFaceIsTheWall) {
   double least = 1;
   for (int step = 0; step < 60; ++step) {
     for (Simulation* simulation : {&pair, &wall}) ASSERT_TRUE(simulation->integrator().step(2e-4).converged);
-    least = std::min(least, pair.model().interaction_report(pair.integrator().state().u.data()).least_gap);
+    least = std::min(least, test::report_of(pair).interaction_report().least_gap);
   }
   const auto a = test::gathered(pair.model(), pair.integrator().state().u);
   const auto b = test::gathered(wall.model(), wall.integrator().state().u);
@@ -202,10 +203,13 @@ TEST(TwoBodiesTest, AHairpinSticksToItself) {
         test::time_integrator("Average Vector Field", 0.001, 1, count("Interaction Points", 8)) +
         list("Nonlinear Solver", number("Tolerance", 1e-11)));
   };
-  EXPECT_NE(test::refusal([&] { Simulation(scene(number("Cutoff", 0.8)), mesh, test::world()); }).find("exclusion"),
+  EXPECT_NE(test::refusal([&] {
+              Simulation(scene(number("Cutoff", 0.8)), mesh, test::world());
+            }).find("Exclusion: 0 is too short"),
             std::string::npos);
-  EXPECT_NE(test::refusal([&] { Simulation(scene(number("Exclusion", 3)), mesh, test::world()); }).find("cutoff"),
-            std::string::npos);
+  EXPECT_NE(
+      test::refusal([&] { Simulation(scene(number("Exclusion", 3)), mesh, test::world()); }).find("Cutoff: 0 is none"),
+      std::string::npos);
   Simulation simulation(scene(self), mesh, test::world());
   std::vector<double> u = test::at_rest(simulation.model()), v = u;
   for (std::size_t k = 1; k < v.size(); k += 2) {
@@ -220,14 +224,15 @@ TEST(TwoBodiesTest, AHairpinSticksToItself) {
     const StepResult result = integrator.step(0.001);
     ASSERT_TRUE(result.converged) << step << ": " << result.reason;
     largest = std::max(largest, std::abs(test::total_energy(simulation) + integrator.dissipated_energy() - before));
-    const InteractionReport report = simulation.model().interaction_report(integrator.state().u.data());
+    const InteractionReport report = StateReport(simulation.model(), integrator.state()).interaction_report();
     least = std::min(least, report.least_gap);
     contact = std::max(contact, report.measure);
   }
   EXPECT_LT(least, 0.3);
   EXPECT_GT(contact, 2);
   EXPECT_LT(largest, 1e-3 * Collision::work_of_adhesion);
-  const Momenta momenta = simulation.model().momenta(integrator.state().u.data(), integrator.state().v.data());
+  const Momenta momenta =
+      test::ReportAt(simulation.model(), integrator.state().u.data(), integrator.state().v.data()).momenta();
   for (const double momentum : momenta.linear) EXPECT_NEAR(momentum, 0, 1e-9 * 24 * 5e-7 * 3);
 }
 

@@ -98,14 +98,13 @@ int compare(const ixos::Comm& comm, const char* scene) {
     largest = std::max(largest, u_scene.normInf());
     moved = std::max(moved, u.normInf());
 
-    const ixos::State& state = integrator.state();
-    const double energy = model.momenta(state.u.data(), state.v.data()).kinetic_energy +
-                          model.energy(ixos::Part::Elastic, state.u.data()) +
-                          model.energy(ixos::Part::Interaction, state.u.data()) - integrator.external_work();
+    const ixos::StateReport now(model, integrator.state());
+    const double energy = now.momenta().kinetic_energy + now.energy(ixos::Part::Elastic) +
+                          now.energy(ixos::Part::Interaction) - integrator.external_work();
     if (step == 0) start = energy;
     energy_error = std::max(energy_error, std::abs(energy - start));
   }
-  const ixos::InteractionReport contact = model.interaction_report(integrator.state().u.data());
+  const ixos::InteractionReport contact = ixos::StateReport(model, integrator.state()).interaction_report();
   const std::vector<double> top = ixos::set_reaction(model, integrator.state().reaction, "top");
   if (comm->getRank() == 0)
     std::printf("moved %.3g, differs by %.3g; energy drifts by %.3g; force on wall %.6g, on top %.6g, gap %.6g\n",

@@ -127,10 +127,9 @@ class Coupling {
   }
 
   double energy() const {
-    const ixos::Model& model = simulation_.model();
-    const double* u = state().u.data();
-    return stage_.energy() + model.momenta(u, state().v.data()).kinetic_energy + model.energy(ixos::Part::Elastic, u) +
-           model.energy(ixos::Part::Interaction, u) + simulation_.integrator().dissipated_energy();
+    const ixos::StateReport now(simulation_.model(), state());
+    return stage_.energy() + now.momenta().kinetic_energy + now.energy(ixos::Part::Elastic) +
+           now.energy(ixos::Part::Interaction) + simulation_.integrator().dissipated_energy();
   }
   void write(const std::string& path) { ixos::write_checkpoint(path, simulation_, {stage_state()}); }
   void read(const std::string& path) { ixos::read_checkpoint(path, simulation_, {stage_state()}); }

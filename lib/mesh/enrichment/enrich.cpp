@@ -5,30 +5,34 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "fem/corner_element.hpp"
+#include "mesh/enrichment/contact_elements.hpp"
 #include "mesh/enrichment/contact_nodes.hpp"
 #include "mesh/selection.hpp"
 
 namespace ixos {
+
+const std::vector<std::pair<std::string, ContactElement>>& contact_elements() {
+  static const std::vector<std::pair<std::string, ContactElement>> all{
+      {"Q1C1", ContactElement::Q1C1}, {"Q1C2", ContactElement::Q1C2}, {"Q1C3", ContactElement::Q1C3},
+      {"Q1C4", ContactElement::Q1C4}, {"Q1CH", ContactElement::Q1CH}, {"Q2C2", ContactElement::Q2C2},
+      {"Q2C4", ContactElement::Q2C4}};
+  return all;
+}
+
 namespace {
 
-CellType enriched_type(CellType plain, ContactElement element) {
-  const bool quad = plain == CellType::Quad4;
-  switch (element) {
-    case ContactElement::Q1C2:
-      return quad ? CellType::Quad4C2 : CellType::Hex8C2;
-    case ContactElement::Q1C3:
-      return quad ? CellType::Quad4C3 : CellType::Hex8C3;
-    case ContactElement::Q1C4:
-      return quad ? CellType::Quad4C4 : CellType::Hex8C4;
-    case ContactElement::Q2C4:
-      return quad ? CellType::Quad9C4 : CellType::Hex27C4;
-    default:
-      return quad ? CellType::Quad4CH : CellType::Hex8CH;
-  }
+/// Returns the type of cells whose contact side is that element, which is neither Q1C1 nor Q2C2.
+CellType enriched_type(int dimension, ContactElement element) {
+  for (const auto& [name, own] : contact_elements())
+    for (const CellInfo& info : cell_infos())
+      if (own == element && info.dimension == dimension && info.contact == name) return info.type;
+  throw std::logic_error("no cell has that contact side");
 }
 
 void check(const Mesh& mesh, const SideSet& set) {
@@ -37,6 +41,8 @@ void check(const Mesh& mesh, const SideSet& set) {
     const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
     const std::string where =
         fmt::format("side set \"{}\", block \"{}\", cell {}", set.name, block.name, side.cell + 1);
+    if (corner_type(block.type) != cube_type(mesh.dimension))
+      throw InputError(where + ": only quadrilaterals and hexahedra have enriched sides");
     if (is_enriched(block.type))
       throw InputError(where + ": the cell already has an enriched side; a cell can have only one");
     if (!cells.insert({side.block, side.cell}).second)
@@ -223,7 +229,7 @@ void enrich(Mesh& mesh, const std::string& side_set, ContactElement element, int
   if (fitting_element(mesh, set, element) == ContactElement::Q2C2) return;
   check(mesh, set);
   if (mesh.plain_nodes < 0) mesh.plain_nodes = mesh.nodes();
-  const CellType type = enriched_type(mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8, element);
+  const CellType type = enriched_type(mesh.dimension, element);
   const std::vector<ExtraNodes> extra = add_nodes(mesh, set, element);
   BlockSplit(mesh, set, extra, type, points).apply();
 }

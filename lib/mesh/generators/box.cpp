@@ -4,6 +4,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "mesh/generators/entry.hpp"
 #include "mesh/generators/shapes.hpp"
 #include "parameters/range_validator.hpp"
@@ -65,7 +66,7 @@ Mesh box(const BoxShape& shape) {
           mesh.coordinates.push_back(shape.lower[d] + shape.lengths[d] * index[d] / n[d]);
       }
 
-  const CellType type = flat ? CellType::Quad4 : CellType::Hex8;
+  const CellType type = cube_type(shape.dimension);
   ElementBlock body{"body", type, {}};
   std::map<std::string, SideSet> side_sets;
   std::map<std::string, std::set<int>> node_sets;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "fem/cell_info.hpp"
 #include "mesh/given_sets.hpp"
 #include "parameters/range_validator.hpp"
 
@@ -35,7 +36,7 @@ void check_blocks(const Mesh& mesh) {
   std::vector<bool> used(static_cast<std::size_t>(mesh.nodes()), false);
   for (const ElementBlock& block : mesh.blocks) {
     const std::string place = "block \"" + block.name + "\"";
-    if (corner_type(block.type) != (mesh.dimension == 2 ? CellType::Quad4 : CellType::Hex8) || is_enriched(block.type))
+    if (corner_type(block.type) != cube_type(mesh.dimension) || is_enriched(block.type))
       throw InputError(fmt::format("{}: its cells have {} nodes; in {} dimensions cells have {}", place,
                                    nodes_per_cell(block.type), mesh.dimension,
                                    mesh.dimension == 2 ? "4 or 9" : "8 or 27"));

@@ -2,7 +2,7 @@
 #pragma once
 #include <memory>
 
-#include "solve/factorization.hpp"
+#include "solve/direct/factorization.hpp"
 
 namespace ixos {
 

@@ -6,9 +6,9 @@
 #include <Thyra_MueLuPreconditionerFactory.hpp>
 #include <Tpetra_CrsMatrix.hpp>
 
-#include "solve/chebyshev_preconditioner.hpp"
-#include "solve/direct_preconditioner.hpp"
-#include "solve/direct_solver.hpp"
+#include "solve/direct/direct_preconditioner.hpp"
+#include "solve/direct/direct_solver.hpp"
+#include "solve/iterative/chebyshev_preconditioner.hpp"
 #include "solve/loaded/two_level_preconditioner.hpp"
 #include "solve/operator_preconditioner.hpp"
 #include "solve/thyra.hpp"

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/agreement.hpp"
-#include "solve/chebyshev_polynomial.hpp"
 #include "solve/coarsenable_operator.hpp"
-#include "solve/direct_preconditioner.hpp"
+#include "solve/direct/direct_preconditioner.hpp"
+#include "solve/iterative/chebyshev_polynomial.hpp"
+#include "solve/iterative/rigid_body_modes.hpp"
 #include "solve/operator_preconditioner.hpp"
-#include "solve/rigid_body_modes.hpp"
 #include "solve/tpetra_preconditioner.hpp"
 
 namespace ixos {

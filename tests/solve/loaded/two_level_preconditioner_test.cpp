@@ -12,13 +12,13 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "scene/explanation.hpp"
+#include "embedding/semi_discrete_tangent.hpp"
+#include "scene/explain/explanation.hpp"
 #include "scene/simulation.hpp"
-#include "solve/linear_solver.hpp"
-#include "solve/linear_solver_defaults.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/choice/linear_solver_defaults.hpp"
+#include "solve/choice/problem_size.hpp"
 #include "solve/operator_preconditioner.hpp"
-#include "solve/problem_size.hpp"
-#include "solve/semi_discrete_tangent.hpp"
 #include "support/comparison.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -100,7 +100,8 @@ void expect_galerkin_product_of(const Block& block, double tolerance = 1e-12) {
   const auto s = block.simulation();
   const Model& model = s->model();
   SemiDiscreteOperator w(model);
-  w.linearize({1.5, 0.8, 2.0}, local_wave(model.mesh(), 0.01, 0), 0.7);
+  const std::vector<double> bent = local_wave(model.mesh(), 0.01, 0);
+  w.linearize({1.5, 0.8, 2.0}, {bent.data(), 0.7});
   const CoarseSpace& coarse = w.coarse_space();
   const auto matrix = w.coarse_matrix();
   const auto &fine_map = model.space().owned_map(), &coarse_map = coarse.space().owned_map();
@@ -204,7 +205,8 @@ TEST(TwoLevelTest, IsSymmetricAndPositiveDefiniteAndAtMostTheInverse) {
       const auto s = Block{dimension, dimension == 2 ? 6 : 3}.simulation();
       const Model& model = s->model();
       const auto w = Teuchos::rcp(new SemiDiscreteOperator(model));
-      w->linearize({0.1, 0, 1}, std::vector<double>(static_cast<std::size_t>(model.space().local()), 0.0), 0);
+      const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+      w->linearize({0.1, 0, 1}, {rest.data()});
       const LinearSolverFactory factory(completed(model, type), &model);
       const auto preconditioner = factory.preconditioner();
       const auto space = vector_space(model.space().owned_map());
@@ -237,7 +239,8 @@ long iterations(int dimension, int cells, const std::string& coarse, const Comm&
   const auto s = block.simulation(comm);
   const Model& model = s->model();
   const auto w = Teuchos::rcp(new SemiDiscreteOperator(model));
-  w->linearize({0, 0, 1}, std::vector<double>(static_cast<std::size_t>(model.space().local()), 0.0), 0);
+  const std::vector<double> rest(static_cast<std::size_t>(model.space().local()), 0.0);
+  w->linearize({0, 0, 1}, {rest.data()});
   const LinearSolverFactory factory(completed(model, coarse), &model);
   LinearSystem system(factory, w);
   const Vector b = owned_wave(model.mesh(), model.space(), 1);

@@ -1,0 +1,88 @@
+#include "fem/cell_info.hpp"
+
+#include <type_traits>
+
+#include "fem/with_element.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the type of an element type.
+template <class Element>
+constexpr CellType type_of() {
+#define IXOS_CELL(Other) \
+  if constexpr (std::is_same_v<Element, Other>) return CellType::Other;
+#include "fem/cells.def"
+}
+
+template <class Element>
+CellInfo info_of(std::string_view name) {
+  using Traits = CellTraits<Element>;
+  return {type_of<Element>(),
+          name,
+          Traits::shape,
+          Element::dimension,
+          Element::nodes,
+          Traits::order,
+          type_of<typename Traits::Corners>(),
+          type_of<typename Traits::Plain>(),
+          Traits::side_nodes(),
+          Traits::contact_side,
+          Traits::contact,
+          Traits::pieces,
+          Traits::hermite,
+          Traits::has_cures,
+          Traits::exodus,
+          Traits::gmsh};
+}
+
+}  // namespace
+
+const std::vector<CellInfo>& cell_infos() {
+  static const std::vector<CellInfo> all = {
+#define IXOS_CELL(Element) info_of<Element>(#Element),
+#include "fem/cells.def"
+  };
+  return all;
+}
+
+const CellInfo& cell_info(CellType type) { return cell_infos().at(static_cast<std::size_t>(type)); }
+
+namespace {
+
+bool is_plain_cube(const CellInfo& info, int dimension) {
+  return info.shape == (dimension == 2 ? ReferenceShape::Quadrilateral : ReferenceShape::Hexahedron) &&
+         info.plain == info.type;
+}
+
+}  // namespace
+
+CellType cube_type(int dimension, int order) {
+  return find_cell([&](const CellInfo& info) { return is_plain_cube(info, dimension) && info.order == order; })->type;
+}
+
+const CellInfo* cube_with(int dimension, int nodes) {
+  return find_cell([&](const CellInfo& info) { return is_plain_cube(info, dimension) && info.nodes == nodes; });
+}
+
+int nodes_per_cell(CellType type) { return cell_info(type).nodes; }
+
+int sides_per_cell(CellType type) { return static_cast<int>(cell_info(type).sides.size()); }
+
+CellType corner_type(CellType type) { return cell_info(type).corners; }
+
+CellType plain_type(CellType type) { return cell_info(type).plain; }
+
+bool is_quadratic(CellType type) { return cell_info(type).order == 2; }
+
+bool is_enriched(CellType type) { return plain_type(type) != type; }
+
+int contact_side(CellType type) { return cell_info(type).contact_side; }
+
+bool is_hermite(CellType type) { return cell_info(type).hermite; }
+
+const std::vector<int>& side_nodes(CellType type, int side) {
+  return cell_info(type).sides.at(static_cast<std::size_t>(side));
+}
+
+}  // namespace ixos

@@ -1,0 +1,215 @@
+#include "scene/examine/characteristic_numbers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "interaction/catalogue.hpp"
+#include "mesh/selection.hpp"
+#include "scene/read/mesh_parts.hpp"
+
+namespace ixos {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+using Point = std::array<double, 3>;
+
+Point point_of(const Mesh& mesh, int node) {
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  Point x{};
+  for (std::size_t i = 0; i < d; ++i) x[i] = mesh.coordinates[static_cast<std::size_t>(node) * d + i];
+  return x;
+}
+
+/// Calls visit(node) for the nodes of all cells of the block, of enriched ones for those of their plain_type(); returns
+/// whether there is one.
+template <class Visit>
+bool for_each_place(const Mesh& mesh, const std::string& name, const Visit& visit) {
+  bool found = false;
+  for (const ElementBlock& block : mesh.blocks) {
+    if (block.name != name) continue;
+    const int all = nodes_per_cell(block.type), places = nodes_per_cell(plain_type(block.type));
+    for (int cell = 0; cell < block.cells(); ++cell)
+      for (int a = 0; a < places; ++a) visit(block.nodes[cell_entry(cell, all, a)]);
+    found = found || block.cells() > 0;
+  }
+  return found;
+}
+
+std::optional<BodyNumbers> body_numbers(const std::string& name, const Material& material, const Mesh& mesh) {
+  Point lower, upper;
+  lower.fill(infinity);
+  upper.fill(-infinity);
+  const bool found = for_each_place(mesh, material.block, [&](int node) {
+    const Point x = point_of(mesh, node);
+    for (std::size_t i = 0; i < 3; ++i) {
+      lower[i] = std::min(lower[i], x[i]);
+      upper[i] = std::max(upper[i], x[i]);
+    }
+  });
+  if (!found) return std::nullopt;
+  const Lame lame = material.law->lame();
+  const double ratio = lame.lambda / (2 * (lame.lambda + lame.mu));
+  BodyNumbers body;
+  body.name = name;
+  body.modulus = youngs_modulus(lame);
+  body.plane_modulus = body.modulus / (1 - ratio * ratio);
+  body.density = material.density;
+  body.wave_speed = std::sqrt((lame.lambda + 2 * lame.mu) / material.density);
+  for (std::size_t i = 0; i < 3; ++i) body.size = std::max(body.size, upper[i] - lower[i]);
+  if (mesh.axisymmetric) body.size = std::max(body.size, 2 * upper[0]);
+  body.crossing_time = body.size / body.wave_speed;
+  return body;
+}
+
+/// Returns the extent of a connected part along a direction.
+double extent_along(const Mesh& mesh, const std::vector<int>& parts, int part, const Point& direction) {
+  double lowest = infinity, highest = -infinity;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    if (parts[static_cast<std::size_t>(node)] != part || mesh.is_derivative(node)) continue;
+    const Point x = point_of(mesh, node);
+    const double place = x[0] * direction[0] + x[1] * direction[1] + x[2] * direction[2];
+    lowest = std::min(lowest, place);
+    highest = std::max(highest, place);
+  }
+  return highest - lowest;
+}
+
+/// Returns the places of a side's corners, along its rim; then, of a quadratic cell, those of its other nodes.
+std::vector<Point> side_points(const Mesh& mesh, const Side& side) {
+  const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(side.block)];
+  const int* nodes = &block.nodes[cell_entry(side.cell, nodes_per_cell(block.type))];
+  std::vector<Point> points;
+  for (int a : side_nodes(is_quadratic(block.type) ? block.type : corner_type(block.type), side.side))
+    points.push_back(point_of(mesh, nodes[a]));
+  return points;
+}
+
+/// Returns the length of a side between its corners, in 3D its area: half the product of its diagonals.
+double measure_of(const std::vector<Point>& corners, int dimension) {
+  const auto minus = [](const Point& x, const Point& y) { return Point{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
+  if (dimension == 2) {
+    const Point d = minus(corners[1], corners[0]);
+    return std::hypot(d[0], d[1]);
+  }
+  const Point a = minus(corners[2], corners[0]), b = minus(corners[3], corners[1]);
+  return 0.5 * std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+}
+
+Sight sight_of(const Obstacle& obstacle, const Point& x) { return obstacle.at({x[0], x[1], x[2]}); }
+
+/// Returns the curvature 1/R of a sphere's surface that has the obstacle's mean curvature below x: on parallel surfaces
+/// a sphere's distance g from R bends by 1/(R + g) in each direction.
+double curvature_below(const Obstacle& obstacle, const Point& x, int dimension) {
+  const Sight sight = sight_of(obstacle, x);
+  double bend = 0;
+  for (std::size_t i = 0; i < 3; ++i) bend += sight.bend[i][i][0] / (dimension - 1);
+  return bend == 0 ? 0 : 1 / (1 / bend - sight.gap[0]);
+}
+
+void add_law(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
+  const GapLaw& law = *interaction.law;
+  numbers.equilibrium_gap = law.equilibrium_gap();
+  const bool cut = interaction.cutoff > law.adhesion_gap();
+  numbers.work = work_of_adhesion(cut ? *law.cut_off(interaction.cutoff) : law);
+  numbers.peak_traction = std::max(0.0, -static_cast<double>(law.traction(law.adhesion_gap())[0]));
+}
+
+/// Takes the adhesion from a surface that can never have a bond. A moved obstacle may begin at another place.
+void take_missing_bonds(const SceneInteraction& interaction, SurfaceNumbers& numbers) {
+  numbers.never_bonds = !interaction.law->bonds_later() && interaction.motion.histories().empty() &&
+                        numbers.least_gap >= interaction.law->range();
+  if (numbers.never_bonds) numbers.work = numbers.peak_traction = 0;
+}
+
+/// Adds what the sides of the set show; `nearest` becomes the node of least gap.
+void add_sides(const Mesh& mesh, const SideSet& set, const Obstacle& obstacle, SurfaceNumbers& numbers,
+               Point& nearest) {
+  numbers.least_gap = infinity;
+  numbers.largest_gap = -infinity;
+  for (const Side& side : set.sides)
+    for (const Point& point : side_points(mesh, side)) {
+      const double gap = sight_of(obstacle, point).gap[0];
+      numbers.largest_gap = std::max(numbers.largest_gap, gap);
+      if (!(gap < numbers.least_gap)) continue;
+      numbers.least_gap = gap;
+      nearest = point;
+    }
+  numbers.face_length = mean_face_length(mesh, set);
+}
+
+}  // namespace
+
+double mean_face_length(const Mesh& mesh, const SideSet& set) {
+  double measure = 0;
+  for (const Side& side : set.sides)
+    measure += measure_of(side_points(mesh, side), mesh.dimension) / static_cast<double>(set.sides.size());
+  return mesh.dimension == 2 ? measure : std::sqrt(measure);
+}
+
+double cohesive_zone(double plane_modulus, double work, double peak_traction, double thickness) {
+  if (!(peak_traction > 0)) return 0;
+  const double bulk = plane_modulus * work / (peak_traction * peak_traction);
+  return std::min(bulk, std::pow(2.0 / 3 * bulk * thickness * thickness * thickness, 0.25));
+}
+
+CharacteristicNumbers characteristic_numbers(const SceneNode& scene, const std::vector<Material>& materials,
+                                             const std::vector<SceneInteraction>& interactions, const Mesh& mesh,
+                                             const std::vector<int>& parts) {
+  CharacteristicNumbers all;
+  std::vector<std::size_t> body_of(materials.size(), std::string::npos);
+  const std::vector<SceneNode> lists = scene.sublist("Materials").sublists();
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    if (auto body = body_numbers(lists[i].name(), materials[i], mesh)) {
+      body->material = i;
+      body_of[i] = all.bodies.size();
+      all.bodies.push_back(*body);
+    }
+  const std::vector<SceneNode> shapes = part_lists(scene.sublist("Mesh"));
+  for (std::size_t i = 0; i < interactions.size(); ++i) {
+    const SceneInteraction& interaction = interactions[i];
+    if (interaction.is_pair()) continue;  // no obstacle
+    const SideSet* const set = find_set(mesh.side_sets, interaction.side_set);
+    if (set == nullptr || set->sides.empty()) continue;
+    const Side& first = set->sides.front();
+    const ElementBlock& block = mesh.blocks[static_cast<std::size_t>(first.block)];
+    const auto material =
+        std::find_if(materials.begin(), materials.end(), [&](const Material& own) { return own.block == block.name; });
+    if (material == materials.end()) continue;
+    SurfaceNumbers numbers;
+    numbers.name = interaction.node.name();
+    numbers.interaction = i;
+    numbers.side_set = static_cast<std::size_t>(set - mesh.side_sets.data());
+    numbers.body = body_of[static_cast<std::size_t>(material - materials.begin())];
+    numbers.part = parts[static_cast<std::size_t>(block.nodes[cell_entry(first.cell, nodes_per_cell(block.type))])];
+    const BodyNumbers& body = all.bodies[numbers.body];
+    const auto obstacle = obstacles().make(interaction.node, static_cast<std::size_t>(mesh.dimension));
+    Point nearest{};
+    add_law(interaction, numbers);
+    add_sides(mesh, *set, *obstacle, numbers, nearest);
+    take_missing_bonds(interaction, numbers);
+    numbers.elastic_length = numbers.work / body.modulus;
+    const Sight sight = sight_of(*obstacle, nearest);
+    for (std::size_t axis = 0; axis < 3; ++axis) numbers.normal[axis] = sight.normal[axis][0];
+    numbers.thickness = extent_along(mesh, parts, numbers.part, numbers.normal);
+    numbers.cohesive_zone = cohesive_zone(body.plane_modulus, numbers.work, numbers.peak_traction, numbers.thickness);
+    const SceneNode& shape = list_of(block, shapes);
+    double curvature = curvature_below(*obstacle, nearest, mesh.dimension);
+    if (const std::string type = shape.text("Type"); type == "Disk" || type == "Ball")
+      curvature += 2 / shape.sublist(type).number("Diameter");
+    if (curvature > 0) {
+      numbers.radius = 1 / curvature;
+      const double elastic = numbers.elastic_length * body.modulus / body.plane_modulus;
+      numbers.tabor = std::cbrt(numbers.radius * elastic * elastic / std::pow(numbers.equilibrium_gap, 3));
+    }
+    numbers.attraction_speed = std::sqrt(2 * numbers.work / (body.density * numbers.thickness));
+    numbers.gap_crossing_time = numbers.equilibrium_gap / numbers.attraction_speed;
+    all.surfaces.push_back(std::move(numbers));
+  }
+  return all;
+}
+
+}  // namespace ixos

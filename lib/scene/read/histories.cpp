@@ -1,0 +1,62 @@
+#include "scene/read/histories.hpp"
+
+#include <fmt/format.h>
+
+#include "base/closest_name.hpp"
+#include "base/error.hpp"
+#include "histories/catalogue.hpp"
+
+namespace ixos {
+
+Histories::Histories(const SceneNode& list, double initial_time, double final_time, const GivenHistories& given,
+                     bool statics)
+    : given_(given), list_(list), initial_time_(initial_time), final_time_(final_time), statics_(statics) {
+  for (const SceneNode& node : list.sublists()) functions_[node.name()] = histories().make(node);
+  for (const auto& [name, function] : given) {
+    if (function == nullptr) throw InputError("the program gives no function for the history \"" + name + "\"");
+    functions_[name] = function;
+  }
+}
+
+const std::shared_ptr<const TimeFunction>& Histories::get(const std::string& name, HistoryUse use) const {
+  const auto found = functions_.find(name);
+  if (found == functions_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [key, function] : functions_) names.push_back(key);
+    if (names.empty()) throw InputError("history \"" + name + "\" does not exist; the list Histories is empty");
+    throw InputError(no_such("history", name, names, "There are"));
+  }
+  if (is_given(name)) return found->second;
+  const SceneNode own = list_.sublist(name);
+  if (use == HistoryUse::Motion && own.text("Type") == "Expression")
+    for (const char* derivative : {"Velocity", "Acceleration"})
+      if (own.sublist("Expression").text(derivative).empty())
+        throw InputError(own.sublist("Expression").path_of(derivative) + " is missing: a motion needs it");
+  const TimeFunction& function = *found->second;
+  at(own.path(), [&] {
+    const double slack = 1e-9 * (function.last_time() - function.first_time());
+    if (function.first_time() > initial_time_ + slack || function.last_time() < final_time_ - slack)
+      throw InputError(fmt::format("the table covers the times {} to {}, but the run goes from {} to {}",
+                                   function.first_time(), function.last_time(), initial_time_, final_time_));
+    if (use == HistoryUse::Motion && statics_)
+      check_static_over(function, initial_time_, final_time_);
+    else
+      check_over(function, initial_time_, final_time_, use == HistoryUse::Motion);
+  });
+  return found->second;
+}
+
+std::vector<std::string> Histories::notes() const {
+  std::vector<std::string> notes;
+  for (const SceneNode& node : list_.sublists()) {
+    if (is_given(node.name())) continue;
+    const double end = functions_.at(node.name())->ramp_end();
+    if (end > final_time_ + 1e-9 * (final_time_ - initial_time_))
+      notes.push_back(placed(
+          node.path(),
+          fmt::format("the ramp ends at Start + Length = {}, after the Final Time {} of the run", end, final_time_)));
+  }
+  return notes;
+}
+
+}  // namespace ixos

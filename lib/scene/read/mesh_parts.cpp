@@ -1,0 +1,148 @@
+#include "scene/read/mesh_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "interaction/direction.hpp"
+#include "mesh/cell_order.hpp"
+#include "mesh/generators/given.hpp"
+#include "mesh/joined_parts.hpp"
+#include "mesh/placement.hpp"
+#include "mesh/quality.hpp"
+#include "parameters/options.hpp"
+#include "parameters/range_validator.hpp"
+#include "scene/read/mesh_map.hpp"
+#include "scene/read/mesh_sets.hpp"
+
+namespace ixos {
+#define ENTRY(name) MeshEntry name();
+#include "scene/read/mesh_entries.def"
+#undef ENTRY
+
+namespace {
+
+struct Place {
+  std::vector<double> translation;
+  double angle = 0;
+  std::vector<double> axis, point;
+};
+
+const Options<Place>& place_options() {
+  static const Options<Place> options =
+      Options<Place>()
+          .add("Translation", &Place::translation,
+               "Translation of the part, after its rotation [L0]. If empty, the part stays.", any_number())
+          .add("Rotation Angle", &Place::angle,
+               "Angle by which the part turns, counter-clockwise as seen from the tip of the axis [degrees].",
+               any_number())
+          .add("Rotation Axis", &Place::axis,
+               "3D only: direction of the axis about which the part turns, of any length [-]. If empty, it is z.",
+               any_number())
+          .add("Rotation Point", &Place::point,
+               "Point about which the part turns, in the coordinates of the part's own list [L0]. If empty, it is the "
+               "origin.",
+               any_number());
+  return options;
+}
+
+void declare_part(Teuchos::ParameterList& part) {
+  part_meshes().declare(part);
+  place_options().declare(part);
+  declare_map(part.sublist("Map", false, "Formulas that move the nodes of the part before it is rotated."));
+  declare_set(part.sublist("Sets", false,
+                           "Additional sets of the part, selected by region before it is rotated. Their names get the "
+                           "prefix of the part.")
+                  .sublist(any_name));
+}
+
+Placement placement(const SceneNode& part, int dimension) {
+  const Place place = place_options().read(part);
+  const auto d = static_cast<std::size_t>(dimension);
+  if (dimension == 2 && !place.axis.empty())
+    part.refuse("Rotation Axis", "a part of two dimensions turns about z; leave it out");
+  Placement result;
+  result.angle = place.angle;
+  if (dimension == 3) result.axis = unit_vector(part, "Rotation Axis", d, result.axis);
+  result.point = place_of(part, "Rotation Point", d);
+  result.translation = place_of(part, "Translation", d);
+  return result;
+}
+
+Mesh part_mesh(const SceneNode& part, int order) {
+  Mesh mesh = mapped_mesh(part_meshes(), part, order);
+  at(part.path(), [&] { check_cells(mesh); });
+  add_sets(part.sublist("Sets"), mesh);
+  move_nodes(placement(part, mesh.dimension), mesh);
+  return mesh;
+}
+
+Mesh parts_of_order(const SceneNode& node, int order) {
+  std::vector<MeshPart> parts;
+  for (const SceneNode& part : node.sublists()) parts.push_back({part.name(), part_mesh(part, order)});
+  return joined_parts(parts);
+}
+
+}  // namespace
+
+const char* const parts_mesh_name = "Parts";
+
+MeshEntry parts_mesh() {
+  MeshEntry entry;
+  entry.name = parts_mesh_name;
+  entry.sentence =
+      "Several bodies in one mesh. Each list makes one part with its own mesh. The names of its "
+      "blocks and sets begin with its name and \"_\": the part \"left\" has the block \"left_body\" and the side set "
+      "\"left_surface\". Parts that touch are not connected. A part's name has letters, digits, \"_\" and \"-\".";
+  declare_part(entry.parameters.sublist(any_name, false, "A part: its mesh, and where it stands."));
+  entry.make = [](const SceneNode& node) { return parts_of_order(node, 1); };
+  entry.make_quadratic = [](const SceneNode& node) { return parts_of_order(node, 2); };
+  return entry;
+}
+
+const Catalogue<MeshEntry>& part_meshes() {
+#define ENTRY(name) name(),
+  static const Catalogue<MeshEntry> catalogue = [] {
+    std::vector<MeshEntry> entries{
+#include "scene/read/mesh_entries.def"
+    };
+    const auto given = [](const MeshEntry& entry) { return entry.name == given_mesh_name; };
+    entries.erase(std::remove_if(entries.begin(), entries.end(), given), entries.end());
+    return Catalogue<MeshEntry>("Type", "Selects the part's mesh generator, or the format of its mesh file.", entries);
+  }();
+#undef ENTRY
+  return catalogue;
+}
+
+Mesh mapped_mesh(const Catalogue<MeshEntry>& catalogue, const SceneNode& node, int order) {
+  const MeshEntry& chosen = catalogue.chosen(node);
+  Mesh mesh = [&] {
+    if (order < 2 || !chosen.make_quadratic) return catalogue.make(node);
+    const SceneNode own = node.sublist(chosen.name);
+    return at(own.path(), [&] { return chosen.make_quadratic(own); });
+  }();
+  apply_order_and_map(node, order, mesh);
+  return mesh;
+}
+
+void apply_order_and_map(const SceneNode& node, int order, Mesh& mesh) {
+  if (order == 2) raise_order(mesh);
+  at(node.path(), [&] {
+    require_one_order(mesh);
+    require_shared_middles(mesh);
+  });
+  map_nodes(node.sublist("Map"), mesh);
+}
+
+std::vector<SceneNode> part_lists(const SceneNode& mesh) {
+  if (mesh.text("Type") == parts_mesh_name) return mesh.sublist(parts_mesh_name).sublists();
+  return {mesh};
+}
+
+const SceneNode& list_of(const ElementBlock& block, const std::vector<SceneNode>& lists) {
+  const auto own = [&block](const SceneNode& list) { return is_in_part(list.name(), block.name); };
+  const auto found = std::find_if(lists.begin(), lists.end(), own);
+  return found == lists.end() ? lists.front() : *found;
+}
+
+}  // namespace ixos

@@ -1,0 +1,129 @@
+#include "scene/read/scene_mesh.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "io/mesh_file.hpp"
+#include "mesh/generators/given.hpp"
+#include "mesh/quality.hpp"
+#include "mesh/soundness.hpp"
+#include "parameters/parameter_entries.hpp"
+#include "parameters/validation.hpp"
+#include "scene/read/mesh_parts.hpp"
+#include "scene/read/mesh_sets.hpp"
+#include "scene/read/obstacle_files.hpp"
+#include "scene/read/parameters.hpp"
+
+namespace ixos {
+#define ENTRY(name) MeshEntry name();
+#include "scene/read/mesh_entries.def"
+#undef ENTRY
+
+const Catalogue<MeshEntry>& meshes() {
+#define ENTRY(name) name(),
+  static const Catalogue<MeshEntry> catalogue(
+      "Type", "Selects a mesh generator, the format of a mesh file (Exodus, Gmsh), or several of them (Parts).",
+      {
+#include "scene/read/mesh_entries.def"
+          parts_mesh()});
+#undef ENTRY
+  return catalogue;
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Checks the cells and adds the sets.
+void finish(const SceneNode& node, Mesh& mesh) {
+  at(node.path(), [&] { check_cells(mesh); });
+  add_sets(node.sublist("Sets"), mesh);
+}
+
+/// Looks for the file of the mesh of one body, if it has one.
+void find_file(Teuchos::ParameterList& body, const std::string& scene_folder) {
+  const MeshEntry& chosen = meshes().chosen(SceneNode(body, "Mesh"));
+  if (!reads_file(chosen)) return;
+  std::string& path = body.sublist(chosen.name).get<std::string>("File");
+  path = path_beside(scene_folder, path);
+}
+
+void find_files(Teuchos::ParameterList& mesh, const std::string& scene_folder) {
+  if (mesh.get<std::string>(meshes().choice()) != parts_mesh_name) return find_file(mesh, scene_folder);
+  Teuchos::ParameterList& parts = mesh.sublist(parts_mesh_name);
+  for (const auto& [name, entry] : entries(parts)) find_file(parts.sublist(name), scene_folder);
+}
+
+}  // namespace
+
+Mesh scene_mesh(Teuchos::ParameterList& list, const std::string& scene_folder) {
+  find_files(list, scene_folder);
+  const SceneNode node(list, "Mesh");
+  Mesh mesh = mapped_mesh(meshes(), node, node.count(cell_order));
+  mesh.axisymmetric = is_axisymmetric(list);
+  finish(node, mesh);
+  return mesh;
+}
+
+Mesh scene_mesh(const Teuchos::ParameterList& list, Mesh given) {
+  given.axisymmetric = given.axisymmetric || is_axisymmetric(list);
+  at("Mesh", [&] {
+    check_arrays(given);
+    refuse_repeated_cells(given);
+  });
+  const SceneNode node(list, "Mesh");
+  apply_order_and_map(node, node.count(cell_order), given);
+  finish(node, given);
+  return given;
+}
+
+Teuchos::ParameterList with_given_mesh(const Teuchos::ParameterList& scene, int dimension, bool axisymmetric) {
+  Teuchos::ParameterList result(scene);
+  if (result.isParameter("Mesh") && !result.isSublist("Mesh")) return result;  // the validation refuses it
+  Teuchos::ParameterList& mesh = result.sublist("Mesh");
+  mesh.set(meshes().choice(), std::string(given_mesh_name));
+  discard_left_out(mesh, scene_parameters().sublist("Mesh"), meshes().choice());
+  mesh.sublist(given_mesh_name).set("Dimension", dimension);
+  if (axisymmetric) mesh.set(geometry_choice, std::string(axisymmetric_geometry));
+  return result;
+}
+
+bool is_axisymmetric(const Teuchos::ParameterList& mesh) {
+  return mesh.isType<std::string>(geometry_choice) && mesh.get<std::string>(geometry_choice) == axisymmetric_geometry;
+}
+
+bool is_from_outside(const SceneNode& list) {
+  const MeshEntry& entry = meshes().chosen(list);
+  return reads_file(entry) || entry.name == given_mesh_name;
+}
+
+std::string size_note(const Teuchos::ParameterList& list, const Mesh& mesh, const UnitSystem& units) {
+  const std::vector<SceneNode> lists = part_lists(SceneNode(list, "Mesh"));
+  const auto d = static_cast<std::size_t>(mesh.dimension);
+  std::vector<std::string> notes;
+  for (const SceneNode& own : lists) {
+    if (!is_from_outside(own)) continue;
+    std::vector<double> lower(d, infinity), upper(d, -infinity);
+    for (const ElementBlock& block : mesh.blocks)
+      for (std::size_t k = 0; k < (list_of(block, lists).path() == own.path() ? block.nodes.size() * d : 0); ++k) {
+        const double x = mesh.coordinates[static_cast<std::size_t>(block.nodes[k / d]) * d + k % d];
+        lower[k % d] = std::min(lower[k % d], x);
+        upper[k % d] = std::max(upper[k % d], x);
+      }
+    std::vector<std::string> plain, si;
+    for (std::size_t i = 0; i < d; ++i) {
+      plain.push_back(fmt::format("{:.6g}", upper[i] - lower[i]));
+      si.push_back(units.text(upper[i] - lower[i], "L0"));
+    }
+    notes.push_back(fmt::format("the {} spans {} L0 = {}",
+                                own.path() == "Mesh" ? "mesh" : "part \"" + own.name() + "\"", fmt::join(plain, " x "),
+                                fmt::join(si, " x ")));
+  }
+  return fmt::format("{}", fmt::join(notes, "; "));
+}
+
+}  // namespace ixos

@@ -1,0 +1,41 @@
+#include "solve/choice/problem_size.hpp"
+
+#include <algorithm>
+
+#include "model/traits.hpp"
+
+namespace ixos {
+
+bool has_quadratic_cells(const LocalMesh& mesh) {
+  return std::all_of(mesh.blocks.begin(), mesh.blocks.end(),
+                     [](const auto& block) { return block.global_cells == 0 || is_quadratic(block.type); });
+}
+
+std::string term_without_coarse(const Model& model) {
+  std::string name;
+  for (const NamedForceTerm& named : model.force_terms()) {
+    const auto action = named.term->create_action();
+    if (action != nullptr && !action->has_coarse()) name = "\"" + named.name + "\"";
+  }
+  return name;
+}
+
+ProblemSize problem_size(const Model& model) {
+  ProblemSize size;
+  size.dimension = model.mesh().dimension;
+  size.dofs = model.space().global();
+  size.ranks = model.space().comm()->getSize();
+  size.width = model.mesh().level_width;
+  size.quadratic = has_quadratic_cells(model.mesh());
+  size.halved = model.mesh().halving != nullptr;
+  if (size.quadratic || size.halved) size.fine_only = term_without_coarse(model);
+  if (has_viscosity(model)) size.asymmetry = size.matrix_only = "the viscosity";
+  for (const NamedForceTerm& named : model.force_terms()) {
+    const std::string name = "\"" + named.name + "\"";
+    if (!named.term->is_gradient(end_rule())) size.asymmetry = name;
+    if (named.term->create_action() == nullptr) size.matrix_only = name;
+  }
+  return size;
+}
+
+}  // namespace ixos

@@ -1,0 +1,50 @@
+/// Newton's method: NOX on a NonlinearProblem.
+#pragma once
+#include <Teuchos_ParameterList.hpp>
+#include <memory>
+#include <string>
+
+#include "base/record.hpp"
+#include "solve/choice/linear_solver.hpp"
+#include "solve/newton/nonlinear_problem.hpp"
+
+namespace ixos {
+
+struct NewtonOptions {
+  double tolerance = 1e-11;      ///< relative: see NonlinearProblem::convergence_bound
+  int maximum_iterations = 100;  ///< NOX iterations; more is a failed solve
+  Teuchos::ParameterList nox;    ///< overrides of NOX's own list
+  double linear_tolerance = 0;   ///< relative residual of the linear solves; 0: a ForcingTerm sets it
+  /// After convergence, solve once more with the last residual and the last tangent, if a factorisation is kept. The
+  /// iteration ends just below its bound, always on the same side: over a million steps such errors add up to a drift.
+  bool corrects = false;
+};
+
+/// The result of a solve. A failure is a status, not an exception.
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;
+  std::string reason;  ///< of a failure, for the user
+};
+
+/// One solver for one problem, kept for the whole run and reset for each solve.
+class NewtonSolver {
+ public:
+  /// Throws InputError if NOX refuses its list.
+  NewtonSolver(NonlinearProblem& problem, const LinearSolverFactory& linear_solver, const NewtonOptions& options);
+  ~NewtonSolver();
+  NewtonSolver(const NewtonSolver&) = delete;
+  NewtonSolver& operator=(const NewtonSolver&) = delete;
+
+  /// Solves f(x) = 0 from the guess x. On failure x is the last iterate. Collective.
+  NewtonResult solve(Vector& x);
+
+  /// Writes or reads, between solves, the state that the linear solver keeps from one matrix to the next. Collective.
+  void transfer(Record& record);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace ixos

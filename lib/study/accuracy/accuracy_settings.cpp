@@ -1,0 +1,69 @@
+#include "study/accuracy/accuracy_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "study/common/tuning.hpp"
+
+namespace ixos {
+namespace {
+
+double smallest_size(const Simulation& simulation) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const BodyNumbers& body : simulation.characteristic_numbers().bodies) size = std::min(size, body.size);
+  return size;
+}
+
+bool has_gap_ratio(const Simulation& simulation) {
+  const auto& all = simulation.interactions();
+  return std::any_of(all.begin(), all.end(), [](const SceneInteraction& interaction) {
+    return interaction.law->domain() == GapDomain::Positive;
+  });
+}
+
+}  // namespace
+
+AccuracySettings first_settings(const Simulation& simulation, double accuracy) {
+  const std::string& scheme = simulation.time_integrator().scheme;
+  const Table& table = simulation.integrator().table();
+  if (table.mass == Inertia::None)
+    throw InputError(
+        "--accuracy: the Time Integrator/Type \"" + scheme +
+        "\" has load steps, which have no estimate of their error; use ixos-study --advise, or another Type");
+  if (table.error_constant == 0)
+    throw InputError("--accuracy: the Time Integrator/Type \"" + scheme +
+                     "\" has no estimate of its local error, by which steps adapt; choose another one, such as \"" +
+                     default_scheme() + "\"");
+  const StepControlOptions& control = simulation.step_control();
+  const AdaptiveOptions& own = control.adaptive;
+  AccuracySettings coarse;
+  coarse.tolerance = own.tolerance > 0 ? own.tolerance : tuning::coarse_accuracy * smallest_size(simulation);
+  if (has_gap_ratio(simulation)) coarse.gap_ratio = own.gap_ratio > 0 ? own.gap_ratio : tuning::coarse_gap_ratio;
+  coarse.longest_step =
+      std::min(control.maximum_step, (control.final_time - control.initial_time) / tuning::coarse_steps);
+  coarse.newton_tolerance = tuning::coarse_newton;
+  return refined(coarse, std::min(1.0, std::sqrt(accuracy / tuning::coarse_accuracy)));
+}
+
+AccuracySettings refined(const AccuracySettings& settings, double part) {
+  const double cube = part * part * part;
+  AccuracySettings finer;
+  finer.tolerance = settings.tolerance * cube;
+  finer.gap_ratio = settings.gap_ratio > 0 ? std::pow(settings.gap_ratio, part) : 0;
+  finer.longest_step = settings.longest_step * part;
+  finer.newton_tolerance = std::max(settings.newton_tolerance * cube, tuning::least_newton);
+  return finer;
+}
+
+Assignments assignments(const AccuracySettings& settings) {
+  const std::string control = "Time Integrator/Time Step Control/", adaptive = control + "Adaptive/";
+  return {control + "Type=Adaptive", fmt::format("{}Tolerance={:.6g}", adaptive, settings.tolerance),
+          fmt::format("{}Maximum Gap Ratio={:.9g}", adaptive, settings.gap_ratio),
+          fmt::format("{}Maximum Time Step={:.6g}", adaptive, settings.longest_step),
+          fmt::format("Nonlinear Solver/Tolerance={:.3g}", settings.newton_tolerance)};
+}
+
+}  // namespace ixos

@@ -1,0 +1,101 @@
+#include "study/advice/advice_mesh.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Teuchos_Array.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "parameters/parameter_entries.hpp"
+#include "study/common/tuning.hpp"
+
+namespace ixos {
+namespace {
+
+using List = Teuchos::ParameterList;
+
+/// A number of cells that a generator takes, and its place.
+struct CellCount {
+  std::string path;          ///< of the parameter
+  std::vector<int> numbers;  ///< along each edge; one for a parameter that is no array
+  bool array = false;
+  int step = 1;   ///< the numbers must be multiples of it
+  int power = 1;  ///< of the refinement in the number: 1 along an edge, 3 in a volume
+};
+
+/// Adds the numbers of a list that chooses a generator. Returns why there are none; empty if there are some.
+std::string add_counts(const List& mesh, const std::string& path, std::vector<CellCount>& counts, int& dimension) {
+  const std::string& type = mesh.get<std::string>("Type");
+  if (type == "Parts") {
+    for (const auto& [name, entry] : entries(mesh.sublist("Parts"))) {
+      if (!entry.isList()) continue;
+      std::string part = path;
+      part.append("/Parts/").append(name);
+      std::string why = add_counts(mesh.sublist("Parts").sublist(name), part, counts, dimension);
+      if (!why.empty()) return why;
+    }
+    return {};
+  }
+  if (!mesh.isSublist(type)) return "the mesh is not made by a generator";
+  const List& made = mesh.sublist(type);
+  if (type == "Box") {
+    dimension = made.get<int>("Dimension");
+    const std::vector<int> divisions = made.get<Teuchos::Array<int>>("Divisions").toVector();
+    counts.push_back({path + "/Box/Divisions", divisions, true, 1, 1});
+  } else if (type == "Disk") {
+    counts.push_back({path + "/Disk/Core Divisions", {made.get<int>("Core Divisions")}, false, 2, 1});
+    counts.push_back({path + "/Disk/Rings", {made.get<int>("Rings")}, false, 1, 1});
+  } else if (type == "Spatula" && made.get<int>("Stations") == 0) {
+    dimension = 3;
+    counts.push_back({path + "/Spatula/Target Cells", {made.get<int>("Target Cells")}, false, 1, 3});
+  } else {
+    return "the mesh " + type + " has no parameter that refines it";
+  }
+  return {};
+}
+
+/// Returns the level with 2^k times the numbers along an edge; one without settings if they are no whole numbers.
+AdviceLevel level(const std::vector<CellCount>& counts, int k) {
+  AdviceLevel result{"", std::pow(2.0, -k), {}};
+  for (const CellCount& count : counts) {
+    std::vector<int> numbers;
+    for (int number : count.numbers) {
+      const double scaled = number * std::pow(2.0, k * count.power);
+      const bool volume = count.power > 1;
+      const double rounded = volume ? std::round(scaled) : scaled;
+      const double least = volume ? 200 : std::min(count.step * tuning::fewest_cells, number);
+      if (rounded != std::floor(rounded) || rounded < least ||
+          rounded > (volume ? 2e7 : tuning::most_cells_along_an_edge) || std::fmod(rounded, count.step) != 0)
+        return {"", 0, {}};
+      numbers.push_back(static_cast<int>(rounded));
+    }
+    const std::string text = fmt::format("{}", fmt::join(numbers, ", "));
+    result.settings.push_back(count.path + "=" + (count.array ? "{" + text + "}" : text));
+    result.label += (result.label.empty() ? "" : ", ") + fmt::format("{}", fmt::join(numbers, " x "));
+  }
+  return result;
+}
+
+}  // namespace
+
+MeshLevels mesh_levels(const List& mesh) {
+  MeshLevels result;
+  std::vector<CellCount> counts;
+  result.note = add_counts(mesh, "Mesh", counts, result.dimension);
+  if (!result.note.empty()) {
+    result.levels = {{"as given", 1, {}}};
+    return result;
+  }
+  int coarsest = 0;
+  while (coarsest > -tuning::coarser_meshes && level(counts, coarsest - 1).size > 0) --coarsest;
+  for (int k = coarsest; k <= tuning::finer_meshes; ++k) {
+    const AdviceLevel next = level(counts, k);
+    if (next.size == 0) break;
+    result.levels.push_back(next);
+  }
+  result.scene_level = static_cast<std::size_t>(-coarsest);
+  return result;
+}
+
+}  // namespace ixos

@@ -1,0 +1,102 @@
+/// The cells of a block in SIMD batches, at their quadrature points.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "base/pack.hpp"
+#include "base/small_matrix.hpp"
+#include "discretization/cell_quadrature.hpp"
+#include "discretization/element_batches.hpp"
+#include "discretization/pattern.hpp"
+#include "mesh/local_mesh.hpp"
+#include "term/force_term.hpp"
+
+namespace ixos {
+
+/// The data of a block that all its terms need: places for gathering and scattering, and the geometry of a kernel.
+template <class Kernel>
+struct BlockCells {
+  using Element = typename Kernel::Shape;
+  static constexpr std::size_t D = Kernel::D;
+  static constexpr std::size_t N = Kernel::N;
+  using Nodal = typename Kernel::template Nodal<Pack>;
+  using CellTangent = typename Kernel::template Tangent<Pack>;
+  using Geometry = typename Kernel::template Geometry<Pack>;
+
+  /// `points`: quadrature points along an edge of a cell; 0 for the element's own number.
+  BlockCells(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern, int points)
+      : batches(block.nodes, pattern, node_scales(block)), table(cell_rule<Element>(block, points), block.tied) {
+    geometry.reserve(batches.size());
+    owned.reserve(batches.size());
+    for (std::size_t b = 0; b < batches.size(); ++b) {
+      geometry.push_back(Kernel::geometry(table, gathered(b, mesh.coordinates.data())));
+      owned.emplace_back(
+          [&](auto lane) { return lane < batches.lanes(b) && block.owned[number(b, lane)] != 0 ? 1.0 : 0.0; });
+    }
+  }
+  BlockCells(const BlockCells&) = delete;  // geometries may refer to the table
+  BlockCells& operator=(const BlockCells&) = delete;
+
+  std::size_t size() const { return batches.size(); }
+  /// Returns the number of a lane's cell in the block.
+  static std::size_t number(std::size_t b, std::size_t lane) { return b * static_cast<std::size_t>(pack_width) + lane; }
+
+  /// Returns the nodal values of a local array in a batch.
+  Nodal gathered(std::size_t b, const double* local) const {
+    Nodal values;
+    batches.gather(b, local, values);
+    return values;
+  }
+
+  /// Adds the sums of the magnitudes of a tangent's rows.
+  void scatter_row_sums(std::size_t b, const CellTangent& tangent, double* sums) const {
+    Nodal rows{};
+    for (std::size_t r = 0; r < N * D; ++r)
+      for (std::size_t c = 0; c < N * D; ++c) rows[r / D][r % D] += std::experimental::abs(tangent[r][c]);
+    batches.scatter_force(b, rows, sums);
+  }
+
+  ElementBatches<N, D> batches;
+  typename Kernel::Table table;
+  std::vector<Geometry> geometry;  ///< by batch
+  std::vector<Pack> owned;         ///< by batch: 1 for cells whose energy counts on this rank, else 0
+};
+
+/// A segment's arrays at one batch; absent arrays stay null.
+template <class Kernel>
+class GatheredSegment {
+ public:
+  GatheredSegment(const ElementBatches<Kernel::N, Kernel::D>& batches, std::size_t b, const Segment& segment)
+      : has_from_(segment.from != nullptr), has_velocity_(segment.velocity != nullptr) {
+    batches.gather(b, segment.to, to_);
+    if (has_from_) batches.gather(b, segment.from, from_);
+    if (has_velocity_) batches.gather(b, segment.velocity, velocity_);
+  }
+  typename Kernel::template Segment<Pack> segment() const {
+    return {has_from_ ? &from_ : nullptr, has_velocity_ ? &velocity_ : nullptr, &to_};
+  }
+
+ private:
+  bool has_from_, has_velocity_;
+  typename BlockCells<Kernel>::Nodal to_, from_, velocity_;
+};
+
+/// Gradients of a local array at the points of a batch.
+template <class Kernel>
+class CellGradients {
+ public:
+  CellGradients(const BlockCells<Kernel>& cells, std::size_t b, const double* local)
+      : CellGradients(cells, b, cells.gathered(b, local)) {}
+  CellGradients(const BlockCells<Kernel>& cells, std::size_t b, const typename BlockCells<Kernel>::Nodal& values)
+      : geometry_(cells.geometry[b]), values_(values) {}
+
+  Small<Pack, Kernel::G> operator()(std::size_t q) const {
+    return Kernel::gradient(values_, Kernel::shape_gradients(geometry_, q));
+  }
+
+ private:
+  const typename BlockCells<Kernel>::Geometry& geometry_;
+  typename BlockCells<Kernel>::Nodal values_;
+};
+
+}  // namespace ixos

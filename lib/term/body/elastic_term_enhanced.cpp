@@ -1,0 +1,17 @@
+#include "term/body/elastic_term_impl.hpp"
+
+#include <stdexcept>
+
+#include "element/enhanced_kernel.hpp"
+#include "fem/reference_elements.hpp"
+
+namespace ixos {
+
+std::unique_ptr<Elasticity> make_enhanced_term(const LocalMesh& mesh, const LocalBlock& block, const Pattern& pattern,
+                                               const std::shared_ptr<const ElasticLaw>& law, int points) {
+  if (block.type == CellType::Quad4) return make_kernel_term<EnhancedKernel, Quad4>(mesh, block, pattern, law, points);
+  if (block.type == CellType::Hex8) return make_kernel_term<EnhancedKernel, Hex8>(mesh, block, pattern, law, points);
+  throw std::logic_error("these cells have Standard elements only");
+}
+
+}  // namespace ixos

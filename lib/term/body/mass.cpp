@@ -1,0 +1,187 @@
+#include "term/body/mass.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+#include "base/small_matrix.hpp"
+#include "fem/jacobian.hpp"
+#include "fem/revolved.hpp"
+#include "fem/shape_table.hpp"
+#include "fem/with_element.hpp"
+
+namespace ixos {
+namespace {
+
+/// Returns the factor of an element matrix's diagonal in the lumped mass: the mass over the diagonal's sum.
+template <std::size_t N>
+double diagonal_scale(const Small<double, N>& element) {
+  double mass = 0, diagonal = 0;
+  for (std::size_t a = 0; a < N; ++a) {
+    diagonal += element[a][a];
+    for (std::size_t b = 0; b < N; ++b) mass += element[a][b];
+  }
+  return mass / diagonal;
+}
+
+template <class Element>
+void add(const LocalMesh& mesh, const LocalBlock& block, double density, const Pattern& pattern, bool lumped,
+         std::vector<double>& pairs) {
+  constexpr std::size_t D = Element::dimension;
+  constexpr std::size_t N = Element::nodes;
+  const ShapeTable<Element> table(mass_rule<Element>(), block.tied);
+  for (int cell = 0; cell < block.cells(); ++cell) {
+    const int* nodes = &block.nodes[cell_entry(cell, N)];
+    const auto scale = cell_scales<Element>(block, cell);
+    Small<double, N> element{};
+    for (std::size_t q = 0; q < table.size(); ++q) {
+      double weight =
+          density * table.weight[q] * determinant(jacobian<D>(mesh.coordinates, nodes, scale, table.gradient[q]));
+      if (mesh.axisymmetric) weight *= circumference(mesh.coordinates, nodes, scale, table.value[q]);
+      for (std::size_t a = 0; a < N; ++a)
+        for (std::size_t b = 0; b < N; ++b)
+          element[a][b] += weight * scale[a] * table.value[q][a] * scale[b] * table.value[q][b];
+    }
+    const bool scaled = lumped && is_quadratic(block.type);
+    const double scale_of_diagonal = scaled ? diagonal_scale(element) : 1;
+    for (std::size_t a = 0; a < N; ++a) {
+      if (nodes[a] >= pattern.rows()) continue;
+      if (scaled) {
+        pairs[static_cast<std::size_t>(nodes[a])] += scale_of_diagonal * element[a][a];
+        continue;
+      }
+      for (std::size_t b = 0; b < N; ++b)
+        pairs[static_cast<std::size_t>(lumped ? nodes[a] : pattern.pair(nodes[a], nodes[b]))] += element[a][b];
+    }
+  }
+}
+
+template <std::size_t D>
+void multiply_rows(const Pattern& pattern, const std::vector<double>& pairs, const double* x, double* y) {
+  const std::vector<int>& start = pattern.row_start();
+  const std::vector<int>& column = pattern.columns();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    // Four sums in turn: one would wait for itself.
+    std::array<std::array<double, D>, 4> sum{};
+    auto p = static_cast<std::size_t>(start[row]);
+    const auto end = static_cast<std::size_t>(start[row + 1]);
+    const auto add = [&](std::size_t turn) {
+      const double* source = x + static_cast<std::size_t>(column[p + turn]) * D;
+      for (std::size_t d = 0; d < D; ++d) sum[turn][d] += pairs[p + turn] * source[d];
+    };
+    for (; p + 4 <= end; p += 4)
+      for (std::size_t turn = 0; turn < 4; ++turn) add(turn);
+    for (; p < end; ++p) add(0);
+    for (std::size_t d = 0; d < D; ++d) y[row * D + d] = (sum[0][d] + sum[1][d]) + (sum[2][d] + sum[3][d]);
+  }
+}
+
+}  // namespace
+
+Mass::Mass(const LocalMesh& mesh, const Pattern& pattern, bool lumped)
+    : mesh_(mesh),
+      pattern_(pattern),
+      lumped_(lumped),
+      pairs_(static_cast<std::size_t>(lumped ? pattern.rows() : pattern.pairs()), 0.0) {}
+
+void Mass::add_block(const LocalBlock& block, double density) {
+  if (lumped_ && is_hermite(block.type))
+    throw InputError("block \"" + block.name +
+                     "\": a Hermite contact element (Q1CH) has no lumped mass, which explicit schemes need");
+  bodies_.push_back({&block, density});
+  integrate(block, density);
+}
+
+void Mass::place() {
+  pairs_.assign(static_cast<std::size_t>(lumped_ ? pattern_.rows() : pattern_.pairs()), 0.0);
+  for (const Body& body : bodies_) integrate(*body.block, body.density);
+}
+
+void Mass::integrate(const LocalBlock& block, double density) {
+  with_element(block.type, [&](auto element) {
+    add<typename decltype(element)::type>(mesh_, block, density, pattern_, lumped_, pairs_);
+  });
+}
+
+void Mass::divide(const double* y, double* x) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  for (std::size_t i = 0; i < pairs_.size() * d; ++i) x[i] = y[i] / pairs_[i / d];
+}
+
+double Mass::largest_quotient(const double* y) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  double largest = 0;
+  for (std::size_t i = 0; i < pairs_.size() * d; ++i) largest = std::max(largest, y[i] / pairs_[i / d]);
+  return largest;
+}
+
+void Mass::multiply(const double* x, double* y) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  if (lumped_)
+    for (std::size_t i = 0; i < pairs_.size() * d; ++i) y[i] = pairs_[i / d] * x[i];
+  else if (mesh_.dimension == 2)
+    multiply_rows<2>(pattern_, pairs_, x, y);
+  else
+    multiply_rows<3>(pattern_, pairs_, x, y);
+}
+
+void Mass::add_to(double factor, double* values) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  const std::vector<int>& start = pattern_.row_start();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    const auto first = static_cast<std::size_t>(start[row]);
+    const std::size_t length = static_cast<std::size_t>(start[row + 1]) - first;
+    double* block = values + d * d * first;
+    if (lumped_) {
+      const auto node = static_cast<int>(row);
+      for (int i = 0; i < mesh_.dimension; ++i)
+        values[pattern_.offset(node, node) + pattern_.stride(node) * i + i] += factor * pairs_[row];
+      continue;
+    }
+    for (std::size_t p = 0; p < length; ++p) {
+      const double m = factor * pairs_[first + p];
+      for (std::size_t i = 0; i < d; ++i) block[d * length * i + d * p + i] += m;
+    }
+  }
+}
+
+namespace {
+
+template <std::size_t D>
+void set_rows(const Pattern& pattern, const std::vector<double>& pairs, double factor, double* values) {
+  const std::vector<int>& start = pattern.row_start();
+  for (std::size_t row = 0; row + 1 < start.size(); ++row) {
+    const auto first = static_cast<std::size_t>(start[row]);
+    const std::size_t length = static_cast<std::size_t>(start[row + 1]) - first;
+    for (std::size_t p = 0; p < length; ++p) {
+      const double m = factor * pairs[first + p];
+      for (std::size_t i = 0; i < D; ++i)
+        for (std::size_t j = 0; j < D; ++j) values[D * (length * i + p) + j] = i == j ? m : 0.0;
+    }
+    values += D * D * length;
+  }
+}
+
+}  // namespace
+
+void Mass::set(double factor, double* values) const {
+  const auto d = static_cast<std::size_t>(mesh_.dimension);
+  if (lumped_) {
+    std::fill_n(values, static_cast<std::size_t>(pattern_.pairs()) * d * d, 0.0);
+    add_to(factor, values);
+  } else if (d == 2) {
+    set_rows<2>(pattern_, pairs_, factor, values);
+  } else {
+    set_rows<3>(pattern_, pairs_, factor, values);
+  }
+}
+
+void Mass::add_diagonal(double factor, double* d) const {
+  const auto dimension = static_cast<std::size_t>(mesh_.dimension);
+  for (int row = 0; row < pattern_.rows(); ++row) {
+    const double m = pairs_[static_cast<std::size_t>(lumped_ ? row : pattern_.pair(row, row))];
+    for (std::size_t i = 0; i < dimension; ++i) d[static_cast<std::size_t>(row) * dimension + i] += factor * m;
+  }
+}
+
+}  // namespace ixos

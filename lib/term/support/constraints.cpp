@@ -1,0 +1,81 @@
+#include "term/support/constraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/error.hpp"
+
+namespace ixos {
+namespace {
+
+/// Without a motion the factor does not matter: both are held at zero.
+bool are_same(const MotionShare& a, const MotionShare& b) {
+  return a.motion == b.motion && (a.motion == nullptr || a.factor == b.factor);
+}
+
+}  // namespace
+
+void Constraints::check(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) const {
+  check(dof, {{factor, motion}});
+}
+
+void Constraints::check(int dof, const std::vector<MotionShare>& shares) const {
+  if (!holds(dof)) return;
+  std::vector<MotionShare> known;
+  for (auto k = static_cast<std::size_t>(index_[dof_index(dof)]); k < entries_.size() && entries_[k].dof == dof; ++k)
+    known.push_back({entries_[k].factor, motions_[entries_[k].motion]});
+  const std::vector<MotionShare> held{{0.0, nullptr}};
+  const std::vector<MotionShare>& wanted = shares.empty() ? held : shares;
+  if (!std::equal(known.begin(), known.end(), wanted.begin(), wanted.end(), are_same))
+    throw InputError("two conditions prescribe different motions for one degree of freedom");
+}
+
+void Constraints::add(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {
+  add(dof, {{factor, motion}});
+}
+
+void Constraints::add(int dof, const std::vector<MotionShare>& shares) {
+  if (closed_)
+    throw std::logic_error("a constraint is added after an integrator or an evaluator was made of the model");
+  check(dof, shares);
+  if (holds(dof)) return;
+  if (index_.size() <= dof_index(dof)) index_.resize(dof_index(dof) + 1, -1);
+  index_[dof_index(dof)] = static_cast<int>(entries_.size());
+  dofs_.push_back(dof);
+  if (shares.empty()) return push(dof, 0.0, nullptr);
+  for (const auto& [factor, motion] : shares) push(dof, factor, motion);
+}
+
+void Constraints::push(int dof, double factor, const std::shared_ptr<const TimeFunction>& motion) {
+  auto found = std::find(motions_.begin(), motions_.end(), motion);
+  if (found == motions_.end()) found = motions_.insert(found, motion);
+  entries_.push_back({dof, static_cast<std::size_t>(found - motions_.begin()), factor});
+  driven_ = driven_ || motion != nullptr;
+}
+
+void Constraints::set(double time, double* u, double* v, double* a) const {
+  std::vector<TimeValue> values;
+  values.reserve(motions_.size());
+  for (const auto& motion : motions_) values.push_back(motion ? motion->at(time) : TimeValue{});
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const auto& [dof, motion, factor] = entries_[k];
+    const TimeValue& value = values[motion];
+    const bool first = k == 0 || entries_[k - 1].dof != dof;
+    const auto put = [first, i = dof_index(dof)](double* x, double part) {
+      if (x != nullptr) x[i] = first ? part : x[i] + part;
+    };
+    put(u, factor * value.value);
+    put(v, factor * value.rate);
+    put(a, factor * value.acceleration);
+  }
+}
+
+bool Constraints::are_finite(double time) const {
+  return std::all_of(motions_.begin(), motions_.end(), [time](const auto& motion) {
+    const TimeValue f = motion ? motion->at(time) : TimeValue{};
+    return std::isfinite(f.value) && std::isfinite(f.rate) && std::isfinite(f.acceleration);
+  });
+}
+
+}  // namespace ixos

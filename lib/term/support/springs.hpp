@@ -1,0 +1,96 @@
+/// Springs and dashpots between nodes and places that a motion drives.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "term/force_term.hpp"
+#include "term/rate_term.hpp"
+#include "term/support/constraints.hpp"
+#include "term/support/loads.hpp"
+
+namespace ixos {
+
+/// A stiffness k [E0 L0^(D-2)] or a damping c [E0 L0^(D-2) T0] of local degrees of freedom, and the displacement
+/// w(t) of their other ends. The force on a node is k (w - u) or c (w' - v). Its parts k w and c w' are loads; the
+/// terms below add k u and c v, so that every scheme treats them as it treats elasticity, damping and loads.
+struct DrivenEnds {
+  std::vector<int> dofs;
+  std::vector<double> coefficients;       ///< parallel to dofs
+  std::shared_ptr<const Constraints> to;  ///< w of the same degrees of freedom
+};
+
+/// Returns w (and w') as local arrays of that size, zero elsewhere.
+std::vector<double> places_of(const DrivenEnds& ends, double time, std::size_t local);
+std::vector<double> rates_of(const DrivenEnds& ends, double time, std::size_t local);
+
+/// The term k u. Its energy is sum k u^2/2; stretch_energy() is what the springs store beyond that.
+class Springs final : public ForceTerm {
+ public:
+  Springs(DrivenEnds ends, const Pattern& pattern, std::size_t local);
+
+  Part part() const override { return Part::Elastic; }
+  void place(const Pattern& pattern) override;
+  bool add_force(const Segment& segment, const Rule& rule, double* f) const override;
+  void add_tangent(const Segment& segment, const Rule& rule, Tangent kind, double* values) const override;
+  std::unique_ptr<TangentAction> create_action() const override;
+  bool add_row_sums(const Segment& segment, double* sums) const override;
+  double energy(const Place& at) const override;
+  /// The factor of all stiffnesses, 1 at first, of which the load k w is no part.
+  std::vector<std::string> parameters() const override { return {"Stiffness Factor"}; }
+  bool add_parameter_derivative(std::size_t, const Segment& segment, const Rule& rule, double* f) const override {
+    return add_force(segment, rule, f);
+  }
+
+  /// The driven work is that of the driven ends, less that of the load k w: the change of stretch_energy().
+  StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;
+
+  /// Returns this rank's share of sum k (u - w)^2/2 - k u^2/2 [E0 L0^D].
+  double stretch_energy(double time, const double* u) const;
+  /// Adds the gradient of stretch_energy() by u, -k w, to a local array [E0 L0^(D-1)].
+  void add_stretch_gradient(double time, double* f) const;
+  const DrivenEnds& ends() const { return ends_; }
+
+ private:
+  DrivenEnds ends_;
+  std::size_t owned_, local_;        ///< degrees of freedom
+  std::vector<std::size_t> places_;  ///< of the diagonal entries, parallel to dofs; ghosts have none
+};
+
+/// The term c v. It dissipates c (v - w')^2.
+class Dashpots final : public RateTerm {
+ public:
+  Dashpots(DrivenEnds ends, const Pattern& pattern, std::size_t local);
+
+  void place(const Pattern& pattern) override;
+  bool is_gradient(RateForm) const override { return true; }
+  void begin_stage(const StageStart& start, StepMemories& step) const override;
+  void add_force(const Place& at, double* f) const override;
+  void add_tangent(const Place& at, double* values) const override;
+  double potential(const Place& at) const override;
+  void add_force_at(double factor, const double* u, const double* v, double* f) const override;
+  void add_tangent_at(double by_velocity, double by_displacement, const double* u, const double* v,
+                      double* values) const override;
+  void add_row_sums(const double* u, double* sums) const override;
+  /// The driven work is that of the driven ends, less that of the load c w'.
+  StepWork accept(const AcceptedStep& step, TermHistories& histories) const override;
+
+  /// Adds factor c to the diagonal d, a local array.
+  void add_diagonal(double factor, double* d) const;
+  const DrivenEnds& ends() const { return ends_; }
+
+ protected:
+  std::unique_ptr<StepMemory> create_memory() const override;
+
+ private:
+  struct Memory;
+  const Memory& memory(const StepMemories* step) const;
+  double dissipated(const AcceptedStep& step, bool relative) const;
+
+  DrivenEnds ends_;
+  std::size_t owned_, local_;
+  std::vector<std::size_t> places_;
+};
+
+}  // namespace ixos

@@ -1,0 +1,331 @@
+#include "term/wall/moved_interaction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ixos {
+namespace {
+
+const RulePoint end_point{1, 0, 0, 1};
+
+/// Returns whether the point is the segment's end.
+bool is_end(const RulePoint& point) {
+  return point.to == 1 && point.from == 0 && point.velocity == 0 && point.time == 1;
+}
+
+}  // namespace
+
+MovedInteraction::MovedInteraction(std::unique_ptr<Interaction> fixed, const RigidMotion& motion, const LocalMesh& mesh,
+                                   const std::vector<LocalSide>& sides, const Pattern& pattern)
+    : fixed_(std::move(fixed)), frame_(motion, mesh, sides, pattern), pattern_(&pattern) {
+  const auto local = static_cast<std::size_t>(mesh.nodes()) * static_cast<std::size_t>(mesh.dimension);
+  for (std::vector<double>* array : {&from_, &to_, &change_, &force_}) array->resize(local);
+}
+
+void MovedInteraction::place(const Pattern& pattern) {
+  fixed_->place(pattern);
+  frame_.place(pattern);
+  pattern_ = &pattern;
+}
+
+double MovedInteraction::see_ends(const Segment& segment, RigidPose& end) const {
+  const RigidPose start = frame_.pose(segment.start);
+  end = frame_.pose(segment.time(end_point));
+  frame_.see(start, segment.from, from_);
+  frame_.see(end, segment.to, to_);
+  return (start.angle + end.angle) / 2;
+}
+
+bool MovedInteraction::is_finite(double time) const {
+  const RigidPose pose = frame_.pose(time);
+  double sum = pose.angle + pose.spin;
+  for (std::size_t i = 0; i < 3; ++i) sum += pose.translation[i] + pose.velocity[i];
+  return std::isfinite(sum);
+}
+
+Place MovedInteraction::seen(const Place& at) const {
+  frame_.see(frame_.pose(at.time), at.u, to_);
+  return {to_.data(), at.time, at.histories, at.step};
+}
+
+/// A mean over the step of an obstacle that turns has no potential: its force is not turned as its end is.
+bool MovedInteraction::is_gradient(const Rule& asked) const {
+  const Rule& rule = fixed_->followed(asked);
+  return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
+}
+
+/// What the interaction keeps at each point of a rule, or of its mean.
+struct MovedInteraction::Kept final : KeptPoints {
+  std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet
+
+  /// Returns the part of point k, or null if the tangent has another weight there than the force.
+  KeptPoints* part(std::size_t k, const RulePoint& point) const { return point.to == 1 ? parts[k].get() : nullptr; }
+};
+
+std::unique_ptr<KeptPoints> MovedInteraction::create_kept() const {
+  if (fixed_->create_kept() == nullptr) return nullptr;
+  return std::make_unique<Kept>();
+}
+
+bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, double* f) const {
+  return add_force(segment, asked, nullptr, f);
+}
+
+bool MovedInteraction::add_force_and_keep(const Segment& segment, const Rule& asked, KeptPoints& kept,
+                                          double* f) const {
+  auto& parts = static_cast<Kept&>(kept).parts;
+  const Rule& rule = fixed_->followed(asked);
+  parts.resize(rule.mean == Mean::Points ? rule.points.size() : 1);
+  for (std::unique_ptr<KeptPoints>& part : parts)
+    if (!part) part = fixed_->create_kept();
+  return add_force(segment, asked, &static_cast<Kept&>(kept), f);
+}
+
+bool MovedInteraction::add_force(const Segment& segment, const Rule& asked, Kept* kept, double* f) const {
+  return add_forces(
+      segment, asked, kept,
+      [&](const Segment& inside, const Rule& own, KeptPoints* part) {
+        return part != nullptr ? fixed_->add_force_and_keep(inside, own, *part, force_.data())
+                               : fixed_->add_force(inside, own, force_.data());
+      },
+      f);
+}
+
+template <class Add>
+bool MovedInteraction::add_forces(const Segment& segment, const Rule& asked, Kept* kept, const Add& add,
+                                  double* f) const {
+  const Rule& rule = fixed_->followed(asked);
+  bool admissible = true, end_is_seen = false;
+  std::size_t k = 0;
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
+    KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
+    admissible = add(here(segment), end_rule(point.weight), part) && admissible;
+    frame_.add_moved(pose, pose.angle, force_, f);
+    end_is_seen = end_is_seen || is_end(point);
+  });
+  if (rule.mean != Mean::Points) {
+    RigidPose end;
+    const double angle = see_ends(segment, end);
+    admissible = add(ends(segment), rule, kept != nullptr ? kept->parts[0].get() : nullptr) && admissible;
+    frame_.add_moved(end, angle, force_, f);
+  } else if (!end_is_seen) {
+    // The end must be admissible, too. The weight is 0; a force beyond the law's domain may be no number.
+    frame_.see(frame_.pose(segment.time(end_point)), segment.to, to_);
+    admissible = fixed_->add_force(here(segment), end_rule(0), force_.data()) && admissible;
+    frame_.clear(force_);
+  }
+  return admissible;
+}
+
+void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, double* values) const {
+  add_tangent(segment, asked, kind, nullptr, values);
+}
+
+void MovedInteraction::add_kept_tangent(const Segment& segment, const Rule& asked, Tangent kind, const KeptPoints& kept,
+                                        double* values) const {
+  add_tangent(segment, asked, kind, &static_cast<const Kept&>(kept), values);
+}
+
+void MovedInteraction::add_tangent(const Segment& segment, const Rule& asked, Tangent kind, const Kept* kept,
+                                   double* values) const {
+  const Rule& rule = fixed_->followed(asked);
+  // The tangent of a turned frame is R_left K R_right^T: the values are turned into the frame and back.
+  const auto add = [&](const RigidPose& pose, double left, double right, const Segment& inside, const Rule& own,
+                       const KeptPoints* part) {
+    if (frame_.turns()) frame_.turn_blocks(pose, left, right, false, values);
+    if (part != nullptr)
+      fixed_->add_kept_tangent(inside, own, kind, *part, values);
+    else
+      fixed_->add_tangent(inside, own, kind, values);
+    if (frame_.turns()) frame_.turn_blocks(pose, left, right, true, values);
+  };
+  std::size_t k = 0;
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) {
+    const KeptPoints* part = kept != nullptr ? kept->part(k++, point) : nullptr;
+    add(pose, pose.angle, pose.angle, here(segment), end_rule(point.weight * point.to), part);
+  });
+  if (rule.mean == Mean::Points) return;
+  RigidPose end;
+  const double angle = see_ends(segment, end);
+  add(end, angle, end.angle, ends(segment), rule, kept != nullptr ? kept->parts[0].get() : nullptr);
+}
+
+bool MovedInteraction::add_row_sums(const Segment& segment, double* sums) const {
+  const RigidPose pose = frame_.pose(segment.time(end_point));
+  frame_.see(pose, segment.to, to_);
+  const bool admissible = fixed_->add_row_sums(here(segment), force_.data());
+  frame_.add_row_sums(pose, force_, sums);
+  return admissible;
+}
+
+bool MovedInteraction::has_time_derivative(const Rule& rule) const {
+  return fixed_->followed(rule).mean == Mean::Points && !fixed_->has_history();
+}
+
+/// With f = R f_0(u seen): a node at rest moves in the frame with minus the velocity of the obstacle there, and R
+/// turns.
+void MovedInteraction::add_time_derivative(const Segment& segment, const Rule& asked, double* f) const {
+  const auto d = static_cast<std::size_t>(pattern_->dimension());
+  std::vector<double> tangent;
+  at_points(segment, fixed_->followed(asked), [&](const RulePoint& point, const RigidPose& pose) {
+    const Rule here_only = end_rule(point.weight);
+    fixed_->add_force(here(segment), here_only, force_.data());
+    frame_.add_turning_rate(pose, force_, f);
+    frame_.clear(force_);
+    tangent.assign(static_cast<std::size_t>(pattern_->pairs()) * d * d, 0.0);
+    fixed_->add_tangent(here(segment), here_only, Tangent::Exact, tangent.data());
+    frame_.see_velocity(pose, to_, change_);
+    pattern_->for_each_row(tangent.data(), [&](int row, const auto& entries) {
+      entries([&](int column, double value) {
+        force_[static_cast<std::size_t>(row)] -= value * change_[static_cast<std::size_t>(column)];
+      });
+    });
+    frame_.add_moved(pose, pose.angle, force_, f);
+  });
+}
+
+bool MovedInteraction::add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                                double* f) const {
+  return add_forces(
+      segment, rule, nullptr,
+      [&](const Segment& inside, const Rule& own, KeptPoints*) {
+        return fixed_->add_parameter_derivative(parameter, inside, own, force_.data());
+      },
+      f);
+}
+
+double MovedInteraction::energy(const Place& at) const { return fixed_->energy(seen(at)); }
+
+double MovedInteraction::work(const Segment& segment, const Rule& asked) const {
+  const Rule& rule = fixed_->followed(asked);
+  double work = 0;
+  const auto add_power = [&](double weight, const RigidPose& pose) {
+    fixed_->add_force(here(segment), end_rule(), force_.data());
+    work -= segment.length * weight * frame_.power(pose, force_, to_);
+    frame_.clear(force_);
+  };
+  at_points(segment, rule, [&](const RulePoint& point, const RigidPose& pose) { add_power(point.weight, pose); });
+  if (rule.kept_weight != 0) {
+    const RigidPose pose = frame_.pose(segment.start);
+    frame_.see(pose, segment.from, to_);
+    add_power(rule.kept_weight, pose);
+  }
+  if (rule.mean == Mean::Points) return work;
+  RigidPose end;
+  const double angle = see_ends(segment, end);
+  fixed_->add_force(ends(segment), rule, force_.data());
+  work += frame_.work(end, angle, force_, from_, to_, segment.from, segment.to);
+  frame_.clear(force_);
+  return work;
+}
+
+double MovedInteraction::admissible_step(const Segment& segment, const Rule& rule, const double* direction) const {
+  if (!needs_positive_gaps()) return 1;
+  double step = 1;
+  bool end_is_seen = false;
+  const auto restrict_at = [&](const RulePoint& point, const RigidPose& pose) {
+    frame_.see_change(pose, point.to, direction, change_);
+    step = std::min(step, fixed_->admissibility().admissible_step(here(segment), Rule{}, change_.data()));
+    end_is_seen = end_is_seen || is_end(point);
+  };
+  at_points(segment, rule, restrict_at);
+  if (!end_is_seen) at_points(segment, end_rule(), restrict_at);
+  return step;
+}
+
+double MovedInteraction::mean_potential(const Segment& segment) const {
+  RigidPose end;
+  see_ends(segment, end);
+  return fixed_->mean_potential(ends(segment));
+}
+
+double MovedInteraction::gap_ratio(const Segment& way) const {
+  RigidPose end;
+  see_ends(way, end);
+  return fixed_->admissibility().gap_ratio(ends(way));
+}
+
+double MovedInteraction::rounding(const Place& at) const { return fixed_->rounding(seen(at)); }
+
+void MovedInteraction::report(const Place& at, InteractionReport& report) const {
+  InteractionReport own;
+  fixed_->reports().report(seen(at), own);
+  const RigidPose pose = frame_.pose(at.time);
+  std::array<double, 3> force{};
+  std::copy(own.force.begin(), own.force.end(), force.begin());
+  const std::array<double, 3> turning = pose.turning(pose.angle, force);
+  report.force.resize(own.force.size(), 0.0);
+  for (std::size_t i = 0; i < own.force.size(); ++i) report.force[i] += force[i] + turning[i];
+  report.measure += own.measure;
+  report.least_gap = std::min(report.least_gap, own.least_gap);
+}
+
+LowestPoint MovedInteraction::lowest_point(const Place& at) const {
+  LowestPoint point = fixed_->admissibility().lowest_point(seen(at));
+  point.place = MovingFrame::from_frame(frame_.pose(at.time), point.place);
+  return point;
+}
+
+LowestPoint MovedInteraction::passage(const Segment& way) const {
+  RigidPose end;
+  see_ends(way, end);
+  if (std::abs(end.angle - frame_.pose(way.start).angle) > 0.1) return {};
+  LowestPoint point = fixed_->admissibility().passage(ends(way));
+  point.place = MovingFrame::from_frame(end, point.place);
+  return point;
+}
+
+void MovedInteraction::set_nodal_normal(const Place& at, double* normal) const {
+  const Place inside = seen(at);
+  fixed_->reports().set_nodal_normal(inside, force_.data());
+  const RigidPose pose = frame_.pose(at.time);
+  std::vector<double> turned(force_.size(), 0.0);
+  frame_.add_moved(pose, pose.angle, force_, turned.data());
+  // Several terms share nodes: only the nodes of this one are set.
+  const std::size_t d = frame_.dimension();
+  std::vector<double> gap(turned.size() / d, std::numeric_limits<double>::quiet_NaN());
+  fixed_->reports().lower_nodal_gap(inside, gap.data());
+  for (std::size_t i = 0; i < turned.size(); ++i)
+    if (!std::isnan(gap[i / d])) normal[i] = turned[i];
+}
+
+/// Returns the states as they are seen at their own times, without rates. An interaction that keeps nothing gets none.
+std::vector<KnownState> MovedInteraction::known_in_frame(const std::vector<KnownState>& known) const {
+  if (!fixed_->has_state()) return {};
+  std::vector<KnownState> result;
+  known_.resize(std::max(known_.size(), known.size()));
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    known_[k].resize(to_.size());
+    frame_.see(frame_.pose(known[k].time), known[k].u, known_[k]);
+    result.push_back({known_[k].data(), nullptr, nullptr, known[k].time});
+  }
+  return result;
+}
+
+void MovedInteraction::initialize(const KnownState& start, TermHistories& histories) const {
+  const Place inside = seen({start.u, start.time});
+  fixed_->initialize({inside.u, nullptr, nullptr, start.time}, histories);
+}
+
+void MovedInteraction::begin_step(const StepStart& start, StepMemories& step) const {
+  for (const KnownState& seen : known_in_frame({start.state}))
+    fixed_->begin_step({seen, start.dt, start.histories}, step);
+}
+
+void MovedInteraction::begin_stage(const StageStart& start, StepMemories& step) const {
+  StageStart own = start;
+  own.known = known_in_frame(start.known);
+  own.driven = nullptr;
+  own.driven_velocity = nullptr;
+  if (!own.known.empty()) fixed_->begin_stage(own, step);
+}
+
+StepWork MovedInteraction::accept(const AcceptedStep& step, TermHistories& histories) const {
+  AcceptedStep own = step;
+  own.states = known_in_frame(step.states);
+  return own.states.empty() ? StepWork{} : fixed_->accept(own, histories);
+}
+
+}  // namespace ixos

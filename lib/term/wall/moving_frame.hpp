@@ -1,0 +1,82 @@
+/// The nodes of a surface in the frame of a moving rigid body.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "discretization/pattern.hpp"
+#include "histories/rigid_motion.hpp"
+#include "mesh/local_mesh.hpp"
+#include "rule/rule.hpp"
+#include "term/force_term.hpp"
+
+namespace ixos {
+
+/// A node at x = X + u has the place y = P + R^T (x - P - T) in the frame of a rigid body at the pose x = P + T + R (y
+/// - P). Its displacement there is y - X = R^T (u - T) + (R^T - I)(X - P). A derivative node of a Hermite side has
+/// derivatives in place of places, and no translation. Arrays are local; only the entries of the surface's nodes are
+/// read or written.
+class MovingFrame {
+ public:
+  MovingFrame(const RigidMotion& motion, const LocalMesh& mesh, const std::vector<LocalSide>& sides,
+              const Pattern& pattern);
+
+  RigidPose pose(double time) const { return motion_.pose(time); }
+  bool turns() const { return motion_.turns(); }
+  std::size_t dimension() const { return d_; }
+  /// Finds the blocks of the nodes in a pattern that has changed.
+  void place(const Pattern& pattern);
+
+  /// Sets `seen` to the displacement in the frame at a rule's point of the segment, or of u.
+  void see(const RigidPose& pose, const Segment& segment, const RulePoint& point, std::vector<double>& seen) const;
+  void see(const RigidPose& pose, const double* u, std::vector<double>& seen) const;
+  /// Sets `seen` to `factor` times the vectors turned into the frame, R^T du.
+  void see_change(const RigidPose& pose, double factor, const double* du, std::vector<double>& seen) const;
+  /// Adds forces in a frame that is turned by `angle`, R f, to `sum`, and sets f to 0.
+  void add_moved(const RigidPose& pose, double angle, std::vector<double>& f, double* sum) const;
+  /// Adds a bound of the row sums of R K R^T from row sums of K, and sets those to 0.
+  void add_row_sums(const RigidPose& pose, std::vector<double>& sums, double* all) const;
+  /// Adds R_ik^2 d_k, the diagonal of R D R^T from a diagonal D, and sets that to 0.
+  void add_diagonal(const RigidPose& pose, std::vector<double>& diagonal, double* all) const;
+  /// Replaces the blocks V of all pairs of the nodes by R_left^T V R_right, or R_left V R_right^T if `back`.
+  void turn_blocks(const RigidPose& pose, double left, double right, bool back, double* values) const;
+  /// Adds R V R^T for the blocks V of all pairs of nodes in the frame, in the layout of a pattern.
+  static void add_moved_matrix(const RigidPose& pose, const Pattern& pattern, const std::vector<double>& seen,
+                               double* values);
+  /// Returns the point of space at place y of the frame.
+  static std::array<double, 3> from_frame(const RigidPose& pose, const std::array<double, 3>& y);
+
+  /// Sets `velocity` to that of the body's points where the nodes are, turned into the frame; `seen` as above.
+  void see_velocity(const RigidPose& pose, const std::vector<double>& seen, std::vector<double>& velocity) const;
+  /// Adds the rate of R f as the body turns, spin n x R f, to `sum`.
+  void add_turning_rate(const RigidPose& pose, const std::vector<double>& f, double* sum) const;
+  /// Returns the sum of f . (velocity of the body's points where the nodes are) over owned nodes; f and the
+  /// displacements `seen` are those in the frame.
+  double power(const RigidPose& pose, const std::vector<double>& f, const std::vector<double>& seen) const;
+  /// Returns the sum of f . dw over owned nodes, f in the frame turned by `angle`, dw = seen1 - seen0 - R^T (u1 - u0).
+  double work(const RigidPose& pose, double angle, const std::vector<double>& f, const std::vector<double>& seen0,
+              const std::vector<double>& seen1, const double* u0, const double* u1) const;
+  void clear(std::vector<double>& array) const;
+
+ private:
+  using Triple = std::array<double, 3>;
+  struct Node {
+    std::size_t first;  ///< degree of freedom
+    bool owned, derivative;
+    Triple place;  ///< X, or the derivative of X
+  };
+  struct Block {
+    std::size_t first, stride;  ///< in the matrix values
+  };
+  template <class Factor>
+  void add_turned(const RigidPose& pose, const Factor& factor, std::vector<double>& values, double* sums) const;
+  Triple vector_at(const Node& node, const double* values) const;
+  Triple seen_from(const RigidPose& pose, const Node& node, Triple u) const;
+
+  RigidMotion motion_;
+  std::size_t d_;
+  std::vector<Node> nodes_;
+  std::vector<Block> blocks_;  ///< of pairs with an owned row; empty if the body does not turn
+};
+
+}  // namespace ixos

@@ -1,0 +1,122 @@
+// The table of cell types: what an element type says of its sides fits its shape functions.
+#include "fem/cell_info.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "fem/with_element.hpp"
+
+namespace ixos {
+namespace {
+
+/// The corners of a reference shape, in the order of the cells' nodes.
+template <ReferenceShape shape>
+auto corners_of_shape() {
+  if constexpr (shape == ReferenceShape::Triangle)
+    return std::array<std::array<double, 2>, 3>{{{0, 0}, {1, 0}, {0, 1}}};
+  else
+    return corners < shape == ReferenceShape::Quadrilateral ? 2 : 3 > ();
+}
+
+/// Expects that a side's functions are those of its nodes in the cell, up to the sign of a derivative, and that the
+/// other nodes' functions vanish there.
+template <class Element, class Side>
+void expect_side(const std::vector<int>& nodes, const std::string& where) {
+  constexpr std::size_t D = Element::dimension, S = D - 1, N = Element::nodes;
+  ASSERT_EQ(nodes.size(), static_cast<std::size_t>(Side::nodes)) << where;
+  const auto corner = corners_of_shape<CellTraits<Element>::shape>();
+  for (double phase : {0.3, 1.1, 2.9}) {
+    std::array<double, S> t;
+    for (std::size_t d = 0; d < S; ++d) t[d] = std::sin(phase + 2.0 * static_cast<double>(d));
+    using Linear = Multilinear<static_cast<int>(S)>;
+    std::array<double, Linear::nodes> share;
+    std::array<std::array<double, S>, Linear::nodes> slope;
+    Linear::evaluate(t, share, slope);
+    std::array<double, D> xi{};
+    for (std::size_t c = 0; c < share.size(); ++c)
+      for (std::size_t d = 0; d < D; ++d) xi[d] += share[c] * corner[static_cast<std::size_t>(nodes[c])][d];
+    std::array<double, N> value;
+    std::array<std::array<double, D>, N> gradient;
+    Element::evaluate(xi, value, gradient);
+    std::array<double, Side::nodes> own;
+    std::array<std::array<double, S>, Side::nodes> own_slope;
+    Side::evaluate(t, own, own_slope);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      double& there = value[static_cast<std::size_t>(nodes[a])];
+      EXPECT_NEAR(std::abs(there), std::abs(own[a]), 1e-14) << where << ", node " << a;
+      there = 0;
+    }
+    for (double rest : value) EXPECT_NEAR(rest, 0, 1e-14) << where;
+  }
+}
+
+TEST(CellInfoTest, SidesAreTheCellsOwnFunctions) {
+  for (const CellInfo& info : cell_infos())
+    for (int side = 0; side < sides_per_cell(info.type); ++side)
+      with_element(info.type, [&](auto cell) {
+        with_side_element(info.type, side, [&](auto own) {
+          using Element = typename decltype(cell)::type;
+          using Side = typename decltype(own)::type;
+          // All pairs of types are compiled, also those of a cell and a side of another.
+          if constexpr (Side::dimension + 1 == Element::dimension)
+            expect_side<Element, Side>(side_nodes(info.type, side),
+                                       std::string(info.name) + ", side " + std::to_string(side));
+          else
+            FAIL() << info.name << " has a side of another dimension";
+        });
+      });
+}
+
+TEST(CellInfoTest, EachTypeStandsAtItsPlace) {
+  std::set<std::string_view> names, exodus;
+  std::set<int> gmsh;
+  for (std::size_t k = 0; k < cell_infos().size(); ++k) {
+    const CellInfo& info = cell_infos()[k];
+    EXPECT_EQ(static_cast<std::size_t>(info.type), k);
+    EXPECT_EQ(&cell_info(info.type), &info);
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    if (!info.exodus.empty()) {
+      EXPECT_TRUE(exodus.insert(info.exodus).second) << info.name;
+    }
+    if (info.gmsh != 0) {
+      EXPECT_TRUE(gmsh.insert(info.gmsh).second) << info.name;
+    }
+    const CellInfo &plain = cell_info(info.plain), &corners = cell_info(info.corners);
+    EXPECT_EQ(plain.plain, info.plain);
+    EXPECT_EQ(corners.corners, info.corners);
+    EXPECT_EQ(corners.order, 1);
+    EXPECT_EQ(plain.order, info.order);
+    EXPECT_EQ(info.contact_side >= 0, info.plain != info.type);
+    EXPECT_EQ(info.contact.empty(), info.plain == info.type);
+    EXPECT_EQ(info.exodus.empty(), info.plain != info.type) << "a picture has plain cells";
+    for (const CellInfo* part : {&plain, &corners}) {
+      EXPECT_EQ(part->shape, info.shape);
+      EXPECT_LE(part->nodes, info.nodes);
+      EXPECT_EQ(part->sides.size(), info.sides.size());
+    }
+  }
+}
+
+TEST(CellInfoTest, TypesAreFoundByWhatTheyAre) {
+  EXPECT_EQ(cube_type(2), CellType::Quad4);
+  EXPECT_EQ(cube_type(3), CellType::Hex8);
+  EXPECT_EQ(cube_type(2, 2), CellType::Quad9);
+  EXPECT_EQ(cube_type(3, 2), CellType::Hex27);
+  EXPECT_EQ(cube_with(3, 27)->type, CellType::Hex27);
+  EXPECT_EQ(cube_with(2, 3), nullptr) << "a triangle is no quadrilateral";
+  EXPECT_EQ(cube_with(2, 5), nullptr) << "an enriched cell is not plain";
+}
+
+TEST(CellInfoTest, ANumberThatIsNoTypeIsNoOtherTypeInSilence) {
+  const auto none = static_cast<CellType>(cell_infos().size());
+  EXPECT_THROW(cell_info(none), std::out_of_range);
+  EXPECT_THROW(nodes_per_cell(none), std::out_of_range);
+  EXPECT_THROW(with_element(none, [](auto) {}), std::logic_error);
+  EXPECT_THROW(with_plane_element(CellType::Hex8, [](auto) {}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace ixos
