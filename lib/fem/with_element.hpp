@@ -55,6 +55,7 @@ decltype(auto) with_side_element(CellType type, int side, const Function& functi
       constexpr std::size_t k = decltype(place)::value;
       if constexpr (k + 1 < std::tuple_size_v<Sides>)
         if (static_cast<int>(k) != side) return self(self, std::integral_constant<std::size_t, k + 1>{});
+      if (static_cast<int>(k) != side) throw std::out_of_range("a cell has no such side");
       return function(std::tuple_element_t<k, Sides>{});
     };
     return visit(visit, std::integral_constant<std::size_t, 0>{});

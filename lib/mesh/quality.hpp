@@ -8,8 +8,9 @@
 
 namespace ixos {
 
-/// Throws InputError, naming the place of the cell, if a cell's reference Jacobian is not positive at some corner
-/// point xi = +-1/sqrt(3): the cell is inverted, degenerate or wrongly numbered. Throws also if check_meridian() does.
+/// Throws InputError, naming the place of the cell, if a cell's reference Jacobian is not positive at some point of its
+/// element's own quadrature: the cell is inverted, degenerate or wrongly numbered. Throws also if check_meridian()
+/// does.
 void check_cells(const Mesh& mesh);
 
 /// Does the same with the cells of a rank's part, and names a cell by its nodes' program_id() and its centre.
@@ -20,8 +21,9 @@ void check_cells(const LocalMesh& mesh);
 struct MeshQuality {
   int cells = 0, nodes = 0;
   /// The least scaled Jacobian of all cells. That of a cell is the least Jacobian determinant of edges scaled to length
-  /// 1, at its corners and, in 3D, its centre, of a quadratic cell at its Gauss points, too. 1: a rectangle or brick; 0
-  /// or less: degenerate or inverted. Knupp (2000), as computed by Verdict.
+  /// 1, at its corners and, in 3D, its centre, of a quadratic cell at its Gauss points, too; of a triangle over that
+  /// of an equilateral one. 1: a rectangle, a brick, an equilateral triangle; 0 or less: degenerate or inverted. Knupp
+  /// (2000), as computed by Verdict.
   double least_scaled_jacobian = 0;
   CellPlace most_distorted{};      ///< the cell with the least scaled Jacobian
   double low_scaled_jacobian = 0;  ///< 5 % of the cells have this or less

@@ -98,8 +98,8 @@ class ForceTerm : public Term {
   virtual void add_time_derivative(const Segment& /*segment*/, const Rule& /*rule*/, double* /*f*/) const {}
   /// Returns the names of the numbers by which add_parameter_derivative() differentiates the force. Equal on all ranks.
   virtual std::vector<std::string> parameters() const { return {}; }
-  /// Adds the derivative of add_force() by a number of parameters(), all displacements kept. Returns false if some time
-  /// point is inadmissible. Throws std::logic_error if there is no such number.
+  /// Adds the derivative of add_force() by a number, all displacements kept: `parameter` is its place in parameters().
+  /// Returns false if some time point is inadmissible. Called only if there is such a number.
   virtual bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
                                         double* f) const;
 

@@ -116,6 +116,7 @@ TEST(CellInfoTest, ANumberThatIsNoTypeIsNoOtherTypeInSilence) {
   EXPECT_THROW(nodes_per_cell(none), std::out_of_range);
   EXPECT_THROW(with_element(none, [](auto) {}), std::logic_error);
   EXPECT_THROW(with_plane_element(CellType::Hex8, [](auto) {}), std::logic_error);
+  for (const int side : {-1, 3}) EXPECT_THROW(with_side_element(CellType::Tri3, side, [](auto) {}), std::out_of_range);
 }
 
 }  // namespace
