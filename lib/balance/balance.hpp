@@ -7,7 +7,7 @@
 
 namespace ixos {
 
-/// Which forces that depend on rates enter: none, those of the stage that began last in the step, or f(u, v) in a
+/// Selects the forces that depend on rates: none, those of the stage that began last in the step, or f(u, v) in a
 /// state.
 enum class Rates { None, Stage, State };
 

@@ -75,4 +75,14 @@ class Pattern {
   mutable Teuchos::RCP<const CrsGraph> graph_;
 };
 
+/// Adds factor K x to y for matrix values K in the layout of a pattern: x local, y the rows of owned nodes.
+inline void add_matrix_product(const Pattern& pattern, const double* values, double factor, const double* x,
+                               double* y) {
+  pattern.for_each_row(values, [&](int row, const auto& entries) {
+    double sum = 0;
+    entries([&](int column, double value) { sum += value * x[column]; });
+    y[row] += factor * sum;
+  });
+}
+
 }  // namespace ixos

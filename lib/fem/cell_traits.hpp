@@ -1,4 +1,4 @@
-/// What an element type says of itself as a type of cell.
+/// Traits of element types as types of cells.
 #pragma once
 #include <array>
 #include <cstddef>

@@ -32,4 +32,15 @@ Small<double, S, D> jacobian(const std::vector<double>& coordinates, const int* 
   return result;
 }
 
+/// Returns the Jacobian at a point of a cell without factors, in the space of its dimension.
+template <class Element, std::size_t D>
+Small<double, D> jacobian_at(const std::array<double, D>& xi, const std::vector<double>& coordinates,
+                             const int* nodes) {
+  std::array<double, Element::nodes> ones, value;
+  ones.fill(1);
+  std::array<std::array<double, D>, Element::nodes> gradient;
+  Element::evaluate(xi, value, gradient);
+  return jacobian<D>(coordinates, nodes, ones, gradient);
+}
+
 }  // namespace ixos

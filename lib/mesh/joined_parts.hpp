@@ -28,8 +28,8 @@ bool is_in_part(const std::string& part, const std::string& name);
 Mesh joined_parts(const std::vector<MeshPart>& parts);
 
 /// Returns one part of a mesh of joined_parts(): its blocks and sets, under their names in the joined mesh, and their
-/// nodes. Sets `old` to the nodes' numbers there; their order is that of the part. A model of it may have a
-/// communicator of its own.
+/// nodes. Sets `old` to the nodes' numbers there; their order is that of the part. A model of it may have
+/// another communicator than the whole.
 Mesh part_of_joined(const Mesh& joined, const std::string& part, std::vector<int>& old);
 
 }  // namespace ixos

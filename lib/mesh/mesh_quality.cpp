@@ -35,17 +35,6 @@ double scaled_determinant(const Small<double, D>& m) {
   return product > 0 ? determinant(m) / product : 0;
 }
 
-/// Returns the Jacobian of a cell's map at a point.
-template <class Element, std::size_t D>
-Small<double, D> jacobian_at(const std::array<double, D>& xi, const std::vector<double>& coordinates,
-                             const int* nodes) {
-  std::array<double, Element::nodes> ones, value;
-  ones.fill(1);
-  std::array<std::array<double, D>, Element::nodes> gradient;
-  Element::evaluate(xi, value, gradient);
-  return jacobian<D>(coordinates, nodes, ones, gradient);
-}
-
 /// Returns the quality of a cell. `Corners`: the linear element of its corners; the columns of that element's Jacobian
 /// at a corner are half the edges there. `revolved`: the volume is that of the ring which a plane cell sweeps.
 template <class Element, class Corners>

@@ -60,15 +60,14 @@ const Mirror& mirror_of(CellType type) {
   return info.dimension == 2 ? plane : solid;
 }
 
-/// Returns the Jacobian of the linear cell of the corners at its centre: a mirror image has a negative one.
-template <class Corners>
-double centre_jacobian(const std::vector<double>& coordinates, const int* nodes) {
-  constexpr std::size_t D = Corners::dimension;
-  std::array<double, Corners::nodes> ones, value;
-  ones.fill(1);
-  std::array<std::array<double, D>, Corners::nodes> gradient;
-  Corners::evaluate(std::array<double, D>{}, value, gradient);
-  return determinant(jacobian<D>(coordinates, nodes, ones, gradient));
+/// Returns whether a cell is a mirror image: the linear cell of its corners has a negative Jacobian at the origin of
+/// the reference shape.
+bool is_mirrored(CellType type, const std::vector<double>& coordinates, const int* nodes) {
+  return with_element(corner_type(type), [&](auto tag) {
+    using Element = typename decltype(tag)::type;
+    constexpr std::size_t D = Element::dimension;
+    return determinant(jacobian_at<Element>(std::array<double, D>{}, coordinates, nodes)) < 0;
+  });
 }
 
 CellFlags mirrored_cells(const Mesh& mesh) {
@@ -77,10 +76,7 @@ CellFlags mirrored_cells(const Mesh& mesh) {
     flags.emplace_back(static_cast<std::size_t>(block.cells()));
     for (int cell = 0; cell < block.cells(); ++cell) {
       const int* nodes = &block.nodes[cell_entry(cell, nodes_per_cell(block.type))];
-      const double volume = with_element(corner_type(block.type), [&](auto tag) {
-        return centre_jacobian<typename CellTraits<typename decltype(tag)::type>::Corners>(mesh.coordinates, nodes);
-      });
-      flags.back()[static_cast<std::size_t>(cell)] = volume < 0;
+      flags.back()[static_cast<std::size_t>(cell)] = is_mirrored(block.type, mesh.coordinates, nodes);
     }
   }
   return flags;

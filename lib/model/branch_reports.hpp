@@ -1,4 +1,4 @@
-/// What Maxwell branches say of a step.
+/// Reports of Maxwell branches on a step.
 #pragma once
 #include <vector>
 

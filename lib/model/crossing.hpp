@@ -11,8 +11,8 @@ namespace ixos {
 std::string in_words(const LocalMesh& mesh, const double* u, const LowestPoint& point);
 
 /// Returns how far and where a surface is in or below its obstacle at the end of the way, by
-/// Admissibility::lowest_point(); empty if all gaps are positive. Of interactions whose laws are defined at every gap,
-/// only a gap of minus infinity counts, beyond the obstacle's edge. If the way has a beginning, a point that passes
+/// Admissibility::lowest_point(); empty if all gaps are positive. A law that is defined at every gap allows all
+/// gaps but minus infinity, beyond the obstacle's edge. If the way has a beginning, a point that passes
 /// through its obstacle or another body on the way counts, too, by Admissibility::passage(), whatever the law. Equal on
 /// all ranks; collective.
 std::string crossing(const Model& model, const Segment& way);

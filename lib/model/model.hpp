@@ -75,7 +75,7 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  // What it is made of.
+  // Its parts.
 
   /// Adds an interaction of that name. The energy that it dissipates counts as "friction of <name>" or "damage of
   /// <name>", or else under the name. A model that has interactions takes further ones after close(), too: no force of

@@ -1,4 +1,4 @@
-/// What a model does not take.
+/// Settings that a model refuses.
 #pragma once
 #include <string>
 

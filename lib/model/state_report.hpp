@@ -1,4 +1,4 @@
-/// What a model is in a state: energies, forces, gaps, stresses.
+/// Energies, forces, gaps and stresses of a model in a state.
 #pragma once
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-/// What an interaction of a surface is made of, whether an obstacle or another surface is before it.
+/// Settings that all interactions of a surface have, with an obstacle or with another surface.
 #pragma once
 #include <array>
 #include <functional>

@@ -1,4 +1,4 @@
-/// What a model has and has not.
+/// Questions about a model: has it friction, histories, moved obstacles?
 #pragma once
 #include <string>
 

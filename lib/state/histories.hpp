@@ -1,4 +1,4 @@
-/// What all terms of a model keep from step to step, as a value.
+/// The histories of all terms of a model, as a value.
 #pragma once
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-/// What one term keeps from step to step, as a value.
+/// The history of one term, as a value.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace ixos {
 
-/// What a column of numbers means. It says how a column moves to other points, see moved().
+/// The meaning of a column of numbers. It says how a column moves to other points, see moved().
 enum class ColumnKind {
   Scalar,           ///< any number
   Growing,          ///< a number that no step lowers: a damage, a dissipated energy, a slip so far
@@ -32,7 +32,8 @@ struct PointColumns {
   bool operator==(const PointColumns& other) const { return values == other.values; }
 };
 
-/// What one term keeps. It can be copied, compared and written, and belongs to no object.
+/// The numbers that one term keeps from step to step. They can be copied, compared and written, and belong to no
+/// object.
 struct TermHistory {
   std::vector<PointColumns> points;
   std::vector<std::vector<int>> lists;  ///< by patch of a surface: the patches that it sees of the same surface

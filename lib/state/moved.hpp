@@ -9,20 +9,20 @@
 
 namespace ixos {
 
-/// What a node's value is made of.
+/// A share of a node's value.
 struct NodeShare {
   std::size_t node = 0;
   double weight = 0;
 };
 
-/// What a point's numbers are made of: points of the term's cells or sides before. Weights are not negative and their
+/// A share of a point's numbers, from a point of the term's cells or sides before. Weights are not negative and their
 /// sum is 1.
 struct PointShare {
   std::size_t cell = 0, point = 0;
   double weight = 0;
 };
 
-/// A point and what its numbers are made of.
+/// A point and the shares of its numbers.
 struct PointSource {
   std::size_t cell = 0, point = 0;
   std::vector<PointShare> shares;

@@ -10,8 +10,8 @@
 
 namespace ixos {
 
-/// What a term computes once for a step or a stage, so that its evaluations need not. No step depends on that of
-/// another step, and no checkpoint holds it.
+/// Results that a term computes once for a step or a stage and uses in all evaluations. No step depends on those
+/// of another step, and no checkpoint holds them.
 class StepMemory {
  public:
   virtual ~StepMemory() = default;

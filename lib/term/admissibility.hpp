@@ -1,4 +1,4 @@
-/// What an interaction admits: gaps, and the ways of points within a step.
+/// Gaps, and ways of points within a step, that an interaction admits.
 #pragma once
 #include <array>
 #include <limits>

@@ -99,7 +99,8 @@ class ForceTerm : public Term {
   /// Returns the names of the numbers by which add_parameter_derivative() differentiates the force. Equal on all ranks.
   virtual std::vector<std::string> parameters() const { return {}; }
   /// Adds the derivative of add_force() by a number, all displacements kept: `parameter` is its place in parameters().
-  /// Returns false if some time point is inadmissible. Called only if there is such a number.
+  /// Returns false if some time point is inadmissible. By default each number is a factor of the whole force, 1 at
+  /// first. Throws std::logic_error if there is no such number.
   virtual bool add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
                                         double* f) const;
 
@@ -110,8 +111,10 @@ class ForceTerm : public Term {
   virtual double potential(const Place& at) const { return energy(at); }
 };
 
-inline bool ForceTerm::add_parameter_derivative(std::size_t, const Segment&, const Rule&, double*) const {
-  throw std::logic_error("a term has no such parameter");
+inline bool ForceTerm::add_parameter_derivative(std::size_t parameter, const Segment& segment, const Rule& rule,
+                                                double* f) const {
+  if (parameter >= parameters().size()) throw std::logic_error("a term has no such parameter");
+  return add_force(segment, rule, f);
 }
 inline bool ForceTerm::add_force_and_keep(const Segment& segment, const Rule& rule, KeptPoints&, double* f) const {
   return add_force(segment, rule, f);

@@ -1,4 +1,4 @@
-/// What all terms of friction have in common.
+/// The base of all terms of friction.
 #pragma once
 #include "term/interaction.hpp"
 

@@ -34,8 +34,8 @@ class ObstacleMotion {
   virtual double work(const Segment& segment, const Rule& rule) const = 0;
 };
 
-/// An interaction of a surface with its surroundings: its forces. What else it says stands in small contracts of their
-/// own.
+/// The forces of a surface's interaction with its surroundings. Small contracts have the rest: gaps, couplings,
+/// reports, the motion of an obstacle.
 class Interaction : public ForceTerm {
  public:
   Part part() const final { return Part::Interaction; }
@@ -58,9 +58,9 @@ class Interaction : public ForceTerm {
 
   virtual const Admissibility& admissibility() const = 0;
   virtual const SurfaceReport& reports() const = 0;
-  /// Returns null if the tangent couples the nodes of single sides only. The same on all ranks.
+  /// Returns null if the tangent couples the nodes of single sides only. Equal on all ranks.
   virtual Coupling* coupling() = 0;
-  /// Returns null if the obstacle rests. The same on all ranks.
+  /// Returns null if the obstacle rests. Equal on all ranks.
   virtual const ObstacleMotion* motion() const = 0;
 };
 

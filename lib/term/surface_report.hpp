@@ -1,4 +1,4 @@
-/// What an interaction reports of its surface.
+/// Reports of an interaction on its surface.
 #pragma once
 #include <array>
 #include <limits>

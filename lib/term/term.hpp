@@ -60,8 +60,8 @@ struct StepWork {
 
 /// One contribution to the model: a ForceTerm or a RateTerm.
 ///
-/// A term holds no state of a motion. What lasts from step to step is a TermHistory, what lasts through a step a
-/// StepMemory; both are arguments. A run begins with initialize(). begin_step() is told the accepted state,
+/// A term holds no state of a motion. A TermHistory lasts from step to step, a StepMemory through one step; both are
+/// arguments. A run begins with initialize(). begin_step() is told the accepted state,
 /// begin_stage() what a stage's equation refers to; evaluations follow; accept() alone changes histories. A step that
 /// is rejected ends with the next begin_step(). Hence it leaves no trace, and steps from several states can alternate.
 /// Arrays are local. None of the functions communicates, unless it says so.

@@ -26,7 +26,7 @@ struct StepResult {
   bool crossed = false;        ///< the reason is that a surface crossed its obstacle, see crossing()
 };
 
-/// What steps have done so far [E0 L0^D].
+/// The work of all steps so far [E0 L0^D].
 struct Works {
   double dissipated = 0;  ///< by damping, viscosity, friction and all else
   double external = 0;    ///< of loads, reactions and moved obstacles
@@ -48,11 +48,11 @@ class Integrator {
   void initialize(std::vector<double> u, std::vector<double> v, double time);
 
   /// Continues from a state of this model, which may be that of another integrator: as a run does that resumes from
-  /// displacements, velocities and histories. What earlier steps left for predictors is discarded; works count from 0.
+  /// displacements, velocities and histories. Predictors forget earlier steps; works count from 0.
   /// Throws InputError if the state is inadmissible.
   void resume(const State& state);
-  /// Does the same where another integrator stops, perhaps one of another mesh or scheme: the works of that one go on
-  /// here, those of single sources count from 0.
+  /// Does the same, and adds to the works of another integrator, perhaps one of another mesh or scheme. The works of
+  /// single sources count from 0.
   void resume(const State& state, const Works& before);
 
   /// Takes one step of length dt > 0. On failure nothing has changed: state, time and sums are those before the call.

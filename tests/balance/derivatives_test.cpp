@@ -12,17 +12,12 @@
 #include "model/surface_interaction.hpp"
 #include "support/derivative.hpp"
 #include "support/solids.hpp"
+#include "support/time_functions.hpp"
 
 namespace ixos {
 namespace {
 
 using Values = std::vector<double>;
-
-std::shared_ptr<const TimeFunction> polynomial(double rate, double acceleration) {
-  return function_of_time([=](double t) {
-    return TimeValue{t * (rate + t * acceleration / 2), rate + t * acceleration, acceleration};
-  });
-}
 
 struct Setting {
   double modulus = 1, law = 1;  ///< factors
@@ -40,11 +35,11 @@ std::unique_ptr<Model> box_on_moving_wall(int dimension, const Setting& setting)
   }
   const auto d = static_cast<std::size_t>(dimension);
   RigidMotionOptions options;
-  options.translation = {polynomial(0.05, -0.02), polynomial(-0.02, 0.01), polynomial(-0.03, 0.01)};
+  options.translation = {test::polynomial(0.05, -0.02), test::polynomial(-0.02, 0.01), test::polynomial(-0.03, 0.01)};
   options.translation.resize(d);
   options.point = {0.2, -0.4, 0.1};
   options.point.resize(d);
-  if (setting.turns) options.angle = polynomial(0.04, 0.02);
+  if (setting.turns) options.angle = test::polynomial(0.04, 0.02);
   if (setting.turns && dimension == 3) options.axis = {1, 2, 2};
   SurfaceInteraction wall;
   wall.side_set = "bottom";
@@ -56,7 +51,7 @@ std::unique_ptr<Model> box_on_moving_wall(int dimension, const Setting& setting)
   add_interaction(*model, wall);
   Values pull(d, 0.0);
   pull.back() = 0.3;
-  add_traction(*model, "top", pull, polynomial(0.7, 0.4));
+  add_traction(*model, "top", pull, test::polynomial(0.7, 0.4));
   return model;
 }
 

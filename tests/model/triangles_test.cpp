@@ -14,6 +14,7 @@
 #include "model/edge_change.hpp"
 #include "model/state_report.hpp"
 #include "model/surface_interaction.hpp"
+#include "support/comparison.hpp"
 #include "support/derivative.hpp"
 #include "support/refusal.hpp"
 #include "support/scene_text.hpp"
@@ -194,6 +195,47 @@ TEST(TrianglesTest, SidesOfTrianglesFeelAWallAsThoseOfQuadrilaterals) {
   shape.divisions = {6, 3, 1};
   shape.lower = {-1, 0.3, 0};
   EXPECT_NEAR(energy(mixed_plate(), {"quads", "triangles"}), energy(box(shape), {"body"}), 1e-14);
+}
+
+/// Elastic energy and force of the plate under a displacement that follows from the places alone.
+std::pair<double, Values> response(const Mesh& mesh) {
+  const auto model = model_of(mesh, Inertia::None);
+  const Values u = test::smooth_field(*model, 0.05);
+  const StateReport report(*model, Place{u.data()});
+  return {report.energy(Part::Elastic), test::gathered(*model, report.nodal_force(Part::Elastic))};
+}
+
+TEST(TrianglesTest, NodesMayBeTurnedWithinACellAndTheBodyRescaled) {
+  Mesh turned = mixed_plate();
+  const auto [energy, force] = response(turned);
+  EXPECT_GT(energy, 1e-3);
+  for (std::size_t first = 0; first < turned.blocks[1].nodes.size(); first += 3)
+    std::rotate(turned.blocks[1].nodes.begin() + static_cast<std::ptrdiff_t>(first),
+                turned.blocks[1].nodes.begin() + static_cast<std::ptrdiff_t>(first + 1),
+                turned.blocks[1].nodes.begin() + static_cast<std::ptrdiff_t>(first + 3));
+  turned.side_sets.clear();  // sides would turn, too
+  const auto [same, forces] = response(turned);
+  EXPECT_NEAR(same, energy, 1e-14);
+  EXPECT_LT(test::distance(forces, force), 1e-14);
+  // A body of twice the size, moved twice as far, has four times the energy in plane strain.
+  Mesh large = mixed_plate();
+  for (double& x : large.coordinates) x *= 2;
+  const auto model = model_of(large, Inertia::None);
+  Values u = test::at_rest(*model);
+  const auto small = model_of(mixed_plate(), Inertia::None);
+  const Values half = test::smooth_field(*small, 0.05);
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] = 2 * half[k];
+  EXPECT_NEAR(StateReport(*model, Place{u.data()}).energy(Part::Elastic), 4 * energy, 1e-13);
+}
+
+TEST(TrianglesTest, AnInvertedTriangleIsInadmissible) {
+  const auto model = model_of(mixed_plate(), Inertia::None);
+  const Values u = linear_field(*model, {-2, 0, 0, 0});
+  Balance balance(*model);
+  const bool admissible = balance.evaluate(Part::Elastic, {nullptr, nullptr, u.data()}, end_rule());
+  EXPECT_EQ(model->space().maximum(admissible ? 1 : 0), 0);
+  for (const double force : StateReport(*model, Place{u.data()}).nodal_force(Part::Elastic))
+    EXPECT_TRUE(std::isnan(force));
 }
 
 TEST(TrianglesTest, MirroredTrianglesAreTurnedAndInvertedOnesRefused) {

@@ -9,11 +9,7 @@ namespace ixos::test {
 /// Returns K x, rows of owned nodes, of matrix values laid out by the model's pattern.
 inline std::vector<double> matrix_product(const Model& model, const double* values, const std::vector<double>& x) {
   std::vector<double> y(static_cast<std::size_t>(model.space().owned()), 0.0);
-  model.pattern().for_each_row(values, [&](int row, const auto& entries) {
-    entries([&](int column, double value) {
-      y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
-    });
-  });
+  add_matrix_product(model.pattern(), values, 1, x.data(), y.data());
   return y;
 }
 

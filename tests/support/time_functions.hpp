@@ -1,13 +1,21 @@
-/// Checks that every function of time must pass.
+/// Functions of time for tests, and checks that every one must pass.
 #pragma once
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "histories/time_function.hpp"
 
 namespace ixos::test {
+
+/// Returns rate t + acceleration t^2/2.
+inline std::shared_ptr<const TimeFunction> polynomial(double rate, double acceleration) {
+  return function_of_time([=](double t) {
+    return TimeValue{t * (rate + t * acceleration / 2), rate + t * acceleration, acceleration};
+  });
+}
 
 inline void expect_value(const TimeFunction& function, double time, double value, double rate, double acceleration) {
   const TimeValue f = function.at(time);

@@ -12,6 +12,7 @@
 #include "support/derivative.hpp"
 #include "support/obstacle_geometry.hpp"
 #include "support/solids.hpp"
+#include "support/tangents.hpp"
 #include "term/wall/surface_terms.hpp"
 
 namespace ixos {
@@ -92,16 +93,10 @@ class LawsBeforeObstaclesSerialTest : public testing::TestWithParam<std::tuple<s
     return f;
   }
   Vector product(const Rule& rule, const Vector& x) const {
-    const auto d = static_cast<std::size_t>(model_->mesh().dimension);
-    Vector values(static_cast<std::size_t>(model_->pattern().pairs()) * d * d, 0.0), y(x.size(), 0.0);
+    Vector values = test::no_values(*model_);
     for (std::size_t k = 0; k < terms_.size(); ++k)
       terms_[k]->add_tangent(segment(k, to_), rule, Tangent::Exact, values.data());
-    model_->pattern().for_each_row(values.data(), [&](int row, const auto& entries) {
-      entries([&](int column, double value) {
-        y[static_cast<std::size_t>(row)] += value * x[static_cast<std::size_t>(column)];
-      });
-    });
-    return y;
+    return test::matrix_product(*model_, values.data(), x);
   }
 
   std::unique_ptr<Model> model_;

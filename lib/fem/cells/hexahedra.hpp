@@ -46,7 +46,7 @@ struct ContactHexTraits : HexahedronTraits {
   static constexpr int contact_side = 4;
 };
 
-/// The same with that many nodes inside each edge of the bottom.
+/// A ContactHexTraits whose bottom has `inner` nodes inside each edge.
 template <class Face, class Beside, int inner>
 struct LagrangeHexTraits : ContactHexTraits<Face, Beside> {
   static SideNodes side_nodes() {

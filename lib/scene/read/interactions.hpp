@@ -13,8 +13,8 @@
 
 namespace ixos {
 
-/// What a list of "Interactions" says. Without a primary surface the interaction is that with an obstacle, and settings
-/// of pairs do not count.
+/// The settings of a list of "Interactions". Without a primary surface the interaction is that with an obstacle, and
+/// settings of pairs do not count.
 struct InteractionSettings : SurfacePair {
   InteractionSettings();
 

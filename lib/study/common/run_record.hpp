@@ -1,4 +1,4 @@
-/// What the record and the summary of a run tell.
+/// The record and the summary of a run.
 #pragma once
 #include <string>
 

@@ -141,11 +141,7 @@ void Damping::add_mass_diagonal(double factor, double* d) const {
 }
 
 void Damping::multiply_add_matrix(double factor, const double* x, double* y) const {
-  pattern_.for_each_row(matrix().data(), [&](int row, const auto& entries) {
-    double sum = 0;
-    entries([&](int column, double value) { sum += value * x[column]; });
-    y[row] += factor * sum;
-  });
+  add_matrix_product(pattern_, matrix().data(), factor, x, y);
 }
 
 void Damping::add_row_sums(const double*, double* sums) const {

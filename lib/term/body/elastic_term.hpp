@@ -34,9 +34,6 @@ class Elasticity : public ForceTerm {
   Part part() const final { return Part::Elastic; }
   /// The factor of all moduli, 1 at first: stresses are proportional to it.
   std::vector<std::string> parameters() const final { return {"Modulus Factor"}; }
-  bool add_parameter_derivative(std::size_t, const Segment& segment, const Rule& rule, double* f) const final {
-    return add_force(segment, rule, f);
-  }
   /// Adds the diagonal of the tangent at segment.to to a local array.
   virtual void add_diagonal(const Segment& segment, double* diagonal) const = 0;
   /// Fills in the fields of the block.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/vector3.hpp"
+#include "term/slip_history.hpp"
 
 namespace ixos {
 namespace {
@@ -66,13 +67,7 @@ PairSlip<D>::PairSlip(const LocalMesh& mesh, PairSurfaces<D> surfaces, const std
 
 template <std::size_t D>
 TermHistory PairSlip<D>::history() const {
-  return {{{{{"traction", ColumnKind::SurfaceVector, D},
-             {"slip", ColumnKind::Growing, 1},
-             {"dissipated", ColumnKind::Growing, 1},
-             {"sliding", ColumnKind::Scalar, 1}},
-            nothing_}},
-          {},
-          {0, 0}};
+  return slip_history(D, nothing_);
 }
 
 template <std::size_t D>

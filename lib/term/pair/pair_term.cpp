@@ -18,7 +18,7 @@ namespace {
 
 double at(const Pack& value) { return value[0]; }
 
-/// What patches see of their own surface, by patch.
+/// By patch: the patches of the same surface that it sees.
 using Sights = std::vector<std::vector<int>>;
 
 template <std::size_t D>
@@ -52,9 +52,6 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   Coupling* coupling() override { return this; }
   const ObstacleMotion* motion() const override { return nullptr; }
   std::vector<std::string> parameters() const override { return {"Law Factor"}; }
-  bool add_parameter_derivative(std::size_t, const Segment& segment, const Rule& rule, double* f) const override {
-    return add_force(segment, rule, f);
-  }
 
   bool update_stencils(const double* u) override {
     points_.place(u, now_);
@@ -63,8 +60,8 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   std::vector<std::vector<int>> stencils() const override { return coupling_.stencils(); }
 
   bool has_state() const override { return true; }
-  /// What a surface saw of itself is no history of a law, but another scene that resumes from the same displacement
-  /// needs it, too: parts that overlap no longer face each other.
+  /// Another scene that resumes from the same displacement needs the patches that saw each other, although they are no
+  /// history of a law: parts that overlap no longer face each other.
   bool outlives_scene() const override { return is_one_surface(); }
   void transfer(Record& record, TermHistories& histories) override {
     const bool other_scene = record.loading() && !record.same_scene();
@@ -276,7 +273,7 @@ class PairTerm final : public Interaction, public Admissibility, public Coupling
   std::unique_ptr<StepMemory> create_memory() const override { return std::make_unique<Memory>(); }
 
  private:
-  /// What a step decides at its start.
+  /// Decisions at the start of a step.
   struct Memory final : StepMemory {
     Places start;
     bool guards = false;  ///< bodies could pass through each other on the way from there

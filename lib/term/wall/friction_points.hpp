@@ -11,6 +11,7 @@
 #include "state/history.hpp"
 #include "state/place.hpp"
 #include "term/interaction.hpp"
+#include "term/slip_history.hpp"
 #include "term/wall/curved_sides.hpp"
 
 namespace ixos {
@@ -55,15 +56,7 @@ class FrictionPoints {
   const Obstacle& obstacle() const { return *obstacle_; }
 
   /// Returns the history of points that never slid.
-  TermHistory history() const {
-    return {{{{{"traction", ColumnKind::SurfaceVector, D},
-               {"slip", ColumnKind::Growing, 1},
-               {"dissipated", ColumnKind::Growing, 1},
-               {"sliding", ColumnKind::Scalar, 1}},
-              nothing_}},
-            {},
-            {0, 0}};
-  }
+  TermHistory history() const { return slip_history(D, nothing_); }
   /// Freezes the state of a step's start; a displacement since then will have taken the time `length` [T0].
   void begin(const double* u, double length, const TermHistory& history, Memory& step) const;
   /// Sets the time that a displacement will have taken, for a stage.

@@ -56,7 +56,7 @@ bool MovedInteraction::is_gradient(const Rule& asked) const {
   return fixed_->is_gradient(rule) && (rule.mean == Mean::Points || !frame_.turns());
 }
 
-/// What the interaction keeps at each point of a rule, or of its mean.
+/// Kept points of the interaction for each point of a rule, or for its mean.
 struct MovedInteraction::Kept final : KeptPoints {
   std::vector<std::unique_ptr<KeptPoints>> parts;  ///< null where nothing was kept yet
 
@@ -177,11 +177,7 @@ void MovedInteraction::add_time_derivative(const Segment& segment, const Rule& a
     tangent.assign(static_cast<std::size_t>(pattern_->pairs()) * d * d, 0.0);
     fixed_->add_tangent(here(segment), here_only, Tangent::Exact, tangent.data());
     frame_.see_velocity(pose, to_, change_);
-    pattern_->for_each_row(tangent.data(), [&](int row, const auto& entries) {
-      entries([&](int column, double value) {
-        force_[static_cast<std::size_t>(row)] -= value * change_[static_cast<std::size_t>(column)];
-      });
-    });
+    add_matrix_product(*pattern_, tangent.data(), -1, change_.data(), force_.data());
     frame_.add_moved(pose, pose.angle, force_, f);
   });
 }

@@ -97,9 +97,6 @@ class SurfaceInteractionTerm : public Interaction, public Admissibility, public 
   const ObstacleMotion* motion() const final { return nullptr; }
   /// The factor of the law, 1 at first: no law's history depends on it.
   std::vector<std::string> parameters() const final { return {"Law Factor"}; }
-  bool add_parameter_derivative(std::size_t, const Segment& segment, const Rule& rule, double* f) const final {
-    return this->add_force(segment, rule, f);
-  }
 
   bool needs_positive_gaps() const final { return own().laws_.whole().domain == GapDomain::Positive; }
   bool is_clear(const Place&) const final { return false; }
@@ -112,7 +109,7 @@ class SurfaceInteractionTerm : public Interaction, public Admissibility, public 
   const Owner& own() const { return static_cast<const Owner&>(*this); }
 };
 
-/// What such an interaction does over steps if its law has a history. The owner calls it its friend and has sides_, its
+/// The steps of such an interaction, whose law may have a history. The owner calls it its friend and has sides_, its
 /// SurfaceSides; add_nodal_pressure(place, sums), see SurfaceNumber; and for_each_gap(u, visit), which calls
 /// visit(batch, quadrature point, gap, weight) with weights that count on this rank.
 template <class Owner, class Law, bool = HasHistory<Law>::value>

@@ -8,6 +8,7 @@
 #include "interaction/van_der_waals.hpp"
 #include "support/comparison.hpp"
 #include "support/solids.hpp"
+#include "support/time_functions.hpp"
 #include "term/wall/surface_terms.hpp"
 
 namespace ixos {
@@ -20,20 +21,14 @@ const std::vector<std::pair<int, ContactElement>> bodies = {
     {2, ContactElement::Q2C4}, {3, ContactElement::Q1C1}, {3, ContactElement::Q1C2}, {3, ContactElement::Q1CH},
     {3, ContactElement::Q2C2}, {3, ContactElement::Q2C4}};
 
-std::shared_ptr<const TimeFunction> polynomial(double rate, double acceleration) {
-  return function_of_time([=](double t) {
-    return TimeValue{t * (rate + t * acceleration / 2), rate + t * acceleration, acceleration};
-  });
-}
-
 /// A translation and, in 2D about z, in 3D about an oblique axis, a rotation; both accelerate.
 RigidMotion motion(int dimension, bool turns) {
   RigidMotionOptions options;
-  options.translation = {polynomial(0.05, -0.02), polynomial(-0.02, 0.01), polynomial(-0.03, 0.01)};
+  options.translation = {test::polynomial(0.05, -0.02), test::polynomial(-0.02, 0.01), test::polynomial(-0.03, 0.01)};
   options.translation.resize(static_cast<std::size_t>(dimension));
   options.point = {0.2, -0.4, 0.1};
   options.point.resize(static_cast<std::size_t>(dimension));
-  if (turns) options.angle = polynomial(0.04, 0.02);
+  if (turns) options.angle = test::polynomial(0.04, 0.02);
   if (turns && dimension == 3) options.axis = {1, 2, 2};
   return {dimension, options};
 }
@@ -270,7 +265,7 @@ TEST(MovedInteractionTest, TheWorkOfTheMeanConvergesToThePhysicalOne) {
 TEST(MovedInteractionTest, StepsAreAdmissibleBeforeTheWallThatHasMoved) {
   const auto model = test::box_with_contact(2, ContactElement::Q1C1);
   RigidMotionOptions options;
-  options.translation = {nullptr, polynomial(0.1, 0)};
+  options.translation = {nullptr, test::polynomial(0.1, 0)};
   const RigidMotion way(2, options);
   const Interactions moved = terms(*model, flat_wall({}), &way);
   const std::vector<double> rest = test::at_rest(*model);
@@ -294,7 +289,7 @@ TEST(MovedInteractionTest, AWayThroughTheSurfaceIsNoticed) {
   const auto model = test::box_with_contact(2, ContactElement::Q1C1);
   const auto ball = make_obstacle("Sphere", 2, {{"Radius", 0.5}, {"Center", std::vector<double>{-10, 0}}});
   RigidMotionOptions options;
-  options.translation = {polynomial(20, 0), nullptr};  // the centre passes the origin half way
+  options.translation = {test::polynomial(20, 0), nullptr};  // the centre passes the origin half way
   const RigidMotion way(2, options);
   const std::vector<double> rest = test::at_rest(*model);
   const Segment segment{rest.data(), nullptr, rest.data(), 0, 1};
@@ -310,7 +305,7 @@ TEST(MovedInteractionTest, AWayThroughTheSurfaceIsNoticed) {
   EXPECT_EQ(model->space().maximum(noticed), 1);
   EXPECT_GT(model->space().maximum(ratio), 1e5);
   EXPECT_NEAR(model->space().minimum(deepest), 0.3 - 0.5, 1e-3);  // the points are 0.3 above the centre
-  options.angle = polynomial(0.2, 0);
+  options.angle = test::polynomial(0.2, 0);
   const RigidMotion turning(2, options);
   for (const auto& term : terms(*model, ball, &turning)) {
     EXPECT_FALSE(term->admissibility().passage(segment).gap < 0) << "ways are not straight";
